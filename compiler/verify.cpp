@@ -258,8 +258,8 @@ private:
     out_.seen = seen.size();
     // Where there are classes, the build is the right one, and what is missing is told in the findings.
     if (seen.empty() && code_.classes.empty() && !code_.has_templates) {
-      fail(fmt::format("none of the {} files of `{}` that could have a body of `{}` has one", out_.files, build,
-                       checked_.model.name));
+      fail(fmt::format("no body of `{}` was found in the {} of `{}` that could have one", checked_.model.name,
+                       out_.files == 1 ? "file" : fmt::format("{} files", out_.files), build));
       return;
     }
     std::vector<std::string> missing;

@@ -20,6 +20,9 @@ struct Unit {
   std::vector<std::string> arguments; ///< fit for Clang, without the compiler and the file
   std::string text;                   ///< if not empty: what the file holds, whatever lies on the disk
   bool is_deep = false;               ///< bodies of functions in system headers are read too
+  /// A name that is not there is taken for the one most like it, and the fault says for which. Of bodies that would
+  /// tell what nobody wrote: where a group was renamed, the body of the old name seems to be a second one of the new.
+  bool corrects_names = false;
 };
 
 struct Included {

@@ -88,6 +88,7 @@ Json tell_types(const Json& request) {
   Unit unit = unit_of(request["unit"]);
   const Source source = write_source(request);
   unit.text = source.text;
+  unit.corrects_names = true;
   const std::size_t count = request["names"].items().size();
   std::vector<Json> types(count);
   std::vector<bool> is_macro(count);

@@ -20,7 +20,7 @@ namespace director::compiler::cli {
 
 namespace {
 
-/// A flag that may carry a value is written `--werror[=ID]`.
+/// A flag that may carry a value is written `--werror[=ID]`, and of a name that may stand several times, `FILE...`.
 class Help : public CLI::Formatter {
 public:
   std::string make_option_name(const CLI::Option* option, bool positional) const override {
@@ -28,6 +28,10 @@ public:
     const std::size_t at = name.find("{*}");
     if (at != std::string::npos) name.replace(at, 3, name == "--allow{*}" ? "=ID" : "[=ID]");
     return name;
+  }
+  std::string make_option_usage(const CLI::Option* option) const override {
+    const std::string name = make_option_name(option, true) + (option->get_expected_max() > 1 ? "..." : "");
+    return option->get_required() ? name : "[" + name + "]";
   }
 };
 
@@ -46,7 +50,7 @@ const std::array<Subcommand, 16> subcommands{{
     {"explain", "Print the page of a check, or what a key of the language says", explain_options},
     {"checks", "List all checks", checks_options},
     {"simulate", "Play a scenario and print what happens", simulate_options},
-    {"trace", "Print what was recorded, or write it for Perfetto", trace_options},
+    {"trace", "Print what was recorded, or write it for a browser or for Perfetto", trace_options},
     {"replay", "Play again what was recorded, and say where a behaviour decides otherwise", replay_options},
     {"why", "Say why a group runs, or does not, in a scenario", why_options},
     {"test", "Play scenarios and compare with what they expect", test_options},

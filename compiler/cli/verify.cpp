@@ -64,6 +64,7 @@ int run(const Verify& request, Console& console) {
   VerifyWorld world{console.programs, console.scanner, console.files, store, shown_path};
   Verified verified = verify(*checked, sources, {request.build, request.generated, request.excluded}, world);
   if (!verified.fault.empty()) {
+    print_undecided(verified.not_decided, console); // what Clang does not understand may be why
     say(console, fmt::format("directorc: {}\n", verified.fault));
     return misused;
   }

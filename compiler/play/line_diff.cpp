@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <string_view>
 
 namespace director::compiler {
 
@@ -14,20 +13,33 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-struct Edit {
-  char sign; ///< ' ', '-' or '+'
-  std::string_view line;
-};
+/// Which edits are shown: the changes, and what stands close to one.
+std::vector<bool> shown(const std::vector<DiffLine>& all) {
+  std::vector<bool> out(all.size(), false);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].sign == ' ') continue;
+    const std::size_t end = std::min(all.size(), i + diff_context + 1);
+    for (std::size_t k = i - std::min(i, diff_context); k < end; ++k) out[k] = true;
+  }
+  return out;
+}
 
-/// Edits that lead from one list to the other. What both begin and end with is equal in any shortest difference.
-std::vector<Edit> edits(const Lines& from, const Lines& to) {
+std::string range(std::size_t before, std::size_t count) {
+  const std::size_t first = count == 0 ? before : before + 1;
+  return count == 1 ? std::to_string(first) : fmt::format("{},{}", first, count);
+}
+
+} // namespace
+
+/// What both begin and end with is equal in any shortest difference.
+std::vector<DiffLine> line_diff(const Lines& from, const Lines& to) {
   const std::size_t shorter = std::min(from.size(), to.size());
   std::size_t head = 0, tail = 0;
   while (head < shorter && from[head] == to[head]) ++head;
   while (tail < shorter - head && from[from.size() - 1 - tail] == to[to.size() - 1 - tail]) ++tail;
   const std::size_t rows = from.size() - head - tail, columns = to.size() - head - tail;
 
-  std::vector<Edit> out;
+  std::vector<DiffLine> out;
   for (std::size_t i = 0; i < head; ++i) out.push_back({' ', from[i]});
   std::size_t i = 0, j = 0;
   if (columns == 0 || rows <= most_diff_cells / columns) {
@@ -59,27 +71,9 @@ std::vector<Edit> edits(const Lines& from, const Lines& to) {
   return out;
 }
 
-/// Which edits are shown: the changes, and what stands close to one.
-std::vector<bool> shown(const std::vector<Edit>& all) {
-  std::vector<bool> out(all.size(), false);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].sign == ' ') continue;
-    const std::size_t end = std::min(all.size(), i + diff_context + 1);
-    for (std::size_t k = i - std::min(i, diff_context); k < end; ++k) out[k] = true;
-  }
-  return out;
-}
-
-std::string range(std::size_t before, std::size_t count) {
-  const std::size_t first = count == 0 ? before : before + 1;
-  return count == 1 ? std::to_string(first) : fmt::format("{},{}", first, count);
-}
-
-} // namespace
-
 std::vector<std::string> unified_diff(const Lines& expected, const Lines& happened, std::size_t most_lines) {
   if (expected == happened) return {};
-  const std::vector<Edit> all = edits(expected, happened);
+  const std::vector<DiffLine> all = line_diff(expected, happened);
   const std::vector<bool> visible = shown(all);
   Lines out{"--- expected", "+++ happened"};
   std::size_t in_expected = 0, in_happened = 0;

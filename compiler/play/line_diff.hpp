@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace director::compiler {
@@ -12,6 +13,14 @@ namespace director::compiler {
 inline constexpr std::size_t diff_context = 3; ///< equal lines shown around a difference
 inline constexpr std::size_t most_diff_cells =
     4'000'000; ///< of the table; beyond it all between the equal ends differs
+
+struct DiffLine {
+  char sign; ///< ' ', '-' or '+'
+  std::string_view line;
+};
+
+/// The lines of both lists, one after another, each with what happens to it.
+std::vector<DiffLine> line_diff(const std::vector<std::string>& from, const std::vector<std::string>& to);
 
 /// "--- expected", "+++ happened", then hunks; nothing where they are equal. At most `most_lines` of them, and then how
 /// many more there are.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/play/write_expect.hpp"
 
+#include "compiler/play/line_diff.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,6 +43,36 @@ std::string quoted(const std::vector<std::string>& lines) {
   return out + "\"";
 }
 
+bool is_blank(std::string_view line) { return line.find_first_not_of(" \t") == std::string_view::npos; }
+
+/// What stands behind `expect:`, where that is a block.
+struct Block {
+  std::string_view head; ///< `|`, and what else stands on that line
+  std::string_view indent;
+  std::vector<std::string> events;
+  std::vector<std::string_view> lines;               ///< of the events
+  std::vector<std::vector<std::string_view>> before; ///< comments and blank lines, of each, and behind the last one
+};
+
+Block read(std::string_view text) {
+  std::size_t at = end_of_line(text, 0);
+  Block out{text.substr(0, at), {}, {}, {}, {{}}};
+  while ((at = text.find('\n', at)) != std::string_view::npos) {
+    ++at;
+    const std::string_view line = text.substr(at, end_of_line(text, at) - at);
+    const std::size_t first = std::min(line.find_first_not_of(" \t"), line.size());
+    if (out.indent.empty() && !is_blank(line)) out.indent = line.substr(0, first);
+    if (is_blank(line) || line[first] == '#') {
+      out.before.back().push_back(line);
+    } else {
+      out.events.emplace_back(line.substr(first, line.find_last_not_of(" \t") + 1 - first));
+      out.lines.push_back(line);
+      out.before.emplace_back();
+    }
+  }
+  return out;
+}
+
 class Writing {
 public:
   explicit Writing(std::string_view text)
@@ -54,6 +86,9 @@ public:
     if (step.expect) {
       const Span place = step.expect->span;
       const std::size_t rest = end_of_line(text_, place.end);
+      if (text_[place.begin] == '|')
+        return {place.begin, place.end,
+                renewed(read(text_.substr(place.begin, place.end - place.begin)), lines, indent)};
       const bool last = text_.substr(place.end, rest - place.end).find_first_not_of(" \t") == std::string_view::npos;
       return {place.begin, place.end, flow || !last ? quoted(lines) : block(lines, indent)};
     }
@@ -69,6 +104,35 @@ public:
   }
 
 private:
+  /// A block keeps its comments, each before the event that it stood before, or that comes there now.
+  std::string renewed(const Block& old, const std::vector<std::string>& lines, std::size_t indent) const {
+    const std::string own = old.indent.empty() ? std::string(indent + 2, ' ') : std::string(old.indent);
+    const std::vector<DiffLine> diff = line_diff(old.events, lines);
+    std::vector<std::string> out;
+    std::size_t next = 0;
+    const auto keep = [&] { out.insert(out.end(), old.before[next].begin(), old.before[next].end()); };
+    for (auto at = diff.begin(); at != diff.end();) {
+      if (at->sign == ' ') {
+        keep();
+        out.emplace_back(old.lines[next++]);
+        ++at;
+        continue;
+      }
+      const auto end = std::find_if(at, diff.end(), [](const DiffLine& each) { return each.sign == ' '; });
+      auto gone = std::count_if(at, end, [](const DiffLine& each) { return each.sign == '-'; });
+      for (; at != end; ++at) { // the first event that comes stands for the first that goes, and so on
+        if (at->sign != '+') continue;
+        if (gone > 0) keep(), ++next, --gone;
+        out.push_back(own + std::string(at->line));
+      }
+      for (; gone > 0; --gone, ++next) keep();
+    }
+    keep();
+    const std::size_t remark = std::min(old.head.find_first_of(" \t"), old.head.size());
+    if (std::all_of(out.begin(), out.end(), is_blank)) return "\"\"" + std::string(old.head.substr(remark));
+    return std::string(old.head) + newline_ + fmt::format("{}", fmt::join(out, newline_));
+  }
+
   std::string block(const std::vector<std::string>& lines, std::size_t indent) const {
     if (lines.empty()) return "\"\"";
     std::string out = "|";

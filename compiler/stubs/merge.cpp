@@ -150,8 +150,13 @@ private:
     out_.insertions.push_back({type_.place.path, offset, std::move(added)});
   }
 
+  /// Where none of the module is there, as of a group that is called otherwise now, the last body of the class says how
+  /// the user writes them.
   const FoundFunction* definition_anchor(std::size_t index) const {
-    return anchor(index, [&](const FoundFunction& each) { return fits_definition(each); });
+    const auto fits = [&](const FoundFunction& each) { return fits_definition(each); };
+    if (const FoundFunction* const own = anchor(index, fits)) return own;
+    const auto last = std::find_if(found_.functions.rbegin(), found_.functions.rend(), fits);
+    return last == found_.functions.rend() ? nullptr : &*last;
   }
 
   /// Outside of the class. `declared`: it is declared by the user, so that it has to be somewhere.

@@ -50,6 +50,8 @@ public:
   EventReading(const Lookup& lookup, const Json& line) : l_(lookup), json_(line) {}
 
   Lookup::Found read() {
+    if (json_.is_object() && !json_["director_trace"].is_null())
+      return fail("another recording begins here, and each is read by itself");
     if (!json_.is_object() || !json_["event"].is_text()) return fail("it names no event");
     if (!find_word(e_.kind, Event::Kind::given, json_["event"].as_text()))
       return fail(fmt::format("no event is called `{}`", json_["event"].as_text()));

@@ -141,7 +141,7 @@ private:
     Transition out;
     const TransitionMatrix::Row &first = out_.rows[i], &second = out_.rows[j];
     const Beginning &row = beginnings_[i], &column = beginnings_[j];
-    Told told{model_, first, second, {}, {}};
+    Told told{model_, first, second, {}, {}, true};
     if (first.reached && second.reached) {
       const bool same = i == j || row.way.passes(second.group) || column.way.passes(first.group) ||
                         row.rest.is_under(model_, second.group, row.way.last().edge);
@@ -170,6 +170,7 @@ private:
       out.states = words_of(change, model_);
       out.pushes = judge_.pushes_of(now.trial, row);
       told.why = runs_later ? now.trial.why : later.trial.why;
+      told.is_asked = now.trial.is_asked;
       decided = later;
       if (runs_later) break;
     }

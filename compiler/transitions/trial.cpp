@@ -8,6 +8,8 @@
 #include "dsl/file_access.hpp"
 #include "dsl/read_scenario.hpp"
 
+#include <fmt/format.h>
+
 namespace director::compiler::transitions {
 
 namespace {
@@ -32,16 +34,38 @@ Rest rest_of(const View& view, const Model& model) {
   return out;
 }
 
+bool is_requested(const View& view, const Task& task) {
+  return view.state(static_cast<Index>(task.edge.value)) != RunState::none;
+}
+
+/// Who should have asked for it runs in another way, or its body has not come to it: with the provider that is in
+/// charge, where there are several.
+std::string why_not_asked(const View& view, const Model& model, GroupId requester, const Task& task) {
+  const std::string& asked = model.groups[task.target].name.value;
+  const Group& group = model.groups[requester];
+  const Index active = view.assignment[requester.value].active;
+  if (active == nil) return fmt::format("nobody asks for {}", asked);
+  const std::string in =
+      group.providers.size() == 1 ? std::string{} : fmt::format(" in {}", model.providers[ProviderId{active}].name);
+  return fmt::format("{} runs{} and does not ask for {}", group.name.value, in, asked);
+}
+
 /// Of the first group on the way that does not run for it.
-std::string why_not(const View& view, const Model& model, const Lowered& lowered, const Way& way) {
+void tell_why_not(const View& view, const Model& model, const Lowered& lowered, const Way& way, Trial& out) {
   const auto runs = [&](const Task& task) {
     return view.state(static_cast<Index>(task.edge.value)) == RunState::running;
   };
   const Task* stuck = runs(*way.root) ? nullptr : way.root;
-  for (const Link& link : way.links) {
-    if (stuck == nullptr && !runs(*link.next)) stuck = link.next;
+  std::optional<GroupId> requester;
+  for (std::size_t i = 0; i < way.links.size() && stuck == nullptr; ++i) {
+    if (runs(*way.links[i].next)) continue;
+    stuck = way.links[i].next;
+    requester = way.group(i);
   }
-  return stuck == nullptr ? std::string{} : reason_why(view, stuck->target, model, lowered).text;
+  if (stuck == nullptr) return;
+  out.is_asked = is_requested(view, *stuck);
+  out.why = requester && !out.is_asked ? why_not_asked(view, model, *requester, *stuck)
+                                       : reason_why(view, stuck->target, model, lowered).text;
 }
 
 } // namespace
@@ -80,7 +104,7 @@ Trial play_trial(const std::string& text, const Model& model, const Lowered& low
   options.end = [&](const Engine& engine) {
     const View view = view_of(engine);
     out.rest = rest_of(view, model);
-    out.why = why_not(view, model, lowered, way);
+    tell_why_not(view, model, lowered, way, out);
   };
   const Played played = play(resolved.scenario, model, lowered, options, [&](const Happening& happening) {
     if (happening.kind == Happening::Kind::input) listener.step = happening.step;

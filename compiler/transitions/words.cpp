@@ -112,8 +112,9 @@ std::string words_of(const Transition& cell, const Told& told) {
   case Kind::hard:
     return fmt::format("{} takes at once what {} holds.{}{}", second, first, stops(cell, told), outside(cell.states));
   case Kind::waits:
-    return fmt::format("{} is queued, and runs when {} is done.{}{}{}", second, first, pushes(cell, told.model),
-                       outside(cell.states), sentence(told.why));
+    return fmt::format("{} {} when {} is done.{}{}{}", second,
+                       told.is_asked ? "is queued, and runs" : "is not asked for yet, and runs", first,
+                       pushes(cell, told.model), outside(cell.states), sentence(told.why));
   case Kind::never:
     return fmt::format("{} does not run, nor when {} is done.{}{}", second, first, outside(cell.states),
                        sentence(told.why));

@@ -13,6 +13,7 @@ struct Told {
   const TransitionMatrix::Row& column;
   std::string why;        ///< why the second does not run, from the engine
   std::string withdrawer; ///< who asks for both; empty: the program
+  bool is_asked = true;   ///< for the second, while the first one runs, or for what leads to it
 };
 
 std::string words_of(const Transition& cell, const Told& told);

@@ -47,7 +47,7 @@ public:
       const CodeFunction& at = *waiting.front();
       waiting.pop_front();
       body.doubtful = body.doubtful || at.doubtful;
-      if (at.open_end) body.open_ends.push_back(&at);
+      if (at.open_end && !at.doubtful) body.open_ends.push_back(&at); // else Clang may have dropped the answer
       for (const CodeWord& word : at.words) {
         if (word.context == body.function->context) body.words.push_back(&word);
       }

@@ -69,6 +69,44 @@ TEST_CASE("a source that gets the generated header by its flags alone is read") 
   CHECK(with({"-Xclang", "-include", "-Xclang", "all.hpp"}) == one);
 }
 
+TEST_CASE("a body whose group is called otherwise by now is not taken for the one of the new name") {
+  const Workshop work = workshop("renamed");
+  work.write("body.cpp", included + "class MyWheels final : public cart::Wheels {\npublic:\n"
+                                    "  director::Outcome provide(cart::Wheeel::Default& run) override;\n"
+                                    "  director::Outcome provide(cart::Drive::Default& run) override {\n"
+                                    "    return run.request(cart::Wheel{});\n  }\n"
+                                    "  director::Outcome provide(cart::Wheel::Default& run) override;\n};\n"
+                                    "director::Outcome MyWheels::provide(cart::Wheel::Default& run) {\n"
+                                    "  return run.done();\n}\n");
+  work.write_commands({work.path("body.cpp")}, flags(work));
+  const Worked worked = verified(work);
+  CHECK(messages(worked.out).empty());
+  const auto json = director::compiler::parse_json(worked.out);
+  REQUIRE(json);
+  REQUIRE((*json)["not_decided"].items().size() == 1);
+  const std::string told = (*json)["not_decided"].items()[0].as_text();
+  CHECK_THAT(told, Catch::Matchers::EndsWith("body.cpp:4: no member named 'Wheeel' in namespace 'cart'"));
+}
+
+TEST_CASE("where no body is found, what Clang does not understand is told first, as it may be why") {
+  Workshop work("not_understood");
+  work.write("types.hpp", "#pragma once\nnamespace types {\nstruct Speed {\n");
+  work.write("cart.yaml", "behaviour: cart\nlanguage: 1\nroots: [Drive]\ncpp: {headers: [types.hpp]}\n"
+                          "groups: {Drive: {module: wheels, data: types::Speed}}\n");
+  REQUIRE(work.directorc({"generate", work.path("cart.yaml"), "-o", work.path("generated")}).status == 0);
+  work.write("body.cpp", included + "class MyWheels final : public cart::Wheels {};\n");
+  std::vector<std::string> all = flags(work);
+  all.push_back("-I" + work.path());
+  work.write_commands({work.path("body.cpp")}, all);
+  const Worked worked = verified(work);
+  CHECK(worked.status == 2);
+  INFO(worked.err);
+  const std::size_t end = worked.err.find('\n');
+  CHECK_THAT(worked.err, Catch::Matchers::StartsWith("directorc: not decided: Clang does not understand all of `"));
+  CHECK_THAT(worked.err.substr(end),
+             Catch::Matchers::StartsWith("\ndirectorc: no body of `cart` was found in the file of `"));
+}
+
 TEST_CASE("flags in response files count, also where one names another") {
   const Workshop work = workshop("response");
   work.write("body.cpp", wheels(included));

@@ -37,6 +37,20 @@ TEST_CASE("help and version go to the output and are no mistake") {
   }
 }
 
+TEST_CASE("the usage says what is needed, and what may be several") {
+  World world;
+  const auto usage = [&](const std::string& word) {
+    CHECK(world.directorc({word, "--help"}) == 0);
+    const std::size_t at = world.out.find("Usage: ");
+    return world.out.substr(at, world.out.find('\n', at) - at);
+  };
+  CHECK(usage("checks") == "Usage: directorc checks [OPTIONS]");
+  CHECK(usage("check") == "Usage: directorc check [OPTIONS] FILE");
+  CHECK(usage("why") == "Usage: directorc why [OPTIONS] SCENARIO GROUP");
+  CHECK(usage("test") == "Usage: directorc test [OPTIONS] FILE...");
+  CHECK(usage("diff") == "Usage: directorc diff [OPTIONS] FILE...");
+}
+
 TEST_CASE("a file that is called - is the standard output, and a folder that is called so is refused") {
   World world;
   world.files.add("x.yaml", "behaviour: x\nlanguage: 1\nroots: [A]\ngroups: {A: {}}\n");

@@ -195,6 +195,8 @@ TEST_CASE("what is no trace is said with its line") {
   CHECK(say(header + "{\"t\":\n{}\n") == unreadable + "it is no JSON object\n" + help + none_before);
   CHECK(say(header + "[]\n") == unreadable + "it is no JSON object\n" + help + none_before);
   CHECK(say(header + "{}\n") == unreadable + "it names no event\n" + help + none_before);
+  CHECK(say(header + header) ==
+        unreadable + "another recording begins here, and each is read by itself\n" + help + none_before);
   CHECK(say(header + "{\"event\":\"run\",\"group\":\"Nobody\"}\n") ==
         unreadable + "the behaviour has no group called `Nobody`\n" + help + none_before);
   CHECK(say(header + "{\"event\":\"run\",\"group\":\"Drive\"}\n") ==

@@ -80,7 +80,43 @@ TEST_CASE("only what is not as expected changes, and who expects nothing in one 
                 "    expect: \"\"\n");
 }
 
+TEST_CASE("comments and blank lines among what is expected stay before the event that they stood before") {
+  check("steps:\n"
+        "  - request: [Lamp, Bell]\n"
+        "    expect: |- # at once\n"
+        "         # light first\n"
+        "         run Lamp  new_task\n"
+        "\n"
+        "         # then the bell, twice?\n"
+        "         run Bell new_task\n"
+        "         run Bell new_task\n"
+        "         # and no more\n"
+        "  - advance: 1 s\n"
+        "    expect: | # nothing\n"
+        "      stop Lamp\n"
+        "  - cancel: Lamp\n"
+        "    expect: |\n"
+        "      # it has no handler\n"
+        "      stop Lamp\n",
+        "steps:\n"
+        "  - request: [Lamp, Bell]\n"
+        "    expect: |- # at once\n"
+        "         # light first\n"
+        "         run Lamp new_task\n"
+        "\n"
+        "         # then the bell, twice?\n"
+        "         run Bell new_task\n"
+        "         # and no more\n"
+        "  - advance: 1 s\n"
+        "    expect: \"\" # nothing\n"
+        "  - cancel: Lamp\n"
+        "    expect: |\n"
+        "      # it has no handler\n");
+}
+
 TEST_CASE("line breaks stay what they are") {
+  check("steps:\r\n  - request: Lamp\r\n    expect: | # on\r\n      # light\r\n      run Bell new_task\r\n",
+        "steps:\r\n  - request: Lamp\r\n    expect: | # on\r\n      # light\r\n      run Lamp new_task\r\n");
   check("steps:\r\n  - request: Lamp\r\n",
         "steps:\r\n  - request: Lamp\r\n    expect: |\r\n      run Lamp new_task\r\n");
 }

@@ -85,6 +85,20 @@ TEST_CASE("what is missing goes behind what comes before it in the behaviour, de
   CHECK(merge.obstacles.empty());
 }
 
+TEST_CASE("a body goes to the source where those of the class are, also if all of them are left over") {
+  const Texts texts{{"/p/legs.hpp", "struct Legs : public b::Legs {\n" + decl_walk + decl_stop + "};\n"},
+                    {"/p/legs.cpp", "director::Outcome Legs::provide(b::Walk::Default& run) { return {}; }\n"
+                                    "void Legs::stop(b::Walk::Stop& run) {}\nint other;\n"}};
+  const auto renamed = [](Found& found) {
+    for (FoundFunction& each : found.functions) each.known = false;
+  };
+  CHECK(after(merged(wanted_with({jump}), texts, renamed), texts) ==
+        Texts{{"/p/legs.hpp", "struct Legs : public b::Legs {\n" + decl_walk + decl_stop + decl_jump + "};\n"},
+              {"/p/legs.cpp", "director::Outcome Legs::provide(b::Walk::Default& run) { return {}; }\n"
+                              "void Legs::stop(b::Walk::Stop& run) {}\n\n" +
+                                  body_jump + "int other;\n"}});
+}
+
 TEST_CASE("an empty class that hides what it has gets a label") {
   const Texts texts{{"/p/legs.cpp", "class Legs : public b::Legs {};\n"}};
   CHECK(after(merged(wanted_with({walk}), texts), texts).at("/p/legs.cpp") ==

@@ -117,6 +117,36 @@ steps:
 )");
 }
 
+TEST_CASE("waits: who asks for the second runs in another way meanwhile, and is named") {
+  CHECK(
+      cell(R"(roots: {Guard: {priority: 20}, Serve: {priority: 10}}
+groups:
+  Guard: {needs: [Legs]}
+  Serve:
+    providers:
+      - {name: going, needs: [Legs], tasks: [Walk]}
+      - {name: resting}
+  Walk: {tasks: [Head]}
+  Legs: {}
+  Head: {}
+)",
+           "Guard", "Walk") ==
+      R"(waits: Walk is not asked for yet, and runs when Guard is done. Serve runs in resting and does not ask for Walk.
+scenario: from Guard to Walk
+behaviour: test.yaml
+script:
+  Guard.default:
+    - {reason: wait, done: true}
+    - {wait: 1 ms}
+  Serve.going:
+    - {tasks: [Walk]}
+steps:
+  - request: Guard
+  - request: Serve
+  - advance: 1 ms
+)");
+}
+
 TEST_CASE("waits: the weaker one is queued, and runs when the stronger one is done") {
   CHECK(
       cell(legs, "Kick", "Walk") ==
