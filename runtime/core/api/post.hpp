@@ -74,7 +74,13 @@ public:
   /// Root tasks without data, at their first level. `request<soccer::Striker>()`
   template <class Task, class... More>
   bool request() const {
-    return request(Task{}, More{}...);
+    constexpr bool without_data = !has_data<Task> && (!has_data<More> && ...);
+    static_assert(without_data, "a task with data is requested with them: `request(Task{data})`");
+    if constexpr (without_data) {
+      return request(Task{}, More{}...);
+    } else {
+      return false;
+    }
   }
 
   /// The program does not want this root task any more. Never refused.

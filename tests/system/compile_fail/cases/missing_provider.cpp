@@ -5,6 +5,7 @@
 
 class Porter final : public porter::Porter {
   director::Outcome provide(porter::Carry::Default& run) override { return run.keep(); }
+  director::Outcome provide(porter::Deliver::Default& run) override { return run.keep(); }
   director::Outcome provide(porter::Open::Default& run) override { return run.keep(); }
   director::Outcome provide(porter::Drive::Default& run) override { return run.keep(); }
   director::Outcome provide(porter::Grip::Default& run) override { return run.keep(); }
