@@ -116,34 +116,6 @@ TEST_CASE("what changes nobody's chances takes a run and no pass") {
   CHECK(machine.engine().micro_steps() > machine.engine().passes());
 }
 
-TEST_CASE("the run of a task that has all it asks for takes no pass, and of one that waits for something it does") {
-  Machine machine(R"(
-behaviour: share
-language: 1
-roots:
-  Left: {priority: {low: 1, high: 3}}
-  Right: {priority: 2}
-groups:
-  Left: {tasks: [Shared]}
-  Right: {tasks: [Shared]}
-  Shared: {}
-)");
-  machine.request("Left", "low");
-  machine.step();
-  std::uint64_t before = machine.engine().passes();
-  machine.request("Left", "high");
-  CHECK(machine.step() == Lines{"run Left new_task", "run Shared new_task"});
-  CHECK(machine.engine().passes() == before + 1);
-
-  machine.request("Left", "low");
-  machine.request("Right");
-  CHECK(machine.step() == Lines{"run Left new_task", "run Right new_task", "run Shared new_task"});
-  before = machine.engine().passes();
-  machine.request("Left", "high");
-  CHECK(machine.step() == Lines{"run Left new_task", "run Shared new_task"});
-  CHECK(machine.engine().passes() == before + 2); // Shared changes hands once Left has run
-}
-
 TEST_CASE("who is asked for again by itself is decided again where it counts whose orders are outdated") {
   Machine machine(R"(
 behaviour: watch

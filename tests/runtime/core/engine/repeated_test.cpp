@@ -49,6 +49,25 @@ void begin(Machine& machine) {
 const Lines two_turns{"run Left new_task", "run Shared.stand new_task", "run Shared.stand new_task",
                       "run Left new_task"};
 
+TEST_CASE("the run of who has all it can have takes no pass, and of who waits for its turn to ask it does") {
+  Machine machine(rivals);
+  begin(machine);
+  const auto passes = [&machine](const std::string& level, const Lines& expected) {
+    const std::uint64_t before = machine.engine().passes();
+    machine.request("Left", level);
+    CHECK(machine.step() == expected);
+    return machine.engine().passes() - before;
+  };
+  const Lines first_left{"run Left new_task", "run Shared.stand new_task"};
+  const Lines first_shared{"run Shared.stand new_task", "run Left new_task"};
+  CHECK(passes("high", first_left) == 2);  // Left takes it once it has run
+  CHECK(passes("low", first_shared) == 1); // Right takes it at once
+  CHECK(passes("high", first_left) == 2);
+  machine.cancel("Right");
+  CHECK(machine.step().empty());
+  CHECK(passes("low", first_left) == 1); // and keeps it
+}
+
 TEST_CASE("who takes turns has the same again each time, also after a reset") {
   Machine machine(rivals);
   begin(machine);
