@@ -5,7 +5,7 @@ import { spawn } from 'node:child_process';
 import { join } from 'node:path';
 import { createInterface } from 'node:readline';
 import { chromium } from 'playwright-core';
-import { check, colours } from './situations.mjs';
+import { check } from './situations.mjs';
 
 const [program, live, soccer, folder] = process.argv.slice(2);
 const browser = await chromium.launch({ executablePath: program, args: ['--no-sandbox'] });
@@ -164,7 +164,7 @@ for (const colorScheme of ['light', 'dark']) {
     await node(page, 'Open').click();
     await sees(page, '#why-answer', /^Open waits/);
     await page.locator('#follow').uncheck();
-    await check(page, colorScheme === 'dark' ? { rules: colours } : {});
+    await check(page);
     await shot(page, `live_${colorScheme}`);
   });
 }
