@@ -49,12 +49,16 @@ std::vector<std::string> elements(std::string_view text, const std::string& name
   return all_between(text, "<" + name + " ", ">");
 }
 
+/// Of one of them; empty where it has none.
+std::string attribute(std::string_view written, const std::string& name) {
+  return between(" " + std::string(written), " " + name + "=\"", "\"");
+}
+
 /// Of each element with this name that has the attribute.
 std::vector<std::string> attributes(std::string_view text, const std::string& element, const std::string& name) {
   std::vector<std::string> out;
   for (const std::string& written : elements(text, element)) {
-    if (const auto found = all_between(" " + written, " " + name + "=\"", "\""); !found.empty())
-      out.push_back(found.front());
+    if (std::string found = attribute(written, name); !found.empty()) out.push_back(std::move(found));
   }
   return out;
 }
@@ -120,7 +124,7 @@ SvgThing read_thing(const std::string& text, bool is_arrow) {
   } else {
     for (const std::string& polygon : all_between(text, "points=\"", "\"")) points.push_back(polygon);
     for (const std::string& words : elements(text, "text"))
-      points.push_back(between(words, " x=\"", "\"") + "," + between(words, " y=\"", "\""));
+      points.push_back(attribute(words, "x") + "," + attribute(words, "y"));
   }
   out.box = around(points);
   return out;
@@ -160,8 +164,7 @@ Svg read_svg(const std::string& text) {
   std::size_t from = 0;
   std::string kind;
   for (std::size_t at = text.find("<g id=");; at = text.find("<g id=", at + 1)) {
-    const std::string next =
-        at == text.npos ? "" : between(text.substr(at, text.find('>', at) - at), " class=\"", "\"");
+    const std::string next = at == text.npos ? "" : attribute(text.substr(at, text.find('>', at) - at), "class");
     if (at != text.npos && next != "node" && next != "edge") continue;
     if (!kind.empty()) out.things.push_back(read_thing(text.substr(from, at - from), kind == "edge"));
     if (at == text.npos) break;
