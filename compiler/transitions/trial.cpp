@@ -34,10 +34,6 @@ Rest rest_of(const View& view, const Model& model) {
   return out;
 }
 
-bool is_requested(const View& view, const Task& task) {
-  return view.state(static_cast<Index>(task.edge.value)) != RunState::none;
-}
-
 /// Who should have asked for it runs in another way, or its body has not come to it: with the provider that is in
 /// charge, where there are several.
 std::string why_not_asked(const View& view, const Model& model, GroupId requester, const Task& task) {
@@ -52,9 +48,8 @@ std::string why_not_asked(const View& view, const Model& model, GroupId requeste
 
 /// Of the first group on the way that does not run for it.
 void tell_why_not(const View& view, const Model& model, const Lowered& lowered, const Way& way, Trial& out) {
-  const auto runs = [&](const Task& task) {
-    return view.state(static_cast<Index>(task.edge.value)) == RunState::running;
-  };
+  const auto state = [&](const Task& task) { return view.state(static_cast<Index>(task.edge.value)); };
+  const auto runs = [&](const Task& task) { return state(task) == RunState::running; };
   const Task* stuck = runs(*way.root) ? nullptr : way.root;
   std::optional<GroupId> requester;
   for (std::size_t i = 0; i < way.links.size() && stuck == nullptr; ++i) {
@@ -63,7 +58,7 @@ void tell_why_not(const View& view, const Model& model, const Lowered& lowered, 
     requester = way.group(i);
   }
   if (stuck == nullptr) return;
-  out.is_asked = is_requested(view, *stuck);
+  out.is_asked = state(*stuck) != RunState::none;
   out.why = requester && !out.is_asked ? why_not_asked(view, model, *requester, *stuck)
                                        : reason_why(view, stuck->target, model, lowered).text;
 }
