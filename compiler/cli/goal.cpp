@@ -15,9 +15,9 @@ namespace {
 
 using dsl::Diagnostic;
 
-class Lookup {
+class GoalReader {
 public:
-  Lookup(const Model& model, std::string_view words) : model_(model), words_(words), names_(model, findings) {}
+  GoalReader(const Model& model, std::string_view words) : model_(model), words_(words), names_(model, findings) {}
 
   std::optional<analysis::Goal> goal() {
     if (words_.find_first_of("=<>!|&") != std::string::npos) return value();
@@ -75,10 +75,10 @@ std::string trimmed(std::string_view text) {
 } // namespace
 
 ParsedGoal parse_goal(const Model& model, const std::string& words) {
-  Lookup lookup(model, trimmed(words));
-  ParsedGoal out{lookup.goal(), {}};
+  GoalReader reader(model, trimmed(words));
+  ParsedGoal out{reader.goal(), {}};
   if (out.goal) return out;
-  const Diagnostic& wrong = lookup.findings.front();
+  const Diagnostic& wrong = reader.findings.front();
   out.wrong = wrong.message + (wrong.help.empty() ? "" : "; " + wrong.help);
   return out;
 }

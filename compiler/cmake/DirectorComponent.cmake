@@ -31,6 +31,11 @@ function(director_component target alias)
     if(DIRECTOR_FUZZABLE)
       target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
     endif()
+    if(component_TOGETHER)
+      # Of -O2 what makes the compiler faster, which is the inlining. All else of it took g++ a fifth of the time to compile a source.
+      target_compile_options(${target} PRIVATE
+                             "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>:-O1;-finline-small-functions;-findirect-inlining;-fpartial-inlining>")
+    endif()
     if(DIRECTOR_TOGETHER AND component_TOGETHER)
       director_component_together(${target} ${component_FOLDER} "${component_ALONE}" ${sources})
     endif()
@@ -53,7 +58,7 @@ function(director_component_together target folder_of_all alone)
 endfunction()
 
 # director_compile_together(<target> <component's folder> <sources that stay alone> <source>...): the sources of each folder within the component, with those below
-# it, up to sixteen at a time, become one for the compiler. Most of the time that it takes goes into the templates of the standard library, which each
+# it, up to 64 at a time, become one for the compiler. Most of the time that it takes goes into the templates of the standard library, which each
 # source instantiates anew.
 function(director_compile_together target folder_of_all alone)
   set(groups "")
@@ -73,7 +78,7 @@ function(director_compile_together target folder_of_all alone)
     set(number 0)
     while(${group})
       math(EXPR number "${number} + 1")
-      list(SUBLIST ${group} 0 16 few)
+      list(SUBLIST ${group} 0 64 few)
       set_source_files_properties(${few} PROPERTIES UNITY_GROUP ${group}${number})
       list(REMOVE_ITEM ${group} ${few})
     endwhile()

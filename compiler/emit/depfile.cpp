@@ -6,7 +6,7 @@ namespace director::compiler {
 
 namespace {
 
-std::string escaped(const std::string& path) {
+std::string escaped_path(const std::string& path) {
   std::string out;
   for (const char letter : path) {
     if (letter == ' ' || letter == '#' || letter == '\\') out += '\\';
@@ -21,10 +21,10 @@ std::string escaped(const std::string& path) {
 std::string depfile(const std::vector<std::string>& outputs, const dsl::Sources& sources,
                     const std::vector<std::string>& others) {
   std::string out;
-  for (const std::string& path : outputs) out += (out.empty() ? "" : " ") + escaped(path);
+  for (const std::string& path : outputs) out += (out.empty() ? "" : " ") + escaped_path(path);
   out += ":";
-  for (const dsl::SourceFile& file : sources) out += " \\\n  " + escaped(file.path());
-  for (const std::string& path : others) out += " \\\n  " + escaped(path);
+  for (const dsl::SourceFile& file : sources) out += " \\\n  " + escaped_path(file.path());
+  for (const std::string& path : others) out += " \\\n  " + escaped_path(path);
   out += "\n";
   return out;
 }

@@ -45,6 +45,10 @@ std::string Model::edge_name(EdgeId id) const {
   return (edge.requester ? groups[*edge.requester].name.value : "root") + ">" + groups[edge.target].name.value;
 }
 
+bool Edge::has_mandatory() const {
+  return std::any_of(levels.begin(), levels.end(), [](const Level& level) { return !level.optional; });
+}
+
 std::optional<GroupId> Model::find_group(std::string_view text) const { return find_named(groups, text); }
 
 std::optional<StateId> Model::find_state(std::string_view text) const { return find_named(states, text); }

@@ -144,9 +144,10 @@ struct Group {
 struct Edge {
   std::optional<GroupId> requester; ///< nothing: root
   GroupId target{};
-  std::vector<Level> levels; ///< different ones only, the first one is the first that was declared; empty: need only
-  bool needed = false;       ///< some provider of the requester needs the target
-  Span span{};               ///< where it was declared first
+  std::vector<Level> levels;  ///< different ones only, the first one is the first that was declared; empty: need only
+  bool needed = false;        ///< some provider of the requester needs the target
+  Span span{};                ///< where it was declared first
+  bool has_mandatory() const; ///< a level
 };
 
 struct Trigger {

@@ -9,9 +9,6 @@ namespace director::analysis {
 
 namespace {
 
-bool has_mandatory(const Edge& edge) {
-  return std::any_of(edge.levels.begin(), edge.levels.end(), [](const Level& level) { return !level.optional; });
-}
 bool has_optional(const Edge& edge) {
   return std::any_of(edge.levels.begin(), edge.levels.end(), [](const Level& level) { return level.optional; });
 }
@@ -54,7 +51,7 @@ std::vector<Chains::Above> Chains::above(GroupId waiter, End end) const {
       const GroupId requester = model_.providers[*together->provider].group;
       const Edge& edge = model_.edges[task->edge];
       const bool direct = is_first && end == End::pushing;
-      if (has_mandatory(edge)) reach(requester, here.optional, direct);
+      if (edge.has_mandatory()) reach(requester, here.optional, direct);
       if (has_optional(edge)) reach(requester, true, direct);
     }
     if (is_first && end != End::held) continue; // a task that waits was requested, not only needed

@@ -11,10 +11,6 @@ namespace director::analysis {
 
 namespace {
 
-bool has_mandatory(const Edge& edge) {
-  return std::any_of(edge.levels.begin(), edge.levels.end(), [](const Level& level) { return !level.optional; });
-}
-
 /// `path` begins and ends with the same group.
 Circle circle_of(const Shared& shared, std::vector<Node> path) {
   const auto begins_right = [&] {
@@ -41,7 +37,7 @@ std::vector<Circle> find_circles(const Model& model, const Shared& shared) {
     if (!edge.requester || edge.levels.empty()) continue;
     if (*edge.requester == edge.target)
       loops.push_back({{edge.target, edge.target}});
-    else if (has_mandatory(edge))
+    else if (edge.has_mandatory())
       mandatory[edge.requester->value].push_back(edge.target.value);
   }
   for (const std::vector<Node>& nodes : cycles(mandatory))

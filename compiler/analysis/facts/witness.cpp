@@ -31,9 +31,9 @@ struct Support {
   std::optional<dsl::Note> note; ///< nothing: not worth a line
 };
 
-class Search {
+class WitnessSearch {
 public:
-  Search(const Model& model, const Facts& facts) : model_(model), facts_(facts), sources_(find_sources(model)) {}
+  WitnessSearch(const Model& model, const Facts& facts) : model_(model), facts_(facts), sources_(find_sources(model)) {}
 
   std::optional<std::vector<dsl::Note>> find(const Goal& goal) {
     for (const Task& root : model_.roots)
@@ -184,7 +184,7 @@ private:
 } // namespace
 
 std::optional<std::vector<dsl::Note>> find_witness(const Model& model, const Facts& facts, const Goal& goal) {
-  return Search(model, facts).find(goal);
+  return WitnessSearch(model, facts).find(goal);
 }
 
 } // namespace director::analysis

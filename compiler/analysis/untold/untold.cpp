@@ -12,9 +12,9 @@ namespace {
 
 using dsl::Diagnostic;
 
-class Search {
+class UntoldSearch {
 public:
-  Search(const Model& model, const Happening& happening, const std::vector<Diagnostic>& told)
+  UntoldSearch(const Model& model, const Happening& happening, const std::vector<Diagnostic>& told)
       : model_(model),
         happening_(happening),
         sources_(find_sources(model)) {
@@ -202,7 +202,7 @@ std::vector<const Task*> entries_of(const Model& model, EdgeId edge) {
 }
 
 Untold find_untold(const Model& model, const Happening& happening, const std::vector<Diagnostic>& told) {
-  return Search(model, happening, told).run();
+  return UntoldSearch(model, happening, told).run();
 }
 
 } // namespace director::analysis

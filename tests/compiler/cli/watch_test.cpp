@@ -45,11 +45,11 @@ std::string robot(const std::string& task) {
   return "behaviour: robot\nlanguage: 1\nroots: [Walk]\ngroups:\n  Walk: {tasks: [" + task + "]}\n  Legs: {}\n";
 }
 
-const char* const misspelt = "robot.yaml:5:18: error: there is no group called `Lgs` [undefined_name]\n"
-                             "    5 |   Walk: {tasks: [Lgs]}\n"
-                             "      |                  ^~~\n"
-                             "  help: did you mean `Legs`?\n"
-                             "1 error\n";
+const char* const finding_of_misspelt = "robot.yaml:5:18: error: there is no group called `Lgs` [undefined_name]\n"
+                                        "    5 |   Walk: {tasks: [Lgs]}\n"
+                                        "      |                  ^~~\n"
+                                        "  help: did you mean `Legs`?\n"
+                                        "1 error\n";
 
 std::string run_of(const std::string& why, const std::string& printed, int status, const std::string& what = "1 file") {
   return "== TIME" + why + "\n" + printed + "== status " + std::to_string(status) + " after N ms; watching " + what +
@@ -70,11 +70,11 @@ TEST_CASE("a file that is saved is checked again, and the end has the status of 
   RunningProgram program({"directorc", "check", "--watch", "robot.yaml"}, folder.path());
   CHECK(next_run(program) == run_of("", "", 0));
   folder.write("robot.yaml", robot("Lgs"));
-  CHECK(next_run(program) == run_of(" robot.yaml has changed", misspelt, 1));
+  CHECK(next_run(program) == run_of(" robot.yaml has changed", finding_of_misspelt, 1));
   folder.write("robot.yaml", robot("Legs"));
   CHECK(next_run(program) == run_of(" robot.yaml has changed", "", 0));
   folder.save_by_rename("robot.yaml", robot("Lgs"));
-  CHECK(next_run(program) == run_of(" robot.yaml has changed", misspelt, 1));
+  CHECK(next_run(program) == run_of(" robot.yaml has changed", finding_of_misspelt, 1));
   program.send(SIGINT);
   CHECK(program.wait() == 1);
   CHECK(program.rest() == "\n");
@@ -106,7 +106,7 @@ TEST_CASE("a file that vanishes and comes back, and an editor that removes befor
   // No run sees the moment in which there is no file, or an empty one.
   fs::rename(folder.path("robot.yaml"), folder.path("robot.yaml~"));
   folder.write("robot.yaml", robot("Lgs"));
-  CHECK(next_run(program) == run_of(" robot.yaml has changed", misspelt, 1));
+  CHECK(next_run(program) == run_of(" robot.yaml has changed", finding_of_misspelt, 1));
   {
     std::ofstream slow(folder.path("robot.yaml")); // empty from here on
     std::this_thread::sleep_for(std::chrono::milliseconds(30));
@@ -173,7 +173,7 @@ TEST_CASE("a link to a file is watched where it leads to") {
   RunningProgram program({"directorc", "check", "--watch", "robot.yaml"}, folder.path());
   CHECK(next_run(program) == run_of("", "", 0));
   folder.save_by_rename("real/robot.yaml", robot("Lgs"));
-  CHECK(next_run(program) == run_of(" robot.yaml has changed", misspelt, 1));
+  CHECK(next_run(program) == run_of(" robot.yaml has changed", finding_of_misspelt, 1));
 }
 
 TEST_CASE("scenarios of a folder are played again: one that changes, its behaviour, one that is new, one that goes") {
@@ -209,7 +209,7 @@ TEST_CASE("where the system tells of no changes, files are looked at again and a
                          RunningProgram::Without::notices);
   CHECK(next_run(program) == run_of("", "", 0));
   folder.save_by_rename("robot.yaml", robot("Lgs"));
-  CHECK(next_run(program) == run_of(" robot.yaml has changed", misspelt, 1));
+  CHECK(next_run(program) == run_of(" robot.yaml has changed", finding_of_misspelt, 1));
   fs::remove(folder.path("robot.yaml"));
   CHECK(next_run(program).starts_with("== TIME robot.yaml is gone\n"));
   program.send(SIGINT);
