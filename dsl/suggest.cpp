@@ -37,6 +37,16 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+/// The only candidate that begins like this.
+std::optional<std::string> continued(std::string_view word, const std::vector<std::string>& candidates) {
+  constexpr std::size_t shortest = 3;
+  const auto begins_so = [&](const std::string& candidate) { return candidate.starts_with(word) && candidate != word; };
+  const auto first = std::find_if(candidates.begin(), candidates.end(), begins_so);
+  if (word.size() < shortest || first == candidates.end()) return {};
+  return std::find_if(std::next(first), candidates.end(), begins_so) == candidates.end() ? std::optional(*first)
+                                                                                         : std::nullopt;
+}
+
 } // namespace
 
 std::optional<std::string> suggest(std::string_view word, const std::vector<std::string>& candidates) {
@@ -52,7 +62,7 @@ std::optional<std::string> suggest(std::string_view word, const std::vector<std:
     best = candidate;
     least = edits;
   }
-  return best;
+  return best ? best : continued(word, candidates);
 }
 
 } // namespace director::dsl

@@ -11,7 +11,8 @@
 namespace director::dsl {
 
 /// The candidate with the fewest edits (insert, remove, replace or swap two neighbours; the case of a letter counts a
-/// quarter); of several the first. Nothing where even that one differs in more than a third of its letters.
+/// quarter); of several the first. Where even that one differs in more than a third of its letters, the only candidate
+/// that begins with the word; else nothing.
 std::optional<std::string> suggest(std::string_view word, const std::vector<std::string>& candidates);
 
 /// Words that are compared with misspelt ones in a run, about.

@@ -49,7 +49,8 @@ public:
     }
     for (const Task* member : members) {
       for (const Task* other : waiting) {
-        if (other->target == member->target || share(member->target, other->target)) continue;
+        if (other->target == member->target) continue;
+        if (share(member->target, other->target) && !sets_what_it_waits_for(member->target, other->target)) continue;
         const auto where = find_held_back(member->target, other->target, region);
         if (!where) continue;
         report(*member, *other, *where);
@@ -96,6 +97,32 @@ private:
     const std::vector<GroupId>& second = input_.shared.claims(b).groups();
     const auto is_in_first = [&](GroupId group) { return std::binary_search(first.begin(), first.end(), group); };
     return std::any_of(second.begin(), second.end(), is_in_first);
+  }
+
+  /// The member itself: also where the other one would ask for it, that one does so only once it runs.
+  bool sets_what_it_waits_for(GroupId member, GroupId waiting) const {
+    const Model& model = input_.model;
+    return any_use(waiting, [&](const ConditionUse& use) {
+      const Condition& condition = model.conditions[use.id];
+      const std::vector<Source>& all = sources_[condition.state];
+      return std::any_of(all.begin(), all.end(), [&](const Source& source) {
+        return source.provider && model.providers[*source.provider].group == member &&
+               !source.values.intersected(condition.accepts).empty();
+      });
+    });
+  }
+
+  /// Of what the group waits for, and what it needs.
+  template <class Is>
+  bool any_use(GroupId waiting, Is&& is) const {
+    const std::vector<GroupId>& needed = input_.shared.units().needed(waiting);
+    return std::any_of(needed.begin(), needed.end(), [&](GroupId group) {
+      const std::vector<ProviderId>& all = input_.model.groups[group].providers;
+      return std::any_of(all.begin(), all.end(), [&](ProviderId id) {
+        const std::vector<ConditionUse>& uses = input_.model.providers[id].when;
+        return std::any_of(uses.begin(), uses.end(), is);
+      });
+    });
   }
 
   /// It, or something that it leads to.

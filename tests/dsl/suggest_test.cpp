@@ -29,6 +29,13 @@ TEST_CASE("a word that is like none gets no suggestion") {
   CHECK_FALSE(suggest(std::string(101, 'a'), {std::string(100, 'a')}));
 }
 
+TEST_CASE("a word that was not written to its end is led to the only one that begins like it") {
+  CHECK(suggest("assert", {"allow", "assertions"}) == "assertions");
+  CHECK(suggest("pri", {"priority", "optional"}) == "priority");
+  CHECK_FALSE(suggest("pr", {"priority", "optional"}));
+  CHECK_FALSE(suggest("Left", names));
+}
+
 TEST_CASE("of equally near words the first one counts") { CHECK(suggest("Left", {"Lift", "Loft"}) == "Lift"); }
 
 } // namespace
