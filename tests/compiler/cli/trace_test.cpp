@@ -201,6 +201,10 @@ TEST_CASE("what is no trace is said with its line") {
         unreadable + "the behaviour has no group called `Nobody`\n" + help + none_before);
   CHECK(say(header + "{\"event\":\"run\",\"group\":\"Drive\"}\n") ==
         unreadable + "`run` without its provider\n" + help + none_before);
+  for (const char* count : {"", ",\"count\":-1", ",\"count\":0", ",\"count\":\"many\""}) {
+    CHECK(say(header + "{\"event\":\"dropped\"" + count + "}\n") ==
+          unreadable + "`dropped` needs a `count` from 1\n" + help + none_before);
+  }
   CHECK(world.directorc({"trace", "none.jsonl"}) == 2);
 }
 
