@@ -116,6 +116,19 @@ TEST_CASE("what the file is called says how a trace is written, where no format 
   CHECK(written("text.html", {"--to=text"}) == text);
 }
 
+TEST_CASE("what the file is called says how a scenario is recorded, and it is recorded into no page") {
+  World world = with_trace();
+  REQUIRE(world.directorc({"trace", "run.jsonl", "-o", "of_lines.pftrace"}) == 0);
+  for (const std::string file : {"run.pftrace", "run.perfetto-trace"}) {
+    CHECK(world.directorc({"simulate", "s.yaml", "--trace", file}) == 0);
+    CHECK(world.outputs.files.at(file) == world.outputs.files.at("of_lines.pftrace"));
+  }
+  CHECK(world.directorc({"simulate", "s.yaml", "--trace", "run.html"}) == 2);
+  CHECK(world.err ==
+        "directorc: --trace writes no page; record a .jsonl, and `directorc trace FILE.jsonl -o FILE.html` "
+        "writes one\n");
+}
+
 TEST_CASE("bytes for Perfetto go to no terminal, and who reads it there is told how to look at them") {
   World world = with_trace();
   CHECK(world.directorc({"trace", "run.jsonl", "--to=perfetto"}) == 0); // into a pipe
