@@ -100,6 +100,7 @@ private:
       const bool may = std::any_of(begun.begin(), begun.end(), [&](const std::string& file) {
         return !each.header.empty() && includes_.may_include(file, folders, each.header);
       });
+      if (!may && !each.header.empty()) note_unreadable(command.file);
       if (!may) each.header.clear();
       candidates_.push_back(std::move(each));
     }
@@ -113,6 +114,16 @@ private:
     return fail(
         fmt::format("no file of `{}`{} has the generated `{}` in its include folders: has the program been built?",
                     scope.build, excluded.empty() ? "" : " that is not excluded", name));
+  }
+
+  /// What stands in the build and cannot be read may have bodies.
+  void note_unreadable(const std::string& file) {
+    const auto read = world_.files.read(file, dsl::largest_file, dsl::Kinds::ordinary);
+    if (read || !unreadable_.insert(file).second) return;
+    out_.not_decided.push_back(
+        fmt::format("what stands in `{}`, a source of the build, cannot be read: {}; configure again if it is gone, "
+                    "build if it is generated",
+                    world_.shown(file), read.error().message));
   }
 
   static fs::path whole(const fs::path& path) {
@@ -295,6 +306,7 @@ private:
   std::vector<CompileCommand> commands_;
   std::vector<Candidate> candidates_;
   std::map<std::string, std::string> headers_; ///< path -> text; empty: it is none of ours
+  std::set<std::string> unreadable_;
   CodeFacts code_;
   Verified out_;
 };

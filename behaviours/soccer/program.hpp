@@ -73,6 +73,7 @@ int play(const Arguments& arguments, std::string_view html) {
   std::printf("%d runs, %d pushes, %d take-overs, %d hand-overs without a stop, %d steps.\n", counts.runs,
               counts.pushes, counts.take_overs, counts.hand_overs, steps);
   if (recorder) {
+    recorder->close(); // what waits may find the disk full
     const int error = recorder->error();
     if (error != 0) std::fprintf(stderr, "soccer: %s cannot be written: %s\n", arguments.trace.c_str(), std::strerror(error));
     if (error != 0) return 2;

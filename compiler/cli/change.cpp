@@ -222,7 +222,7 @@ Fault plan(const Output& output, std::vector<Step>& steps) {
 
 } // namespace
 
-const char* const foreign = "what is there was not written by directorc; move it away, or name another place with -o";
+const char* const foreign = "what is there was not written by directorc; move it away, or name another place";
 
 bool is_depfile(std::string_view text) {
   const std::size_t targets = text.find(": ");

@@ -1,8 +1,8 @@
 // Header: compiler/cli/console.hpp. Test: tests/compiler/cli/disk_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// A child process with a pipe to it and a pipe from it. Both are served in turn by poll, so that neither side can fill
-// a pipe and wait for the other for ever.
+// A child process with a pipe to it and one or two from it. All are served in turn by poll, so that neither side can
+// fill a pipe and wait for the other for ever.
 #include "compiler/cli/console.hpp"
 
 #include <fcntl.h>
@@ -14,6 +14,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <optional>
 
 extern char** environ;
 
@@ -52,55 +53,71 @@ void receive_some(Descriptor& from, std::string& output) {
   if (count == 0 || (count < 0 && errno != EINTR)) from.close();
 }
 
-void talk(Descriptor& to, Descriptor& from, const std::string& input, std::string& output) {
+/// Closed with what owns it.
+struct Pipe {
+  std::array<int, 2> ends{-1, -1};
+  bool made = ::pipe2(ends.data(), O_CLOEXEC) == 0;
+  Descriptor reading{ends[0]}, writing{ends[1]};
+};
+
+/// `errors`: null where they do not come to us.
+void talk(Descriptor& to, Descriptor& from, Pipe* errors, const std::string& input, Answer& answer) {
   std::size_t sent = 0;
-  while (from.open()) {
-    std::array<pollfd, 2> wanted{{{from.number(), POLLIN, 0}, {to.number(), POLLOUT, 0}}};
+  const auto err = [&] { return errors != nullptr && errors->reading.open() ? errors->reading.number() : -1; };
+  while (from.open() || err() >= 0) {
+    std::array<pollfd, 3> wanted{{{from.number(), POLLIN, 0}, {to.number(), POLLOUT, 0}, {err(), POLLIN, 0}}};
     if (::poll(wanted.data(), wanted.size(), -1) < 0) {
       if (errno == EINTR) continue;
       break;
     }
     if (wanted[1].revents != 0) send_some(to, input, sent);
-    if (wanted[0].revents != 0) receive_some(from, output);
+    if (wanted[0].revents != 0) receive_some(from, answer.output);
+    if (wanted[2].revents != 0) receive_some(errors->reading, answer.errors);
   }
 }
 
-} // namespace
-
-Answer ChildPrograms::run(const std::vector<std::string>& command, const std::string& input) {
-  std::array<int, 2> in{}, out{};
-  if (::pipe2(in.data(), O_CLOEXEC) != 0) return {};
-  if (::pipe2(out.data(), O_CLOEXEC) != 0) {
-    ::close(in[0]);
-    ::close(in[1]);
-    return {};
-  }
-  Descriptor child_in(in[0]), to(in[1]), from(out[0]), child_out(out[1]);
-  ::fcntl(to.number(), F_SETFL, O_NONBLOCK);
+Answer run_child(const std::vector<std::string>& command, const std::string& input, bool apart) {
+  Pipe in, out;
+  std::optional<Pipe> errors;
+  if (apart) errors.emplace();
+  if (!in.made || !out.made || (errors && !errors->made)) return {};
+  ::fcntl(in.writing.number(), F_SETFL, O_NONBLOCK);
 
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, child_in.number(), STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, child_out.number(), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, in.reading.number(), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, out.writing.number(), STDOUT_FILENO);
+  if (errors) posix_spawn_file_actions_adddup2(&actions, errors->writing.number(), STDERR_FILENO);
   pid_t child = 0;
   const int failed = ::posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failed != 0) return {};
 
-  child_in.close();
-  child_out.close();
-  Answer answer{.started = true, .status = 0, .output = {}};
+  in.reading.close();
+  out.writing.close();
+  if (errors) errors->writing.close();
+  Answer answer{.started = true};
   auto* const before = std::signal(SIGPIPE, SIG_IGN); // a child that does not read its input is no reason to die
-  talk(to, from, input, answer.output);
+  talk(in.writing, out.reading, errors ? &*errors : nullptr, input, answer);
   std::signal(SIGPIPE, before);
-  to.close();
+  in.writing.close();
   int status = 0;
   ::waitpid(child, &status, 0);
   answer.status = WIFEXITED(status) ? WEXITSTATUS(status) : 1;
   return answer;
+}
+
+} // namespace
+
+Answer ChildPrograms::run(const std::vector<std::string>& command, const std::string& input) {
+  return run_child(command, input, false);
+}
+
+Answer ChildPrograms::run_apart(const std::vector<std::string>& command, const std::string& input) {
+  return run_child(command, input, true);
 }
 
 } // namespace director::compiler::cli

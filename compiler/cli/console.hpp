@@ -85,6 +85,7 @@ private:
 class ChildPrograms final : public Programs {
 public:
   Answer run(const std::vector<std::string>& command, const std::string& input) override;
+  Answer run_apart(const std::vector<std::string>& command, const std::string& input) override;
 };
 
 } // namespace director::compiler::cli

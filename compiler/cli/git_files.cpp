@@ -20,6 +20,15 @@ namespace {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
+/// ` (git: …)`, what it says is wrong; nothing where it says nothing.
+std::string words_of_git(const Answer& answer) {
+  std::string line = first_line(answer.errors);
+  for (const std::string_view severity : {"fatal: ", "error: "}) {
+    if (line.starts_with(severity)) line.erase(0, severity.size());
+  }
+  return line.empty() ? line : fmt::format(" (git: {})", line);
+}
+
 /// Of the file; where that folder is gone too, the nearest one above it that is left.
 fs::path folder_of(const std::string& file) {
   std::error_code error;
@@ -36,8 +45,10 @@ dsl::Result<std::string, dsl::FileError> read_object(Programs& programs, const s
   if (name.find('\n') != std::string::npos) return dsl::FileError{Kind::not_readable, "a line break in its name"};
   // One line tells what follows: `OID blob SIZE`, or that there is no such thing. Of a link in a commit it is what the
   // link leads to; with what is staged git does not know that.
-  const Answer answer = programs.run({"git", "-C", folder, "cat-file", "--batch", "--follow-symlinks"}, name + "\n");
-  if (!answer.started || answer.status != 0) return dsl::FileError{Kind::not_readable, "git cannot read it"};
+  const Answer answer =
+      programs.run_apart({"git", "-C", folder, "cat-file", "--batch", "--follow-symlinks"}, name + "\n");
+  if (!answer.started || answer.status != 0)
+    return dsl::FileError{Kind::not_readable, "git cannot read it" + words_of_git(answer)};
   const std::string head = first_line(answer.output);
   const std::size_t blob = head.find(" blob ");
   if (head.ends_with(" missing") || head.starts_with("dangling "))
@@ -62,9 +73,10 @@ std::string inside(const Repository& repository, const std::string& file) {
 
 dsl::Result<Repository, std::string> find_repository(Programs& programs, const std::string& file) {
   Repository out{folder_of(file).string(), {}};
-  const Answer prefix = programs.run({"git", "-C", out.folder, "rev-parse", "--show-prefix"}, "");
+  const Answer prefix = programs.run_apart({"git", "-C", out.folder, "rev-parse", "--show-prefix"}, "");
   if (!prefix.started) return std::string("there is no program `git`");
-  if (prefix.status != 0) return fmt::format("`{}` is in no git repository", file);
+  if (prefix.status != 0)
+    return fmt::format("`{}` is in no git repository that can be read{}", file, words_of_git(prefix));
   out.prefix = first_line(prefix.output);
   return out;
 }
@@ -73,9 +85,16 @@ std::optional<std::string> GitFiles::open(const std::string& file, Newer newer) 
   const auto found = find_repository(programs_, file);
   if (!found) return found.error();
   folder_ = found.value().folder;
-  const Answer commit = programs_.run(
-      {"git", "-C", folder_, "rev-parse", "--verify", "--quiet", "--end-of-options", revision_ + "^{commit}"}, "");
-  if (commit.status != 0) return fmt::format("git knows no revision `{}`", revision_);
+  const auto parsed = [&](const std::string& name) {
+    return programs_.run_apart({"git", "-C", folder_, "rev-parse", "--verify", "--quiet", "--end-of-options", name},
+                               "");
+  };
+  const Answer commit = parsed(revision_ + "^{commit}");
+  if (commit.status != 0) {
+    if (const Answer other = parsed(revision_); other.status != 0)
+      return fmt::format("git knows no revision `{}`{}", revision_, words_of_git(other));
+    return fmt::format("`{}` is no commit: name one, a branch or a tag", revision_);
+  }
   commit_ = first_line(commit.output);
   path_ = top() + name_before(inside(found.value(), file), newer);
   return {};
@@ -89,7 +108,7 @@ std::string GitFiles::name_before(const std::string& name, Newer newer) {
       "git", "-C", folder_, "diff", "--find-renames", "--diff-filter=R", "--no-relative", "--name-status", "-z"};
   if (newer == Newer::staged) command.emplace_back("--cached");
   command.insert(command.end(), {commit_, "--"});
-  const Answer answer = programs_.run(command, "");
+  const Answer answer = programs_.run_apart(command, "");
   if (answer.status != 0) return name;
   // R100, the old name and the new one, each with a zero behind it.
   std::vector<std::string> words;
@@ -132,7 +151,7 @@ dsl::Result<std::string, dsl::FileError> StagedFiles::fetch(const std::string& p
 /// `name`: from the top of the repository.
 bool StagedFiles::is_link(const std::string& name) {
   const Answer answer =
-      programs_.run({"git", "-C", repository_.folder, "ls-files", "--stage", "--", ":(top,literal)" + name}, "");
+      programs_.run_apart({"git", "-C", repository_.folder, "ls-files", "--stage", "--", ":(top,literal)" + name}, "");
   return answer.status == 0 && answer.output.starts_with("120000 ");
 }
 

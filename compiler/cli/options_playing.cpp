@@ -14,10 +14,17 @@ Make simulate_options(CLI::App& app) {
   add_format(app, request->format, {"text", "json"});
   app.add_flag("--decisions", request->decisions, "also print what is queued, pushed, released and set");
   app.add_flag("--times", request->times, "also print when, in seconds; in JSON, in microseconds");
-  app.add_option("--trace", request->trace, "also write all that happens, as a robot's recorder does")
+  app.add_option(
+         "--trace", request->trace,
+         "also write all that happens, as a robot's recorder does: JSON lines, or for ui.perfetto.dev where the name "
+         "ends so, .perfetto-trace or .pftrace")
       ->type_name("FILE");
   return [=]() -> Request {
     if (const std::optional<Say> wrong = wrong_place("--trace", "a file", request->trace)) return *wrong;
+    if (request->trace.ends_with(".html"))
+      return Say{"directorc: --trace writes no page; record a .jsonl, and `directorc trace FILE.jsonl -o FILE.html` "
+                 "writes one\n",
+                 true};
     return *request;
   };
 }

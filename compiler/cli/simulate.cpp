@@ -13,9 +13,9 @@ namespace {
 /// All events, as a robot's recorder writes them.
 class Tape {
 public:
-  explicit Tape(const LoadedScenario& loaded)
+  Tape(const LoadedScenario& loaded, const std::string& path)
       : rows_(loaded.model, loaded.lowered),
-        format_(json_lines(rows_.names(), loaded.behaviour)) {
+        format_(trace_format_of(path, rows_.names(), loaded.behaviour)) {
     format_->begin(text_);
   }
   Observer observer() {
@@ -25,7 +25,10 @@ public:
             },
             this};
   }
-  std::string take() { return std::move(text_); }
+  std::string take() {
+    format_->end(text_);
+    return std::move(text_);
+  }
 
 private:
   const RowNames rows_;
@@ -48,7 +51,7 @@ int run(const Simulate& request, Console& console) {
   PlayOptions options;
   options.decisions = request.decisions;
   std::optional<Tape> tape;
-  if (!request.trace.empty()) options.events = tape.emplace(loaded).observer();
+  if (!request.trace.empty()) options.events = tape.emplace(loaded, request.trace).observer();
   const Played played = play(loaded.scenario, loaded.model, loaded.lowered, options, sink);
   if (tape && !write({{request.trace, tape->take(), is_trace}}, console)) return misused;
   if (played.refused) {

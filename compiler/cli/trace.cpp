@@ -8,6 +8,7 @@
 #include "compiler/trace/lookup.hpp"
 #include "dsl/harmless.hpp"
 #include "runtime/hosted/decision_printer.hpp"
+#include "runtime/hosted/trace/json_lines.hpp"
 #include "runtime/hosted/trace/trace_format.hpp"
 
 #include <fmt/format.h>
@@ -36,6 +37,19 @@ public:
 private:
   const director::Names names_;
 };
+
+/// The event; or what is wrong with a line that no recorder would have written like that, such as a time that is a
+/// text: damage that would else be shown as if it had happened.
+Lookup::Found event_of(const TraceLine& line, const Lookup& lookup, const director::Names& names) {
+  Lookup::Found out = lookup.event(line.json);
+  if (!out.problem.empty()) return out;
+  std::string written;
+  append_event(out.event, names, written);
+  // Blanks, as other programs put between the members, are no damage.
+  if (written != line.text && parse_json(written) != line.json)
+    out.problem = "a recorder would have written it as " + written;
+  return out;
+}
 
 std::unique_ptr<TraceFormat> format_of(const std::string& word, const director::Names& names) {
   if (word == "perfetto") return perfetto(names);
@@ -90,7 +104,7 @@ int run(const Trace& request, Console& console) {
     format->begin(out);
   int status = clean;
   while (const std::optional<TraceLine> line = lines.next()) {
-    const Lookup::Found event = line->dropped == 0 ? lookup.event(line->json) : Lookup::Found{};
+    const Lookup::Found event = line->dropped == 0 ? event_of(*line, lookup, names) : Lookup::Found{};
     if (!event.problem.empty()) {
       say_unreadable(request.file, line->number, event.problem, console);
       status = found;

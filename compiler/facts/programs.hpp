@@ -12,13 +12,18 @@ namespace director::compiler {
 struct Answer {
   bool started = false; ///< false: there is no such program
   int status = 0;
-  std::string output;
+  std::string output = {};
+  std::string errors = {}; ///< of run_apart
 };
 
 class Programs {
 public:
   /// Runs a program from the search path with `input` on its standard input; its errors go to ours.
   virtual Answer run(const std::vector<std::string>& command, const std::string& input) = 0;
+  /// The same, for whoever words its errors: they are in the answer.
+  virtual Answer run_apart(const std::vector<std::string>& command, const std::string& input) {
+    return run(command, input);
+  }
 
 protected:
   ~Programs() = default;

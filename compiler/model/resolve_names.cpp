@@ -70,7 +70,7 @@ bool check_name(Resolver& r, std::string_view kind, const Word& name, bool whole
   if (text.empty()) return false; // the reader has said that it is missing
   if (!dsl::is_identifier(text)) {
     r.error("reserved_name", name.span, fmt::format("`{}` is no name for a {}", text, kind),
-            "a name has letters, digits and `_`, and does not begin with a digit");
+            "a name has letters from a to z or A to Z, digits and `_`, and does not begin with a digit");
     return false;
   }
   std::string why;

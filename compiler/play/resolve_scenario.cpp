@@ -3,6 +3,7 @@
 #include "compiler/play/resolve_scenario.hpp"
 
 #include "compiler/play/resolve_case.hpp"
+#include "compiler/play/unreachable_cases.hpp"
 
 #include <fmt/format.h>
 
@@ -33,6 +34,8 @@ public:
     }
     resolve_script();
     for (const dsl::StepSpec& step : spec_.steps) resolve_step(step);
+    // What is wrong may be why a case never applies.
+    if (out_.findings.empty()) out_.findings = std::move(warnings_);
     dsl::sort_by_place(out_.findings);
     return std::move(out_);
   }
@@ -66,6 +69,15 @@ private:
     for (const ProviderId id : model_.groups[group].providers) {
       if (!scripted_.contains(id)) providers.push_back(id);
     }
+    if (providers.empty())
+      warnings_.push_back({"unreachable_case",
+                           dsl::Level::warning,
+                           entry.group.span,
+                           fmt::format("the entry for `{}` is for nobody: each of its providers has an entry of its "
+                                       "own",
+                                       entry.group.value),
+                           {},
+                           "leave it out"});
     scripted_.insert(providers.begin(), providers.end());
     resolve_cases(entry, providers);
   }
@@ -85,9 +97,10 @@ private:
         }
         out_.scenario.bodies[id].push_back(std::move(resolved));
       }
-      if (faulty == providers.size())
+      if (faulty == providers.size() && faulty != 0)
         out_.findings.insert(out_.findings.end(), first_faults.begin(), first_faults.end());
     }
+    if (!providers.empty()) find_unreachable_cases(entry, providers, model_, warnings_);
   }
 
   void resolve_handler(const dsl::ScriptEntrySpec& entry, GroupId id) {
@@ -104,6 +117,7 @@ private:
     for (const dsl::CaseSpec& spec : entry.cases) {
       body.push_back(resolve_handler_case(spec, id, which, *handler, names_));
     }
+    find_unreachable_cases(entry, {}, model_, warnings_);
   }
 
   // Steps
@@ -168,6 +182,7 @@ private:
   const dsl::ScenarioSpec& spec_;
   const Model& model_;
   ResolvedScenario out_;
+  std::vector<Diagnostic> warnings_;
   Names names_;
   std::set<ProviderId> scripted_;
 };

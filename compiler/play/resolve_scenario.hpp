@@ -9,7 +9,7 @@ namespace director::compiler {
 
 struct ResolvedScenario {
   Scenario scenario;
-  std::vector<dsl::Diagnostic> findings; ///< all of them, sorted by place; with one among them nothing is played
+  std::vector<dsl::Diagnostic> findings; ///< all of them, sorted by place; with an error among them nothing is played
 };
 
 ResolvedScenario resolve_scenario(const dsl::ScenarioSpec& spec, const Model& model);

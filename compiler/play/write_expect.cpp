@@ -104,13 +104,15 @@ public:
   }
 
 private:
-  /// A block keeps its comments, each before the event that it stood before, or that comes there now.
+  /// A block keeps its comments, each before the event that it stood before, or that comes there now; without events,
+  /// first.
   std::string renewed(const Block& old, const std::vector<std::string>& lines, std::size_t indent) const {
     const std::string own = old.indent.empty() ? std::string(indent + 2, ' ') : std::string(old.indent);
     const std::vector<DiffLine> diff = line_diff(old.events, lines);
     std::vector<std::string> out;
     std::size_t next = 0;
     const auto keep = [&] { out.insert(out.end(), old.before[next].begin(), old.before[next].end()); };
+    if (old.events.empty()) keep(); // a comment without events is about those that come
     for (auto at = diff.begin(); at != diff.end();) {
       if (at->sign == ' ') {
         keep();
@@ -127,7 +129,7 @@ private:
       }
       for (; gone > 0; --gone, ++next) keep();
     }
-    keep();
+    if (!old.events.empty()) keep();
     const std::size_t remark = std::min(old.head.find_first_of(" \t"), old.head.size());
     if (std::all_of(out.begin(), out.end(), is_blank)) return "\"\"" + std::string(old.head.substr(remark));
     return std::string(old.head) + newline_ + fmt::format("{}", fmt::join(out, newline_));

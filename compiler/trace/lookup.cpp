@@ -53,6 +53,7 @@ public:
     if (json_.is_object() && !json_["director_trace"].is_null())
       return fail("another recording begins here, and each is read by itself");
     if (!json_.is_object() || !json_["event"].is_text()) return fail("it names no event");
+    if (json_["event"].as_text() == "dropped") return fail("`dropped` needs a `count` from 1");
     if (!find_word(e_.kind, Event::Kind::given, json_["event"].as_text()))
       return fail(fmt::format("no event is called `{}`", json_["event"].as_text()));
     for (std::size_t i = 0; i < json_.keys().size() && problem_.empty(); ++i) member(json_.keys()[i], json_.items()[i]);

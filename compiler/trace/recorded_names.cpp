@@ -62,12 +62,18 @@ bool RecordedNames::read_rows(const Json& header) {
   for (const Json& state : header["states"].items()) {
     texts_.states.push_back(state["name"].as_text());
     texts_.values.push_back(state["values"].as_texts());
+    director::StateVariable& row = state_rows_.emplace_back();
+    const Json& initial = state["initial"];
+    if (initial.is_null()) continue;
+    const std::vector<std::string>& values = texts_.values.back();
+    const auto value = std::find(values.begin(), values.end(), initial.as_text());
+    if (initial.is_text() && value == values.end()) return false;
+    row.initial = static_cast<std::int32_t>(initial.is_text() ? value - values.begin() : initial.as_number());
   }
   texts_.triggers = header["triggers"].as_texts();
   texts_.conditions = header["conditions"].as_texts();
   level_rows_.resize(texts_.levels.size());
   condition_rows_.resize(texts_.conditions.size());
-  state_rows_.resize(texts_.states.size());
   trigger_rows_.resize(texts_.triggers.size());
   return true;
 }

@@ -23,7 +23,8 @@ std::optional<TraceLine> TraceLines::next() {
     return {};
   }
   out.json = std::move(*json);
-  if (out.json["event"].as_text() == "dropped") out.dropped = static_cast<std::uint64_t>(out.json["count"].as_number());
+  if (out.json["event"].as_text() == "dropped" && out.json["count"].as_number() > 0)
+    out.dropped = static_cast<std::uint64_t>(out.json["count"].as_number());
   return out;
 }
 

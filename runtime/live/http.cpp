@@ -54,11 +54,14 @@ public:
 
   Answer answer(std::string_view request) {
     reply_ = {};
+    asked_ = false;
     Text text(request);
     process(*this, text, [](httplib::Request& read) {
       read.ranges.clear();
       for (const char* header : {"Range", "Accept-Encoding", "Expect"}) read.headers.erase(header);
     });
+    // The library refuses what is no request without a word.
+    if (!asked_) return {.head = bare_answer("400 Bad Request", "This is no request of HTTP/1.1.\n")};
     return {std::move(text.out), std::move(reply_.body), reply_.stream};
   }
 
@@ -83,6 +86,7 @@ private:
                     .last_event = header("Last-Event-ID"),
                     .has_body = from.has_header("Transfer-Encoding") ||
                                 (from.has_header("Content-Length") && header("Content-Length") != "0")};
+    asked_ = true;
     reply_ = handler_(request);
     to.status = reply_.status;
     for (const auto& [name, value] : reply_.headers) to.set_header(name, value);
@@ -100,6 +104,7 @@ private:
 
   Http::Handler handler_;
   Reply reply_;
+  bool asked_ = false; ///< the handler, for the present request
 };
 
 Http::Http(Handler handler) : library_(std::make_unique<Library>(std::move(handler))) {}

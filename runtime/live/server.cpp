@@ -169,7 +169,6 @@ void Server::ask(Connection& connection) {
     answer.head = bare_answer("431 Request Header Fields Too Large", "A request has at most 8192 bytes.\n");
   else
     answer = http_.answer(std::string_view(connection.in).substr(0, end + 4));
-  if (answer.head.empty()) answer.head = bare_answer("400 Bad Request", "This is no request of HTTP.\n");
   connection.in = {};
   push(connection, std::make_shared<const std::string>(std::move(answer.head)));
   if (answer.body) push(connection, std::move(answer.body));

@@ -6,8 +6,9 @@
 #include "runtime/live/access.hpp"
 #include "runtime/live/moment_lines.hpp"
 
-#include <iterator>
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace director::live {
 
@@ -24,11 +25,40 @@ Reply json(std::string text) {
   return out;
 }
 
-/// The only value of that name; nothing: there is none, or there are several.
+/// Nothing: there is none of that name.
 std::optional<std::string> parameter(const Request& request, const char* name) {
-  const auto [begin, end] = request.parameters.equal_range(name);
-  if (begin == end || std::next(begin) != end) return std::nullopt;
-  return begin->second;
+  const auto found = request.parameters.find(name);
+  return found == request.parameters.end() ? std::nullopt : std::optional(found->second);
+}
+
+bool is_command(std::string_view what) {
+  return what == "request" || what == "cancel" || what == "cancel_all" || what == "set";
+}
+
+/// What may stand behind the `?`.
+std::vector<std::string_view> parameters_of(std::string_view what) {
+  if (what == "why") return {"group"};
+  if (what == "request") return {"task", "level"};
+  if (what == "cancel") return {"task"};
+  if (what == "set") return {"state", "value"};
+  return {};
+}
+
+/// What is misspelt, or given twice, would else be passed over: all groups would be told of instead of one, and a task
+/// requested at another level. Nothing: each parameter is known, and given once.
+std::optional<Reply> misread(std::string_view what, const Request& request) {
+  const std::vector<std::string_view> known = parameters_of(what);
+  for (auto each = request.parameters.begin(); each != request.parameters.end(); ++each) {
+    const std::string& name = each->first;
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      std::string there = known.empty() ? "; it takes none" : known.size() == 1 ? "; there is: " : "; there are: ";
+      for (const std::string_view one : known) there.append(one == known.front() ? "" : ", ").append(one);
+      return say(400, std::string(what) + " has no parameter \"" + name + "\"" + there + ".");
+    }
+    if (request.parameters.count(name) > 1)
+      return say(400, "The parameter " + name + " is given more than once: " + std::string(what) + " takes one.");
+  }
+  return std::nullopt;
 }
 
 template <class Rows>
@@ -82,14 +112,15 @@ Reply Site::answer(const Request& request, const Moment& moment) const {
 }
 
 Reply Site::look(std::string_view what, const Request& request, const Moment& moment) const {
-  if (what == "events") return {.type = "text/event-stream", .stream = true};
-  if (what == "why") return why(request, moment);
+  if (what == "events" || what == "why") {
+    if (std::optional<Reply> problem = misread(what, request)) return std::move(*problem);
+    return what == "why" ? why(request, moment) : Reply{.type = "text/event-stream", .stream = true};
+  }
   if (what.empty() && page_ != nullptr) return {.type = "text/html; charset=utf-8", .body = page_};
   if (what.empty())
     return say(404, "The program has no page: it gives LiveView `page` or `html`, what `directorc docs` wrote. What "
                     "happens is at events, and why at why.");
-  if (what == "request" || what == "cancel" || what == "cancel_all" || what == "set")
-    return say(405, "A command is posted: curl -X POST ...");
+  if (is_command(what)) return say(405, "A command is posted: curl -X POST ...");
   return say(404, "There is nothing here: the page is at the address that ends behind the token, what happens at "
                   "events, and why at why.");
 }
@@ -129,12 +160,12 @@ Reply Site::command(std::string_view what, const Request& request) const {
   if (!commands_)
     return say(
         403, "Commands are not allowed: the program has not called allow_commands(behaviour.post()) of its LiveView.");
+  if (!is_command(what)) return say(404, "There is no such command: there are request, cancel, cancel_all and set.");
+  if (std::optional<Reply> problem = misread(what, request)) return std::move(*problem);
   if (what == "request") return request_task(request);
   if (what == "cancel") return cancel_task(request);
   if (what == "set") return set_state(request);
-  if (what == "cancel_all")
-    return commands_.cancel_all() ? say(202, "posted: cancel all") : say(503, "not posted: the inbox is full");
-  return say(404, "There is no such command: there are request, cancel, cancel_all and set.");
+  return commands_.cancel_all() ? say(202, "posted: cancel all") : say(503, "not posted: the inbox is full");
 }
 
 std::optional<Index> Site::root_edge(const Request& request, Reply& problem) const {

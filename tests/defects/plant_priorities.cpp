@@ -156,6 +156,24 @@ void set_by_a_step(Robot& robot, bool defect) {
                      {robot.owner, defect ? robot.owned : sense.name, defect ? "half" : sense.values[1]}));
 }
 
+// unreachable_case
+
+void behind_what_waits_for_less(Robot& robot, bool defect) {
+  const std::string name = make_root(robot, "{}", {});
+  script(robot, fill("script:\n  $0:\n    - {$1wait: 1 s}\n    - @{run: 1, done: true}\nsteps:\n  - request: $0\n",
+                     {name, defect ? "" : "run: 2, "}));
+}
+void for_a_push_that_never_comes(Robot& robot, bool defect) {
+  const std::string name = make_root(robot, "{}", {});
+  script(robot, fill("script:\n  $0:\n    - @{reason: $1, done: true}\nsteps:\n  - request: $0\n",
+                     {name, defect ? "pushed" : "new_task"}));
+}
+void for_no_provider(Robot& robot, bool defect) {
+  const std::string name = make_root(robot, "{}", {});
+  script(robot, fill("script:\n  @$0: {done: true}\n$1steps:\n  - request: $0\n",
+                     {name, defect ? "  " + name + ".default: {wait: 1 s}\n" : ""}));
+}
+
 // unused_allow
 
 void allows_nothing(Robot& robot, bool defect) {
@@ -201,6 +219,9 @@ constexpr Planter of_priorities[]{
     {"undeclared_state_write", "a body", set_by_a_body},
     {"undeclared_state_write", "a handler", set_when_stopped},
     {"undeclared_state_write", "a step", set_by_a_step},
+    {"unreachable_case", "behind one that waits for less", behind_what_waits_for_less},
+    {"unreachable_case", "a push", for_a_push_that_never_comes},
+    {"unreachable_case", "no provider", for_no_provider},
     {"unused_allow", "nothing", allows_nothing},
     {"unused_allow", "an error", allows_an_error},
     {"unused_allow", "in a state", allowed_in_a_state},

@@ -45,6 +45,10 @@ const char* const needs_arms = "needs_added: A provider needs one more group.\n"
                                "\n"
                                "1 change\n";
 
+const char* const no_repository = "directorc: `walker.yaml` is in no git repository that can be read (git: not a git "
+                                  "repository (or any of the parent "
+                                  "directories): .git)\n";
+
 } // namespace
 
 TEST_CASE("a file is compared with itself in a revision, from wherever it is called") {
@@ -133,8 +137,23 @@ TEST_CASE("a revision or a file that there is not is said, with status 2") {
         "with `directorc diff OLD NEW`\n");
   CHECK(file.status == 2);
   const TemporaryFolder outside;
-  const Ran none = run_command("directorc diff --git HEAD walker.yaml 2>&1 | tail -n 1", outside.path());
-  CHECK(none.output == "directorc: `walker.yaml` is in no git repository\n");
+  const Ran none = run_command("LC_ALL=C directorc diff --git HEAD walker.yaml", outside.path());
+  CHECK(none.output == no_repository);
+}
+
+TEST_CASE("what git says itself is a part of the message, and nothing stands beside it") {
+  const Repository repository;
+  for (const char* other : {"HEAD^{tree}", "HEAD:robot/walker.yaml"}) {
+    const Ran ran = repository.run("directorc diff --git '" + std::string(other) + "' robot/walker.yaml");
+    CHECK(ran.output == "directorc: `" + std::string(other) + "` is no commit: name one, a branch or a tag\n");
+    CHECK(ran.status == 2);
+  }
+  const Ran upstream =
+      repository.run("git checkout --quiet -b mine && LC_ALL=C directorc diff --git '@{u}' robot/walker.yaml");
+  CHECK(upstream.output == "directorc: git knows no revision `@{u}` (git: no upstream configured for branch 'mine')\n");
+  const Ran broken = repository.run("echo nonsense >.git/HEAD; LC_ALL=C directorc diff --git HEAD robot/walker.yaml");
+  CHECK(broken.output == "directorc: `robot/walker.yaml` is in no git repository that can be read (git: not a git "
+                         "repository (or any of the parent directories): .git)\n");
 }
 
 TEST_CASE("it is a tool of git difftool, and imports are those beside the new file") {
@@ -238,8 +257,8 @@ TEST_CASE("a file that is not staged, or lies in no repository, is said") {
   const Ran two = repository.run("directorc diff --staged robot/walker.yaml robot/walker.yaml");
   CHECK(two.output == "directorc: with --git or --staged there is one file: directorc diff --git REVISION FILE\n");
   const TemporaryFolder outside;
-  const Ran none = run_command("directorc diff --staged walker.yaml 2>&1 | tail -n 1", outside.path());
-  CHECK(none.output == "directorc: `walker.yaml` is in no git repository\n");
+  const Ran none = run_command("LC_ALL=C directorc diff --staged walker.yaml", outside.path());
+  CHECK(none.output == no_repository);
 }
 
 TEST_CASE("the hook judges what is committed, not what lies beside it") {

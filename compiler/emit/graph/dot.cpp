@@ -347,26 +347,26 @@ private:
     code_.line(fmt::format("{} -> {} [{}]", end(arrow.from), end(arrow.to), text));
   }
 
+  /// What is in no layer has a band of its own too: in that of another it would seem to be one of its groups.
   void draw_layers() {
-    std::vector<const PictureLayer*> named;
-    for (const PictureLayer& layer : picture_.layers) {
-      if (!layer.name.empty()) named.push_back(&layer);
-    }
-    const auto name = [&](std::size_t i) { return in_quotes("layer " + named[i]->name); };
-    const auto top = [&](std::size_t i) { return in_quotes("top of layer " + named[i]->name); };
-    for (std::size_t i = 0; i < named.size(); ++i) {
+    const std::vector<PictureLayer>& layers = picture_.layers;
+    if (std::all_of(layers.begin(), layers.end(), [](const PictureLayer& layer) { return layer.name.empty(); })) return;
+    const auto name = [&](std::size_t i) { return in_quotes(layers[i].title()); };
+    const auto top = [&](std::size_t i) { return in_quotes("top of " + layers[i].title()); };
+    for (std::size_t i = 0; i < layers.size(); ++i) {
       code_.line(fmt::format("{} [shape=plaintext, fontsize=11, height=0.2, fontcolor=\"{}\", label={}, tooltip={}]",
-                             name(i), palette::grey, in_quotes(named[i]->name), name(i)));
+                             name(i), palette::grey, layers[i].name.empty() ? name(i) : in_quotes(layers[i].name),
+                             name(i)));
       code_.line(fmt::format("{} [shape=point, style=invis, width=0.01]", top(i)));
       code_.line(fmt::format("{{rank=same; {}; {};}}", name(i), top(i)));
       if (i > 0) code_.line(fmt::format("{} -> {} [style=invis, weight=100]", name(i - 1), name(i)));
     }
-    for (std::size_t i = 0; i < named.size(); ++i) {
-      for (const std::size_t box : named[i]->first)
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+      for (const std::size_t box : layers[i].first)
         code_.line(fmt::format("{} -> {} [style=invis, weight=0{}]", top(i), in_quotes(picture_.boxes[box].name),
                                i == 0 ? ", minlen=0" : "")); // the first name stands beside its boxes
-      if (i + 1 == named.size()) break;
-      for (const std::size_t box : named[i]->last)
+      if (i + 1 == layers.size()) break;
+      for (const std::size_t box : layers[i].last)
         code_.line(fmt::format("{} -> {} [style=invis, weight=0]", in_quotes(picture_.boxes[box].name), top(i + 1)));
     }
   }

@@ -31,8 +31,7 @@ void arrange_in_layers(const Model& model, const Graph& graph, bool bands, Pictu
   for (PictureArrow& arrow : picture.arrows) {
     const std::size_t from = layer_of(model, picture.boxes[arrow.from.box]),
                       to = layer_of(model, picture.boxes[arrow.to.box]);
-    const bool named = from < model.layers.size() && to < model.layers.size();
-    arrow.ranks = arrow.kind != PictureArrow::Kind::push && (!bands || !named || from <= to) &&
+    arrow.ranks = arrow.kind != PictureArrow::Kind::push && (!bands || from <= to) &&
                   (from != to || rank_of(arrow.from.box) < rank_of(arrow.to.box));
     if (from != to || !arrow.ranks) continue;
     led_to[arrow.to.box] = true;

@@ -82,6 +82,7 @@ struct PictureLayer {
   std::vector<std::size_t> boxes;
   std::vector<std::size_t> first,
       last; ///< of its boxes those that nothing else of it leads to, or that lead to nothing of it
+  std::string title() const { return name.empty() ? "no layer here" : "layer " + name; }
 };
 
 /// Where an arrow begins or ends.

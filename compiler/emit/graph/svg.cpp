@@ -50,8 +50,7 @@ std::vector<Band> bands_of(const Picture& picture, const std::string& svg, doubl
   constexpr double above_name = 16;
   std::vector<Band> out;
   for (const PictureLayer& layer : picture.layers) {
-    if (layer.name.empty()) continue;
-    const std::size_t at = svg.find(fmt::format("<title>{}</title>", title_text("layer " + layer.name)));
+    const std::size_t at = svg.find(fmt::format("<title>{}</title>", title_text(layer.title())));
     if (at == nowhere) continue;
     const std::optional<double> name = text_height(svg, at);
     if (!name) continue;

@@ -121,6 +121,17 @@ private:
   const std::string file_;
 };
 
+/// None where the state has no value in the beginning.
+void initial_value(const Names& names, Index state, Members& row) {
+  const std::int32_t initial = names.tables->states[state].initial;
+  if (initial == unset) return;
+  const std::string_view name = names.value(names.self, state, initial);
+  if (name.empty())
+    row.number("initial", initial);
+  else
+    row.text("initial", name);
+}
+
 } // namespace
 
 void append_event(const Event& event, const Names& names, std::string& out) { EventLine(event, names, out).write(); }
@@ -171,6 +182,7 @@ void append_header(const Names& names, std::string_view file, std::string& out) 
       }
       out += ']';
     }
+    initial_value(names, state, row);
     row.end();
   });
   header.key("triggers");

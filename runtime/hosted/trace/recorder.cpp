@@ -16,8 +16,9 @@ namespace {
 constexpr std::size_t full_buffer = 1 << 20; ///< bytes; the file gets them while more events wait
 } // namespace
 
-std::unique_ptr<TraceFormat> trace_format_of(const std::string& path, const Names& names) {
-  return path.ends_with(".perfetto-trace") || path.ends_with(".pftrace") ? perfetto(names) : json_lines(names);
+std::unique_ptr<TraceFormat> trace_format_of(const std::string& path, const Names& names, std::string file) {
+  return path.ends_with(".perfetto-trace") || path.ends_with(".pftrace") ? perfetto(names)
+                                                                         : json_lines(names, std::move(file));
 }
 
 Recorder::Recorder(const Names& names, const std::string& path) : Recorder(names, path, Options()) {}
@@ -37,10 +38,12 @@ Recorder::Recorder(std::unique_ptr<TraceFormat> format, const std::string& path,
   writer_ = std::thread([this] { write_all(); });
 }
 
-Recorder::~Recorder() {
+Recorder::~Recorder() { close(); }
+
+void Recorder::close() {
   {
     const std::lock_guard lock(mutex_);
-    stop_ = true;
+    if (std::exchange(stop_, true)) return;
   }
   wake_.notify_one();
   writer_.join();
@@ -49,7 +52,8 @@ Recorder::~Recorder() {
     format_->dropped(dropped - told_dropped_, buffer_);
   format_->end(buffer_);
   flush();
-  if (file_ >= 0) ::close(file_);
+  if (file_ >= 0 && ::close(file_) != 0 && good()) error_ = errno;
+  file_ = -1;
 }
 
 Observer Recorder::observer() {
@@ -61,6 +65,7 @@ void Recorder::put_when_full(const Event& event) {
   while (!queue_.put(event)) {
     {
       const std::lock_guard lock(mutex_);
+      if (stop_) return queue_.drop(); // nobody takes them any more
       is_full_ = true;
     }
     wake_.notify_one();

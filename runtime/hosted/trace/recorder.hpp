@@ -40,7 +40,7 @@ public:
   Recorder(const Names& names, const std::string& path, Options options);
   /// In a format of your own.
   Recorder(std::unique_ptr<TraceFormat> format, const std::string& path, Options options);
-  /// Writes what waits. The behaviour must not step any more.
+  /// `close`s it. The behaviour must not step any more.
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -51,6 +51,11 @@ public:
   void tell(const Event& event) {
     if (!queue_.put(event)) put_when_full(event);
   }
+
+  /// Writes what waits and ends the file; what is told later is not recorded. Then `error()` is about all of it:
+  /// before, what happened within the last `interval` may still fail to be written. The behaviour must not step
+  /// meanwhile.
+  void close();
 
   /// The file could be opened, and all so far could be written. From any thread.
   bool good() const { return error_.load(std::memory_order_relaxed) == 0; }

@@ -38,7 +38,7 @@ std::unique_ptr<TraceFormat> json_lines(const Names& names, std::string file = {
 /// Packets of Perfetto's protobuf: https://ui.perfetto.dev opens the file.
 std::unique_ptr<TraceFormat> perfetto(const Names& names);
 
-/// `.jsonl` and all others: JSON lines; `.perfetto-trace` and `.pftrace`: Perfetto.
-std::unique_ptr<TraceFormat> trace_format_of(const std::string& path, const Names& names);
+/// `.jsonl` and all others: JSON lines; `.perfetto-trace` and `.pftrace`: Perfetto. `file`: as above.
+std::unique_ptr<TraceFormat> trace_format_of(const std::string& path, const Names& names, std::string file = {});
 
 } // namespace director

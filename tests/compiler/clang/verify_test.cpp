@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What `directorc verify` reads of a build, and how it reports.
 #include "compiler/base/json.hpp"
+#include "compiler/cli/load.hpp"
 #include "tests/compiler/clang/workshop.hpp"
 
 #include <catch2/catch.hpp>
@@ -158,6 +159,20 @@ TEST_CASE("what is to be left out and is not there is told") {
             "` that is not excluded has the generated `cart.hpp` in its include folders: has the program been "
             "built?\n");
   CHECK(all.status == 2);
+}
+
+TEST_CASE("a source that stands in the build and is not there is told, once") {
+  const Workshop work = workshop("gone");
+  work.write("body.cpp", wheels(included));
+  work.write_commands({work.path("body.cpp"), work.path("gone.cpp"), work.path("gone.cpp")}, flags(work));
+  const Worked worked = work.directorc({"verify", work.path("cart.yaml"), "-p", work.path()});
+  CHECK(worked.err == "directorc: not decided: what stands in `" +
+                          director::compiler::cli::shown_path(work.path("gone.cpp")) +
+                          "`, a source of the build, cannot be read: No such file or directory; configure again if it "
+                          "is gone, build if it is generated\n");
+  const Worked left_out =
+      work.directorc({"verify", work.path("cart.yaml"), "-p", work.path(), "--exclude", work.path("gone.cpp")});
+  CHECK(left_out.err.empty());
 }
 
 TEST_CASE("a behaviour that is wrong is reported in the format that is asked for") {

@@ -198,6 +198,30 @@ TEST_CASE("500 groups can be read by their modules") {
   CHECK(boxes == 45);
 }
 
+TEST_CASE("a group of no layer stands below the band of each layer, whoever leads to whom") {
+  if (!has_graphviz()) return;
+  const OwnFolder folder("picture-no-layer");
+  folder.write("bot.yaml", "behaviour: bot\nlanguage: 1\nlayers: [mission, skill]\nroots: [Top, Go]\ngroups:\n"
+                           "  Top: {tasks: [Walk]}\n  Go: {layer: mission, tasks: [Walk, Arm]}\n"
+                           "  Walk: {layer: skill, needs: [Leg], tasks: [Leg]}\n  Leg: {}\n  Arm: {}\n");
+  const Drawn picture = drawn({folder.at("bot.yaml")});
+  const Svg svg = read_svg(picture.out);
+  std::map<std::string, SvgBox> boxes;
+  for (const SvgThing& thing : svg.things) {
+    if (!thing.is_arrow) boxes[thing.title] = thing.box;
+  }
+  REQUIRE(boxes.count("no layer here") == 1);
+  const double above_name = 16; // as the bands are drawn
+  const double skill = boxes["layer skill"].bottom - above_name, none = boxes["no layer here"].bottom - above_name;
+  CHECK(boxes["Go"].bottom <= skill);
+  CHECK(boxes["Walk"].top >= skill);
+  CHECK(boxes["Walk"].bottom <= none);
+  for (const char* name : {"Top", "Leg", "Arm"}) {
+    CAPTURE(name);
+    CHECK(boxes[name].top >= none);
+  }
+}
+
 TEST_CASE("every text can be read on what is behind it") {
   if (!has_graphviz()) return;
   for (const Measured& picture : pictures()) {

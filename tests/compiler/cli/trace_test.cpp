@@ -116,6 +116,19 @@ TEST_CASE("what the file is called says how a trace is written, where no format 
   CHECK(written("text.html", {"--to=text"}) == text);
 }
 
+TEST_CASE("what the file is called says how a scenario is recorded, and it is recorded into no page") {
+  World world = with_trace();
+  REQUIRE(world.directorc({"trace", "run.jsonl", "-o", "of_lines.pftrace"}) == 0);
+  for (const std::string file : {"run.pftrace", "run.perfetto-trace"}) {
+    CHECK(world.directorc({"simulate", "s.yaml", "--trace", file}) == 0);
+    CHECK(world.outputs.files.at(file) == world.outputs.files.at("of_lines.pftrace"));
+  }
+  CHECK(world.directorc({"simulate", "s.yaml", "--trace", "run.html"}) == 2);
+  CHECK(world.err ==
+        "directorc: --trace writes no page; record a .jsonl, and `directorc trace FILE.jsonl -o FILE.html` "
+        "writes one\n");
+}
+
 TEST_CASE("bytes for Perfetto go to no terminal, and who reads it there is told how to look at them") {
   World world = with_trace();
   CHECK(world.directorc({"trace", "run.jsonl", "--to=perfetto"}) == 0); // into a pipe
@@ -201,7 +214,46 @@ TEST_CASE("what is no trace is said with its line") {
         unreadable + "the behaviour has no group called `Nobody`\n" + help + none_before);
   CHECK(say(header + "{\"event\":\"run\",\"group\":\"Drive\"}\n") ==
         unreadable + "`run` without its provider\n" + help + none_before);
+  for (const char* count : {"", ",\"count\":-1", ",\"count\":0", ",\"count\":\"many\""}) {
+    CHECK(say(header + "{\"event\":\"dropped\"" + count + "}\n") ==
+          unreadable + "`dropped` needs a `count` from 1\n" + help + none_before);
+  }
   CHECK(world.directorc({"trace", "none.jsonl"}) == 2);
+}
+
+TEST_CASE("a line that names an event, and that no recorder would have written, is not shown as if it had happened") {
+  World world = with_trace();
+  const std::string header = traced_line(trace_in(world), 1) + "\n";
+  const std::string right =
+      R"({"t":0,"n":1,"event":"run","group":"Explore","provider":"default","reasons":["new_task"]})";
+  const auto trace = [&](const std::string& line) {
+    world.files.add("bad.jsonl", header + line + "\n" + right + "\n");
+    const int status = world.directorc({"trace", "bad.jsonl"});
+    return std::to_string(status) + "\n" + world.err + world.out;
+  };
+  const std::string shown = "[    0.000000] run Explore new_task\n";
+  CHECK(trace(right) == "0\n" + shown + shown);
+  CHECK(
+      trace(
+          R"({"t": 0, "n": 1, "event": "run", "group": "Explore", "provider": "default", "reasons": ["new_task"]})") ==
+      "0\n" + shown + shown);
+  const std::string refused = "1\nbad.jsonl:2: error: this line cannot be read: a recorder would have written it as " +
+                              right +
+                              "\n  help: expected is one JSON object a line, an event each, as a recorder writes them; "
+                              "the lines before are good: "
+                              "`head -n 1 bad.jsonl` prints them\n";
+  const std::string rest = right.substr(right.find(",\"n\""));
+  for (const char* time : {"\"t\":\"abc\"", "\"t\":{}", "\"time\":0", "\"t\":null"}) {
+    CAPTURE(time);
+    const std::string said = trace("{" + std::string(time) + rest);
+    CHECK(said == (std::string(time).starts_with("\"time")
+                       ? "1\nbad.jsonl:2: error: this line cannot be read: unknown key `time`\n" +
+                             refused.substr(refused.find("  help"))
+                       : refused));
+  }
+  CHECK(
+      trace(R"({"t":0,"n":1,"event":"run","group":"Explore","provider":"default","reasons":["new_task","newtask"]})") ==
+      refused);
 }
 
 TEST_CASE("the same behaviour decides the same") {

@@ -27,6 +27,7 @@ groups:
   Kick:
     when: [Pose == standing]
     packs: {hard: {Legs: {}, Arms: {optional: true}}, soft: {Legs: {}}}
+    triggers: [Bell]
   Legs: {}
   Arms: {}
 )";

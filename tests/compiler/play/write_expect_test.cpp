@@ -114,6 +114,11 @@ TEST_CASE("comments and blank lines among what is expected stay before the event
         "      # it has no handler\n");
 }
 
+TEST_CASE("what happens is written below the comments of a step that expects nothing yet") {
+  check("steps:\n  - request: Lamp\n    expect: |\n      # it shines\n\n      # at once\n",
+        "steps:\n  - request: Lamp\n    expect: |\n      # it shines\n\n      # at once\n      run Lamp new_task\n");
+}
+
 TEST_CASE("line breaks stay what they are") {
   check("steps:\r\n  - request: Lamp\r\n    expect: | # on\r\n      # light\r\n      run Bell new_task\r\n",
         "steps:\r\n  - request: Lamp\r\n    expect: | # on\r\n      # light\r\n      run Lamp new_task\r\n");

@@ -45,6 +45,7 @@ const std::map<std::string, Kinds> by_check{
     {"undone_by_itself", {"condition_tightened"}},
     {"undone_by_stop", {"condition_tightened"}},
     {"unpushable_causing", {"push_lost"}},
+    {"unreachable_case", {}},
     {"unreachable_causing", {"push_lost"}},
     {"unreachable_when", {"became_dead"}},
     {"unreserved_tasks", {"needs_removed"}},

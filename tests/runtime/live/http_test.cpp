@@ -21,8 +21,6 @@ struct Asked {
   }};
 };
 
-std::string first_line(const Answer& answer) { return answer.head.substr(0, answer.head.find('\r')); }
-
 } // namespace
 
 TEST_CASE("a request has its path and parameters decoded, and its headers by any spelling") {
@@ -75,12 +73,14 @@ TEST_CASE("a body is told of, and nobody reads it") {
   CHECK(asked.line == "POST / host=a origin= last=");
 }
 
-TEST_CASE("what is no request is refused without asking") {
+TEST_CASE("what is no request is refused without asking, and told so") {
   Asked asked;
   for (const char* request : {"\r\n\r\n", "nonsense\r\n\r\n", "BREW / HTTP/1.1\r\n\r\n", "GET / HTTP/3.0\r\n\r\n",
                               "PRI * HTTP/2.0\r\n\r\n", "GET /\r\n\r\n", "\x16\x03\x01\r\n\r\n"}) {
     CAPTURE(request);
-    CHECK(first_line(asked.http.answer(request)) == "HTTP/1.1 400 Bad Request");
+    CHECK(asked.http.answer(request).head ==
+          "HTTP/1.1 400 Bad Request\r\nConnection: close\r\nContent-Type: text/plain; charset=utf-8\r\n"
+          "Content-Length: 32\r\n\r\nThis is no request of HTTP/1.1.\n");
   }
   CHECK(asked.line.empty());
 }

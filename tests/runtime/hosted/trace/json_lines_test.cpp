@@ -31,7 +31,7 @@ TEST_CASE("the header of a trace says what everything is called") {
                    R"({"name":"root>Signal","target":"Signal","levels":[""]},)"
                    R"({"name":"Shine>Bulb","target":"Bulb","levels":[""]},)"
                    R"({"name":"Signal>Bulb","target":"Bulb","levels":[""]}],)"
-                   R"("states":[{"name":"Motion","values":["still","moving"]},{"name":"Charge"}],)"
+                   R"("states":[{"name":"Motion","values":["still","moving"],"initial":"still"},{"name":"Charge"}],)"
                    R"("triggers":["Alarm"],"conditions":["Motion == still"]})");
 }
 

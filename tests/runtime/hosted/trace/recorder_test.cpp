@@ -8,6 +8,7 @@
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -160,6 +161,39 @@ TEST_CASE("a file that cannot be written is no reason to stop") {
   for (int i = 0; i < 10; ++i) nowhere.tell(lamp.event(Event::Kind::exhausted, i));
   Recorder full{lamp.names, "/dev/full"};
   CHECK(full.error() == ENOSPC);
+}
+
+TEST_CASE("what could not be written in the end is known when the recorder is closed") {
+  const Lamp lamp;
+  const TemporaryFolder folder;
+  const auto before = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit as_it_was{};
+  REQUIRE(getrlimit(RLIMIT_FSIZE, &as_it_was) == 0);
+  const rlimit small{header(lamp.names).size() + 10, as_it_was.rlim_max};
+  REQUIRE(setrlimit(RLIMIT_FSIZE, &small) == 0);
+  int open = -1, closed = -1;
+  {
+    Recorder recorder{lamp.names, (folder.path() / "run.jsonl").string(), {.interval = std::chrono::hours(24)}};
+    for (int i = 0; i < 10; ++i) recorder.tell(lamp.event(Event::Kind::exhausted, i));
+    open = recorder.error();
+    recorder.close();
+    closed = recorder.error();
+    recorder.tell(lamp.event(Event::Kind::exhausted, 10)); // is not recorded, and harms nothing
+  }
+  setrlimit(RLIMIT_FSIZE, &as_it_was);
+  std::signal(SIGXFSZ, before);
+  CHECK(open == 0);
+  CHECK(closed == EFBIG);
+}
+
+TEST_CASE("who waits for a place in a queue that is closed is let go") {
+  const Lamp lamp;
+  const TemporaryFolder folder;
+  Recorder recorder{lamp.names, (folder.path() / "run.jsonl").string(), {.queue = 4, .waits = true}};
+  recorder.close();
+  for (int i = 0; i < 10; ++i) recorder.tell(lamp.event(Event::Kind::exhausted, i));
+  CHECK(recorder.dropped() > 0);
+  CHECK(read_file(folder.path() / "run.jsonl") == header(lamp.names));
 }
 
 TEST_CASE("a process that is killed leaves whole lines, up to shortly before its end") {

@@ -1,0 +1,81 @@
+// Header: compiler/play/unreachable_cases.hpp. Test: the page of the check, compiler/checks/unreachable_case.md.
+// SPDX-License-Identifier: MIT
+#include "compiler/play/unreachable_cases.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace director::compiler {
+
+namespace {
+
+using dsl::CaseSpec;
+
+/// What `later` waits for, and more where `earlier` waits for less.
+template <class Guard>
+bool same_or_none(const std::optional<Guard>& earlier, const std::optional<Guard>& later) {
+  return !earlier || (later && earlier->value == later->value);
+}
+
+/// Whenever `later` would apply, `earlier` does, and is the first.
+bool hides(const CaseSpec& earlier, const CaseSpec& later) {
+  const auto is_there = [&](const dsl::UseGuardSpec& guard) {
+    return std::any_of(later.uses.begin(), later.uses.end(), [&](const dsl::UseGuardSpec& each) {
+      return each.group.value == guard.group.value && each.state.value == guard.state.value;
+    });
+  };
+  return same_or_none(earlier.reason, later.reason) && same_or_none(earlier.trigger, later.trigger) &&
+         same_or_none(earlier.data, later.data) && same_or_none(earlier.run, later.run) &&
+         std::all_of(earlier.uses.begin(), earlier.uses.end(), is_there);
+}
+
+bool listens(const Model& model, ProviderId id, const std::string& trigger) {
+  const std::vector<Use<TriggerId>>& all = model.providers[id].triggers;
+  return std::any_of(all.begin(), all.end(),
+                     [&](const Use<TriggerId>& use) { return model.triggers[use.id].name == trigger; });
+}
+
+/// Why none of the providers ever runs so; empty: some may.
+std::string never(const CaseSpec& spec, const std::vector<ProviderId>& providers, const Model& model) {
+  const auto none = [&](const auto& may) {
+    return !providers.empty() && std::none_of(providers.begin(), providers.end(), may);
+  };
+  if (spec.trigger && none([&](ProviderId id) { return listens(model, id, spec.trigger->value); }))
+    return fmt::format("listens to `{}`", spec.trigger->value);
+  if (spec.reason && spec.reason->value == dsl::Reason::trigger &&
+      none([&](ProviderId id) { return !model.providers[id].triggers.empty() || model.providers[id].every; }))
+    return "listens to a trigger, or is run `every` so often";
+  if (spec.reason && spec.reason->value == dsl::Reason::pushed &&
+      none([&](ProviderId id) { return !model.providers[id].causing.empty(); }))
+    return "is ever pushed, as it is where it promises something with `causing`";
+  return {};
+}
+
+std::string name_of(const dsl::ScriptEntrySpec& entry) {
+  return entry.part ? entry.group.value + "." + entry.part->value : entry.group.value;
+}
+
+} // namespace
+
+void find_unreachable_cases(const dsl::ScriptEntrySpec& entry, const std::vector<ProviderId>& providers,
+                            const Model& model, std::vector<dsl::Diagnostic>& findings) {
+  const auto warn = [&](Span span, std::string message, std::vector<dsl::Note> notes, std::string help) {
+    findings.push_back(
+        {"unreachable_case", dsl::Level::warning, span, std::move(message), std::move(notes), std::move(help)});
+  };
+  const std::string name = name_of(entry);
+  for (auto later = entry.cases.begin(); later != entry.cases.end(); ++later) {
+    const auto earlier =
+        std::find_if(entry.cases.begin(), later, [&](const CaseSpec& each) { return hides(each, *later); });
+    if (earlier != later) {
+      warn(later->span, fmt::format("this case of `{}` never applies: an earlier one does whenever it would", name),
+           {{earlier->span, "this one"}}, "put what is special before what is general, or leave it out");
+    } else if (const std::string why = never(*later, providers, model); !why.empty()) {
+      warn(later->span, fmt::format("this case of `{}` never applies: no provider that it is for {}", name, why), {},
+           "leave it out");
+    }
+  }
+}
+
+} // namespace director::compiler
