@@ -73,7 +73,7 @@ private:
       warnings_.push_back({"unreachable_case",
                            dsl::Level::warning,
                            entry.group.span,
-                           fmt::format("the entry for `{}` is for nobody: each of its providers has an entry of its "
+                           fmt::format("the entry for `{}` has no effect: each of its providers has an entry of its "
                                        "own",
                                        entry.group.value),
                            {},

@@ -42,13 +42,13 @@ std::string never(const CaseSpec& spec, const std::vector<ProviderId>& providers
     return !providers.empty() && std::none_of(providers.begin(), providers.end(), may);
   };
   if (spec.trigger && none([&](ProviderId id) { return listens(model, id, spec.trigger->value); }))
-    return fmt::format("listens to `{}`", spec.trigger->value);
+    return fmt::format("none of its providers listens to `{}`", spec.trigger->value);
   if (spec.reason && spec.reason->value == dsl::Reason::trigger &&
       none([&](ProviderId id) { return !model.providers[id].triggers.empty() || model.providers[id].every; }))
-    return "listens to a trigger, or is run `every` so often";
+    return "none of its providers listens to a trigger or has `every`";
   if (spec.reason && spec.reason->value == dsl::Reason::pushed &&
       none([&](ProviderId id) { return !model.providers[id].causing.empty(); }))
-    return "is ever pushed, as it is where it promises something with `causing`";
+    return "none of its providers has `causing`, so none is ever pushed";
   return {};
 }
 
@@ -72,8 +72,7 @@ void find_unreachable_cases(const dsl::ScriptEntrySpec& entry, const std::vector
       warn(later->span, fmt::format("this case of `{}` never applies: an earlier one does whenever it would", name),
            {{earlier->span, "this one"}}, "put what is special before what is general, or leave it out");
     } else if (const std::string why = never(*later, providers, model); !why.empty()) {
-      warn(later->span, fmt::format("this case of `{}` never applies: no provider that it is for {}", name, why), {},
-           "leave it out");
+      warn(later->span, fmt::format("this case of `{}` never applies: {}", name, why), {}, "leave it out");
     }
   }
 }
