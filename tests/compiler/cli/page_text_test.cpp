@@ -88,7 +88,7 @@ TEST_CASE(
   }
   REQUIRE(world.directorc({"checks"}) == 0);
   CHECK(world.out.find("assertion_failed          error    exact\n"
-                       "    What the author relies on is not true.\n") != std::string::npos);
+                       "    A property that the author relies on does not hold.\n") != std::string::npos);
   world.files.add("a.yaml", "behaviour: a\nlanguage: 1\nroots: [B]\ngroups: {A: {}}\n");
   CHECK(world.directorc({"check", "a.yaml"}) == 1);
   CHECK(world.out.ends_with("1 error\n`directorc explain undefined_name` says more\n"));
