@@ -1,7 +1,12 @@
 # SPDX-License-Identifier: MIT
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -D FLAGS=<its flags> -P first.cmake
 # The first program of docs/building.md: from a behaviour, with what `directorc stubs --main` writes and nothing else, to a program; then with the lines
-# that the page adds, which show what it decides.
+# that the page adds: they show what it decides, and play a scenario.
+find_program(make make)
+if(NOT make)
+  message(STATUS "skipped: this machine has no program for Unix Makefiles")
+  return()
+endif()
 file(REMOVE_RECURSE ${WORK})
 file(COPY ${SOURCE}/ DESTINATION ${WORK})
 set(program ${WORK}/build/lantern)
@@ -32,10 +37,19 @@ change(main.cpp "#include <chrono>" "#include \"runtime/hosted/decision_printer.
 change(main.cpp "behaviour{lantern_part}" "behaviour{lantern_part, printer.observer()}")
 change(main.cpp "  lantern::Behaviour" "  director::DecisionPrinter printer{lantern::names::all()};\n  lantern::Behaviour")
 change(main.cpp "  while (stopping == 0)" "  step();\n  stopping = 1; // as if by Ctrl-C\n  while (stopping == 0)")
-file(APPEND ${WORK}/CMakeLists.txt "target_link_libraries(lantern PRIVATE Director::hosted)\n")
+file(WRITE ${WORK}/scenarios/shine.scenario.yaml
+  "behaviour: ../lantern.yaml\nsteps:\n  - request: Shine\n    expect: |\n      run Shine new_task\n      run Lamp new_task\n")
+file(APPEND ${WORK}/CMakeLists.txt "target_link_libraries(lantern PRIVATE Director::hosted)\nenable_testing()\n"
+  "add_test(NAME scenarios COMMAND $<TARGET_FILE:Director::directorc> test \${CMAKE_CURRENT_SOURCE_DIR}/scenarios)\n")
 run(${CMAKE_COMMAND} --build build)
 run(${program})
 set(expected "> request Shine\nrun Shine new_task\nrun Lamp new_task\n> cancel Shine\n")
 if(NOT said STREQUAL expected)
   message(FATAL_ERROR "the program said:\n${said}")
+endif()
+
+cmake_path(GET CMAKE_COMMAND PARENT_PATH programs)
+run(${programs}/ctest --test-dir build)
+if(NOT said MATCHES "1/1 Test .*scenarios.* Passed")
+  message(FATAL_ERROR "ctest said:\n${said}")
 endif()
