@@ -125,7 +125,7 @@ TEST_CASE("the rover of the pages says why it takes no picture, also to another 
 
   bool rolling = false;
   rover::Behaviour::Snapshot snapshot;
-  behaviour.show(snapshot); // whoever steps: now and then, for instance after each step
+  behaviour.show(snapshot); // by the thread that steps, for instance after each step
   std::thread([&] {
     if (const auto look = snapshot.look()) rolling = (*look).state<rover::Explore>() == director::RunState::running;
   }).join();
