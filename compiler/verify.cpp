@@ -289,7 +289,7 @@ private:
       const dsl::Place place = file.place(each.span.begin);
       out_.not_decided.push_back(fmt::format("{}: nobody can see {}: {}:{}:{}: {}",
                                              analysis::name_of(checked_.model, body.of),
-                                             each.carries ? "what else it may ask for" : "whether it blocks",
+                                             each.carries ? "what else it may request" : "whether it blocks",
                                              file.path(), place.line, place.column, each.what));
     }
   }

@@ -70,7 +70,7 @@ Result<std::string, FileError> DiskFiles::fetch(const std::string& path, std::si
       waiting_(path, patience - first);
       comes = comes_within(patience - first);
     }
-    if (!comes) return FileError{FileError::Kind::not_readable, "nobody writes to this pipe"};
+    if (!comes) return FileError{FileError::Kind::not_readable, "nothing writes to this pipe"};
     const ssize_t size = ::read(file.number, part.data(), part.size());
     if (size < 0 && (errno == EAGAIN || errno == EINTR)) continue;
     if (size < 0) return error(errno);

@@ -85,7 +85,8 @@ const Slips& slips_of_group() {
        "conditions stand in `when`: `when: [Motion == still]`"},
       {{"while", "until", "hold"}, "conditions that are enough once it runs stand in `stay`: `stay: [Battery < 90]`"},
       {{"priority", "weight", "rank", "optional", "apart", "levels"},
-       "it stands where the task is requested: `roots: {Walk: {priority: 10}}`, or in `tasks` of who requests it"},
+       "it stands where the task is requested: `roots: {Walk: {priority: 10}}`, or in `tasks` of the group that "
+       "requests it"},
       {{"requires", "resources", "locks", "uses_resource"}, "groups that it must control stand in `needs`"},
       {{"causes", "effects", "effect", "postconditions", "achieves"},
        "what it promises to make true stands in `causing`: `causing: [Motion == still]`"},

@@ -40,7 +40,7 @@ void causer_goes_first(const Input& input, Findings& findings) {
     const std::string first = name_of(model, one.first->target), waits = name_of(model, one.waits->target);
     dsl::Diagnostic& finding =
         findings.add(one.request->span,
-                     fmt::format("{} may wait here for {}, and pushes nobody for it: {} does not rank after {}",
+                     fmt::format("{} may wait here for {}, and pushes no group for it: {} does not rank after {}",
                                  name_of(model, one.request->target), name_of(model, one.condition.id), first, waits));
     finding.rules_out = {one.condition.span};
     finding.notes.push_back({one.condition.span, fmt::format("{} waits for this", name_of(model, one.waiter))});

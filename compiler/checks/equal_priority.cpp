@@ -43,8 +43,9 @@ void report(const Model& model, const EqualPair& pair, Findings& findings) {
           ? fmt::format("{0} and {1} have equal rank: {0} may hold {2} and want {3} while {1} holds {3} and wants {2}, "
                         "and then each waits for the other",
                         first, second, name_of(model, mutual_wait->held), wanted)
-          : fmt::format("{0} and {1} have equal rank and may both want {2}: who asks first keeps it, and if both ask "
-                        "at once {0} does",
+          : fmt::format("{0} and {1} have equal rank and may both want {2}: whichever takes it first keeps it, and if "
+                        "both want "
+                        "it at once {0} takes it",
                         first, second, wanted));
   finding.notes.push_back(
       {meeting.first->span,
@@ -63,8 +64,8 @@ void report(const Model& model, const EqualPair& pair, Findings& findings) {
 constexpr std::size_t many = 4;
 
 constexpr std::string_view who_wins =
-    "who asks first keeps it, and of those that ask at once the one that is declared first does";
-constexpr std::string_view what_helps = "give them priorities that tell who goes before whom";
+    "whichever takes it first keeps it, and of those that want it at once the one that is declared first takes it";
+constexpr std::string_view what_helps = "give them priorities that say which goes first";
 
 /// Entries that compete at one priority, by their places, and for what.
 struct Crowd {

@@ -61,16 +61,17 @@ void handler_without_provider(const CodeInput& input, Findings& findings) {
         const Module& module = model.modules[model.groups[of->second.group].module];
         if (!stray.unlike.empty()) {
           dsl::Diagnostic& finding =
-              findings.add(stray.span, fmt::format("nobody calls this body for {}: {}, so it overrides nothing", name,
+              findings.add(stray.span, fmt::format("nothing calls this body for {}: {}, so it overrides nothing", name,
                                                    stray.unlike));
           finding.notes.push_back({span_of(model, of->second), fmt::format("{} is here", name)});
           finding.help = fmt::format("declare it as `{}`", declaration_of(of->second, stray.context));
           continue;
         }
         dsl::Diagnostic& finding = findings.add(
-            stray.span, fmt::format("nobody calls this body for {}: it belongs to the module `{}`, which `{}` does not "
-                                    "implement here",
-                                    name, module.name, each.name));
+            stray.span,
+            fmt::format("nothing calls this body for {}: it belongs to the module `{}`, which `{}` does not "
+                        "implement here",
+                        name, module.name, each.name));
         finding.notes.push_back({span_of(model, of->second), fmt::format("{} is here", name)});
         finding.help = fmt::format("move it into the class that implements `{}`", module.name);
         continue;

@@ -140,14 +140,14 @@ private:
     add_path(next.task->target, skill, finding);
     if (gap.waits_for) {
       finding.notes.push_back(
-          {gap.waits_for->span, fmt::format("{} may have to wait for {}, and meanwhile nothing asks for {}", planner,
+          {gap.waits_for->span, fmt::format("{} may have to wait for {}, and meanwhile nothing requests {}", planner,
                                             name_of(model, gap.waits_for->id), name)});
     } else {
       finding.notes.push_back({gap.pack->span, fmt::format("{} may choose `{}`, which does not lead to {}",
                                                            name_of(model, gap.provider), gap.pack->name, name)});
     }
     finding.help = fmt::format(
-        "ask for something that rests in {}, `apart` beside {}, so that it can be pushed to rest", name, planner);
+        "request something that rests in {}, `apart` beside {}, so that it can be pushed to rest", name, planner);
   }
 
   void add_path(GroupId from, GroupId skill, dsl::Diagnostic& finding) const {

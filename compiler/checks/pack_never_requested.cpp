@@ -15,9 +15,9 @@ void pack_never_requested(const CodeInput& input, Findings& findings) {
     for (const Pack& pack : model.providers[*body.of.provider].packs) {
       if (pack.name.empty() || asks_for_pack(body, pack)) continue;
       dsl::Diagnostic& finding =
-          findings.add(pack.span, fmt::format("no path of {} asks for `{}`", name_of(model, body.of), pack.name));
+          findings.add(pack.span, fmt::format("no path of {} requests `{}`", name_of(model, body.of), pack.name));
       finding.notes.push_back({body.function->span, "its body"});
-      finding.help = "let the body ask for it, or leave it out of `packs`";
+      finding.help = "let the body request it, or leave it out of `packs`";
     }
   }
 }

@@ -165,7 +165,7 @@ void report(const Input& input, const Task& first, const Task& second, const Cla
                        : fmt::format("{} and {} cannot always be granted together: {}", a, b, want));
   // Where they are asked for nowhere else, those never run.
   for (const ProviderId id : clash.losers) finding.rules_out.push_back(model.providers[id].span);
-  finding.notes.push_back({first.span, fmt::format("{} is asked for in the same unit", a)});
+  finding.notes.push_back({first.span, fmt::format("{} is requested in the same unit", a)});
   add_chain(model, *clash.first, group, finding);
   add_chain(model, *clash.second, group, finding);
   const ProviderId x = clash.first_instead->provider(), y = clash.second_instead->provider();

@@ -20,7 +20,7 @@ void push_cycle(const Input& input, Findings& findings) {
                                                           : "what causes the one cannot run while the other holds"));
     add_parties(model, clash, finding);
     finding.help = clash.because.size() > 1 ? "let one of them leave the other's state as it is"
-                                            : "let one provider cause both, or ask for the two one after the other";
+                                            : "let one provider cause both, or request the two one after the other";
   }
 }
 

@@ -49,7 +49,7 @@ std::string help_of(const Model& model, const Clash& clash) {
   const std::string group = name_of(model, model.providers[clash.second_causer].group);
   switch (clash.loss) {
   case Clash::Loss::request: return fmt::format("let {} request {} too, or request it elsewhere", first, group);
-  case Clash::Loss::group: return "let one provider cause both, or ask for the two one after the other";
+  case Clash::Loss::group: return "let one provider cause both, or request the two one after the other";
   case Clash::Loss::provider:
     return fmt::format("let {} leave that state as it is, or {} run without it", first, second);
   case Clash::Loss::held:

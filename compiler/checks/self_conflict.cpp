@@ -145,7 +145,7 @@ void report(const Input& input, const std::vector<Losers>& all, Findings& findin
     }
   }
   if (need == nullptr) {
-    finding.help = fmt::format("ask for it where {} is not above it", kept);
+    finding.help = fmt::format("request it where {} is not above it", kept);
   } else if (need->id == loser.taker.group && loser.entry->target != need->id &&
              input.facts.may_wait.contains(loser.entry->target)) {
     // To need it would be to wait with it.

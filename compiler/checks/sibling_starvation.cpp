@@ -55,7 +55,7 @@ void report(const Input& input, const Loser& loser, bool never, const std::vecto
                            ? fmt::format("the same here, by {}", by)
                            : fmt::format("the same here, by {}, which takes {}", by, name_of(model, one.group))});
   }
-  finding.help = fmt::format("make {} `apart` or `optional`, or ask for it one level lower", name);
+  finding.help = fmt::format("make {} `apart` or `optional`, or request it one level lower", name);
 }
 
 } // namespace

@@ -51,7 +51,7 @@ void report_loop(const Input& input, GroupId group, Findings& findings) {
   dsl::Diagnostic& finding =
       findings.add(entry(input.model, group, group), fmt::format("{} requests itself", name_of(input.model, group)));
   finding.rules_out = {finding.span};
-  finding.help = "a task goes on with another pack; it cannot ask for itself";
+  finding.help = "a task goes on with another pack; it cannot request itself";
 }
 
 } // namespace

@@ -140,7 +140,7 @@ private:
     add_notes(kept, entries.front()->span, model_.groups[edge.target].providers, finding);
     for (std::size_t i = 1; i < entries.size(); ++i)
       finding.notes.push_back({entries[i]->span, fmt::format("{} is requested here too", name)});
-    finding.help = fmt::format("ask for {} where it can have that, or leave it out", name);
+    finding.help = fmt::format("request {} where it can have that, or leave it out", name);
   }
 
   void tell(const PackOf& at) {
@@ -179,7 +179,7 @@ private:
         finding.rules_out_together.push_back(task.span);
     }
     add_notes(kept, last->span, providers, finding);
-    finding.help = "make one of them `apart` or `optional`, or ask for them in different packs";
+    finding.help = "make one of them `apart` or `optional`, or request them in different packs";
   }
 
   void add_together(const Kept& kept, dsl::Diagnostic& finding) const {

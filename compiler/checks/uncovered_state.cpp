@@ -243,8 +243,8 @@ private:
     for (const Uncoveredness* one : all) add_notes(*one, one != all.front(), finding);
     finding.help =
         all.size() == 1
-            ? fmt::format("end with a provider that has no conditions, or ask for {} only while it can run", names[0])
-            : "end each with a provider that has no conditions, or ask for them only while they can run";
+            ? fmt::format("end with a provider that has no conditions, or request {} only while it can run", names[0])
+            : "end each with a provider that has no conditions, or request them only while they can run";
   }
 
   /// Whatever the states are.
@@ -291,7 +291,7 @@ private:
           }
         }
       }
-      finding.help = fmt::format("give {} a provider that can run there, or do not ask for it", name);
+      finding.help = fmt::format("give {} a provider that can run there, or do not request it", name);
       return;
     }
   }

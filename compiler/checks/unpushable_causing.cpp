@@ -97,7 +97,7 @@ std::string propose(const Model& model, const Obstacles& obstacles) {
   const std::string first = name_of(model, obstacle.meeting.first->target);
   const std::string second = name_of(model, obstacle.meeting.second->target);
   if (obstacle.one_unit && obstacle.meeting.first_goes_before())
-    return fmt::format("make {} `apart`, or ask for it one level lower", second);
+    return fmt::format("make {} `apart`, or request it one level lower", second);
   if (obstacle.meeting.first_optional != obstacle.meeting.second_optional) return propose_mandatory(model, obstacle);
   if (obstacle.one_unit || obstacle.waits_with)
     return fmt::format("make {} `apart`, with a higher priority than {}", first, second);

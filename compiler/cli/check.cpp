@@ -113,8 +113,9 @@ private:
   std::string explain(const Checked& checked) {
     if (!checked.resolved) return {};
     if (!checked.model.deployment)
-      return fmt::format("`{}` has no `roots`: what can be reached in a module depends on who imports it",
-                         request_.file);
+      return fmt::format(
+          "`{}` has no `roots`: what can be reached in a module depends on the deployment that imports it",
+          request_.file);
     const ParsedGoal parsed = parse_goal(checked.model, request_.reachable);
     if (!parsed.goal) return parsed.wrong;
     const analysis::Facts facts = analysis::find_facts(checked.model, checked.graph);

@@ -55,7 +55,7 @@ Make stubs_options(CLI::App& app) {
   app.add_flag("--check", request->check, "write nothing; exit status 1 if something is missing")->excludes(dry_run);
   app.footer(
       "Each module gets a class in a .hpp and a .cpp. Where the program has one already, only the functions that\n"
-      "it lacks are added; what nothing asks for any more is reported. To read what is there, director-clang is\n"
+      "it lacks are added; what nothing requests any more is reported. To read what is there, director-clang is\n"
       "needed.");
   return [=]() -> Request {
     if (const std::optional<Say> wrong = wrong_place("-o", "a folder", request->folder)) return *wrong;

@@ -49,9 +49,9 @@ Make graph_options(CLI::App& app) {
   CLI::Option* format = add_format(app, request->format, {"dot", "svg", "json", "mermaid"});
   format->description("one of dot, svg, json, mermaid; without it, as the file of -o ends, or else dot");
   app.add_option("-o,--output", request->output,
-                 "file to write, unless somebody else has written it; without it, or with -, to the terminal")
+                 "file to write, unless another program has written it; without it, or with -, to the terminal")
       ->type_name("FILE");
-  app.add_option("--view", request->view, "only these arrows: tasks, needs, pushes or takes (who may take from whom)")
+  app.add_option("--view", request->view, "only these arrows: tasks, needs, pushes or takes (what may take from what)")
       ->type_name("NAME")
       ->check(CLI::IsMember({"all", "tasks", "needs", "pushes", "takes"}));
   app.add_option("--collapse", request->collapse, "one box for each: module or layer")

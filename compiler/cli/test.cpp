@@ -57,7 +57,7 @@ public:
     console_.out.flush();
     for (const CoverageReport& report : reports_) {
       if (!is_low(report)) continue;
-      say(console_, fmt::format("directorc: {} % of {} is covered; --min asks for {} %\n", report.coverage.percent(),
+      say(console_, fmt::format("directorc: {} % of {} is covered; --min requires {} %\n", report.coverage.percent(),
                                 report.behaviour, request_.min));
       status = std::max(status, found);
     }

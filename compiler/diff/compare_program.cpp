@@ -71,8 +71,8 @@ public:
           .breaks_code = true;
     listed(triggers_of(old_), triggers_of(new_), ChangeKind::triggers, "the trigger `{}` is new",
            "the trigger `{}` is gone");
-    listed(externs_of(old_), externs_of(new_), ChangeKind::api, "`{}` must be provided by who imports this",
-           "`{}` need not be provided any more by who imports this");
+    listed(externs_of(old_), externs_of(new_), ChangeKind::api, "`{}` must be provided by the file that imports this",
+           "`{}` need not be provided any more by the file that imports this");
     listed(assertions_of(old_), assertions_of(new_), ChangeKind::assertion, "asserted: {}", "no longer asserted: {}");
     limit("trials", old_.trials, new_.trials);
     limit("pass", old_.pass, new_.pass);

@@ -183,12 +183,12 @@ private:
 
   std::string reason(const Edge& winner, const Edge* old_winner, const Edge& loser, const Edge& old_loser) const {
     const std::string by = requester_name(pair_.new_model, winner.requester);
-    if (old_winner == nullptr) return fmt::format("{} asks for it now, with {}", by, rank_text(winner));
+    if (old_winner == nullptr) return fmt::format("{} requests it now, with {}", by, rank_text(winner));
     if (Ranks::orders(winner, loser) == Ranks::orders(*old_winner, old_loser))
       return fmt::format("below {} the one goes before the other as it did; what they lead to has changed", by);
     if (winner.levels != old_winner->levels)
-      return fmt::format("{} asks for it with {}, before with {}", by, rank_text(winner), rank_text(*old_winner));
-    return fmt::format("{} asks for `{}` with {}, before with {}", by, target(loser), rank_text(loser),
+      return fmt::format("{} requests it with {}, before with {}", by, rank_text(winner), rank_text(*old_winner));
+    return fmt::format("{} requests `{}` with {}, before with {}", by, target(loser), rank_text(loser),
                        rank_text(old_loser));
   }
 
@@ -256,8 +256,8 @@ private:
       if (flipped.count(target(pair_.new_model.edges[id])) != 0) is.push_back(target(pair_.new_model.edges[id]));
     }
     changes_.add(ChangeKind::tie_order, requester.empty() ? "root" : requester,
-                 fmt::format("of what {} asks for at one rank, the order is {}, before {}: the first one wins where "
-                             "they are asked for at once",
+                 fmt::format("of what {} requests at one rank, the order is {}, before {}: the first one wins where "
+                             "they are requested at once",
                              requester.empty() ? std::string("the program") : ticked(requester), ticked_list(is),
                              ticked_list(was)),
                  first_old->span, first_new->span);
@@ -273,11 +273,11 @@ private:
       return out;
     };
     if (ranks(edge) == ranks(*old) || edge.levels.empty() || old->levels.empty()) return;
-    changes_.add(ChangeKind::priority, edge_name(edge),
-                 fmt::format("{} asks for `{}` with {}, before with {}; who can take a group from whom is as before",
-                             requester_name(pair_.new_model, edge.requester), target(edge), rank_text(edge),
-                             rank_text(*old)),
-                 old->span, edge.span);
+    changes_.add(
+        ChangeKind::priority, edge_name(edge),
+        fmt::format("{} requests `{}` with {}, before with {}; what each can take from the others is as before",
+                    requester_name(pair_.new_model, edge.requester), target(edge), rank_text(edge), rank_text(*old)),
+        old->span, edge.span);
   }
 
   const Pair& pair_;

@@ -32,7 +32,7 @@ public:
         continue;
       }
       changes_
-          .add(ChangeKind::request_removed, asked_.subject, fmt::format("{} no longer asks for `{}`", asked_.who, name),
+          .add(ChangeKind::request_removed, asked_.subject, fmt::format("{} no longer requests `{}`", asked_.who, name),
                task.span, asked_.after)
           .breaks_code = true;
     }
@@ -40,7 +40,7 @@ public:
       const std::string& name = name_of(pair_.new_model, task.target);
       if (find(before, pair_.old_model, name) == nullptr)
         changes_.add(ChangeKind::request_added, asked_.subject,
-                     fmt::format("{} may now ask for `{}`", asked_.who, name), asked_.before, task.span);
+                     fmt::format("{} may now request `{}`", asked_.who, name), asked_.before, task.span);
     }
   }
 
@@ -65,11 +65,11 @@ private:
     const auto add = [&](const std::string& what) -> BehaviourChange& {
       return changes_.add(ChangeKind::levels, asked_.subject, what, before.span, after.span);
     };
-    if (!more.empty()) add(fmt::format("{} may now ask for `{}` at {}", asked_.who, name, ticked_list(more)));
+    if (!more.empty()) add(fmt::format("{} may now request `{}` at {}", asked_.who, name, ticked_list(more)));
     if (!less.empty())
-      add(fmt::format("{} can no longer ask for `{}` at {}", asked_.who, name, ticked_list(less))).breaks_code = true;
+      add(fmt::format("{} can no longer request `{}` at {}", asked_.who, name, ticked_list(less))).breaks_code = true;
     if (!was.empty() && !is.empty() && was.front() != is.front())
-      add(fmt::format("{} asks for `{}` at `{}` where it names no level, before at `{}`", asked_.who, name, is.front(),
+      add(fmt::format("{} requests `{}` at `{}` where it names no level, before at `{}`", asked_.who, name, is.front(),
                       was.front()));
   }
 
@@ -90,7 +90,7 @@ private:
       if (was == is) continue;
       const std::string at = level.name.empty() ? "" : fmt::format(" at `{}`", level.name);
       changes_.add(ChangeKind::unit, asked_.subject,
-                   fmt::format("{} asks for `{}`{} as {}, before as {}", asked_.who, name, at, is, was), before.span,
+                   fmt::format("{} requests `{}`{} as {}, before as {}", asked_.who, name, at, is, was), before.span,
                    after.span);
     }
   }
@@ -112,8 +112,8 @@ void compare_packs(const Pair& pair, ProviderId before, ProviderId after, Change
   const std::string name = pair.new_model.full_name(after);
   static const std::vector<Task> nothing;
   if (was.has_packs != is.has_packs) {
-    const char* const how = is.has_packs ? "`{}` asks by packs now, whole, before for any of its tasks"
-                                         : "`{}` asks for any of its tasks now, before by packs, whole";
+    const char* const how = is.has_packs ? "`{}` requests whole packs now, before any of its tasks"
+                                         : "`{}` requests any of its tasks now, before whole packs";
     changes.add(ChangeKind::unit, name, fmt::format(fmt::runtime(how), name), was.span, is.span).breaks_code = true;
   }
   if (!was.has_packs && !is.has_packs) {

@@ -244,7 +244,7 @@ std::optional<Verdict> soft(const Assertion& assertion, const Model& model) {
   const bool apart = std::none_of(takes.begin(), takes.end(), [&](GroupId group) { return has(has_all, group); });
   if (!apart) return latch(model, from, to);
   return proven(
-      fmt::format("being granted, {} takes nothing that {} asks for or needs", quoted(model, to), quoted(model, from)));
+      fmt::format("being granted, {} takes nothing that {} requests or needs", quoted(model, to), quoted(model, from)));
 }
 
 } // namespace

@@ -41,14 +41,14 @@ void check_level_name(Resolver& r, const Word& name, GroupId target) {
     if (capitalised(provider->name.value) != capitalised(name.value)) continue;
     r.error(
          "redefined_name", name.span,
-         fmt::format("the level `{}` is called like a provider of `{}`, the group that it asks for", name.value, group),
+         fmt::format("the level `{}` is called like a provider of `{}`, the group that it requests", name.value, group),
          "give the level another name")
         .notes.push_back({provider->name.span, "the provider is declared here"});
     return;
   }
   if (name.value == capitalised(group)) {
     r.error("redefined_name", name.span,
-            fmt::format("the level `{}` is called like the group that it asks for", name.value),
+            fmt::format("the level `{}` is called like the group that it requests", name.value),
             "give the level another name")
         .notes.push_back({r.model.groups[target].name.span, "the group is declared here"});
   }

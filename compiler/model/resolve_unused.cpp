@@ -33,7 +33,7 @@ void find_unused_states(Resolver& r) {
     const Word& name = r.model.states[id].name;
     if (!compared[id.value])
       report(r, name.span, fmt::format("no condition looks at the state `{}`", name.value),
-             "remove it, or say in a `when` who waits for it");
+             "remove it, or let a `when` test it");
   }
 }
 

@@ -50,7 +50,7 @@ constexpr std::array<Section, 8> sections{{{"picture", "Picture", pictures_html}
                                            {"timeline", "Timeline", timeline_html},
                                            {"groups", "Groups", groups_html},
                                            {"states", "States", states_html},
-                                           {"takes", "Who goes before whom", takes_html},
+                                           {"takes", "Who goes first", takes_html},
                                            {"transitions", "Transitions", transitions_html},
                                            {"assertions", "Assertions", assertions_html},
                                            {"findings", "Findings", findings_html}}};

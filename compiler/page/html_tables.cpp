@@ -135,9 +135,9 @@ std::string take_table_html(const Json& takes) {
 /// Folded: it is long.
 std::string rivals_html(const std::vector<Rivals>& all) {
   std::string out =
-      fmt::format("<details class=\"rivals\"><summary>By what several ask for</summary>\n<p>{}</p>\n"
-                  "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Table of those that ask "
-                  "for the same\"><table>\n<thead><tr><th scope=\"col\">wanted</th><th scope=\"col\">by"
+      fmt::format("<details class=\"rivals\"><summary>By what several request</summary>\n<p>{}</p>\n"
+                  "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Table of those that request "
+                  "the same\"><table>\n<thead><tr><th scope=\"col\">wanted</th><th scope=\"col\">by"
                   "</th><th scope=\"col\">decided by</th></tr></thead>\n<tbody>\n",
                   rivals_intro);
   for (const Rivals& each : all) {
@@ -183,7 +183,7 @@ std::string transitions_html(const HtmlInput& input) {
     return fmt::format("<p>{}</p>\n", message_html(transitions["left_out"].as_text()));
   if (rows.items().empty()) return {};
   std::string out =
-      "<p>The first group runs, then the second one is asked for. What the engine does then was played.</p>\n";
+      "<p>The first group runs, then the second one is requested. What the engine does then was played.</p>\n";
   if (transitions["limited"].as_boolean()) out += fmt::format("<p>{}</p>\n", limited_intro);
   out += legend_html() + matrix_html(rows);
   if (std::string names; !transitions["not_requested"].items().empty()) {

@@ -190,7 +190,7 @@ private:
     const Json &takes = data_["takes"], &ranks = data_["ranks"];
     const std::vector<Rivals> rivals = rivals_in(ranks);
     if (takes.items().empty() && rivals.empty()) return;
-    out_ += "## Who goes before whom\n\n";
+    out_ += "## Who goes first\n\n";
     if (!takes.items().empty()) out_ += "| goes first | before | decided by | over |\n| --- | --- | --- | --- |\n";
     for (const Json& take : takes.items())
       out_ +=
@@ -217,7 +217,7 @@ private:
     if (!transitions["left_out"].is_null())
       out_ += fmt::format("## Transitions\n\n{}\n\n", message(transitions["left_out"].as_text()));
     if (rows.items().empty()) return;
-    out_ += "## Transitions\n\nThe first group, a row, runs; then the second one, a column, is asked for.\n\n";
+    out_ += "## Transitions\n\nThe first group, a row, runs; then the second one, a column, is requested.\n\n";
     if (transitions["limited"].as_boolean()) out_ += fmt::format("{}\n\n", limited_intro);
     for (const CellKind& kind : cell_kinds())
       out_ += fmt::format("- **{}** {}: {}\n", kind.sign, kind.kind, kind.meaning);

@@ -86,7 +86,7 @@ public:
     if (count > most_compared)
       left_out =
           fmt::format("Not every two of {} groups are compared here, as there are more than {}; those that several "
-                      "ask for are.",
+                      "request are.",
                       count, most_compared);
     if (!contentions_.complete())
       left_out += fmt::format("{}After {} pairs of tasks, or {} steps round circles of requests, no more was looked "
@@ -277,7 +277,7 @@ private:
     const Ruling::Side &winner = order > 0 ? ruling.second : ruling.first,
                        &loser = order > 0 ? ruling.first : ruling.second;
     const auto part = [](const std::string& task, const Ruling::Side& side) {
-      return side.needs ? "what " + task + " needs" : side.asks ? "what " + task + " asks for" : task;
+      return side.needs ? "what " + task + " needs" : side.asks ? "what " + task + " requests" : task;
     };
     const std::string held = part(first, winner), rest = part(second, loser);
     switch (winner.held) {
@@ -313,8 +313,9 @@ private:
   std::string asks_first(EdgeId member, const Ruling::Side& side) const {
     if (side.leaders.empty()) return "";
     const std::string& task = name(edge(member).target);
-    return fmt::format("; of two that ask, {} goes first where {}{}", side.needs ? "what " + task + " needs" : task,
-                       side.needs ? task + " is " : "", together(side.leaders));
+    return fmt::format("; of two that request it, {} goes first where {}{}",
+                       side.needs ? "what " + task + " needs" : task, side.needs ? task + " is " : "",
+                       together(side.leaders));
   }
 
   /// At some level of this priority, as a member of the unit of its pack, or not.

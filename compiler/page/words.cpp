@@ -23,9 +23,9 @@ const std::vector<CellKind>& cell_kinds() {
   static const std::vector<CellKind> kinds{
       {"soft", "S", "the second waits, something is pushed, then the second takes over"},
       {"hard", "H", "the second takes at once what the first one holds"},
-      {"waits", "W", "the second is queued, or not asked for yet, and runs when the first one is done"},
+      {"waits", "W", "the second is queued, or not requested yet, and runs when the first one is done"},
       {"never", "N", "the second does not run, nor when the first one is done"},
-      {"replaced", "R", "who asks for both withdraws the first one for the second"},
+      {"replaced", "R", "their requester withdraws the first one for the second"},
       {"condition lost", "L", "what the second wants from outside ends the first one"},
       {"both", "B", "they run beside each other"},
       {"same chain", "C", "one leads to the other, or they are the same"},

@@ -37,11 +37,11 @@ std::vector<Rivals> rivals_in(const Json& ranks);
 
 /// What the table of these says first.
 inline constexpr std::string_view rivals_intro =
-    "Two that ask for the same, and what decides between them: the closest requester of both, with the two tasks by "
-    "which it leads there. Those that it never asks for at once meet only while it changes from one to the other.";
+    "Two that request the same, and what decides between them: the closest requester of both, with the two tasks by "
+    "which it leads there. Those that it never requests at once meet only while it changes from one to the other.";
 
 /// Of a matrix of some groups.
-inline constexpr std::string_view limited_intro = "Rows and columns are only the groups that were asked for.";
+inline constexpr std::string_view limited_intro = "Rows and columns are only the groups that were named.";
 
 /// The lines of a text without what is blank at its end.
 std::string trimmed(std::string text);

@@ -47,7 +47,7 @@ public:
 
 private:
   bool is_limbo(Index edge) const { return edge >= n_.tables->edges.size(); }
-  std::string task(Index edge) const { return is_limbo(edge) ? "whoever comes after it" : n_.edge(n_.self, edge); }
+  std::string task(Index edge) const { return is_limbo(edge) ? "what comes after it" : n_.edge(n_.self, edge); }
   std::string group() const { return e_.group == nil ? "" : n_.group(n_.self, e_.group); }
   /// `Drive.rolling`; without the provider where a group writes its words directly.
   std::string full() const {
@@ -83,7 +83,7 @@ private:
   }
 
   std::string grant() const {
-    if (is_limbo(e_.edge)) return fmt::format("hold {} for whoever comes after it", group());
+    if (is_limbo(e_.edge)) return fmt::format("hold {} for what comes after it", group());
     const std::string in = full() == group() ? "" : " in " + full();
     if (e_.other == nil || is_limbo(e_.other)) return fmt::format("grant {}{}", task(e_.edge), in);
     return fmt::format("take over {}: {} from {}{}", group(), task(e_.edge), task(e_.other), in);

@@ -40,10 +40,10 @@ std::string why_not_asked(const View& view, const Model& model, GroupId requeste
   const std::string& asked = model.groups[task.target].name.value;
   const Group& group = model.groups[requester];
   const Index active = view.assignment[requester.value].active;
-  if (active == nil) return fmt::format("nobody asks for {}", asked);
+  if (active == nil) return fmt::format("nothing requests {}", asked);
   const std::string in =
       group.providers.size() == 1 ? std::string{} : fmt::format(" in {}", model.providers[ProviderId{active}].name);
-  return fmt::format("{} runs{} and does not ask for {}", group.name.value, in, asked);
+  return fmt::format("{} runs{} and does not request {}", group.name.value, in, asked);
 }
 
 /// Of the first group on the way that does not run for it.

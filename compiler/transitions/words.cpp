@@ -113,7 +113,7 @@ std::string words_of(const Transition& cell, const Told& told) {
     return fmt::format("{} takes at once what {} holds.{}{}", second, first, stops(cell, told), outside(cell.states));
   case Kind::waits:
     return fmt::format("{} {} when {} is done.{}{}{}", second,
-                       told.is_asked ? "is queued, and runs" : "is not asked for yet, and runs", first,
+                       told.is_asked ? "is queued, and runs" : "is not requested yet, and runs", first,
                        pushes(cell, told.model), outside(cell.states), sentence(told.why));
   case Kind::never:
     return fmt::format("{} does not run, nor when {} is done.{}{}", second, first, outside(cell.states),
@@ -122,7 +122,7 @@ std::string words_of(const Transition& cell, const Told& told) {
     return told.row.group == told.column.group ? "It is the same group."
                                                : fmt::format("One of {} and {} leads to the other.", first, second);
   case Kind::replaced:
-    return fmt::format("{} asks for {} instead of {}.{}{}{}", told.withdrawer, second, first, pushes(cell, told.model),
+    return fmt::format("{} requests {} instead of {}.{}{}{}", told.withdrawer, second, first, pushes(cell, told.model),
                        stops(cell, told), outside(cell.states));
   case Kind::condition_lost:
     return fmt::format("What {} wants from outside ends {}.{}", second, first, outside(cell.states));

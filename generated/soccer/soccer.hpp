@@ -253,7 +253,7 @@ public:
   template <class... Given>
   director::Outcome stand_up(Given... tasks) {
     using Pack = detail::Facts<FallRecovery::Recovering>::pack_0;
-    static_assert(Pack::takes<Given...>, "stand_up asks for GetUp only");
+    static_assert(Pack::takes<Given...>, "stand_up requests GetUp only");
     static_assert(Pack::once<Given...>, "stand_up is given a task twice");
     static_assert(director::given<GetUp, Given...>, "stand_up must be given its task GetUp");
     return Body::ask<Pack, 0>(tasks...);
@@ -270,7 +270,7 @@ public:
   template <class... Given>
   director::Outcome protect(Given... tasks) {
     using Pack = detail::Facts<FallRecovery::Protecting>::pack_0;
-    static_assert(Pack::takes<Given...>, "protect asks for Brace only");
+    static_assert(Pack::takes<Given...>, "protect requests Brace only");
     static_assert(Pack::once<Given...>, "protect is given a task twice");
     static_assert(director::given<Brace, Given...>, "protect must be given its task Brace");
     return Body::ask<Pack, 0>(tasks...);
@@ -345,7 +345,7 @@ public:
   template <class... Given>
   director::Outcome step(Given... tasks) {
     using Pack = detail::Facts<WalkTo::Default>::pack_0;
-    static_assert(Pack::takes<Given...>, "step asks for Walk only");
+    static_assert(Pack::takes<Given...>, "step requests Walk only");
     static_assert(Pack::once<Given...>, "step is given a task twice");
     static_assert(director::given<Walk, Given...>, "step must be given its task Walk");
     return Body::ask<Pack, 0>(tasks...);
@@ -368,7 +368,7 @@ public:
   template <class... Given>
   director::Outcome line_up(Given... tasks) {
     using Pack = detail::Facts<KickTo::Default>::pack_1;
-    static_assert(Pack::takes<Given...>, "line_up asks for Walk only");
+    static_assert(Pack::takes<Given...>, "line_up requests Walk only");
     static_assert(Pack::once<Given...>, "line_up is given a task twice");
     static_assert(director::given<Walk, Given...>, "line_up must be given its task Walk");
     return Body::ask<Pack, 1>(tasks...);
@@ -378,7 +378,7 @@ public:
   template <class... Given>
   director::Outcome kick(Given... tasks) {
     using Pack = detail::Facts<KickTo::Default>::pack_2;
-    static_assert(Pack::takes<Given...>, "kick asks for Kick and LookAt only");
+    static_assert(Pack::takes<Given...>, "kick requests Kick and LookAt only");
     static_assert(Pack::once<Given...>, "kick is given a task twice");
     static_assert(director::given<Kick, Given...>, "kick must be given its task Kick");
     static_assert(director::given<LookAt, Given...>, "kick must be given its task LookAt");
@@ -396,7 +396,7 @@ public:
   template <class... Given>
   director::Outcome attack(Given... tasks) {
     using Pack = detail::Facts<Striker::Playing>::pack_0;
-    static_assert(Pack::takes<Given...>, "attack asks for KickToGoal, WalkToBall and Look only");
+    static_assert(Pack::takes<Given...>, "attack requests KickToGoal, WalkToBall and Look only");
     static_assert(Pack::once<Given...>, "attack is given a task twice");
     static_assert(director::given<KickToGoal, Given...>, "attack must be given its task KickToGoal");
     static_assert(director::given<WalkToBall, Given...>, "attack must be given its task WalkToBall");
@@ -415,7 +415,7 @@ public:
   template <class... Given>
   director::Outcome go(Given... tasks) {
     using Pack = detail::Facts<Striker::Ready>::pack_0;
-    static_assert(Pack::takes<Given...>, "go asks for WalkToReady and Look only");
+    static_assert(Pack::takes<Given...>, "go requests WalkToReady and Look only");
     static_assert(Pack::once<Given...>, "go is given a task twice");
     static_assert(director::given<WalkToReady, Given...>, "go must be given its task WalkToReady");
     return Body::ask<Pack, 0>(tasks...);
@@ -425,7 +425,7 @@ public:
   template <class... Given>
   director::Outcome stay_there(Given... tasks) {
     using Pack = detail::Facts<Striker::Ready>::pack_1;
-    static_assert(Pack::takes<Given...>, "stay_there asks for Look only");
+    static_assert(Pack::takes<Given...>, "stay_there requests Look only");
     static_assert(Pack::once<Given...>, "stay_there is given a task twice");
     static_assert(director::given<Look, Given...>, "stay_there must be given its task Look");
     return Body::ask<Pack, 1>(tasks...);
@@ -441,7 +441,7 @@ public:
   template <class... Given>
   director::Outcome watch(Given... tasks) {
     using Pack = detail::Facts<Striker::Waiting>::pack_0;
-    static_assert(Pack::takes<Given...>, "watch asks for Look only");
+    static_assert(Pack::takes<Given...>, "watch requests Look only");
     static_assert(Pack::once<Given...>, "watch is given a task twice");
     static_assert(director::given<Look, Given...>, "watch must be given its task Look");
     return Body::ask<Pack, 0>(tasks...);
@@ -458,7 +458,7 @@ public:
   template <class... Given>
   director::Outcome shoot(Given... tasks) {
     using Pack = detail::Facts<KickToGoal::Default>::pack_0;
-    static_assert(Pack::takes<Given...>, "shoot asks for KickTo only");
+    static_assert(Pack::takes<Given...>, "shoot requests KickTo only");
     static_assert(Pack::once<Given...>, "shoot is given a task twice");
     static_assert(director::given<KickTo, Given...>, "shoot must be given its task KickTo");
     return Body::ask<Pack, 0>(tasks...);
@@ -478,7 +478,7 @@ public:
   template <class... Given>
   director::Outcome creep(Given... tasks) {
     using Pack = detail::Facts<WalkToBall::Creeping>::pack_0;
-    static_assert(Pack::takes<Given...>, "creep asks for WalkTo only");
+    static_assert(Pack::takes<Given...>, "creep requests WalkTo only");
     static_assert(Pack::once<Given...>, "creep is given a task twice");
     static_assert(director::given<WalkTo, Given...>, "creep must be given its task WalkTo");
     return Body::ask<Pack, 0>(tasks...);
@@ -496,7 +496,7 @@ public:
   template <class... Given>
   director::Outcome stride(Given... tasks) {
     using Pack = detail::Facts<WalkToBall::Striding>::pack_0;
-    static_assert(Pack::takes<Given...>, "stride asks for WalkTo only");
+    static_assert(Pack::takes<Given...>, "stride requests WalkTo only");
     static_assert(Pack::once<Given...>, "stride is given a task twice");
     static_assert(director::given<WalkTo, Given...>, "stride must be given its task WalkTo");
     return Body::ask<Pack, 0>(tasks...);
@@ -512,7 +512,7 @@ public:
   template <class... Given>
   director::Outcome turn(Given... tasks) {
     using Pack = detail::Facts<WalkToBall::Searching>::pack_0;
-    static_assert(Pack::takes<Given...>, "turn asks for Walk only");
+    static_assert(Pack::takes<Given...>, "turn requests Walk only");
     static_assert(Pack::once<Given...>, "turn is given a task twice");
     static_assert(director::given<Walk, Given...>, "turn must be given its task Walk");
     return Body::ask<Pack, 0>(tasks...);
@@ -529,7 +529,7 @@ public:
   template <class... Given>
   director::Outcome go(Given... tasks) {
     using Pack = detail::Facts<WalkToReady::Default>::pack_0;
-    static_assert(Pack::takes<Given...>, "go asks for WalkTo only");
+    static_assert(Pack::takes<Given...>, "go requests WalkTo only");
     static_assert(Pack::once<Given...>, "go is given a task twice");
     static_assert(director::given<WalkTo, Given...>, "go must be given its task WalkTo");
     return Body::ask<Pack, 0>(tasks...);
@@ -547,7 +547,7 @@ public:
   template <class... Given>
   director::Outcome track(Given... tasks) {
     using Pack = detail::Facts<Look::Tracking>::pack_0;
-    static_assert(Pack::takes<Given...>, "track asks for LookAt only");
+    static_assert(Pack::takes<Given...>, "track requests LookAt only");
     static_assert(Pack::once<Given...>, "track is given a task twice");
     static_assert(director::given<LookAt, Given...>, "track must be given its task LookAt");
     return Body::ask<Pack, 0>(tasks...);
@@ -564,7 +564,7 @@ public:
   template <class... Given>
   director::Outcome sweep(Given... tasks) {
     using Pack = detail::Facts<Look::Sweeping>::pack_0;
-    static_assert(Pack::takes<Given...>, "sweep asks for LookAt only");
+    static_assert(Pack::takes<Given...>, "sweep requests LookAt only");
     static_assert(Pack::once<Given...>, "sweep is given a task twice");
     static_assert(director::given<LookAt, Given...>, "sweep must be given its task LookAt");
     return Body::ask<Pack, 0>(tasks...);
@@ -599,7 +599,7 @@ public:
   template <class... Given>
   director::Outcome turn_hip(Given... tasks) {
     using Pack = detail::Facts<LeftLeg::Default>::pack_0;
-    static_assert(Pack::takes<Given...>, "turn_hip asks for LeftHipYaw only");
+    static_assert(Pack::takes<Given...>, "turn_hip requests LeftHipYaw only");
     static_assert(Pack::once<Given...>, "turn_hip is given a task twice");
     static_assert(director::given<LeftHipYaw, Given...>, "turn_hip must be given its task LeftHipYaw");
     return Body::ask<Pack, 0>(tasks...);
@@ -609,7 +609,7 @@ public:
   template <class... Given>
   director::Outcome bend_knee(Given... tasks) {
     using Pack = detail::Facts<LeftLeg::Default>::pack_1;
-    static_assert(Pack::takes<Given...>, "bend_knee asks for LeftKnee only");
+    static_assert(Pack::takes<Given...>, "bend_knee requests LeftKnee only");
     static_assert(Pack::once<Given...>, "bend_knee is given a task twice");
     static_assert(director::given<LeftKnee, Given...>, "bend_knee must be given its task LeftKnee");
     return Body::ask<Pack, 1>(tasks...);
@@ -619,7 +619,7 @@ public:
   template <class... Given>
   director::Outcome set_foot(Given... tasks) {
     using Pack = detail::Facts<LeftLeg::Default>::pack_2;
-    static_assert(Pack::takes<Given...>, "set_foot asks for LeftAnkle only");
+    static_assert(Pack::takes<Given...>, "set_foot requests LeftAnkle only");
     static_assert(Pack::once<Given...>, "set_foot is given a task twice");
     static_assert(director::given<LeftAnkle, Given...>, "set_foot must be given its task LeftAnkle");
     return Body::ask<Pack, 2>(tasks...);
@@ -636,7 +636,7 @@ public:
   template <class... Given>
   director::Outcome turn_hip(Given... tasks) {
     using Pack = detail::Facts<RightLeg::Default>::pack_0;
-    static_assert(Pack::takes<Given...>, "turn_hip asks for RightHipYaw only");
+    static_assert(Pack::takes<Given...>, "turn_hip requests RightHipYaw only");
     static_assert(Pack::once<Given...>, "turn_hip is given a task twice");
     static_assert(director::given<RightHipYaw, Given...>, "turn_hip must be given its task RightHipYaw");
     return Body::ask<Pack, 0>(tasks...);
@@ -646,7 +646,7 @@ public:
   template <class... Given>
   director::Outcome bend_knee(Given... tasks) {
     using Pack = detail::Facts<RightLeg::Default>::pack_1;
-    static_assert(Pack::takes<Given...>, "bend_knee asks for RightKnee only");
+    static_assert(Pack::takes<Given...>, "bend_knee requests RightKnee only");
     static_assert(Pack::once<Given...>, "bend_knee is given a task twice");
     static_assert(director::given<RightKnee, Given...>, "bend_knee must be given its task RightKnee");
     return Body::ask<Pack, 1>(tasks...);
@@ -656,7 +656,7 @@ public:
   template <class... Given>
   director::Outcome set_foot(Given... tasks) {
     using Pack = detail::Facts<RightLeg::Default>::pack_2;
-    static_assert(Pack::takes<Given...>, "set_foot asks for RightAnkle only");
+    static_assert(Pack::takes<Given...>, "set_foot requests RightAnkle only");
     static_assert(Pack::once<Given...>, "set_foot is given a task twice");
     static_assert(director::given<RightAnkle, Given...>, "set_foot must be given its task RightAnkle");
     return Body::ask<Pack, 2>(tasks...);

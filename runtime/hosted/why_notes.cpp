@@ -87,7 +87,7 @@ private:
     } else if (standing.active == row) {
       text += " could cause it, and runs";
     } else if (!is_requested(of)) {
-      text += " could cause it, but nobody asks for " + group(of);
+      text += " could cause it, but nothing requests " + group(of);
     } else if (!standing.granted()) {
       text += " could cause it, but " + group(of) + " waits itself";
     } else {
@@ -117,7 +117,8 @@ private:
         say("the program may", About::edge, edge);
       } else {
         const bool lives = v_.assignment[requester].active != nil;
-        say(group(requester) + (lives ? " may, and does not ask now" : " may, and does not run"), About::edge, edge);
+        say(group(requester) + (lives ? " may, and does not request it now" : " may, and does not run"), About::edge,
+            edge);
       }
     }
   }

@@ -29,7 +29,7 @@ states:
 triggers: [Sensors_{0}]
 groups:
   Mission_{0}:
-    doc: Fetches what is asked for.
+    doc: Fetches what is requested.
     layer: purpose
     providers:
       - name: stopping

@@ -34,7 +34,7 @@ for (const colorScheme of ['light', 'dark']) {
   }
 }
 
-await situation('who asks for a group stands above its providers, as it is said of all of them', 'soccer', {}, async (page) => {
+await situation('who requests a group stands above its providers, as it is said of all of them', 'soccer', {}, async (page) => {
   assert.deepEqual(await page.locator('#group-Walk').locator('.others dt, h4').evaluateAll((all) => all.map((each) => each.firstChild.textContent.trim())), ['requested by', 'may be pushed by', 'Walk.walking', 'Walk.halting']);
 });
 

@@ -106,7 +106,7 @@ TEST_CASE("A pipe to which nobody writes is not waited for") {
   const HostileFolder folder;
   REQUIRE(mkfifo("pipe.yaml", 0600) == 0);
   const std::string shown =
-      "1:1 `` import_not_found: cannot read `pipe.yaml`: nobody writes to this pipe (name a file that can be read)\n";
+      "1:1 `` import_not_found: cannot read `pipe.yaml`: nothing writes to this pipe (name a file that can be read)\n";
   CHECK(behaviour_findings("pipe.yaml") == shown);
   CHECK(scenario_findings("pipe.yaml") == shown);
 }

@@ -66,10 +66,10 @@ TEST_CASE("keys of other tools are told what stands for them here") {
       "3:43 `unless` unknown_key: group `A` has no key `unless` (`when` says what must hold: write the opposite, "
       "such as `when: [Motion != rolling]`)\n"
       "3:61 `priority` unknown_key: group `A` has no key `priority` (it stands where the task is requested: "
-      "`roots: {Walk: {priority: 10}}`, or in `tasks` of who requests it)\n");
+      "`roots: {Walk: {priority: 10}}`, or in `tasks` of the group that requests it)\n");
   check_body("groups: {A: {providers: [{name: a, priority: 3}]}}\n",
              "3:36 `priority` unknown_key: provider `a` has no key `priority` (it stands where the task is requested: "
-             "`roots: {Walk: {priority: 10}}`, or in `tasks` of who requests it)\n");
+             "`roots: {Walk: {priority: 10}}`, or in `tasks` of the group that requests it)\n");
   check_body("roots: {A: {when: [X == a]}}\n",
              "3:13 `when` unknown_key: task `A` has no key `when` (a condition belongs to a provider: to that of the "
              "task, or to the one that requests it)\n");

@@ -23,7 +23,7 @@ void check_scenario(const std::string& body, const std::string& findings) {
 
 } // namespace
 
-TEST_CASE("yaml-cpp: the document `,` is read for ever when documents are asked for one after another") {
+TEST_CASE("yaml-cpp: the document `,` is read for ever when documents are requested one after another") {
   CHECK(read_text(",").findings() ==
         "1:1 `,` yaml_syntax: text behind the end of the document (is the line indented as it should be?)\n");
 }

@@ -57,7 +57,7 @@ Settings Script::settings(const std::vector<dsl::SettingSpec>& specs) const {
 Asked Script::asked(const std::vector<compiler::Task>& tasks, const dsl::RequestSpec& spec) const {
   const GroupId group = found(model_.find_group(spec.group.value), spec.group.value);
   const auto task = std::find_if(tasks.begin(), tasks.end(), [&](const auto& t) { return t.target == group; });
-  if (task == tasks.end()) throw std::runtime_error("the scenario asks for what is no task: " + spec.group.value);
+  if (task == tasks.end()) throw std::runtime_error("the scenario requests what is no task: " + spec.group.value);
   Asked out = first_level(*task);
   if (spec.level) {
     const auto level = std::find_if(task->levels.begin(), task->levels.end(),

@@ -151,7 +151,7 @@ TEST_CASE("the engine does what the oracle does, where a unit is tried now befor
   run_special(generate_moving_unit, " of units that move");
 }
 TEST_CASE("the engine does what the oracle does, where most are equals") { run_special(generate_equals, " of equals"); }
-TEST_CASE("the engine does what the oracle does, where bodies go on to ask for something else") {
+TEST_CASE("the engine does what the oracle does, where bodies go on to request something else") {
   run_special(generate_long, " of long games");
 }
 

@@ -101,19 +101,19 @@ const Task& winner_of(const Model& model, const Task& first, const Task& second)
 std::string propose(const Input& input, const PackConflict& conflict, bool by_groups) {
   const Model& model = input.model;
   if (!model.providers[conflict.provider].has_packs)
-    return "give the provider `packs`, one for each course of action: a flat list says that all may be asked for at "
+    return "give the provider `packs`, one for each course of action: a flat list says that all may be requested at "
            "once";
   if (!conflict.others.empty())
-    return "ask for them in packs of their own, or make all but one of them `apart`, so that each waits for itself "
+    return "request them in packs of their own, or make all but one of them `apart`, so that each waits for itself "
            "alone";
   // The one that never has to wait would always take what the other one wants.
   if (conflict.members.size() == 2 && by_groups &&
       !input.facts.may_wait.contains(winner_of(model, *conflict.members[0], *conflict.members[1]).target))
-    return "ask for them in two packs";
+    return "request them in two packs";
   return conflict.members.size() == 2
-             ? fmt::format("ask for them in two packs, or make {} `apart`, so that it waits for itself alone",
+             ? fmt::format("request them in two packs, or make {} `apart`, so that it waits for itself alone",
                            name_of(model, conflict.members[1]->target))
-             : "ask for them in two packs, or make one of them `apart`, so that it waits for itself alone";
+             : "request them in two packs, or make one of them `apart`, so that it waits for itself alone";
 }
 
 } // namespace
@@ -198,7 +198,7 @@ void report(const Input& input, const PackConflict& conflict, Findings& findings
   const auto add_other_members = [&] {
     for (std::size_t i = 0; i + 1 < members.size(); ++i)
       finding->notes.push_back(
-          {members[i]->span, fmt::format("{} is asked for in the same unit", name_of(model, members[i]->target))});
+          {members[i]->span, fmt::format("{} is requested in the same unit", name_of(model, members[i]->target))});
   };
   if (shared && (shared->group == a || shared->group == b)) {
     const bool of_first = shared->group == b;

@@ -58,9 +58,9 @@ namespace {
 std::string propose(const Input& input, const Refused& refused, const Taker& taker) {
   const Model& model = input.model;
   if (taker.kind == Taker::Kind::above)
-    return fmt::format("ask for it where {} is not above it", name_of(model, taker.holder));
+    return fmt::format("request it where {} is not above it", name_of(model, taker.holder));
   const GroupId task = refused.task->target, by = taker.by->target;
-  const std::string elsewhere = fmt::format("ask for it where {} is not asked for", name_of(model, by));
+  const std::string elsewhere = fmt::format("request it where {} is not requested", name_of(model, by));
   if (taker.kind == Taker::Kind::unit) return elsewhere;
   const bool one_unit = shares_unit(model, *taker.by) && shares_unit(model, *taker.over);
   if (taker.over != refused.task)
@@ -104,7 +104,7 @@ void report_starving_task(const Input& input, const StarvingTask& starving, Find
                                                              name_of(model, one.group))});
   }
   finding.help = starving.optional
-                     ? fmt::format("ask for it where {} is not asked for: what is optional goes after all "
+                     ? fmt::format("request it where {} is not requested: what is optional goes after all "
                                    "that is mandatory",
                                    by)
                      : propose(input, first, taker);

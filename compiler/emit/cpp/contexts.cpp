@@ -43,7 +43,7 @@ void open_class(Code& code, const CppEmission& e, const std::string& name, std::
 /// `number`: its place among the provider's packs.
 void define_pack(Code& code, const CppEmission& e, const Pack& pack, ProviderId provider, std::size_t number) {
   const std::string packed = fmt::format("{}::pack_{}", facts_in(e, provider), number);
-  const std::string asked = pack.tasks.empty() ? "Asks for nothing." : tasks_text(e.model, pack.tasks) + ".";
+  const std::string asked = pack.tasks.empty() ? "Requests nothing." : tasks_text(e.model, pack.tasks) + ".";
   code.blank();
   document(code, e, pack.doc.empty() ? asked : asked + " " + pack.doc, pack.span);
   if (pack.tasks.empty()) {
@@ -58,7 +58,7 @@ void define_pack(Code& code, const CppEmission& e, const Pack& pack, ProviderId 
   std::vector<std::string> names;
   for (const Task& task : pack.tasks) names.push_back(group_name(e.model, task.target));
   code.line(
-      fmt::format("static_assert(Pack::takes<{}...>, \"{} asks for {} only\");", given, pack.name, and_list(names)));
+      fmt::format("static_assert(Pack::takes<{}...>, \"{} requests {} only\");", given, pack.name, and_list(names)));
   code.line(fmt::format("static_assert(Pack::once<{}...>, \"{} is given a task twice\");", given, pack.name));
   for (const Task& task : pack.tasks) {
     if (may_be_omitted(e.model, task)) continue;

@@ -230,7 +230,7 @@ Code facts(const Deployment& deployment) {
   code.comment("", "//");
   code.comment(
       fmt::format("What the C++ compiler must know of the specification: rows of tables, and what each body may "
-                  "ask for. Only {} includes it, behind the types that it is about.",
+                  "request. Only {} includes it, behind the types that it is about.",
                   header_name(e.model.name)),
       "//");
   code.line("#pragma once");

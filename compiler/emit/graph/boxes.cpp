@@ -50,7 +50,7 @@ PictureBox BoxMaker::alike(const std::vector<GroupId>& set) const {
   box.groups = set;
   box.members = members(set);
   box.about = words_.group(set.front());
-  box.about.words = fmt::format("{}: asked for alike", box.name);
+  box.about.words = fmt::format("{}: requested alike", box.name);
   return box;
 }
 

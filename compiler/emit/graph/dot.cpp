@@ -136,7 +136,7 @@ private:
     case Moment::Mark::inactive: return {};
     case Moment::Mark::running: return "\u25B6 running";
     case Moment::Mark::queued: return "queued: " + note;
-    case Moment::Mark::held: return "held for who needs it";
+    case Moment::Mark::held: return "held for what needs it";
     case Moment::Mark::pushed: break;
     }
     return note;

@@ -96,10 +96,10 @@ std::vector<LegendEntry> legend_of(const Picture& picture) {
     say(any(picture.boxes, has_mark), std::move(sign), std::move(words));
   };
   marks(Moment::Mark::running, "blue frame, \u25B6", "runs, in that provider");
-  marks(Moment::Mark::queued, "dashed red frame", "queued: somebody requests it, and it waits");
-  marks(Moment::Mark::pushed, "green frame", "runs, and is pushed by who waits");
-  marks(Moment::Mark::held, "dotted blue frame", "held, and not asked for yet");
-  marks(Moment::Mark::inactive, "grey", "nobody asks for it");
+  marks(Moment::Mark::queued, "dashed red frame", "queued: it is requested, and waits");
+  marks(Moment::Mark::pushed, "green frame", "runs, and is pushed by what waits");
+  marks(Moment::Mark::held, "dotted blue frame", "held, and not requested yet");
+  marks(Moment::Mark::inactive, "grey", "nothing requests it");
   const auto plain = [](const PictureArrow& arrow) {
     return arrow.kind == Kind::task && !arrow.optional && !arrow.apart && !arrow.missing;
   };
@@ -123,17 +123,17 @@ std::vector<LegendEntry> legend_of(const Picture& picture) {
   say(any(picture.boxes, [](const PictureBox& box) { return box.in_focus; }), "thickest", "what was asked about");
   const bool from_rows = draws([](const PictureArrow& arrow) { return arrow.from.row.has_value(); });
   say(any(picture.boxes, [](const PictureBox& box) { return box.rows.size() > 1; }), "rows",
-      fmt::format("providers, the preferred one first{}", picture.packs_left_out ? "; an arrow stands for all that ask"
-                                                          : from_rows
-                                                              ? "; an arrow from one row is of that provider alone"
-                                                              : ""));
+      fmt::format("providers, the preferred one first{}",
+                  picture.packs_left_out ? "; an arrow stands for all that request"
+                  : from_rows            ? "; an arrow from one row is of that provider alone"
+                                         : ""));
   say(any(picture.boxes,
           [](const PictureBox& box) {
             return any(box.rows, [](const PictureRow& row) { return !row.packs.empty(); });
           }),
       "\u25C7", "packs: it requests one of them at a time");
   say(any(picture.boxes, [](const PictureBox& box) { return box.kind == PictureBox::Kind::alike; }), "dashed box",
-      "groups that the same ones ask for in the same way");
+      "groups that the same ones request in the same way");
   say(any(picture.boxes, [](const PictureBox& box) { return box.kind == PictureBox::Kind::missing; }) ||
           has_line(picture, PictureLine::Kind::wrong),
       "red, \u2716", "is wrong, or missing");

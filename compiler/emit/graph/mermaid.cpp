@@ -69,7 +69,7 @@ private:
     case Moment::Mark::running: return "<br/>running";
     case Moment::Mark::queued: return "<br/>queued: " + escaped(box.note);
     case Moment::Mark::pushed: return "<br/>" + escaped(box.note);
-    case Moment::Mark::held: return "<br/>held for who needs it";
+    case Moment::Mark::held: return "<br/>held for what needs it";
     case Moment::Mark::inactive: break;
     }
     return {};

@@ -96,8 +96,8 @@ private:
   std::string why_empty() const {
     const std::string where = options_.focus.empty() ? "" : ", of those in the focus";
     if (options_.view == View::pushes)
-      return (options_.moment ? "nobody is pushed" : "nobody may push anybody") + where;
-    if (options_.view == View::takes) return "nobody may take anything from another one" + where;
+      return (options_.moment ? "no group is pushed" : "no group may push another one") + where;
+    if (options_.view == View::takes) return "no group may take anything from another one" + where;
     return "there are no groups";
   }
 

@@ -7,7 +7,7 @@ import type { Recording } from './recording';
 import { type Sort, sorts } from './shape';
 
 const words: Record<Sort, string> = {
-  request: 'requests of the program', input: 'other inputs', run: 'runs', ask: 'what bodies ask for', 'take-over': 'take-overs', control: 'granted, lost and withdrawn', push: 'pushes', queue: 'queued',
+  request: 'requests of the program', input: 'other inputs', run: 'runs', ask: 'what bodies request', 'take-over': 'take-overs', control: 'granted, lost and withdrawn', push: 'pushes', queue: 'queued',
   state: 'states set', handler: 'start and stop', result: 'done and failed', fault: 'faults and losses',
 };
 /** What comes again and again is there for who asks. */

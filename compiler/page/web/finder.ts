@@ -52,7 +52,7 @@ export class Finder {
   focus(group: string | undefined): void {
     for (const picture of this.pictures) picture.focus(group);
     this.clear.hidden = group === undefined;
-    this.status.textContent = group === undefined ? '' : `Focus on ${group}: who asks for it or needs it, and what it asks for and needs.`;
+    this.status.textContent = group === undefined ? '' : `Focus on ${group}: who requests it or needs it, and what it requests and needs.`;
     if (group !== undefined) byId('picture')?.scrollIntoView({ block: 'start' });
   }
 

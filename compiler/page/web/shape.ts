@@ -104,7 +104,7 @@ function textOf(shape: Shape, names: Names): string {
     case 'lost': return `lost ${line.count} ${line.count === 1 ? 'input' : 'inputs'}`;
     case 'dropped': return `${line.count} ${line.count === 1 ? 'event is' : 'events are'} missing`;
     case 'grant':
-      if (shape.edge === limbo) return `hold ${groupName} for whoever comes after it`;
+      if (shape.edge === limbo) return `hold ${groupName} for what comes after it`;
       return shape.from === nobody || shape.from === limbo ? `grant ${line.edge}` : `take over ${groupName}: ${line.edge} from ${line.from}`;
     case 'lose': return `lose ${groupName}`;
     case 'withdraw': case 'ask': case 'keep': return `${line.event} ${line.edge}${line.level === undefined ? '' : `, level ${line.level}`}`;

@@ -24,7 +24,7 @@ export function words(names: Names, group: number, standing: Standing, why?: Bec
     }
     case 'pushed': return `pushed to ${own} for ${names.header.groups[names.targets[standing.push?.edge ?? nobody]]?.name ?? ''}`;
     case 'queued': return `queued: ${waitWords(standing.waits[0], names, why)}`;
-    case 'held': return 'held for who needs it';
+    case 'held': return 'held for what needs it';
     case 'unknown': return 'not known';
     case 'inactive': return '';
   }

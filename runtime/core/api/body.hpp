@@ -188,7 +188,7 @@ public:
   /// Any of the provider's flat `tasks`, or none: these and nothing else are requested from now on.
   template <class... Given>
   Outcome request(Given... tasks) {
-    static_assert(Facts::flat, "this provider has packs: ask for one of them by its name");
+    static_assert(Facts::flat, "this provider has packs: request one of them by its name");
     static_assert(!Facts::flat || Facts::Tasks::template takes<Given...>,
                   "only tasks that stand in the provider's `tasks` can be requested");
     static_assert(Facts::Tasks::template once<Given...>, "a task is requested twice");

@@ -33,11 +33,13 @@ public:
     const char* const asked = group(b.asked);
     switch (b.kind) {
     case Kind::running: *this << asked << " runs (" << edge(b.edge) << ") in " << provider(b.provider); return;
-    case Kind::not_requested: *this << "nobody asks for " << asked; return;
+    case Kind::not_requested: *this << "nothing requests " << asked; return;
     case Kind::reserved:
       *this << asked << " is held for a need (" << edge(b.holder) << "), and was not asked for yet";
       return;
-    case Kind::limbo: *this << asked << " goes on for nobody: it is kept for who is about to ask for it"; return;
+    case Kind::limbo:
+      *this << asked << " goes on without a request: it is kept for what is about to request it";
+      return;
     default: break;
     }
     *this << asked << " waits (" << edge(b.edge) << "): ";
@@ -68,8 +70,8 @@ private:
         *this << group(b.causer_group) << "." << provider(b.causer) << " could cause";
       }
       return;
-    case Kind::outdated: *this << "who asks for it is about to decide anew"; return;
-    default: *this << "somebody stronger is about to decide anew"; return;
+    case Kind::outdated: *this << "its requester is about to decide anew"; return;
+    default: *this << "something stronger is about to decide anew"; return;
     }
   }
 

@@ -22,7 +22,7 @@ struct Bench {
   player::Locomotion locomotion{robot};
 };
 
-TEST_CASE("a step asks for both legs, one to swing and one to carry, and for the arms") {
+TEST_CASE("a step requests both legs, one to swing and one to carry, and the arms") {
   Bench bench;
   Trial<Walk::Walking> walking{{.stride = {.forward = 60}, .steps = 2}};
   const auto first = walking.run(bench.locomotion);

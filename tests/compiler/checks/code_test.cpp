@@ -69,7 +69,7 @@ TEST_CASE("what a function below a body requests counts, however far below, and 
             .findings.empty());
 }
 
-TEST_CASE("what is asked for in the context of another provider does not count") {
+TEST_CASE("what is requested in the context of another provider does not count") {
   CHECK(look(R"({BODY, "does": [)" + requests_leg +
              R"(, {"context": "x::Leg::Default", "word": "request", "tasks": ["x::Arm"], "at": [0, 1, 2]}]})")
             .findings == arm_is_missing);

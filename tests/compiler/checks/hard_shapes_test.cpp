@@ -56,11 +56,11 @@ TEST_CASE("of a hundred members of a pack that exclude each other one finding te
   REQUIRE(at != checked.checked.findings.end());
   CHECK(at->message == "`T0` can never be granted together with `T1` and 23 others: all come down to `Shared`");
   REQUIRE(at->notes.size() == 26);
-  CHECK(at->notes[0].message == "`T0` is asked for in the same unit");
+  CHECK(at->notes[0].message == "`T0` is requested in the same unit");
   CHECK(at->notes[2].message == "`T1` needs `Shared`");
   CHECK(at->notes[3].message == "nor with `T2`");
   CHECK(at->notes[25].message == "nor with `T24`");
-  CHECK(at->help == "ask for them in packs of their own, or make all but one of them `apart`, so that each waits for "
+  CHECK(at->help == "request them in packs of their own, or make all but one of them `apart`, so that each waits for "
                     "itself alone");
 }
 
@@ -79,13 +79,14 @@ TEST_CASE("of a long list with many sets of equal rank one finding tells, with e
   REQUIRE(checked.checked.findings.size() == 1);
   const dsl::Diagnostic& finding = checked.checked.findings.front();
   CHECK(finding.id == "equal_priority");
-  CHECK(finding.message == "of the tasks that `All` requests 24 have equal rank with others that may want the same, in "
-                           "12 sets: who asks first keeps it, and of those that ask at once the one that is declared "
-                           "first does");
+  CHECK(finding.message ==
+        "of the tasks that `All` requests 24 have equal rank with others that may want the same, in "
+        "12 sets: whichever takes it first keeps it, and of those that want it at once the one that is declared "
+        "first takes it");
   REQUIRE(finding.notes.size() == 12);
   CHECK(finding.notes[0].message == "`T0` and `T1` have priority 0 and may want `R0`");
   CHECK(finding.notes[11].message == "`T22` and `T23` have priority 11 and may want `R11`");
-  CHECK(finding.help == "give them priorities that tell who goes before whom");
+  CHECK(finding.help == "give them priorities that say which goes first");
 }
 
 TEST_CASE("of a long list a set that is allowed is told of by itself") {
@@ -157,8 +158,8 @@ TEST_CASE("of two tasks with equal rank that have hundreds of groups in common b
   const auto found = std::find_if(checked.checked.findings.begin(), checked.checked.findings.end(),
                                   [](const dsl::Diagnostic& finding) { return finding.id == "equal_priority"; });
   REQUIRE(found != checked.checked.findings.end());
-  CHECK(found->message == "`Look` and `Talk` have equal rank and may both want `Legs`: who asks first keeps it, and "
-                          "if both ask at once `Look` does");
+  CHECK(found->message == "`Look` and `Talk` have equal rank and may both want `Legs`: whichever takes it first "
+                          "keeps it, and if both want it at once `Look` takes it");
 }
 
 TEST_CASE("of forty groups, each needing all behind it, none is left out") {

@@ -51,7 +51,7 @@ TEST_CASE("an allowance covers what stands inside its thing, and nothing beside 
   CHECK(check_text(kick_and_walk + "allow: [equal_priority]\nbecause: first come first served\n").findings().empty());
 }
 
-TEST_CASE("an allowance of a lint is in use although the lint is not asked for") {
+TEST_CASE("an allowance of a lint is in use although the lint is not requested") {
   CHECK(check_text(
             "roots: [Walk]\ngroups:\n  Walk: {}\n  Kick: {allow: [unused_declaration], because: for the workshop}\n")
             .findings()

@@ -30,7 +30,7 @@ constexpr Planted faults[] = {
     {"locomotion.cpp", ", LeftArm{{-arms}},\n                     RightArm{{arms}});",
      ", LeftArm{{-arms + 0 * arms}});", "task_never_requested: no path of `Walk.walking` requests `RightArm`"},
     {"planning.cpp", "return run.stand_by();", "return run.keep();",
-     "pack_never_requested: no path of `KickTo` asks for `stand_by`"},
+     "pack_never_requested: no path of `KickTo` requests `stand_by`"},
     {"recovery.cpp", "run.set(RisingStep::tucked);", "run.try_set(RisingStep::kneeling);",
      "undeclared_state_write: `GetUp.tucking` sets `RisingStep` to `kneeling`, which it does not declare"},
     {"strategy.cpp", "return run.sweep(LookAt{{sweeps_left_ ? 60 * degree : -60 * degree}});", "return run.keep();",
@@ -38,7 +38,7 @@ constexpr Planted faults[] = {
     {"kicking.hpp", "  director::Outcome provide(soccer::Kick::Default& run) override;",
      "  director::Outcome provide(soccer::Kick::Default& run) override;\n"
      "  director::Outcome provide(soccer::LookAt::Default& run) { return run.keep(); }",
-     "handler_without_provider: nobody calls this body for `LookAt`: it belongs to the module `looking`, which "
+     "handler_without_provider: nothing calls this body for `LookAt`: it belongs to the module `looking`, which "
      "`player::Kicking` does not implement here"},
     {"limbs.hpp", "  director::Outcome provide(soccer::Head::Default& run) override;",
      "  director::Outcome provide(soccer::Head::Default& run);", ""}, // still overrides: nothing is wrong with it

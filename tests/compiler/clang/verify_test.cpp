@@ -175,7 +175,7 @@ TEST_CASE("a source that stands in the build and is not there is told, once") {
   CHECK(left_out.err.empty());
 }
 
-TEST_CASE("a behaviour that is wrong is reported in the format that is asked for") {
+TEST_CASE("a behaviour that is wrong is reported in the format that is requested") {
   const Workshop work = workshop("wrong");
   work.write("types.hpp", "#pragma once\nnamespace cart { enum class Gait { walk, run }; }\n");
   std::string drifted = yaml;

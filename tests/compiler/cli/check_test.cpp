@@ -26,7 +26,7 @@ TEST_CASE("a file that is not there is no finding") {
   CHECK(world.err == "directorc: cannot read `lamp.yaml`: No such file or directory\n");
 }
 
-TEST_CASE("a build or flags that cannot be read are told, also where no type is asked for") {
+TEST_CASE("a build or flags that cannot be read are told, also where no type is requested") {
   World world;
   world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: []\n");
   CHECK(world.directorc({"check", "-p", "bulid", "lamp.yaml"}) == 2);
@@ -110,7 +110,7 @@ TEST_CASE("what is not decided within the bound is told, and nothing is generate
   CHECK(world.outputs.written.empty());
 }
 
-TEST_CASE("what only exploring tells is told where it is asked for, and how far that went where it did not end") {
+TEST_CASE("what only exploring tells is told where it is requested, and how far that went where it did not end") {
   // `Look` always asks first for `Head`. Which of two equals does is not reasoned about where one has another rank too.
   const std::string head = "behaviour: look\nlanguage: 1\nroots: [Play]\ngroups:\n  Play:\n"
                            "    allow: [equal_priority]\n    because: who asks first keeps it\n    packs:\n"

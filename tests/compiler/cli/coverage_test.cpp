@@ -36,12 +36,12 @@ TEST_CASE("what scenarios cover together is told for each behaviour") {
                      "  levels        1 of 1\n");
 }
 
-TEST_CASE("too little that is covered is a failure where a minimum is asked for") {
+TEST_CASE("too little that is covered is a failure where a minimum is requested") {
   World world = lamp();
   CHECK(world.directorc({"test", "--coverage", "--min", "75", "bright.yaml"}) == 0);
   CHECK(world.err.empty());
   CHECK(world.directorc({"test", "--coverage", "--min=76", "bright.yaml"}) == 1);
-  CHECK(world.err == "directorc: 75 % of lamp.yaml is covered; --min asks for 76 %\n");
+  CHECK(world.err == "directorc: 75 % of lamp.yaml is covered; --min requests 76 %\n");
   CHECK(world.directorc({"test", "--min=76", "bright.yaml"}) == 2);
   CHECK(world.err == "directorc test: --min requires --coverage\nTry `directorc test --help`.\n");
   CHECK(world.directorc({"test", "--coverage", "--min=101", "bright.yaml"}) == 2);

@@ -118,7 +118,7 @@ TEST_CASE("docs: of 500 groups those that are named have a matrix, and the page 
   w.files.add("large.yaml", large(500));
   CHECK(w.directorc({"docs", "large.yaml", "-o", "pages", "--format=markdown", "--transitions=Skill3,Skill1"}) == 0);
   const std::string& page = w.outputs.files.at("pages/large.md");
-  CHECK(page.find("Rows and columns are only the groups that were asked for.\n") != std::string::npos);
+  CHECK(page.find("Rows and columns are only the groups that were named.\n") != std::string::npos);
   CHECK(page.find("\n| from \\ to | Skill1 | Skill3 |\n| --- | --- | --- |\n| **Skill1** | C | H |\n"
                   "| **Skill3** | W | C |\n") != std::string::npos);
   CHECK(w.directorc({"graph", "large.yaml", "--format=json", "--page", "--transitions=Skill3"}) == 0);

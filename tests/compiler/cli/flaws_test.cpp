@@ -42,7 +42,7 @@ TEST_CASE("findings stand in the box and the row that they are about, others bel
   check_golden("tests/compiler/cli/golden/mistakes_findings.dot", world.out);
 }
 
-TEST_CASE("warnings are drawn where they are asked for, and are no failure") {
+TEST_CASE("warnings are drawn where they are requested, and are no failure") {
   World world;
   world.files.add("lamp.yaml",
                   "behaviour: lamp\nlanguage: 1\nroots: [Lamp, Torch]\ngroups:\n"

@@ -78,8 +78,8 @@ TEST_CASE("what it may be asked about") {
         "directorc: `often` is no value of the state `Day`: its values are no, yes; write one of them, or add it to "
         "the `values`\n");
   CHECK(world.directorc({"check", "bulb.yaml", "--explain-reachable=Bulb"}) == 2);
-  CHECK(world.err ==
-        "directorc: `bulb.yaml` has no `roots`: what can be reached in a module depends on who imports it\n");
+  CHECK(world.err == "directorc: `bulb.yaml` has no `roots`: what can be reached in a module depends on the deployment "
+                     "that imports it\n");
 }
 
 TEST_CASE("a condition that is none is told of as in a behaviour") {

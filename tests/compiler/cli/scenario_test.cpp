@@ -128,7 +128,7 @@ TEST_CASE("a key of the language is explained in the words of its reference") {
                               "`initial` (required) when the group stops (key, under \"States\")\n"));
 }
 
-TEST_CASE("times are printed where they are asked for, as text and as JSON") {
+TEST_CASE("times are printed where they are requested, as text and as JSON") {
   World world = lamp("''");
   world.files.add("s.yaml", "behaviour: lamp.yaml\nsteps:\n  - advance: 1500 ms\n  - request: Lamp\n");
   CHECK(world.directorc({"simulate", "--times", "s.yaml"}) == 0);

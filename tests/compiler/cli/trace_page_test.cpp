@@ -129,7 +129,7 @@ TEST_CASE("where a replay goes another way the page says so, and is written") {
         "something waits is not known\n");
 }
 
-TEST_CASE("what is for pages only is refused for the others, and Graphviz is asked for") {
+TEST_CASE("what is for pages only is refused for the others, and Graphviz is requested") {
   World world = with_recording();
   CHECK(world.directorc({"trace", "runs/run.jsonl", "--behaviour=lamp.yaml"}) == 2);
   CHECK(world.err == "directorc: --behaviour is for --to=html\n");

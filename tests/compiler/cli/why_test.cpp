@@ -88,11 +88,11 @@ TEST_CASE("why a group waits: who holds what it needs") {
         "priority 20\",\"place\":\"rover.yaml:11\"}]}\n");
 }
 
-TEST_CASE("why a group does not run that nobody asks for") {
+TEST_CASE("why a group does not run that nothing requests") {
   World world = rover();
   CHECK(world.directorc({"why", "s.yaml", "Drive", "--step=6"}) == 0);
   CHECK(world.directorc({"why", "s.yaml", "Dream", "--step=5"}) == 0);
-  CHECK(world.out == "nobody asks for Dream\n  the program may (rover.yaml:8)\n");
+  CHECK(world.out == "nothing requests Dream\n  the program may (rover.yaml:8)\n");
 }
 
 TEST_CASE("a question that cannot be answered is wrong usage") {

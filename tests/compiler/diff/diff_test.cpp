@@ -84,7 +84,7 @@ TEST_CASE("a condition that made a transition soft is gone: it is hard, and that
       "became_dead: `Walk.halting` can never run any more\n"
       "became_dead: warning is new: `Walk.halting` never runs: `Walk.walking` comes before it and can run whenever it "
       "can\n"
-      "condition_loosened: `Kick` no longer asks for `Pose == standing` to run\n"
+      "condition_loosened: `Kick` no longer requests `Pose == standing` to run\n"
       "push_lost: `Kick` can no longer push `Walk.halting`\n");
 }
 
@@ -93,7 +93,7 @@ TEST_CASE("the other way round it is soft now") {
         "became_reachable: `Walk.halting` may run now\n"
         "became_reachable: warning is gone: `Walk.halting` never runs: `Walk.walking` comes before it and can run "
         "whenever it can\n"
-        "condition_tightened: `Kick` now asks for `Pose == standing` to run\n"
+        "condition_tightened: `Kick` now requests `Pose == standing` to run\n"
         "push_gained: `Kick` may now push `Walk.halting`\n"
         "softened: from `Walk` to `Kick`: soft now, before hard\n");
 }
@@ -112,9 +112,9 @@ TEST_CASE("two tasks change ranks: the one gains what the other loses") {
   CHECK(
       told(std::string("roots: {Walk: {priority: 10}, Kick: {priority: 20}}\n") + plain,
            std::string("roots: {Walk: {priority: 30}, Kick: {priority: 20}}\n") + plain) ==
-      "takeover_gained: `Walk` can now take `Legs` from `Kick`: the program asks for it with priority 30, before with "
+      "takeover_gained: `Walk` can now take `Legs` from `Kick`: the program requests it with priority 30, before with "
       "priority 10\n"
-      "takeover_lost: `Kick` can no longer take `Legs` from `Walk`: the program asks for `Walk` with priority 30, "
+      "takeover_lost: `Kick` can no longer take `Legs` from `Walk`: the program requests `Walk` with priority 30, "
       "before with priority 10\n"
       "transition_changed: from `Kick` to `Walk`: hard now, before waits\n"
       "transition_changed: from `Walk` to `Kick`: waits now, before hard\n");
@@ -124,7 +124,7 @@ TEST_CASE("another number that changes no rank is told as that: who could take a
   const char* const plain = "groups: {Walk: {needs: [Legs]}, Kick: {needs: [Legs]}, Legs: {}}\n";
   CHECK(told(std::string("roots: {Walk: {priority: 10}, Kick: {priority: 20}}\n") + plain,
              std::string("roots: {Walk: {priority: 10}, Kick: {priority: 30}}\n") + plain) ==
-        "priority: the program asks for `Kick` with priority 30, before with priority 20; who can take a group from "
+        "priority: the program requests `Kick` with priority 30, before with priority 20; who can take a group from "
         "whom is as before\n");
 }
 
@@ -144,8 +144,8 @@ TEST_CASE("of equal rank the order decides, of different ranks it does not") {
   CHECK(
       told(std::string("roots: [Walk, Kick]\n") + plain, std::string("roots: [Kick, Walk]\n") + plain)
           .starts_with(
-              "tie_order: of what the program asks for at one rank, the order is `Kick` and `Walk`, before `Walk` and "
-              "`Kick`: the first one wins where they are asked for at once\n"));
+              "tie_order: of what the program requests at one rank, the order is `Kick` and `Walk`, before `Walk` and "
+              "`Kick`: the first one wins where they are requested at once\n"));
   CHECK(told(std::string("roots: {Walk: {priority: 1}, Kick: {}}\n") + plain,
              std::string("roots: {Kick: {}, Walk: {priority: 1}}\n") + plain)
             .empty());
@@ -203,26 +203,26 @@ TEST_CASE("a module that is written down is told of") {
 TEST_CASE("a group that is called otherwise is gone and new, with a hint") {
   CHECK(told("roots: [Walk]\ngroups: {Walk: {tasks: [Legs]}, Legs: {}}\n",
              "roots: [Walk]\ngroups: {Walk: {tasks: [Feet]}, Feet: {}}\n") ==
-        "request_added: `Walk` may now ask for `Feet`\n"
-        "request_removed: `Walk` no longer asks for `Legs`\n"
+        "request_added: `Walk` may now request `Feet`\n"
+        "request_removed: `Walk` no longer requests `Legs`\n"
         "group_removed: the group `Legs` is gone\n"
         "hint: it may be called `Feet` now: all else is equal\n"
         "group_added: the group `Feet` is new\n");
 }
 
-TEST_CASE("what a pack asks for, how, and at which levels") {
+TEST_CASE("what a pack requests, how, and at which levels") {
   const auto robot = [](const std::string& packs) {
     return "roots: [Play]\ngroups: {Play: {packs: {" + packs + "}}, Walk: {}, Look: {}}\n";
   };
   CHECK(told(robot("go: {Walk: {priority: 10}, Look: {}}"),
              robot("go: {Walk: {priority: 10}, Look: {optional: true}}")) ==
-        "unit: `Play`, pack `go`, asks for `Look` as optional, before as mandatory\n");
+        "unit: `Play`, pack `go`, requests `Look` as optional, before as mandatory\n");
   CHECK(told(robot("go: {Walk: {}, Look: {}}"), robot("go: {Walk: {}}, stay: {Look: {}}")) ==
         "request_added: `Play` has a new pack `stay` with `Look`\n"
-        "request_removed: `Play`, pack `go`, no longer asks for `Look`\n");
+        "request_removed: `Play`, pack `go`, no longer requests `Look`\n");
   CHECK(told(robot("go: {Walk: {priority: {calm: 10, urgent: 80}}, Look: {}}"),
              robot("go: {Walk: {priority: {urgent: 80, calm: 10}}, Look: {}}")) ==
-        "levels: `Play`, pack `go`, asks for `Walk` at `urgent` where it names no level, before at `calm`\n");
+        "levels: `Play`, pack `go`, requests `Walk` at `urgent` where it names no level, before at `calm`\n");
 }
 
 TEST_CASE("states: values, their order, the first one, who sets them, when they expire") {

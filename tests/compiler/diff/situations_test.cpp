@@ -39,7 +39,7 @@ std::set<std::string> changed(const TwoRobots& before, const TwoRobots& after) {
 
 using Names = std::set<std::string>;
 
-TEST_CASE("a group that changes changes the situation of who leads to it, and of what is asked for beside it") {
+TEST_CASE("a group that changes changes the situation of who leads to it, and of what is requested beside it") {
   TwoRobots after;
   after.walk = "needs: [Legs, Head]";
   CHECK(changed({}, after) == Names{"Kick", "Play", "Walk"}); // Sit stands in another pack
@@ -57,7 +57,7 @@ TEST_CASE("a requester that changes changes the situation of all that it leads t
   CHECK(changed({}, after) == Names{"Kick", "Play", "Sit", "Walk"});
 }
 
-TEST_CASE("a state that changes changes who waits for it, and the order of what the program asks for changes all") {
+TEST_CASE("a state that changes changes who waits for it, and the order of what the program requests changes all") {
   TwoRobots before, after;
   before.states = "states: {Ball: {values: [far, near], initial: far, external: true}}\n";
   before.look = after.look = "when: [Ball == near], needs: [Head]";

@@ -115,7 +115,7 @@ TEST_CASE("every request has its priority, and leaves from the provider or the p
                                          "Kick -> Walk.halting push (Pose == standing) up\n");
 }
 
-TEST_CASE("boxes stand in their layers, and those that all the same ones ask for share one") {
+TEST_CASE("boxes stand in their layers, and those that all the same ones request share one") {
   CHECK(boxes_of(picture_of(walker)) == "purpose: [Player] [Cheer]\n"
                                         "skill: [Walk] [Kick] [Look]\n"
                                         "limb: [Left, Right] [Arm] [Head]\n");
@@ -222,7 +222,7 @@ TEST_CASE("the legend names what is drawn, and nothing else") {
         "thick frame: the program itself requests it, with that priority\n"
         "rows: providers, the preferred one first; an arrow from one row is of that provider alone\n"
         "\u25C7: packs: it requests one of them at a time\n"
-        "dashed box: groups that the same ones ask for in the same way\n"
+        "dashed box: groups that the same ones request in the same way\n"
         "when, stay: must hold, for it to run and to go on\n"
         "causing: makes that true when it is pushed\n"
         "sets: may set that, and promises nothing\n"
@@ -241,7 +241,7 @@ TEST_CASE("the legend says of rows what the arrows of this picture do") {
                       "groups:\n  Head:\n    providers:\n      - {name: a, when: [Mood == low], tasks: [A0]}\n      - "
                       "{name: b, tasks: [A1]}\n";
   for (int i = 0; i < 40; ++i) large += fmt::format("  A{}: {{every: 1 s}}\n", i);
-  CHECK(rows(picture_of(large)) == "providers, the preferred one first; an arrow stands for all that ask");
+  CHECK(rows(picture_of(large)) == "providers, the preferred one first; an arrow stands for all that request");
   PictureOptions options;
   options.view = PictureOptions::View::pushes;
   CHECK(rows(picture_of(walker, options)) == "providers, the preferred one first");
@@ -260,17 +260,17 @@ TEST_CASE("a view in which nothing is drawn says why") {
     return legend.front().sign + ": " + legend.front().words;
   };
   using View = PictureOptions::View;
-  CHECK(told(View::pushes) == "nothing drawn: nobody may push anybody");
-  CHECK(told(View::takes) == "nothing drawn: nobody may take anything from another one");
+  CHECK(told(View::pushes) == "nothing drawn: no group may push another one");
+  CHECK(told(View::takes) == "nothing drawn: no group may take anything from another one");
   CHECK(told(View::takes, {}, true) ==
-        "nothing drawn: nobody may take anything from another one, of those in the focus");
+        "nothing drawn: no group may take anything from another one, of those in the focus");
   Moment moment;
   moment.groups.resize(1);
   moment.edges.resize(1);
-  CHECK(told(View::pushes, moment) == "nothing drawn: nobody is pushed");
+  CHECK(told(View::pushes, moment) == "nothing drawn: no group is pushed");
 }
 
-TEST_CASE("groups that are asked for alike have frames of their own, which tell where they stand") {
+TEST_CASE("groups that are requested alike have frames of their own, which tell where they stand") {
   const auto frames = [](Moment::Mark mark) {
     PictureOptions options;
     options.moment.emplace();

@@ -26,7 +26,7 @@ groups: {A: {providers: [{name: x, when: [Charge > 50]}, {name: y, when: [Charge
   CHECK(puts(ground, ground.sets) == "Charge=0 |Charge=11 |Charge=51 |Charge=70 |");
 }
 
-TEST_CASE("flat tasks are asked for in every subset, packs whole, both at each level") {
+TEST_CASE("flat tasks are requested in every subset, packs whole, both at each level") {
   const auto compiled = director::tests::compile(R"(behaviour: b
 language: 1
 roots: [A, P]
@@ -42,7 +42,7 @@ groups:
   CHECK(packs(ground, 2) == "|");
 }
 
-TEST_CASE("optional entries of a pack are kept, or left out too where somebody asks for that") {
+TEST_CASE("optional entries of a pack are kept, or left out too where somebody requests that") {
   const auto compiled = director::tests::compile(R"(behaviour: b
 language: 1
 roots: [P]

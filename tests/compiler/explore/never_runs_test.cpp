@@ -30,7 +30,7 @@ NeverRuns explore(const std::string& text, std::size_t bound = 100'000) {
   return compiler::find_never_runs(checked.checked.model, bound, checked.checked.findings);
 }
 
-TEST_CASE("what never ran is told, and not what only that would have asked for") {
+TEST_CASE("what never ran is told, and not what only that would have requested") {
   // Reasoning finds this as well: its findings are left out.
   const tests::CheckedText checked = tests::check_text(door);
   REQUIRE(checked.checked.lowerable);

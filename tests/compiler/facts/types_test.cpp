@@ -102,7 +102,7 @@ TEST_CASE("a header in angle brackets is not looked for where only one in quotes
   CHECK(types.read({{"<types.hpp>"}, {}, "x"}).missing == std::vector<std::string>{"<types.hpp>"});
 }
 
-TEST_CASE("where a header does not compile, what is missing may only not have been read, and is asked for again") {
+TEST_CASE("where a header does not compile, what is missing may only not have been read, and is requested again") {
   World world;
   world.child.answer =
       R"({"types": [{"wrong": "no type named 'A'"}, {"complete": true}], "paths": ["/u/types.hpp"],

@@ -151,7 +151,7 @@ TEST_CASE("a group has equals where two tasks of one requester and one priority 
   CHECK(has_equals("{A: {levels: {low: {priority: 1}, high: {priority: 2}}}, B: {priority: 2}}")); // at one level
 }
 
-TEST_CASE("a group that is asked for directly, and by way of a task of the same priority, has equals") {
+TEST_CASE("a group that is requested directly, and by way of a task of the same priority, has equals") {
   const Lowering it("roots: [Boss]\ngroups:\n  Boss: {tasks: [A, Shared]}\n  A: {needs: [Shared]}\n  Shared: {}\n");
   CHECK(it.group("Shared").equals);
   CHECK(it.group("A").deniable);

@@ -38,9 +38,9 @@ TEST_CASE("levels of one name in several requests are no fault") {
             .empty());
 }
 
-TEST_CASE("a level cannot be called like the group that it asks for") {
+TEST_CASE("a level cannot be called like the group that it requests") {
   CHECK(findings("roots: {Walk: {priority: {Walk: 1}}}\ngroups: {Walk: {}}\n") ==
-        "main.yaml:3: the level `Walk` is called like the group that it asks for [redefined_name]\n");
+        "main.yaml:3: the level `Walk` is called like the group that it requests [redefined_name]\n");
 }
 
 TEST_CASE("an extern that two files name is reported in both") {

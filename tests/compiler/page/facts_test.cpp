@@ -139,7 +139,7 @@ assertions:
   CHECK(verdicts.items()[1]["scenario"].as_text().starts_with("scenario: \"refuted: soft {from: Walk, to: GetUp}\"\n"));
 }
 
-TEST_CASE("the matrix has a row and a column for each group that asks for something or needs it") {
+TEST_CASE("the matrix has a row and a column for each group that requests something or needs it") {
   const compiler::Json transitions = facts(R"(roots: {GetUp: {priority: 20}, Walk: {priority: 10}}
 groups: {GetUp: {needs: [Legs]}, Walk: {needs: [Legs]}, Legs: {}}
 )")["transitions"];
@@ -150,7 +150,7 @@ groups: {GetUp: {needs: [Legs]}, Walk: {needs: [Legs]}, Legs: {}}
       R"({"kind":"same chain","words":"It is the same group."}]})");
 }
 
-TEST_CASE("a group that nobody requests has no row and no column, and is named beside the matrix") {
+TEST_CASE("a group that nothing requests has no row and no column, and is named beside the matrix") {
   const compiler::Json transitions = facts(R"(roots: [Walk]
 groups: {Walk: {needs: [Legs]}, Swim: {needs: [Legs]}, Dive: {tasks: [Swim]}, Legs: {}}
 )")["transitions"];

@@ -76,7 +76,7 @@ TEST_CASE("two of one pack with the same priority are equal, and granted togethe
         "equal, Play: Kick (priority 0) and Look (priority 0) are equal\n");
 }
 
-TEST_CASE("tasks of two packs are never both asked for") {
+TEST_CASE("tasks of two packs are never both requested") {
   CHECK(told_of(R"(roots: [Play]
 groups:
   Play: {packs: {attack: {Kick: {priority: 2}}, defend: {Walk: {priority: 1}}}}
@@ -125,22 +125,22 @@ groups:
                 "Right", "Left") == "equal, Walk: Left (needed) and Right (needed) are equal\n");
 }
 
-TEST_CASE("what is granted together, or needed, goes before what others of the same requester ask for") {
+TEST_CASE("what is granted together, or needed, goes before what others of the same requester request") {
   const auto legs = [](const std::string& play) {
     return told_of("roots: [Play]\ngroups:\n  Play: " + play + "\n  Walk: {tasks: [Legs]}\n  Legs: {}\n", "Legs",
                    "Legs");
   };
   CHECK(legs("{tasks: {Walk: {priority: 9}, Legs: {priority: 2}}}") ==
-        "first, Play: Legs (priority 2) before what Walk (priority 9) asks for, as both are granted together\n");
+        "first, Play: Legs (priority 2) before what Walk (priority 9) requests, as both are granted together\n");
   CHECK(legs("{needs: [Legs], tasks: {Walk: {priority: 9}}}") ==
-        "first, Play: Legs (needed) before what Walk (priority 9) asks for, as Play runs only with it\n");
+        "first, Play: Legs (needed) before what Walk (priority 9) requests, as Play runs only with it\n");
   CHECK(legs("{tasks: {Walk: {priority: 9}, Legs: {priority: 2, apart: true}}}") ==
         "second, Play: Walk (priority 9) before Legs (priority 2)\n");
   CHECK(legs("{packs: {one: {Walk: {priority: 9}}, other: {Legs: {priority: 2}}}}") ==
         "second, Play: Walk (priority 9) before Legs (priority 2), never both at once\n");
 }
 
-TEST_CASE("what a member of a unit needs, or a need of the requester needs, goes before what others of it ask for") {
+TEST_CASE("what a member of a unit needs, or a need of the requester needs, goes before what others of it request") {
   const auto legs = [](const std::string& play, const char* first = "Legs", const char* second = "Legs") {
     return told_of("roots: [Play]\ngroups:\n  Play: " + play +
                        "\n  Walk: {tasks: [Step]}\n  Step: {tasks: [Legs]}\n  Stand: {needs: [Hips]}\n"
@@ -148,13 +148,13 @@ TEST_CASE("what a member of a unit needs, or a need of the requester needs, goes
                    first, second);
   };
   CHECK(legs("{tasks: {Walk: {priority: 9}, Stand: {priority: 2}}}") ==
-        "second, Play: what Stand (priority 2) needs before what Walk (priority 9) asks for, as both are granted "
+        "second, Play: what Stand (priority 2) needs before what Walk (priority 9) requests, as both are granted "
         "together\n");
   CHECK(legs("{tasks: {Walk: {priority: 9}, Stand: {priority: 2}}}", "Hips", "Step") ==
-        "first, Play: what Stand (priority 2) needs before what Walk (priority 9) asks for, as both are granted "
+        "first, Play: what Stand (priority 2) needs before what Walk (priority 9) requests, as both are granted "
         "together\nsecond, Play: Walk (priority 9) before Stand (priority 2), together or not at all\n");
   CHECK(legs("{needs: [Stand], tasks: {Walk: {priority: 9}}}") ==
-        "second, Play: what Stand (needed) needs before what Walk (priority 9) asks for, as Play runs only with it\n");
+        "second, Play: what Stand (needed) needs before what Walk (priority 9) requests, as Play runs only with it\n");
   CHECK(legs("{needs: [Stand], tasks: {Legs: {priority: 9}}}") ==
         "first, Play: Legs (priority 9) before Stand (needed)\n"
         "second, Play: what Stand (needed) needs before Legs (priority 9), as Play runs only with it\n");
@@ -162,7 +162,7 @@ TEST_CASE("what a member of a unit needs, or a need of the requester needs, goes
         "first, Play: Walk (priority 9) before Stand (priority 2)\n");
 }
 
-TEST_CASE("a member of a unit goes first of what stands behind another member, where that one is asked for") {
+TEST_CASE("a member of a unit goes first of what stands behind another member, where that one is requested") {
   const auto pack = [](const std::string& tasks, const char* first, const char* second) {
     return told_of("roots: [Pack]\ngroups:\n  Pack: {" + tasks +
                        "}\n  Lift: {}\n  Hold: {}\n  Sort: {tasks: [Pick]}\n  Pick: {tasks: [Grip]}\n"
@@ -186,7 +186,7 @@ TEST_CASE("a member of a unit goes first of what stands behind another member, w
 }
 
 TEST_CASE(
-    "a member goes first in each pack that asks for who stands before it, and where that is older if it is equal") {
+    "a member goes first in each pack that requests who stands before it, and where that is older if it is equal") {
   const auto grip = [](const std::string& tasks) {
     return told_of("roots: [Pack]\ngroups:\n  Pack: {" + tasks +
                        "}\n  Lift: {}\n  Hold: {}\n  Sort: {tasks: [Grip]}\n  Grip: {}\n",
@@ -204,7 +204,7 @@ TEST_CASE(
         by_rank + ", unless Grip is granted together with Hold (priority 20, if older)\n" + led +
             "Hold (priority 20, if older)\n");
   CHECK(grip("tasks: {Lift: {priority: 50}, Sort: {apart: true}, Grip: {}}") ==
-        "equal, Pack: Sort (priority 0) and Grip (priority 0) are equal; of two that ask, Grip goes first where "
+        "equal, Pack: Sort (priority 0) and Grip (priority 0) are equal; of two that request it, Grip goes first where "
         "granted together with Lift (priority 50)\n");
   // None of these brings it forward.
   CHECK(grip("tasks: {Lift: {priority: 50, apart: true}, Hold: {priority: 10}, Sort: {priority: 20, apart: true}, "
@@ -213,7 +213,7 @@ TEST_CASE(
         by_rank + "\n");
 }
 
-TEST_CASE("what one provider needs and another one asks for apart goes first only where it is needed") {
+TEST_CASE("what one provider needs and another one requests apart goes first only where it is needed") {
   CHECK(told_of(R"(roots: [Play]
 groups:
   Play: {providers: [{name: near, needs: [Walk], tasks: {Walk: {}, Legs: {apart: true}}}, {name: far, needs: [Legs], tasks: [Walk, Legs]}]}
@@ -222,11 +222,11 @@ groups:
 )",
                 "Legs", "Legs") ==
         "equal, Play: Walk (priority 0) and Legs (priority 0) are equal, together or not at all\n"
-        "first, Play: Legs (priority 0) before what Walk (priority 0) asks for, as both are granted together\n"
-        "first, Play: Legs (priority 0) before what Walk (priority 0) asks for, as Play runs only with it\n");
+        "first, Play: Legs (priority 0) before what Walk (priority 0) requests, as both are granted together\n"
+        "first, Play: Legs (priority 0) before what Walk (priority 0) requests, as Play runs only with it\n");
 }
 
-TEST_CASE("of what several ask for, each two have what decides between them") {
+TEST_CASE("of what several request, each two have what decides between them") {
   const Compiled c = compile(R"(behaviour: test
 language: 1
 roots: {Rescue: {priority: 9}, Play: {priority: 1}, Legs: {priority: 5}}
@@ -242,7 +242,7 @@ TEST_CASE("of more groups than a page can hold not every two are compared, and i
   const compiler::Json ranks = compiler::ranks_json(c.model);
   CHECK(ranks["left_out"].as_text() ==
         "Not every two of 501 groups are compared here, as there are more than 500; those "
-        "that several ask for are.");
+        "that several request are.");
   CHECK(ranks["pairs"].items().empty());
 }
 

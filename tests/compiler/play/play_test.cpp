@@ -32,7 +32,7 @@ groups:
 
 } // namespace
 
-TEST_CASE("what the script does not mention asks for its first pack or all its tasks, without data") {
+TEST_CASE("what the script does not mention requests its first pack or all its tasks, without data") {
   CHECK(play(walker, R"(given: {Pose: standing}
 script: {Legs: {data: 1, done: true}}
 steps:
@@ -106,7 +106,7 @@ steps:
              "run Walk.walking trigger"});
 }
 
-TEST_CASE("several inputs are queued before the engine runs, and one input may ask for several roots") {
+TEST_CASE("several inputs are queued before the engine runs, and one input may request several roots") {
   CHECK(play(walker, R"(
 steps:
   - inputs: [{set: {Charge: 3}}, {request: [Walk, Kick]}, {disable: Walk.walking}, {enable: Walk.walking}]
@@ -129,7 +129,7 @@ steps:
                             "unset Charge", "run Walk.walking wait", "run Walk.walking wait"});
 }
 
-TEST_CASE("decisions are told where they are asked for") {
+TEST_CASE("decisions are told where they are requested") {
   const char* const script = R"(
 script:
   Walk.walking: {set: {Pose: moving}, tasks: [Legs]}

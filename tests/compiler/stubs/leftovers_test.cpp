@@ -44,11 +44,11 @@ Said said(const FoundFunction& row) {
 
 } // namespace
 
-TEST_CASE("a body that its module asks for is no leftover") {
+TEST_CASE("a body that its module requests is no leftover") {
   CHECK(said(function("Legs", "provide", "b::Walk::Default", true)) == Said{});
 }
 
-TEST_CASE("a body in a template that any module may be a base of is a leftover only if nothing asks for it") {
+TEST_CASE("a body in a template that any module may be a base of is a leftover only if nothing requests it") {
   FoundFunction row = function("WithWalk", "provide", "b::Walk::Default", true);
   row.overrides = row.for_any = true;
   CHECK(said(row) == Said{});

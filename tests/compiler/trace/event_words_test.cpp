@@ -52,12 +52,12 @@ TEST_CASE("what simulate says nothing about has words too") {
   CHECK(words(R"("event":"grant","edge":"root>A","provider":"x")") == "grant root>A in A.x");
   CHECK(words(R"("event":"grant","edge":"A>B","provider":"default")") == "grant A>B");
   CHECK(words(R"("event":"grant","group":"B","edge":"limbo","provider":"default")") ==
-        "hold B for whoever comes after it");
+        "hold B for what comes after it");
   CHECK(words(R"("event":"grant","edge":"A>B","from":"root>A","provider":"default")") ==
         "take over B: A>B from root>A");
   CHECK(words(R"("event":"grant","edge":"A>B","from":"limbo","provider":"default")") == "grant A>B");
   CHECK(words(R"("event":"lose","group":"B","from":"A>B")") == "lose B, held for A>B");
-  CHECK(words(R"("event":"lose","group":"B","from":"limbo")") == "lose B, held for whoever comes after it");
+  CHECK(words(R"("event":"lose","group":"B","from":"limbo")") == "lose B, held for what comes after it");
   CHECK(words(R"("event":"ask","edge":"A>B")") == "ask A>B");
   CHECK(words(R"("event":"keep","edge":"A>B")") == "keep A>B");
   CHECK(words(R"("event":"withdraw","edge":"A>B")") == "withdraw A>B");

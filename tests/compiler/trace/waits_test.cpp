@@ -108,7 +108,7 @@ steps:
   CHECK(cut.replayed.dropped == 2);
 }
 
-TEST_CASE("a group whose request is queued while its requester is about to run stays, and with it what it asks for") {
+TEST_CASE("a group whose request is queued while its requester is about to run stays, and with it what it requests") {
   World world;
   world.files.add("carrier.yaml", R"(behaviour: carrier
 language: 1

@@ -99,7 +99,7 @@ steps:
 )");
 }
 
-TEST_CASE("hard: the second takes what the first one holds, and nobody is pushed") {
+TEST_CASE("hard: the second takes what the first one holds, and no group is pushed") {
   const char* const plain = R"(roots: {GetUp: {priority: 20}, Walk: {priority: 10}}
 groups: {GetUp: {needs: [Legs]}, Walk: {needs: [Legs], tasks: [Legs]}, Legs: {}}
 )";
@@ -117,7 +117,7 @@ steps:
 )");
 }
 
-TEST_CASE("waits: who asks for the second runs in another way meanwhile, and is named") {
+TEST_CASE("waits: who requests the second runs in another way meanwhile, and is named") {
   CHECK(
       cell(R"(roots: {Guard: {priority: 20}, Serve: {priority: 10}}
 groups:
@@ -131,7 +131,7 @@ groups:
   Head: {}
 )",
            "Guard", "Walk") ==
-      R"(waits: Walk is not asked for yet, and runs when Guard is done. Serve runs in resting and does not ask for Walk.
+      R"(waits: Walk is not requested yet, and runs when Guard is done. Serve runs in resting and does not request Walk.
 scenario: from Guard to Walk
 behaviour: test.yaml
 script:
@@ -190,7 +190,7 @@ TEST_CASE("same chain: the requester leads to its task, whichever of them is fir
 }
 
 TEST_CASE("replaced: the requester of both has no pack in which they stand together") {
-  CHECK(cell(plans, "Walk", "Kick") == R"(replaced: Play asks for Kick instead of Walk. Walk stops.
+  CHECK(cell(plans, "Walk", "Kick") == R"(replaced: Play requests Kick instead of Walk. Walk stops.
 stops Walk
 scenario: from Walk to Kick
 behaviour: test.yaml

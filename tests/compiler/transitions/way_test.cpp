@@ -67,7 +67,7 @@ groups:
              "Walk") == std::vector<std::string>{"Play > Walk: never"});
 }
 
-TEST_CASE("no chain leads to what nobody requests") {
+TEST_CASE("no chain leads to what nothing requests") {
   CHECK(ways("roots: [Walk]\ngroups: {Walk: {needs: [Legs]}, Legs: {}}\n", "Legs").empty());
 }
 

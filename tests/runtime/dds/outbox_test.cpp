@@ -16,7 +16,7 @@ void tell(Observer observer, Event::Kind kind, Index group = 0) {
 
 } // namespace
 
-TEST_CASE("decisions come out in order and numbered, what bodies ask for does not") {
+TEST_CASE("decisions come out in order and numbered, what bodies request does not") {
   Outbox outbox(8);
   tell(outbox.observer(), Event::Kind::run, 1);
   tell(outbox.observer(), Event::Kind::ask);

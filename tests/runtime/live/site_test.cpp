@@ -96,7 +96,7 @@ TEST_CASE("why one group waits, or all that do") {
   Shown shown;
   CHECK(
       shown.ask("GET", "/token/why", {{"group", "Sing"}}) ==
-      R"(200 {"t":0,"n":1,"groups":[{"group":"Sing","kind":"not_requested","text":"nobody asks for Sing","notes":["Deliver may, and does not run","Rest may, and does not run"]}]})"
+      R"(200 {"t":0,"n":1,"groups":[{"group":"Sing","kind":"not_requested","text":"nothing requests Sing","notes":["Deliver may, and does not run","Rest may, and does not run"]}]})"
       "\n");
   CHECK(shown.ask("GET", "/token/why") == "200 {\"t\":0,\"n\":1,\"groups\":[]}\n");
   CHECK(shown.ask("GET", "/token/why", {{"group", "Sin\"g"}}) == "404 There is no group \"Sin\"g\".\n");

@@ -55,7 +55,7 @@ TEST_CASE("a kept entry leaves the request and its data as they are") {
   CHECK(steps == std::vector<int>{1});
 }
 
-TEST_CASE("a level that the requester does not declare is a fault, and nothing is asked for") {
+TEST_CASE("a level that the requester does not declare is a fault, and nothing is requested") {
   Office office;
   office.plans.rest = [](Rest::Default& run) { return run.request(Walk{post::Steps{}, Walk::fast}, Sing{}); };
   office.behaviour.request<Rest>();
@@ -64,7 +64,7 @@ TEST_CASE("a level that the requester does not declare is a fault, and nothing i
   CHECK(office.record.take() == Lines{"run Rest.default", "fault Rest"});
 }
 
-TEST_CASE("a body sees how what it uses fares, and what it asked for") {
+TEST_CASE("a body sees how what it uses fares, and what it requested") {
   Office office;
   std::vector<RunState> seen;
   bool failed = false;

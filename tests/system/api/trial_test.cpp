@@ -19,7 +19,7 @@ using Kind = Outcome::Kind;
 
 post::Parcel parcel(int weight) { return {std::make_unique<int>(weight)}; }
 
-TEST_CASE("a body alone: its task, and what it asks for, with data and levels") {
+TEST_CASE("a body alone: its task, and what it requests, with data and levels") {
   Plans plans;
   plans.deliver = [](Deliver::Default& run) {
     return run.carry(Walk{post::Steps{*run.task().weight * 2}, Walk::fast});

@@ -22,7 +22,7 @@ export PATH=$work/bin:$PATH ASKED=$work/asked
 
 fail() { printf '%s\n' "$1" "asked:" "$(cat "$ASKED")" "said:" "$said" >&2; exit 1; }
 start() { : >"$ASKED"; said=$(cd "$1" && ./start --build-only 2>&1) || fail "$2: ./start fails"; }
-asked() { grep -qxF -- "$1" "$ASKED" || fail "$2: CMake was not asked for: $1"; }
+asked() { grep -qxF -- "$1" "$ASKED" || fail "$2: CMake was not requested: $1"; }
 
 start "$work/here" 'a new tree'
 asked '--preset release --fresh -D DIRECTOR_TESTS=OFF' 'a new tree'
@@ -43,4 +43,4 @@ printf '#!/bin/sh\n' >"$work/there/build/release/bin/director-clang"
 chmod +x "$work/there/build/release/bin/director-clang"
 start "$work/there" 'with director-clang'
 [ "$(tail -n 1 <<<"$said")" = 'The compiler is at build/release/bin/directorc' ] || fail 'with director-clang something is missed'
-echo 'start asks for what it needs'
+echo 'start requests what it needs'

@@ -67,7 +67,7 @@ TEST_CASE("what a task must take is what all its providers do") {
   CHECK(test.names(test.takers.must(test.provider("Walk.slow"))) == "Walk Legs Servos ");
 }
 
-TEST_CASE("one rank is compared at all levels, and equals by the packs that ask for them") {
+TEST_CASE("one rank is compared at all levels, and equals by the packs that request them") {
   Taking test(
       "roots: [Plan]\ngroups:\n"
       "  Plan: {packs: {go: {High: {priority: 5}, Low: {}, Beside: {}}}}\n  High: {}\n  Low: {}\n  Beside: {}\n");

@@ -70,7 +70,7 @@ TEST_CASE("what is granted only together with another task never begins where th
 }
 
 TEST_CASE(
-    "a request that another provider keeps stands without what it was granted with, though it asks for the same") {
+    "a request that another provider keeps stands without what it was granted with, though it requests the same") {
   const InContext found(any_door + "roots: [Play]\ngroups:\n  Play:\n    providers:\n"
                                    "      - {name: idle, needs: [Lock], tasks: [Kick]}\n"
                                    "      - {name: playing, packs: {play: {Lock: {}, Kick: {}}}}\n"

@@ -104,7 +104,7 @@ TEST_CASE("components add up in a micro-step, and the dearest counts in a pass")
 }
 
 TEST_CASE("a pack costs its members alone, and together in all combinations of what can collide; a pass is repeated "
-          "for what two equals can ask for") {
+          "for what two equals can request") {
   const Bounds bounds = bounds_of(R"(
 roots: [Both]
 groups:

@@ -36,7 +36,7 @@ TEST_CASE("combinations that nothing covers are listed without overlap") {
         "while `A` is 3 to 5 or unset\nwhile `A` is 6 to 9 and `B` is 1\n");
 }
 
-TEST_CASE("a stay covers where it is asked for") {
+TEST_CASE("a stay covers where it is requested") {
   const std::string text = states + "  G: {when: [B == 1], stay: [B >= 0]}\n";
   CHECK(gaps_of("G", text) == "");
   CHECK(gaps_of("G", text, false) == "while `B` is 0\n");

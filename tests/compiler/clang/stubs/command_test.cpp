@@ -89,7 +89,7 @@ TEST_CASE("the headers of the runtime are found from where directorc lies, in a 
   CHECK(work.stubs("--check", "") == "");
 }
 
-TEST_CASE("what is there is left alone, however often stubs are asked for") {
+TEST_CASE("what is there is left alone, however often stubs are requested") {
   const Workshop shop;
   CHECK(shop.stubs() == "new: src/wheels.hpp\nnew: src/wheels.cpp\n");
   CHECK(shop.stubs("--check") == "");
@@ -266,7 +266,7 @@ TEST_CASE("a comment that is not true any more is told by --check, and stays") {
   CHECK(shop.text("src/wheels.cpp") == source);
 }
 
-TEST_CASE("what nothing asks for is reported with its place and stays") {
+TEST_CASE("what nothing requests is reported with its place and stays") {
   const Workshop shop;
   shop.stubs();
   const std::string header = shop.text("src/wheels.hpp"), source = shop.text("src/wheels.cpp");

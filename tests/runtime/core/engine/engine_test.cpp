@@ -116,7 +116,7 @@ TEST_CASE("what changes nobody's chances takes a run and no pass") {
   CHECK(machine.engine().micro_steps() > machine.engine().passes());
 }
 
-TEST_CASE("who is asked for again by itself is decided again where it counts whose orders are outdated") {
+TEST_CASE("who is requested again by itself is decided again where it counts whose orders are outdated") {
   Machine machine(R"(
 behaviour: watch
 language: 1
@@ -392,7 +392,7 @@ TEST_CASE("after a reset all is as at the start") {
   CHECK(machine.step() == first);
 }
 
-TEST_CASE("an observer is told what a run asks for, keeps and gives up, and when it wants to run again") {
+TEST_CASE("an observer is told what a run requests, keeps and gives up, and when it wants to run again") {
   Machine machine("{behaviour: b, language: 1, roots: {A: {}},"
                   " groups: {A: {tasks: {B: {}, C: {}}}, B: {}, C: {}}}");
   machine.requests = true;

@@ -115,7 +115,7 @@ TEST_CASE("root tasks that are requested together come together") {
   CHECK(small.read() == Lines{"fire", "fire", "request 1", "cancel 3"});
 }
 
-TEST_CASE("a task that is asked for twice in one input is there once") {
+TEST_CASE("a task that is requested twice in one input is there once") {
   Small small;
   small.fill();
   CHECK(small.say(Kind::request, {1, 1}));

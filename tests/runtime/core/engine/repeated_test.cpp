@@ -156,7 +156,7 @@ TEST_CASE("another value, or a provider that is disabled, is another situation")
   CHECK(machine.step() == Lines{"run Shared.stand new_task"});
 }
 
-TEST_CASE("which of two equals was asked for first is told from the other order") {
+TEST_CASE("which of two equals was requested first is told from the other order") {
   Machine machine(R"(
 behaviour: equals
 language: 1

@@ -67,9 +67,9 @@ groups:
   Head: {}
 )";
 
-TEST_CASE("what runs says for whom, and what nobody asked for says so") {
+TEST_CASE("what runs says for whom, and what nobody requested says so") {
   Machine machine(robot);
-  CHECK(why(machine, "Legs") == "nobody asks for Legs");
+  CHECK(why(machine, "Legs") == "nothing requests Legs");
   machine.request("Recover");
   machine.step();
   CHECK(why(machine, "Legs") == "Legs runs (Recover>Legs) in default");
@@ -148,12 +148,12 @@ TEST_CASE("without an enabled provider, of the task or of what it needs, that is
   CHECK(why(machine, "Recover") == "Recover waits (root>Recover): no provider of Recover is enabled");
 }
 
-TEST_CASE("what is needed and was not asked for is reserved") {
+TEST_CASE("what is needed and was not requested is reserved") {
   Machine machine(robot);
   machine.body("Recover", [](Run& run) { return run.keep(); });
   machine.request("Recover");
   machine.step();
-  CHECK(why(machine, "Legs") == "Legs is held for a need (Recover>Legs), and was not asked for yet");
+  CHECK(why(machine, "Legs") == "Legs is held for a need (Recover>Legs), and was not requested yet");
   const Holding holding = view_of(machine.engine()).holding(machine.group("Legs"));
   CHECK(holding == Holding{Holding::By::group, machine.group("Recover"), machine.edge("Recover>Legs"), false});
   CHECK(view_of(machine.engine()).holding(machine.group("Recover")).by == Holding::By::program);
@@ -254,7 +254,7 @@ groups:
   machine.request("New");
   machine.engine().set_budget(1);
   machine.step();
-  CHECK(why(machine, "Go") == "Go goes on for nobody: it is kept for who is about to ask for it");
+  CHECK(why(machine, "Go") == "Go goes on without a request: it is kept for what is about to request it");
   CHECK(why(machine, "Feet").find("runs") != std::string::npos);
 }
 
