@@ -23,7 +23,7 @@ void report(const Model& model, const std::vector<ChainStep>& circle, Findings& 
     return;
   }
   dsl::Diagnostic& finding = findings.add(
-      circle[0].span, fmt::format("{}: no plan gets out of this circle", chain_in_words(model, groups, "needs")));
+      circle[0].span, fmt::format("{}: no plan gets out of this cycle", chain_in_words(model, groups, "needs")));
   for (const ChainStep& step : circle) finding.rules_out.push_back(step.span);
   add_chain(model, std::vector<ChainStep>(circle.begin() + 1, circle.end()), finding.notes);
   finding.help = fmt::format("remove one of these needs, or give {} a provider that does without",

@@ -36,7 +36,7 @@ void report(const Input& input, const Circle& circle, Findings& findings) {
   dsl::Diagnostic& finding = findings.add(
       entry(model, circle.last_requester(), groups.back()),
       fmt::format("{}: {} is never granted", chain_in_words(model, groups, "requests"),
-                  circle.is_known ? "that one" : "the one of these that leads back to where the circle was entered"));
+                  circle.is_known ? "that one" : "the one of these that leads back to where the cycle was entered"));
   finding.rules_out = {finding.span}; // which one it is depends on where the circle is entered
   for (std::size_t i = 0; i + 2 < groups.size(); ++i) {
     finding.notes.push_back({entry(model, groups[i], groups[i + 1]),

@@ -44,7 +44,7 @@ struct Contention {
 /// reads.
 inline constexpr std::size_t most_edge_pairs = 1'000'000;
 
-/// Steps around circles of requests, in all: where forty groups all ask for each other nobody reads what comes of it.
+/// Steps athrough cycles of requests, in all: where forty groups all ask for each other nobody reads what comes of it.
 inline constexpr std::size_t most_circle_steps = 4'000'000;
 
 /// What it finds for one question helps it with the next.

@@ -89,7 +89,7 @@ public:
                       "request are.",
                       count, most_compared);
     if (!contentions_.complete())
-      left_out += fmt::format("{}After {} pairs of tasks, or {} steps round circles of requests, no more was looked "
+      left_out += fmt::format("{}After {} pairs of tasks, or {} steps through cycles of requests, no more was looked "
                               "at, so there may be more.",
                               left_out.empty() ? "" : " ", most_edge_pairs, most_circle_steps);
     if (!left_out.empty()) out.add("left_out", Json::text(left_out));
