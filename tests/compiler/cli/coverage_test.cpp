@@ -41,7 +41,7 @@ TEST_CASE("too little that is covered is a failure where a minimum is requested"
   CHECK(world.directorc({"test", "--coverage", "--min", "75", "bright.yaml"}) == 0);
   CHECK(world.err.empty());
   CHECK(world.directorc({"test", "--coverage", "--min=76", "bright.yaml"}) == 1);
-  CHECK(world.err == "directorc: 75 % of lamp.yaml is covered; --min requests 76 %\n");
+  CHECK(world.err == "directorc: 75 % of lamp.yaml is covered; --min requires 76 %\n");
   CHECK(world.directorc({"test", "--min=76", "bright.yaml"}) == 2);
   CHECK(world.err == "directorc test: --min requires --coverage\nTry `directorc test --help`.\n");
   CHECK(world.directorc({"test", "--coverage", "--min=101", "bright.yaml"}) == 2);

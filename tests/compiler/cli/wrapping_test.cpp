@@ -74,7 +74,8 @@ TEST_CASE("on a terminal of 80 columns no line of sentences is wider, and a pipe
   }
   const Ran piped =
       run_command("directorc check '" + (source / "tests/docs/tutorial/4_equal/gardener.yaml").string() + "'", source);
-  CHECK(piped.output.find("who asks first keeps it, and if both ask at once `Tend` does [equal_priority]\n") !=
+  CHECK(piped.output.find(
+            "whichever takes it first keeps it, and if both want it at once `Tend` takes it [equal_priority]\n") !=
         std::string::npos);
 }
 

@@ -124,8 +124,8 @@ TEST_CASE("another number that changes no rank is told as that: who could take a
   const char* const plain = "groups: {Walk: {needs: [Legs]}, Kick: {needs: [Legs]}, Legs: {}}\n";
   CHECK(told(std::string("roots: {Walk: {priority: 10}, Kick: {priority: 20}}\n") + plain,
              std::string("roots: {Walk: {priority: 10}, Kick: {priority: 30}}\n") + plain) ==
-        "priority: the program requests `Kick` with priority 30, before with priority 20; who can take a group from "
-        "whom is as before\n");
+        "priority: the program requests `Kick` with priority 30, before with priority 20; what each can take from the "
+        "others is as before\n");
 }
 
 TEST_CASE("a task that leads to one more group can take that group too") {
