@@ -54,13 +54,13 @@ endfunction()
 function(director_component_together target folder_of_all alone)
   # A local name may be one of another source, but not that of an outer block.
   target_compile_options(${target} PRIVATE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>)
-  director_compile_together(${target} ${folder_of_all} "${alone}" ${ARGN})
+  director_compile_together(${target} 64 ${folder_of_all} "${alone}" ${ARGN})
 endfunction()
 
-# director_compile_together(<target> <component's folder> <sources that stay alone> <source>...): the sources of each folder within the component, with those below
-# it, up to 64 at a time, become one for the compiler. Most of the time that it takes goes into the templates of the standard library, which each
-# source instantiates anew.
-function(director_compile_together target folder_of_all alone)
+# director_compile_together(<target> <most> <component's folder> <sources that stay alone> <source>...): the sources of each folder within the component, with
+# those below it, up to so many at a time, become one for the compiler. Most of the time that it takes goes into the templates of the standard library, which
+# each source instantiates anew.
+function(director_compile_together target most folder_of_all alone)
   set(groups "")
   foreach(source IN LISTS ARGN)
     cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${folder_of_all} OUTPUT_VARIABLE place)
@@ -78,7 +78,7 @@ function(director_compile_together target folder_of_all alone)
     set(number 0)
     while(${group})
       math(EXPR number "${number} + 1")
-      list(SUBLIST ${group} 0 64 few)
+      list(SUBLIST ${group} 0 ${most} few)
       set_source_files_properties(${few} PROPERTIES UNITY_GROUP ${group}${number})
       list(REMOVE_ITEM ${group} ${few})
     endwhile()
