@@ -359,7 +359,7 @@ class soccer::KickTo::Default final : public director::Body<::soccer::detail::Fa
 public:
   using director::Body<detail::Facts<KickTo::Default>>::Body;
 
-  /// Asks for nothing. (planning.yaml:22)
+  /// Requests nothing. (planning.yaml:22)
   director::Outcome stand_by() {
     return Body::ask<detail::Facts<KickTo::Default>::pack_0, 0>();
   }

@@ -2,11 +2,6 @@
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -D FLAGS=<its flags> -P first.cmake
 # The first program of docs/building.md: from a behaviour, with what `directorc stubs --main` writes and nothing else, to a program; then with the lines
 # that the page adds: they show what it decides, and play a scenario.
-find_program(make make)
-if(NOT make)
-  message(STATUS "skipped: this machine has no program for Unix Makefiles")
-  return()
-endif()
 file(REMOVE_RECURSE ${WORK})
 file(COPY ${SOURCE}/ DESTINATION ${WORK})
 set(program ${WORK}/build/lantern)
@@ -27,7 +22,7 @@ function(change file old new)
 endfunction()
 
 run(${CMAKE_COMMAND} -E env DIRECTOR_CLANG=none ${BUILD}/bin/directorc stubs lantern.yaml -o . --main)
-run(${CMAKE_COMMAND} -S . -B build -D Director_DIR=${BUILD}/cmake -D CMAKE_CXX_COMPILER=${COMPILER}
+run(${CMAKE_COMMAND} -S . -B build -G Ninja -D Director_DIR=${BUILD}/cmake -D CMAKE_CXX_COMPILER=${COMPILER}
     "-DCMAKE_CXX_FLAGS=${FLAGS} -Wall -Wextra -Wconversion -Wshadow -Werror")
 run(${CMAKE_COMMAND} --build build)
 
