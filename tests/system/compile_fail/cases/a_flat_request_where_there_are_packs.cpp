@@ -1,6 +1,6 @@
 // Header: runtime/core/behaviour.hpp. Test: itself.
 // SPDX-License-Identifier: MIT
-// Message: this provider has packs: ask for one of them by its name
+// Message: this provider has packs: request one of them by its name
 #include "porter.hpp"
 
 director::Outcome body(porter::Carry::Default& run) {

@@ -1,6 +1,6 @@
 // Header: runtime/core/behaviour.hpp. Test: itself.
 // SPDX-License-Identifier: MIT
-// Message: bring asks for Drive, Grip and Horn only
+// Message: bring requests Drive, Grip and Horn only
 #include "porter.hpp"
 
 director::Outcome body(porter::Carry::Default& run) {
