@@ -76,9 +76,10 @@ private:
     finding.rules_out = {use.span};
     finding.notes.push_back({use.span, fmt::format("{} waits for this", name_of(model_, waiter))});
     for (const ProviderId id : causers) finding.notes.push_back(causes(model_, id, use.id));
-    if (const Task* own = request_of_its_own(model_.providers[waiter].group, causers))
-      finding.notes.push_back({own->span, fmt::format("{} requests {} itself, but only once it runs",
-                                                      name_of(model_, model_.providers[waiter].group), group)});
+    const GroupId waiting = model_.providers[waiter].group;
+    if (const Span own = request_span(model_, waiting, model_.providers[causer].group); own != Span{})
+      finding.notes.push_back(
+          {own, fmt::format("{} requests {} itself, but only once it runs", name_of(model_, waiting), group)});
     for (std::size_t i = 1; i < chain.size(); ++i)
       finding.notes.push_back(
           {chain[i]->span, fmt::format("{} is requested here, without {}", name_of(model_, chain[i]->target), group)});
@@ -97,19 +98,6 @@ private:
             : fmt::format(
                   "request {} too, `apart` and with a lower priority here, or above: a push never starts a group",
                   group);
-  }
-
-  /// What waits asks for who could end that; nothing: it does not.
-  const Task* request_of_its_own(GroupId waiting, const std::vector<ProviderId>& causers) const {
-    const GroupId causing = model_.providers[causers.front()].group;
-    for (const ProviderId id : model_.groups[waiting].providers) {
-      for (const Pack& pack : model_.providers[id].packs) {
-        for (const Task& task : pack.tasks) {
-          if (task.target == causing) return &task;
-        }
-      }
-    }
-    return nullptr;
   }
 
   /// In a pack it would be granted only together with what waits, as no entry of it stands alone yet.

@@ -44,8 +44,7 @@ void report(const Model& model, const EqualPair& pair, Findings& findings) {
                         "and then each waits for the other",
                         first, second, name_of(model, mutual_wait->held), wanted)
           : fmt::format("{0} and {1} have equal rank and may both want {2}: whichever takes it first keeps it, and if "
-                        "both want "
-                        "it at once {0} takes it",
+                        "both want it at once {0} takes it",
                         first, second, wanted));
   finding.notes.push_back(
       {meeting.first->span,

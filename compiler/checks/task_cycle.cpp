@@ -1,45 +1,26 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/task_cycle.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace director::checks {
 
 namespace {
-
-/// Where one group asks for another, first with a mandatory level.
-Span entry(const Model& model, GroupId from, GroupId to) {
-  Span first{};
-  for (const ProviderId provider : model.groups[from].providers) {
-    for (const Pack& pack : model.providers[provider].packs) {
-      for (const Task& task : pack.tasks) {
-        if (task.target != to) continue;
-        const std::vector<Level>& levels = model.edges[task.edge].levels;
-        if (std::any_of(task.levels.begin(), task.levels.end(),
-                        [&](const Task::NamedLevel& named) { return !levels[named.level].optional; }))
-          return task.span;
-        if (first == Span{}) first = task.span;
-      }
-    }
-  }
-  return first;
-}
 
 void report(const Input& input, const Circle& circle, Findings& findings) {
   const Model& model = input.model;
   const std::vector<GroupId>& groups = circle.groups;
   dsl::Diagnostic& finding = findings.add(
-      entry(model, circle.last_requester(), groups.back()),
+      request_span(model, circle.last_requester(), groups.back()),
       fmt::format("{}: {} is never granted", chain_in_words(model, groups, "requests"),
                   circle.is_known ? "that one" : "the one of these that leads back to where the cycle was entered"));
   finding.rules_out = {finding.span}; // which one it is depends on where the circle is entered
   for (std::size_t i = 0; i + 2 < groups.size(); ++i) {
-    finding.notes.push_back({entry(model, groups[i], groups[i + 1]),
+    finding.notes.push_back({request_span(model, groups[i], groups[i + 1]),
                              fmt::format("{} requests {}", name_of(model, groups[i]), name_of(model, groups[i + 1])),
                              i == 0 ? dsl::Note::Link::first : dsl::Note::Link::next});
     finding.rules_out.push_back(finding.notes.back().span);
@@ -48,8 +29,8 @@ void report(const Input& input, const Circle& circle, Findings& findings) {
 }
 
 void report_loop(const Input& input, GroupId group, Findings& findings) {
-  dsl::Diagnostic& finding =
-      findings.add(entry(input.model, group, group), fmt::format("{} requests itself", name_of(input.model, group)));
+  dsl::Diagnostic& finding = findings.add(request_span(input.model, group, group),
+                                          fmt::format("{} requests itself", name_of(input.model, group)));
   finding.rules_out = {finding.span};
   finding.help = "a task goes on with another pack; it cannot request itself";
 }

@@ -99,40 +99,36 @@ private:
     return std::any_of(second.begin(), second.end(), is_in_first);
   }
 
-  /// The member itself: also where the other one would ask for it, that one does so only once it runs.
+  /// The member itself: also where the other one requests it, that one does so only once it runs.
   bool sets_what_it_waits_for(GroupId member, GroupId waiting) const {
-    const Model& model = input_.model;
-    return any_use(waiting, [&](const ConditionUse& use) {
-      const Condition& condition = model.conditions[use.id];
-      const std::vector<Source>& all = sources_[condition.state];
-      return std::any_of(all.begin(), all.end(), [&](const Source& source) {
-        return source.provider && model.providers[*source.provider].group == member &&
-               !source.values.intersected(condition.accepts).empty();
-      });
-    });
-  }
-
-  /// Of what the group waits for, and what it needs.
-  template <class Is>
-  bool any_use(GroupId waiting, Is&& is) const {
-    const std::vector<GroupId>& needed = input_.shared.units().needed(waiting);
-    return std::any_of(needed.begin(), needed.end(), [&](GroupId group) {
-      const std::vector<ProviderId>& all = input_.model.groups[group].providers;
-      return std::any_of(all.begin(), all.end(), [&](ProviderId id) {
-        const std::vector<ConditionUse>& uses = input_.model.providers[id].when;
-        return std::any_of(uses.begin(), uses.end(), is);
-      });
-    });
+    const auto is_its_own = [&](const Source& source) {
+      return source.provider && input_.model.providers[*source.provider].group == member;
+    };
+    for (const GroupId group : input_.shared.units().needed(waiting)) {
+      for (const ProviderId id : input_.model.groups[group].providers) {
+        for (const ConditionUse& use : input_.model.providers[id].when) {
+          if (any_source(input_.model.conditions[use.id], is_its_own)) return true;
+        }
+      }
+    }
+    return false;
   }
 
   /// It, or something that it leads to.
   bool could_satisfy(GroupId member, const Condition& condition) const {
     const std::vector<GroupId>& below = input_.shared.claims(member).groups();
+    return any_source(condition, [&](const Source& source) {
+      const auto by = source.provider ? std::optional(input_.model.providers[*source.provider].group) : source.group;
+      return by && std::binary_search(below.begin(), below.end(), *by);
+    });
+  }
+
+  /// Of those that may set a value that the condition accepts.
+  template <class Is>
+  bool any_source(const Condition& condition, const Is& is) const {
     const std::vector<Source>& all = sources_[condition.state];
     return std::any_of(all.begin(), all.end(), [&](const Source& source) {
-      const auto by = source.provider ? std::optional(input_.model.providers[*source.provider].group) : source.group;
-      return by && std::binary_search(below.begin(), below.end(), *by) &&
-             !source.values.intersected(condition.accepts).empty();
+      return is(source) && !source.values.intersected(condition.accepts).empty();
     });
   }
 

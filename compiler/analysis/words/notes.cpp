@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
@@ -45,6 +46,23 @@ void add_chain(const Model& model, const std::vector<ChainStep>& chain, std::vec
                      begins});
     begins = Note::Link::next;
   }
+}
+
+Span request_span(const Model& model, GroupId from, GroupId to) {
+  Span first{};
+  for (const ProviderId provider : model.groups[from].providers) {
+    for (const Pack& pack : model.providers[provider].packs) {
+      for (const Task& task : pack.tasks) {
+        if (task.target != to) continue;
+        const std::vector<Level>& levels = model.edges[task.edge].levels;
+        if (std::any_of(task.levels.begin(), task.levels.end(),
+                        [&](const Task::NamedLevel& named) { return !levels[named.level].optional; }))
+          return task.span;
+        if (first == Span{}) first = task.span;
+      }
+    }
+  }
+  return first;
 }
 
 dsl::Note causes(const Model& model, ProviderId causer, ConditionId condition) {

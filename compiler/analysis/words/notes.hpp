@@ -15,6 +15,9 @@ namespace director::analysis {
 void add_chain(const Model& model, const std::vector<ChainStep>& chain, std::vector<dsl::Note>& notes,
                dsl::Note::Link begins = dsl::Note::Link::first);
 
+/// Where one group requests another, first with a mandatory level; `Span{}`: it does not.
+dsl::Span request_span(const Model& model, GroupId from, GroupId to);
+
 /// The provider promises what satisfies the condition.
 dsl::Note causes(const Model& model, ProviderId causer, ConditionId condition);
 
