@@ -4,10 +4,10 @@
 
 namespace {
 
-constexpr std::size_t what_width = 8, who_width = 12;
+constexpr std::size_t what_width = 9, who_width = 12;
 
 std::string_view colour_of(std::string_view what) {
-  if (what == "sensed" || what == "expired" || what == "asked") return "\033[36m";
+  if (what == "sensed" || what == "expired" || what == "requested" || what == "cancelled") return "\033[36m";
   if (what == "waits" || what == "pushed") return "\033[33m";
   if (what == "takes" || what == "fault" || what == "broken" || what == "refused") return "\033[31m";
   if (what == "done" || what == "failed" || what == "set") return "\033[32m";

@@ -92,8 +92,8 @@ void Timeline::input(const Event& event) {
   switch (event.input) {
   case Event::Input::set: return change(event, "sensed", "");
   case Event::Input::expire: expiring_ = event.state; return;
-  case Event::Input::request: return line(event.time, "asked", task(), "by the program");
-  case Event::Input::cancel: return line(event.time, "asked", task(), "by the program, no longer");
+  case Event::Input::request: return line(event.time, "requested", task(), "by the program");
+  case Event::Input::cancel: return line(event.time, "cancelled", task(), "by the program");
   default: return;
   }
 }

@@ -52,29 +52,29 @@ void check_order(std::string_view text, const std::vector<std::string_view>& par
 }
 
 const std::vector<std::string_view> story{
-    "runs      WalkToBall    striding",
-    "runs      Walk          walking, for WalkTo",
-    "pushed    Walk          to halting, as Kick waits for Stability == standing",
-    "runs      Walk          halting, pushed",
-    "set       Stability     standing, by Walk",
-    "takes     Kick          LeftLeg, RightLeg from Walk",
-    "stops     Walk",
-    "runs      Kick",
-    "done      Kick",
-    "starts    Walk",
-    "sensed    Stability     falling",
-    "runs      FallRecovery  protecting",
-    "takes     Brace         LeftArm, RightArm, LeftLeg, RightLeg from Walk",
-    "stops     Walk",
-    "sensed    Stability     fallen",
-    "runs      GetUp         tucking",
-    "runs      GetUp         pushing",
-    "runs      GetUp         rising",
-    "done      GetUp",
-    "runs      FallRecovery  watching",
-    "starts    Walk",
-    "pushed    Walk          to halting",
-    "takes     Kick          LeftLeg, RightLeg from Walk",
+    "runs       WalkToBall    striding",
+    "runs       Walk          walking, for WalkTo",
+    "pushed     Walk          to halting, as Kick waits for Stability == standing",
+    "runs       Walk          halting, pushed",
+    "set        Stability     standing, by Walk",
+    "takes      Kick          LeftLeg, RightLeg from Walk",
+    "stops      Walk",
+    "runs       Kick",
+    "done       Kick",
+    "starts     Walk",
+    "sensed     Stability     falling",
+    "runs       FallRecovery  protecting",
+    "takes      Brace         LeftArm, RightArm, LeftLeg, RightLeg from Walk",
+    "stops      Walk",
+    "sensed     Stability     fallen",
+    "runs       GetUp         tucking",
+    "runs       GetUp         pushing",
+    "runs       GetUp         rising",
+    "done       GetUp",
+    "runs       FallRecovery  watching",
+    "starts     Walk",
+    "pushed     Walk          to halting",
+    "takes      Kick          LeftLeg, RightLeg from Walk",
 };
 
 } // namespace
@@ -95,7 +95,7 @@ TEST_CASE("for ten minutes of any game the robot kicks again and again") {
   for (const char* seed : {"4", "8", "21"}) {
     const std::string text = game("bin/soccer", std::string("--seconds 600 --seed ") + seed);
     std::size_t kicks = 0;
-    for (std::size_t at = 0; (at = text.find("runs      Kick ", at)) != std::string::npos; ++at) ++kicks;
+    for (std::size_t at = 0; (at = text.find("runs       Kick ", at)) != std::string::npos; ++at) ++kicks;
     CHECK(kicks > 30);
     CHECK_FALSE(has(text, "broken"));
   }
@@ -103,11 +103,11 @@ TEST_CASE("for ten minutes of any game the robot kicks again and again") {
 
 TEST_CASE("without the promise of halting there is no push, and no kick") {
   const std::string text = game("tests/bin/soccer_without_promise", "");
-  CHECK(has(text, "waits     Kick          for Stability == standing"));
-  CHECK(has(text, "runs      Walk          walking"));
+  CHECK(has(text, "waits      Kick          for Stability == standing"));
+  CHECK(has(text, "runs       Walk          walking"));
   CHECK_FALSE(has(text, "pushed"));
   CHECK_FALSE(has(text, "halting"));
-  CHECK_FALSE(has(text, "runs      Kick "));
+  CHECK_FALSE(has(text, "runs       Kick "));
   CHECK(has(text, ": 0 kicks, 0 goals."));
   CHECK(has(text, " runs, 0 pushes, "));
 }

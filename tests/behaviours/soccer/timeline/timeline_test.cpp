@@ -144,15 +144,15 @@ TEST_CASE("a kick interrupts the walk softly, and the timeline says how") {
   told.run(kick, kicks);
   told.at(700'000);
   told.simply(Kind::done, kick);
-  CHECK(told.text() == "   0.00 s  starts    Walk\n"
-                       "   0.00 s  runs      Walk          walking\n"
-                       "   0.50 s  pushed    Walk          to halting, as Kick waits for Pose == standing\n"
-                       "   0.50 s  runs      Walk          halting, pushed\n"
-                       "   0.50 s  set       Pose          standing, by Walk\n"
-                       "   0.50 s  takes     Kick          Legs from Walk\n"
-                       "   0.50 s  stops     Walk\n"
-                       "   0.50 s  runs      Kick\n"
-                       "   0.70 s  done      Kick\n"
+  CHECK(told.text() == "   0.00 s  starts     Walk\n"
+                       "   0.00 s  runs       Walk          walking\n"
+                       "   0.50 s  pushed     Walk          to halting, as Kick waits for Pose == standing\n"
+                       "   0.50 s  runs       Walk          halting, pushed\n"
+                       "   0.50 s  set        Pose          standing, by Walk\n"
+                       "   0.50 s  takes      Kick          Legs from Walk\n"
+                       "   0.50 s  stops      Walk\n"
+                       "   0.50 s  runs       Kick\n"
+                       "   0.70 s  done       Kick\n"
                        "      ...  4 runs: Walk 2, Kick 1, Legs 1\n");
   CHECK(told.timeline.counts().runs == 4);
   CHECK(told.timeline.counts().pushes == 1);
@@ -170,9 +170,9 @@ TEST_CASE("what nobody wants any more is got, not taken") {
   told.simply(Kind::lose, kick);
   told.grant(walk, root_walk);
   told.grant(legs, walk_legs, kick_legs);
-  CHECK(told.text() == "   0.00 s  runs      Kick\n"
-                       "   0.00 s  ends      Kick\n"
-                       "   0.00 s  gets      Walk          Legs from Kick\n"
+  CHECK(told.text() == "   0.00 s  runs       Kick\n"
+                       "   0.00 s  ends       Kick\n"
+                       "   0.00 s  gets       Walk          Legs from Kick\n"
                        "      ...  1 runs: Kick 1\n");
   CHECK(told.timeline.counts().take_overs == 0);
 }
@@ -189,10 +189,10 @@ TEST_CASE("runs of what runs already, of limbs and of servos are only counted, a
   told.at(1'200'000);
   told.run(legs, moves_legs);
   told.run(walk, halting);
-  CHECK(told.text() == "   0.00 s  runs      Walk          walking\n"
-                       "   0.00 s  done      Walk\n"
+  CHECK(told.text() == "   0.00 s  runs       Walk          walking\n"
+                       "   0.00 s  done       Walk\n"
                        "      ...  9 runs: Walk 5, Servo 3, Legs 1\n"
-                       "   1.20 s  runs      Walk          halting\n");
+                       "   1.20 s  runs       Walk          halting\n");
 }
 
 TEST_CASE("a state is told when it changes, with where the change comes from") {
@@ -208,10 +208,10 @@ TEST_CASE("a state is told when it changes, with where the change comes from") {
   told.set(Kind::set, director::unset);
   told.at(30'000);
   told.set(Kind::set, 1);
-  CHECK(told.text() == "   0.00 s  sensed    Pose          moving\n"
-                       "   0.00 s  runs      Walk          walking\n"
-                       "   0.02 s  expired   Pose          unset\n"
-                       "   0.03 s  set       Pose          standing\n"
+  CHECK(told.text() == "   0.00 s  sensed     Pose          moving\n"
+                       "   0.00 s  runs       Walk          walking\n"
+                       "   0.02 s  expired    Pose          unset\n"
+                       "   0.03 s  set        Pose          standing\n"
                        "      ...  1 runs: Walk 1\n");
 }
 
@@ -227,11 +227,11 @@ TEST_CASE("faults are told and counted") {
   told.simply(Kind::exhausted, nil);
   told.next(Kind::lost, nil).count = 3;
   told.tell();
-  CHECK(told.text() == "   0.00 s  broken    Walk          promise of halting\n"
-                       "   0.00 s  fault     Kick\n"
-                       "   0.00 s  refused   Pose          standing, which Walk does not declare\n"
-                       "   0.00 s  fault                   too many micro-steps in one step\n"
-                       "   0.00 s  fault                   3 inputs lost\n");
+  CHECK(told.text() == "   0.00 s  broken     Walk          promise of halting\n"
+                       "   0.00 s  fault      Kick\n"
+                       "   0.00 s  refused    Pose          standing, which Walk does not declare\n"
+                       "   0.00 s  fault                    too many micro-steps in one step\n"
+                       "   0.00 s  fault                    3 inputs lost\n");
   CHECK(told.timeline.counts().faults == 4);
 }
 
@@ -239,5 +239,5 @@ TEST_CASE("colours are for terminals, and stay around one word") {
   Told told{true};
   told.at(61'000'000);
   told.set(Kind::input, 1);
-  CHECK(told.text() == "  61.00 s  \033[36msensed  \033[0m  Pose          standing\n");
+  CHECK(told.text() == "  61.00 s  \033[36msensed   \033[0m  Pose          standing\n");
 }
