@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What becomes of a unit, whether it gets what it asks for or not. docs/semantics.md, section 4.4, Grant and Refuse.
+// Whether a unit is granted or refused. docs/semantics.md, section 4.4, Grant and Refuse.
 
 #include "runtime/core/arbitration/context.hpp"
 #include "runtime/core/arbitration/order.hpp"
@@ -20,14 +20,14 @@ void block_alone(Context& x, Index edge);
 DIRECTOR_PART void refuse(Context& x, Index count);
 void explain(Context& x, Index count, Why why, Index condition = nil);
 
-/// For this very edge, or for the first time.
+/// Claims a group that is free, or that this edge has claimed already.
 DIRECTOR_ONE_COPY inline void claim(Context& x, Index group, Index edge) {
   if (!is_opened(x, group)) open(x, group);
   GroupAssignment& now = x.s.now[group];
-  now.holder = edge; // it is free, or held by this very edge
+  now.holder = edge;
 }
 
-/// The target of an edge, which is claimed, runs in the provider chosen.
+/// Marks the target of an edge, which is claimed, as granted with this provider.
 DIRECTOR_ONE_COPY inline void now_granted(Context& x, Index edge, Index provider) {
   const Index group = x.t.edges[edge].target;
   GroupAssignment& now = x.s.now[group];
@@ -35,7 +35,7 @@ DIRECTOR_ONE_COPY inline void now_granted(Context& x, Index edge, Index provider
   now.active = now.planned = provider;
   now.flags |= flag::granted;
   x.s.queued[edge] = Queued{};
-  if (x.t.groups[group].edges.empty()) return; // whether its orders are outdated matters to nobody
+  if (x.t.groups[group].edges.empty()) return; // no decision depends on whether it is stale
   if (!x.s.run_queue[group].pending.has(reason::outdating) && x.s.anew[edge] == 0 && edge == last.holder &&
       provider == last.active)
     return;

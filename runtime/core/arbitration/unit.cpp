@@ -1,5 +1,5 @@
-// docs/semantics.md, section 4.4: units. What a group that is claimed asks for and needs stands ahead in the walk; the
-// members of a unit get what they ask for together or not at all. SPDX-License-Identifier: MIT
+// docs/semantics.md, section 4.4: units. The requests and needs of a claimed group come next in the walk.
+// SPDX-License-Identifier: MIT
 
 #include "runtime/core/arbitration/availability.hpp"
 #include "runtime/core/arbitration/choices.hpp"
@@ -18,7 +18,7 @@ namespace director::arbitration {
 
 namespace {
 
-/// Puts the edge before its siblings on the stack. False: it does not go before the sibling that was put there last.
+/// Puts the edge on the stack of the walk. False: it does not go before the sibling that was put there last.
 bool look_ahead_to(Context& x, Index edge, Index base) {
   const bool in_order =
       x.ahead == base || compare_siblings(x, {edge, false}, {x.s.candidate[x.ahead - 1], false}, true) < 0;
@@ -28,8 +28,8 @@ bool look_ahead_to(Context& x, Index edge, Index base) {
 
 } // namespace
 
-/// Puts the edges of a group that was placed on the stack of the walk. A group that is held for a need only asks for
-/// its pack while it is stale, and no longer.
+/// Puts the edges of a placed group on the stack of the walk. Requests of a group that is only needed count while it is
+/// stale.
 void look_ahead(Context& x, Index group) {
   const Index source = stale_source(x, group);
   const bool is_stale = source != up_to_date, asks = is_stale || x.s.now[group].granted();
@@ -41,7 +41,7 @@ void look_ahead(Context& x, Index group) {
   x.s.group_trail[group] |= known;
   const Index base = x.ahead;
   Index together = 0, member = nil;
-  bool in_order = true, counts = false; // that the orders are outdated
+  bool in_order = true, counts = false; // whether the group is stale
   const Range edges = x.t.groups[group].edges;
   for (Index e = edges.end; e != edges.begin;) {
     --e;
@@ -66,7 +66,7 @@ void look_ahead(Context& x, Index group) {
         continue;
       }
     }
-    counts = counts || !x.s.now[group].granted(); // it asks for this no longer than it is stale
+    counts = counts || !x.s.now[group].granted(); // this request counts only while it is stale
     const Level& row = x.t.levels[level];
     std::uint8_t all = marks;
     if (row.optional || row.apart || injected(Fault::members_for_themselves)) {
@@ -90,8 +90,7 @@ void look_ahead(Context& x, Index group) {
   });
 }
 
-/// The members of a unit, in order, the first of which is this one; the others stand ahead. Below a stale group each is
-/// tried for itself.
+/// Tries the unit whose first member is this edge; others are on the stack. Below a stale group each is a unit.
 void try_unit(Context& x, Index edge, bool outdated) {
   Index count = 0;
   x.s.unit[count++] = edge;

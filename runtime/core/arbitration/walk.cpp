@@ -1,4 +1,4 @@
-// docs/semantics.md, section 4.4: which candidate is tried next.
+// docs/semantics.md, section 4.4: the candidate that is tried next.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/arbitration/walk.hpp"
@@ -13,8 +13,8 @@ namespace director::arbitration {
 
 namespace {
 
-/// It was granted, and is granted again without a search: it has one provider, without conditions and needs, and its
-/// target is free.
+/// Whether the edge is granted again without a search: the target is free, and has one provider without conditions or
+/// needs.
 inline bool runs_on(const Context& x, Index edge) {
   const Index group = x.t.edges[edge].target;
   return is_opened(x, group) && x.t.groups[group].simple && !x.t.groups[group].conditional && runs_for_now(x, edge) &&
@@ -28,7 +28,7 @@ inline void try_alone(Context& x, Index edge, bool outdated) {
   end_decision(x, 1);
 }
 
-/// The group is the next one of the new order, and what it asks for or needs comes next in the walk.
+/// Puts the group next in the new order; its requests and needs come next in the walk.
 inline void place(Context& x, Index group) {
   ++x.work;
   if (x.s.last[group].holder != nil) ++x.inherited;
@@ -90,9 +90,8 @@ void visit_root(Context& x, Index edge) {
   visit(x, edge, static_cast<std::uint8_t>(x.s.edge_marks[edge] | mark::alone));
 }
 
-/// Tries candidates, the first in order first, until none is left, and puts down who is claimed in the order in which
-/// the edges stand. Below a mandatory edge that order is the tree's: an edge, all that is below it, its next sibling.
-/// What is optional waits until all else was tried.
+/// Tries candidates in order until none is left, and puts the claimed groups into the new order. Below a mandatory edge
+/// this is an edge, all below it, its next sibling. Optional candidates wait until all others were tried.
 void sweep(Context& x) {
   Index root = x.s.first_root[x.component];
   for (; root != nil && !optional(x, root); root = x.s.next_root[root]) {
@@ -105,7 +104,7 @@ void sweep(Context& x) {
   if (root != nil || x.postponed != 0) sweep_optional(x, root);
 }
 
-/// What is in limbo, after all else.
+/// Tries the candidates below a group in limbo, after all others.
 void sweep_below(Context& x, Index group) {
   place(x, group);
   walk_on(x);

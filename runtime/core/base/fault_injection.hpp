@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Faults that can be planted in the engine, to see that the random tests of tests/property find every one of them. In a
-// product injected() is false while compiling, and nothing of it is left. tests/planted builds the engine with
+// Faults that can be planted in the engine, to test that the random tests of tests/property find each of them. In a
+// product injected() is false at compile time, and no code of a fault is left. tests/planted builds the engine with
 // DIRECTOR_FAULT_INJECTION and chooses one at a time.
 
 namespace director {
@@ -40,11 +40,11 @@ enum class Fault : unsigned char {
   unwanted_needs_live_on,
   a_lost_state_is_nobodys_concern,
   done_outlives_a_new_task,
-  // What has to be decided again (act.cpp): of the changes this is overlooked
+  // A change that should cause a new decision is overlooked (act.cpp).
   who_is_stale_is_overlooked,
   conditions_are_overlooked,
   enabling_is_overlooked,
-  // and of what reaches units (trail.cpp): a pass overlooks this
+  // A pass overlooks a dependence of units (trail.cpp).
   other_members_are_overlooked,
   units_stay_in_place,
   what_is_below_is_overlooked,
@@ -58,7 +58,7 @@ enum class Fault : unsigned char {
   the_last_result_is_overlooked,
   lost_needs_are_overlooked,
   what_is_always_decided_is_overlooked,
-  // and of what follows from a decision (act.cpp)
+  // A consequence of a decision is overlooked (act.cpp).
   handlers_are_overlooked,
   the_order_stays,
   who_stands_as_before_is_overlooked,

@@ -1,10 +1,9 @@
 // docs/semantics.md, sections 3 and 5: after every micro-step, arbitrate and act on the difference.
 // SPDX-License-Identifier: MIT
 //
-// Arbitration is a pass, but only over the components whose result can be another one than the last: those with a
-// changed input, those whose last pass may decide differently on its own result, and those in which it counts whose
-// orders are outdated, when that has changed (pass.hpp). Everything else stays as it is, and only groups that gained a
-// reason to run have to be looked at.
+// Arbitration is a pass over the components whose result may differ: those with a changed input, those whose last pass
+// may decide differently on its own result, and those that depend on which groups are stale, when that has changed
+// (pass.hpp). Others keep their assignment, and only groups that got a reason to run are examined.
 
 #include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/engine/notes.hpp"
@@ -35,8 +34,8 @@ void Engine::arbitrate() {
   forget_work();
 }
 
-/// Does the new assignment differ from the last one? Where holders, providers, grants or pushes do, there is one more
-/// arbitration when nothing else is left to do. `stops`: a group is not live any more.
+/// Whether the new assignment of the component differs from the last one. If holders, providers, grants or pushes do,
+/// arbitration is repeated at rest. `stops`: a group is not live any more.
 bool Engine::changed(Index component, bool& stops) {
   const Index before = differing_;
   const bool plans = arbitration::alternatives(x_, component);
@@ -54,8 +53,8 @@ bool Engine::changed(Index component, bool& stops) {
   return differing_ != before;
 }
 
-/// First stops, in the old order, so that a group is cleaned up before others begin; then, in the new one, starts and
-/// reasons to run. The new assignment becomes the last one.
+/// Acts on the difference: first stops, in the old order, so that groups clean up before others start; then, in the new
+/// order, starts and reasons to run. The new assignment becomes the last one.
 void Engine::act(Index passes, bool stops) {
   Counters& c = *x_.s.counters;
   for (Index i = 0; i < passes && observed(); ++i) report_decisions(x_.s.work[i]);
@@ -74,7 +73,7 @@ void Engine::act(Index passes, bool stops) {
   }
 }
 
-/// Nothing was arbitrated, so nothing starts, stops or changes hands: only what is granted can gain a reason to run.
+/// Acts without arbitration: nothing starts, stops or changes hands; granted groups can get a reason to run.
 void Engine::act_on_touched() {
   Counters& c = *x_.s.counters;
   if (c.touched_count != 1) return act_on_all_touched();
@@ -121,7 +120,7 @@ void Engine::stop_group(Index group) {
   }
 }
 
-/// Why a group that is granted is to run, but for what is asked for anew.
+/// The reasons to run of a granted group that follow from its assignment.
 std::uint8_t Engine::reasons(const GroupAssignment& last, const GroupAssignment& now) {
   std::uint8_t bits = 0;
   const bool handed_on = last.holder != now.holder && !injected(Fault::a_new_holder_is_no_news);
@@ -133,7 +132,7 @@ std::uint8_t Engine::reasons(const GroupAssignment& last, const GroupAssignment&
   return bits;
 }
 
-/// To one of these groups.
+/// Adds the reasons of one of these groups, and calls its start handler if it became live.
 void Engine::give_reasons(Index group) {
   const GroupAssignment &now = x_.s.now[group], &last = x_.s.last[group];
   if (x_.s.run_queue[group].flags.has(group_flag::ends)) begin_what_it_has(group);
@@ -144,7 +143,7 @@ void Engine::give_reasons(Index group) {
   queue().enter(group);
 }
 
-/// Runs of groups that are not granted leave the queue; what is pending stays.
+/// Adopts the new assignment. A group that is not granted leaves the run queue; its pending reasons stay.
 inline void Engine::adopt(Index group) {
   if (!x_.s.now[group].granted() && !injected(Fault::who_leaves_stays_queued)) queue().leave(group);
   x_.s.group_marks[group].remove(mark::differs);

@@ -1,4 +1,4 @@
-// docs/bounds.md: what becomes of the data of tasks when they are requested.
+// docs/bounds.md: moves the data of tasks when they are requested.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/engine/notes.hpp"
@@ -15,7 +15,7 @@ bool Engine::take_request_with_data(const Input& record) {
   return false;
 }
 
-/// The data of a new request take their slot. What was there is kept for a group that still lives on it.
+/// Moves the data of a new request to the slot of its edge. Data there that a group still uses are retained.
 void Engine::settle_data(Index edge) {
   const Index group = x_.t.edges[edge].target;
   const bool given = granted(group) && x_.s.last[group].holder == edge;

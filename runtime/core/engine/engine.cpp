@@ -1,4 +1,4 @@
-// docs/semantics.md, section 6: what is asked from outside a micro-step, and what bodies and handlers see and ask for.
+// docs/semantics.md, section 6: the state between micro-steps, and the contexts of bodies and handlers.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/engine/engine.hpp"
@@ -19,7 +19,8 @@ Engine::Engine(const Tables& tables, const State& memory, const Bodies& bodies, 
 void Engine::reset() {
   passes_ = 0;
   const State& s = x_.s;
-  for (auto* at = reinterpret_cast<std::byte*>(s.counters); at != s.end; ++at) *at = {}; // below, what is not 0
+  for (auto* at = reinterpret_cast<std::byte*>(s.counters); at != s.end; ++at)
+    *at = {}; // members that are not 0 follow
   *s.counters = {};
   timers_.clear();
   for (Index i = 0; i < x_.t.states.size(); ++i) {
@@ -72,8 +73,8 @@ bool Engine::said(Index edge, std::uint8_t answer) const {
   return x_.s.run_queue[x_.t.edges[edge].target].done.has(answer) && state(edge) == RunState::running;
 }
 
-/// Where the data of the task are that the group was given last. A start handler may be called for a request of this
-/// very micro-step, whose data are settled after the act.
+/// Where the data of the task are that the group got last. A start handler may be called for a request of this
+/// micro-step, whose data are settled after the act.
 DataPlace Engine::data_of(Index group) const {
   const Index edge = x_.s.data_from[group];
   if (edge == nil) return {DataPlace::Slot::group, group};
@@ -81,7 +82,7 @@ DataPlace Engine::data_of(Index group) const {
   return {DataPlace::Slot::edge, edge};
 }
 
-// What a body sees and asks for.
+// The functions of a body's context.
 
 Time Run::now() const { return engine_.now(); }
 RunState Run::state(Index edge) const { return engine_.state(edge); }

@@ -1,4 +1,4 @@
-// docs/semantics.md, section 6: what an observer is told. Without one nothing of it is linked.
+// docs/semantics.md, section 6: events for an observer. Without one, no code here is linked.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/engine/engine.hpp"
@@ -37,7 +37,7 @@ void Engine::report_begin() const {
   }
 }
 
-/// And which states the run sets, those among them that have the value already.
+/// Reports the answer, and the states that the run sets, including those that have the value already.
 void Engine::report_answer(Index group, Index provider, Outcome::Kind outcome, std::uint16_t pack) const {
   if (outcome != Outcome::Kind::pack) pack = 0;
   tell({.kind = Kind::answer, .group = group, .provider = provider, .outcome = outcome, .pack = pack});
@@ -64,7 +64,7 @@ void Engine::report_timer(Timers::Timer timer) const {
   tell({.input = Event::Input::within, .group = x_.t.providers[provider].group, .provider = provider});
 }
 
-/// Since the step before.
+/// Reports the inputs lost since the last step.
 void Engine::report_lost() {
   const std::uint32_t so_far = inbox_.lost();
   tell({.kind = Kind::lost, .count = so_far - std::exchange(told_lost_, so_far)});
@@ -114,7 +114,7 @@ void Engine::report_decisions(Index component) const {
   }
 }
 
-/// What only an observer wants to know: why everything was queued before.
+/// Remembers, for an observer, why each request was queued before.
 void Engine::remember_queued(Index component) {
   for (const Index e : x_.t.list(x_.t.components[component].edges)) x_.s.last_queued[e] = x_.s.queued[e];
 }

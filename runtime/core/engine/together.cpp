@@ -1,8 +1,8 @@
 // docs/semantics.md, section 7: inputs of several records, which are taken together.
 // SPDX-License-Identifier: MIT
 //
-// In overflow slots the records of one input are published from the last to the first, the leader, and all places are
-// reserved before: who sees a record whose leader is still to come leaves it where it is.
+// In overflow slots the records of one input are published from the last to the first, the leader, after all places are
+// reserved: a reader that sees a record whose leader is still missing leaves it in its slot.
 
 #include "runtime/core/engine/inbox.hpp"
 
@@ -14,7 +14,7 @@ void link(std::span<Input> records) {
   for (std::size_t i = 0; i + 1 < records.size(); ++i) records[i].more = true;
 }
 
-/// The writer published it before the first one.
+/// The next record is there: the writer published it before the first one.
 const Input* Inbox::take_more() {
   if (!by_slot_) return take_cell() ? &record_ : nullptr;
   OverflowSlot* const next = first_of(given_->in_hand().ticket);
@@ -28,7 +28,7 @@ bool Inbox::post_in_turn(std::span<const Input> records) {
 
 void Inbox::reserve(std::span<Input> records) {
   for (std::size_t i = 0; i < records.size(); ++i) {
-    const Index slot = records[i].thing; // asked twice, the last one counts
+    const Index slot = records[i].thing; // of two requests for one task, the last one counts
     const bool again = any(records.subspan(i + 1), [&](const Input& later) { return later.thing == slot; });
     records[i].handle = !again && slot < slots_.size() ? reserve(slot) : nil;
   }
@@ -48,8 +48,7 @@ void Inbox::publish(std::span<const Input> records) {
   }
 }
 
-/// Back into its slot, if the rest of its input is about to be published. A later record may have come meanwhile; then
-/// this one is forgotten.
+/// Puts a record back if the rest of its input is about to be published. If a later one has come, this one is lost.
 void Inbox::wait_for_leader(OverflowSlot& slot) {
   using PlaceState = OverflowSlot::PlaceState;
   const OverflowSlot::Note& note = slot.in_hand();

@@ -1,4 +1,4 @@
-// The answers of why.cpp as sentences.
+// The explanations of why.cpp as sentences.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/inspect/why.hpp"
