@@ -56,14 +56,14 @@ public:
       return put(records[0], records[0].thing);
     }
     Input* input = records.data();
-    const bool room = (wait(task, *input) && ... && wait(more, *++input));
+    const bool room = (store_data(task, *input) && ... && store_data(more, *++input));
     if (room && (goes_first(records) || inbox_->post_in_turn(records))) return true;
     std::array words = records;
     inbox_->reserve(words);
     input = words.data();
     const Input* before = records.data();
-    say(task, *before, *input);
-    (say(more, *++before, *++input), ...);
+    move_data(task, *before, *input);
+    (move_data(more, *++before, *++input), ...);
     inbox_->publish(words);
     return true;
   }
@@ -172,7 +172,7 @@ private:
 
   /// Stores the data until the inbox is taken. False: no place is left, and they stay where they are.
   template <class Task>
-  bool wait([[maybe_unused]] Task& task, [[maybe_unused]] Input& input) const {
+  bool store_data([[maybe_unused]] Task& task, [[maybe_unused]] Input& input) const {
     if constexpr (has_data<Task>) {
       TaskBase<Task>& base = task;
       input.handle = data_->template waiting<Task>().put(std::move(base.data));
@@ -183,8 +183,8 @@ private:
 
   /// Moves the data to the place of the overflow slot that was reserved.
   template <class Task>
-  void say([[maybe_unused]] Task& task, [[maybe_unused]] const Input& before,
-           [[maybe_unused]] const Input& word) const {
+  void move_data([[maybe_unused]] Task& task, [[maybe_unused]] const Input& before,
+                 [[maybe_unused]] const Input& word) const {
     if constexpr (has_data<Task>) {
       auto& waiting = data_->template waiting<Task>();
       TaskBase<Task>& base = task;

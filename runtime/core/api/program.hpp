@@ -37,20 +37,20 @@ public:
   /// Requests root tasks, with data and levels; several are one input. A task that is requested already is a new task.
   template <class Task, class... More>
   bool request(Task task, More... more) {
-    return outside() && words().request(std::move(task), std::move(more)...);
+    return outside() && local_post().request(std::move(task), std::move(more)...);
   }
   /// The same by type, for tasks without data.
   template <class Task, class... More>
   bool request() {
-    return outside() && words().template request<Task, More...>();
+    return outside() && local_post().template request<Task, More...>();
   }
   /// Withdraws the request for a root task.
   template <class Task>
   bool cancel() {
-    return outside() && words().template cancel<Task>();
+    return outside() && local_post().template cancel<Task>();
   }
   /// Withdraws the requests for all root tasks, as one input.
-  bool cancel_all() { return outside() && words().cancel_all(); }
+  bool cancel_all() { return outside() && local_post().cancel_all(); }
   /// Sets external states; several are one input. False: a value is outside of its domain, or no room for several.
   template <class Value, class... More>
   [[nodiscard]] bool set(Value value, More... more) {
@@ -60,17 +60,17 @@ public:
           engine_.take_at_once(setting.state, setting.value))
         return true;
     }
-    return outside() && words().set(value, more...);
+    return outside() && local_post().set(value, more...);
   }
   /// Fires a trigger. False: the inbox is full.
   template <class Trigger>
   [[nodiscard]] bool fire() {
-    return outside() && words().template fire<Trigger>();
+    return outside() && local_post().template fire<Trigger>();
   }
   /// Enables or disables a provider. False: the inbox is full.
   template <class Provider>
   [[nodiscard]] bool enable(bool enabled) {
-    return outside() && words().template enable<Provider>(enabled);
+    return outside() && local_post().template enable<Provider>(enabled);
   }
 
   /// The same functions for other threads, interrupts and bodies. A copy may be kept as long as the behaviour lives.
@@ -136,7 +136,7 @@ public:
 protected:
   /// Made by generated code.
   explicit Program(const Bodies& bodies)
-      : inbox_(cells_, words_),
+      : inbox_(cells_, overflow_slots_),
         engine_(Facts::tables(), State::in(memory_.data(), layout), bodies, inbox_) {}
   ~Program() = default;
 
@@ -152,7 +152,7 @@ protected:
   void observer_threw() { engine_.end_with_fault(); }
 
 private:
-  Post words() { return {inbox_, data_, &engine_}; }
+  Post local_post() { return {inbox_, data_, &engine_}; }
 
   static StepResult checked(StepResult result) {
     if (result == StepResult::refused) Facts::called_from_inside();
@@ -165,7 +165,7 @@ private:
 
   typename Facts::Data data_;
   std::array<Inbox::Cell, Facts::inbox_cells> cells_;
-  std::array<OverflowSlot, OverflowSlotOf<Facts>::count> words_;
+  std::array<OverflowSlot, OverflowSlotOf<Facts>::count> overflow_slots_;
   static constexpr std::size_t memory_bytes = State::bytes(Facts::shape);
   static constexpr auto layout = [] {
     constexpr State::Layout wide = State::layout(Facts::shape);

@@ -30,7 +30,7 @@ bool alive(const Context& x, Index edge) {
 }
 
 /// Undoes the sweep over the whole component; only which denials are forgotten remains.
-void take_back(Context& x) {
+void undo_sweep(Context& x) {
   for (const Index g : opened(x)) {
     x.s.group_marks[g] &= mark::forgotten | mark::listed;
     clear(x, g);
@@ -63,10 +63,10 @@ bool kept_by_equal(Context& x, Index group, Index edge, bool record) {
 bool denied_in_vain(Context& x) {
   for (const Index group : std::span<const Index>{x.s.denied, x.denied_count}) {
     if (x.s.now[group].holder == x.s.last[group].holder || injected(Fault::denials_are_final)) continue;
-    if (x.whole || injected(Fault::denials_of_who_stands_are_overlooked)) {
+    if (x.whole || injected(Fault::denials_of_unchanged_units_are_overlooked)) {
       x.s.group_marks[group] |= mark::forgotten;
       x.s.group_trail[group] |= trail::disturbed; // the next pass takes its last holder into account again
-      take_back(x);
+      undo_sweep(x);
     } else {
       x.s.news_count[x.component] = nil;
       begin(x);

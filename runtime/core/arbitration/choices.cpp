@@ -27,7 +27,7 @@ bool next_choice(Context& x, Index at, bool fresh, bool with_conditions, bool re
       if (x.s.enabled[member.provider] == 0 && !injected(Fault::disabled_providers_run)) continue;
       if (with_conditions && first_false(x, member.provider, edge) != nil) continue;
       if (as_it_is && member.provider != x.s.last[group].active) {
-        x.depends_on_orders = true;
+        x.depends_on_requester = true;
         continue;
       }
       member.entries_end = entries_begin(x, at);

@@ -46,7 +46,7 @@ struct Context {
   mutable bool depends_on_last = false; ///< the result may differ if it is the last assignment itself
   bool on_last = false;                 ///< the same for the units before the current one
   bool depends_on_stale = false;        ///< the current unit may be decided otherwise when other groups are stale
-  bool depends_on_orders = false;       ///< or when its own requester is stale no longer
+  bool depends_on_requester = false;    ///< or when its own requester is stale no longer
   bool depends_on_all_stale = false;    ///< the result depends also on groups without RunQueueEntry::stale_matters
 
   // Pushes.
@@ -74,7 +74,7 @@ struct Context {
   Index line_count = 0;  ///< lines in use
   Index opened_end = 0;  ///< the place in the last order behind all groups that were opened
   Index rest = nil;      ///< the first edge of root, in order, that the walk did not reach; nil: there is none
-  Index undecided = nil; ///< an edge of root that has to be decided; until then rest_stands() is not called
+  Index undecided = nil; ///< an edge of root that has to be decided; until then copy_unchanged_rest() is not called
 };
 
 } // namespace director::arbitration

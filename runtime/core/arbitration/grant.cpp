@@ -12,15 +12,15 @@
 namespace director::arbitration {
 
 /// Decides a unit of one edge, or one member of a stale requester.
-void decide_alone(Context& x, Index edge, bool outdated) {
+void decide_alone(Context& x, Index edge, bool below_stale) {
   x.s.member[0].edge = edge;
-  try_members(x, 1, outdated);
+  try_members(x, 1, below_stale);
 }
 
 /// Grants the current members all together, or refuses them.
-void try_members(Context& x, Index count, bool outdated) {
-  if (outdated && any_not_running(x, count) && !injected(Fault::outdated_orders_acquire))
-    return wait_for_orders(x, count);
+void try_members(Context& x, Index count, bool below_stale) {
+  if (below_stale && any_not_running(x, count) && !injected(Fault::stale_groups_acquire))
+    return wait_for_requester(x, count);
   if (count == 1 && taken(x, x.s.member[0].edge)) return block(x, 1);
   if (!combine(x, count, true)) return x.t.conditions.empty() ? block(x, count) : refuse(x, count);
   if (!premature(x, count)) return grant(x, count);
@@ -33,7 +33,7 @@ void grant(Context& x, Index count) {
   for (Index at = 0; at < count; ++at) {
     const Index edge = x.s.member[at].edge, group = x.t.edges[edge].target;
     claim(x, group, edge);
-    now_granted(x, edge, x.s.member[at].provider);
+    grant_target(x, edge, x.s.member[at].provider);
     const Index begin = entries_begin(x, at), end = x.s.member[at].entries_end;
     if (begin != end) claim_plan(x, group, x.s.member[at].provider, begin, end);
   }
@@ -52,7 +52,7 @@ void block(Context& x, Index count) {
 void block_alone(Context& x, Index edge) {
   x.s.edge_marks[edge] |= mark::visited | mark::refused;
   x.s.queued[edge] = {Why::blocked, nil};
-  if (is_followed(x)) note_dependence(x, edge, trail::behind);
+  if (is_followed(x)) note_dependence(x, edge, trail::in_line);
 }
 
 void explain(Context& x, Index count, Why why, Index condition) {

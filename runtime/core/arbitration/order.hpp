@@ -137,7 +137,7 @@ inline bool taken(const Context& x, Index edge) {
 }
 
 /// Whether the last pass granted the target to this edge.
-inline bool runs_for_now(const Context& x, Index edge) {
+inline bool was_granted(const Context& x, Index edge) {
   const GroupAssignment& last = x.s.last[target(x, edge)];
   return last.holder == edge && last.granted();
 }

@@ -48,12 +48,12 @@ void sweep_all(Context& x) {
   }
   x.walking = false;
   x.limbo_begin = x.placed;
-  if (x.stale_granted != 0 && x.inherited != x.s.order_count[x.component]) keep_for_heirs(x);
+  if (x.stale_granted != 0 && x.inherited != x.s.order_count[x.component]) keep_unclaimed(x);
 }
 
 /// Derives from the claims which groups stay live as needs, which pushes remain and are in force, and the order.
 void finish(Context& x) {
-  if (is_followed(x)) leave_to(x, nil);
+  if (is_followed(x)) close_extents(x, nil);
   for (const Index g : opened(x)) {
     if (x.s.now[g].holder == nil || x.s.now[g].active != nil || x.s.last[g].active == nil) continue;
     x.depends_on_last = true;

@@ -25,7 +25,7 @@ void begin(Context& x);
 /// Notes for the next pass what this one found, after the engine has compared the result with the last one.
 void end(Context& x);
 
-DIRECTOR_PART void keep_for_heirs(Context& x);
+DIRECTOR_PART void keep_unclaimed(Context& x);
 
 /// Makes the next pass over each component begin from nothing: the last assignment is not that of its last pass.
 void forget_trail(Context& x);

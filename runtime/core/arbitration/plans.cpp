@@ -115,7 +115,7 @@ bool find_plan(Context& x, Index at, bool first, bool as_it_is, bool with_condit
     ++x.work;
     Index keep = end;
     const bool other = as_it_is && !plan_as_it_is(x, at);
-    x.depends_on_orders = x.depends_on_orders || other;
+    x.depends_on_requester = x.depends_on_requester || other;
     if (!other && plan_fits(x, at, with_conditions, record, keep)) return true;
     drop_entries(x, keep, end);
     end = keep;

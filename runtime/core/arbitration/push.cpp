@@ -149,8 +149,8 @@ bool find_chain(Context& x, Index condition, Index member, Push& out) {
   lack(condition);
   for (Index i = 0; i < lacking; ++i) {
     for (const Index provider : x.t.list(x.t.conditions[x.s.lacked[i]].causers)) {
-      if (x.s.provider_marks[provider].has(mark::looked_at)) continue;
-      x.s.provider_marks[provider] |= mark::looked_at;
+      if (x.s.provider_marks[provider].has(mark::causer)) continue;
+      x.s.provider_marks[provider] |= mark::causer;
       x.s.causers[causers++] = provider;
       if (!can_be_pushed(x, provider, member)) continue;
       x.s.provider_marks[provider] |= mark::pushable;
@@ -176,7 +176,7 @@ bool find_chain(Context& x, Index condition, Index member, Push& out) {
 }
 
 /// Whether root or a live group requests the group.
-bool asked_for(const Context& x, Index group) {
+bool is_requested(const Context& x, Index group) {
   return any(x.t.list(x.t.groups[group].requesters), [&](Index edge) {
     const Index from = x.t.edges[edge].requester;
     return requested(x, edge) && (from == nil || x.s.now[from].active != nil);
@@ -271,7 +271,7 @@ void finish_pushes(Context& x) {
     if (push.edge == nil) continue;
     x.depends_on_last = true;
     if (x.s.now[g].holder == nil) {
-      if (asked_for(x, g) || injected(Fault::pushes_outlive_requests)) continue;
+      if (is_requested(x, g) || injected(Fault::pushes_outlive_requests)) continue;
       x.s.edge_trail[push.edge] |= trail::on_stale; // the unit that may make it again has to be decided again
       push = Push{};
       continue;

@@ -19,7 +19,7 @@ namespace {
 void compare_claims(Context& x, Index edge) {
   const Index group = target(x, edge);
   const GroupAssignment& now = x.s.now[group];
-  const bool runs = is_opened(x, group) && now.holder == edge && now.granted(), ran = runs_for_now(x, edge);
+  const bool runs = is_opened(x, group) && now.holder == edge && now.granted(), ran = was_granted(x, edge);
   if (!runs && !ran) return;
   compare_claim(x, group);
   if (x.t.groups[group].simple) return;
@@ -36,7 +36,7 @@ void compare_claims(Context& x, Index edge) {
 template <class Take>
 void each_user_edge(Context& x, Index group, Take&& take) {
   for (const Index user : x.t.list(x.t.groups[group].users)) {
-    if (user != group && injected(Fault::who_uses_it_is_overlooked)) continue;
+    if (user != group && injected(Fault::users_are_overlooked)) continue;
     for (const Index e : x.t.list(x.t.groups[user].requesters)) {
       const Index from = x.t.edges[e].requester;
       if (x.s.request[e].level != nil && (from == nil || x.s.last[from].holder != nil)) take(e);
@@ -57,14 +57,14 @@ void reach_unit(Context& x, Index requester) {
   }
 }
 
-bool stands_behind(const Context& x, Index edge) { return x.s.edge_trail[edge].has(trail::behind); }
+bool is_in_line(const Context& x, Index edge) { return x.s.edge_trail[edge].has(trail::in_line); }
 
 /// Calls take(edge, place of its requester in the last order) for requests in line whose requesters are not opened.
 template <class Take>
 void each_in_line(Context& x, Index group, Take&& take) {
   for (const Index e : x.t.list(x.t.groups[group].requesters)) {
     const Index from = x.t.edges[e].requester;
-    if (stands_behind(x, e) && from != nil && x.s.last[from].holder != nil && !is_opened(x, from))
+    if (is_in_line(x, e) && from != nil && x.s.last[from].holder != nil && !is_opened(x, from))
       take(e, x.s.place[from]);
   }
 }
@@ -73,10 +73,11 @@ void each_in_line(Context& x, Index group, Take&& take) {
 
 /// Called before the walk passes by this group: if a group with a waiting line is free by now, the requests in line
 /// that are below this group are reached; and once one is reached, all others.
-void look_at_lines(Context& x, Index group) {
+void check_lines(Context& x, Index group) {
   const auto end = static_cast<Index>(x.s.place[group] + x.s.extent[group]);
   for (WaitingLine& line : std::span(x.lines).first(x.line_count)) {
-    if (line.first >= end || holder_now(x, line.group) != nil || injected(Fault::who_is_behind_is_overlooked)) continue;
+    if (line.first >= end || holder_now(x, line.group) != nil || injected(Fault::waiting_lines_are_overlooked))
+      continue;
     line.first = nil;
     bool found = false;
     each_in_line(x, line.group, [&](Index e, Index place) {
@@ -109,7 +110,7 @@ void begin_followed(Context& x, Index count) {
     note_dependence(x, edge, 0);
     if (x.s.last[group].holder != edge) continue;
     open(x, group);
-    if (!runs_for_now(x, edge) || x.t.groups[group].simple) continue;
+    if (!was_granted(x, edge) || x.t.groups[group].simple) continue;
     const Index end = entries_of(x, group, x.s.last);
     for (Index i = 0; i < end; ++i) open(x, x.s.entry[i].group);
   }
@@ -119,7 +120,7 @@ void begin_followed(Context& x, Index count) {
 void compare_with_last(Context& x, Index count) {
   const auto bits =
       static_cast<std::uint8_t>((x.depends_on_last ? trail::on_last : 0) | (x.depends_on_stale ? trail::on_stale : 0) |
-                                (x.depends_on_orders ? trail::on_orders : 0));
+                                (x.depends_on_requester ? trail::on_requester : 0));
   x.depends_on_last = x.depends_on_last || x.on_last;
   bool pushing = false;
   for (Index at = 0; at < count; ++at) {
@@ -172,7 +173,7 @@ void reach_by_last_result(Context& x, Index group) {
   disturb(x);
   if (injected(Fault::the_last_result_is_overlooked)) return;
   each_user_edge(x, group, [&](Index e) {
-    if (stands_behind(x, e)) return;
+    if (is_in_line(x, e)) return;
     if (x.s.edge_trail[e].has(trail::on_last)) reach_edge(x, e);
   });
 }
@@ -186,7 +187,7 @@ void reach_users(Context& x, Index group) {
   const bool has_room = x.line_count < x.lines.size();
   each_user_edge(x, group, [&](Index e) { // a request in line depends on its target alone
     const bool is_target = x.t.edges[e].target == group;
-    if (!stands_behind(x, e) || (is_target && !has_room)) return reach_edge(x, e);
+    if (!is_in_line(x, e) || (is_target && !has_room)) return reach_edge(x, e);
     line = line || is_target;
   });
   if (line) x.lines[x.line_count++] = {group, 0, false};
@@ -202,7 +203,7 @@ void reach_all_below(Context& x, Index group) {
     x.s.reach[found++] = g;
   };
   add(group);
-  for (Index i = 0; i < found && !injected(Fault::what_is_below_is_overlooked); ++i) {
+  for (Index i = 0; i < found && !injected(Fault::groups_below_are_overlooked); ++i) {
     for (const Index e : x.t.groups[x.s.reach[i]].edges.rows()) {
       reach_edge(x, e);
       reach_pushes_of(x, e);

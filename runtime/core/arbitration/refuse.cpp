@@ -53,7 +53,7 @@ Index collect_unmet(Context& x, Index count) {
   return found;
 }
 
-bool somebody_satisfies(const Context& x, Index condition) {
+bool any_enabled_causer(const Context& x, Index condition) {
   return any(x.t.list(x.t.conditions[condition].causers), [&](Index provider) { return x.s.enabled[provider] != 0; });
 }
 
@@ -83,15 +83,15 @@ void refuse(Context& x, Index count) {
   if (!combine(x, count, false)) return block(x, count);
   x.depends_on_last = true;
   const Index unmet = collect_unmet(x, count);
-  const bool outdated = stale_requester(x, x.s.member[0].edge);
-  x.depends_on_orders = x.depends_on_orders || outdated;
-  const bool early = outdated || premature(x, count);
+  const bool below_stale = stale_requester(x, x.s.member[0].edge);
+  x.depends_on_requester = x.depends_on_requester || below_stale;
+  const bool early = below_stale || premature(x, count);
   x.depends_on_stale = x.depends_on_stale || early;
   leave_combination(x, count);
   explain(x, count, Why::waiting, x.s.unmet[0].condition);
   if (early) return keep_pushes(x, count);
   for (Index i = 0; i < unmet; ++i) {
-    if (somebody_satisfies(x, x.s.unmet[i].condition) || injected(Fault::pushes_though_the_outside_decides)) continue;
+    if (any_enabled_causer(x, x.s.unmet[i].condition) || injected(Fault::pushes_without_a_causer)) continue;
     return; // no provider can cause it, so the unit pushes nothing
   }
   push_for(x, count, unmet);

@@ -69,7 +69,7 @@ bool is_decided_again(const Context& x, Index edge) {
 /// Whether a group noted by the last pass need not be opened before it has run, or something differs.
 bool can_stand(const Context& x, Index group) {
   if (x.had_limbo && lies_in_limbo(x, group)) return false;
-  if (is_outdated(x, group) && !outdates(x, group)) return false;
+  if (is_marked_stale(x, group) && !becomes_stale(x, group)) return false;
   return !any_edge(x, group, [&](Index e) { // optional edges are behind all others in the order
     return x.s.edge_trail[e].has(trail::on_stale) || optional(x, e);
   });
@@ -101,16 +101,17 @@ bool is_settled(const Context& x) {
   }
   for (Index i = 0; i < x.kept_count; ++i) {
     const Index g = x.s.news[x.row.order + i];
-    if (is_outdated(x, g) && !outdates(x, g) && x.s.run_queue[g].counts != 0) return false;
+    if (is_marked_stale(x, g) && !becomes_stale(x, g) && x.s.run_queue[g].stale_matters != 0) return false;
     if (any_edge(x, g, [&](Index e) { return is_decided_again(x, e); })) return false;
   }
   return true;
 }
 
 /// Whether the next pass may have to open the group: an edge is decided again, or is optional and so ordered elsewhere.
-bool has_to_be_looked_at(const Context& x, Index group) {
-  if (injected(Fault::what_is_always_decided_is_overlooked)) return false;
-  return is_outdated(x, group) || any_edge(x, group, [&](Index e) { return is_decided_again(x, e) || optional(x, e); });
+bool may_be_opened_next(const Context& x, Index group) {
+  if (injected(Fault::permanent_decisions_are_overlooked)) return false;
+  return is_marked_stale(x, group) ||
+         any_edge(x, group, [&](Index e) { return is_decided_again(x, e) || optional(x, e); });
 }
 
 /// Clears the marks of edges that the walk may have visited, and of groups that it may have passed by.
@@ -154,7 +155,7 @@ void begin_trail(Context& x) {
     const Index g = rows[i];
     if (can_stand(x, g)) {
       rows[kept++] = g;
-      if (is_outdated(x, g)) ++x.stale_kept;
+      if (is_marked_stale(x, g)) ++x.stale_kept;
     } else {
       open(x, g);
     }
@@ -174,7 +175,7 @@ void begin_trail(Context& x) {
   const Counters& c = *x.s.counters;
   const auto look = [&](Index g) {
     if (x.s.run_queue[g].component != x.component || x.t.groups[g].edges.empty()) return;
-    if (!is_outdated(x, g) && outdates(x, g)) open(x, g);
+    if (!is_marked_stale(x, g) && becomes_stale(x, g)) open(x, g);
   };
   for (Index g = c.queue_first; g != nil; g = x.s.run_queue[g].runs_before) look(g);
   for (Index i = 0; i < c.touched_count; ++i) look(x.s.touched[i]);
@@ -200,7 +201,7 @@ void open_with_above(Context& x, Index group) {
   if (walk_began && x.s.last[group].holder != nil && is_passed(x, group)) return;
   for (;;) {
     x.s.group_trail[group] |= trail::opened;
-    x.s.group_marks[group].remove(mark::outdated);
+    x.s.group_marks[group].remove(mark::stale);
     x.s.opened[x.row.order + x.opened_count++] = static_cast<TableIndex>(group);
     if (x.s.last[group].holder != nil && x.s.place[group] >= x.opened_end)
       x.opened_end = static_cast<Index>(x.s.place[group] + 1);
@@ -244,20 +245,20 @@ void end_trail(Context& x) {
     const GroupAssignment& now = x.s.now[g];
     Bits& bits = x.s.group_trail[g];
     if (any_moved) bits |= trail::disturbed;
-    if (now.holder != nil && has_to_be_looked_at(x, g)) bits |= trail::again;
+    if (now.holder != nil && may_be_opened_next(x, g)) bits |= trail::again;
     if (now.holder == nil && x.s.last[g].holder != nil && !x.whole) {
       for (const Index e : x.t.groups[g].edges.rows()) leave_unvisited(x, e);
     }
     if ((bits & (trail::disturbed | trail::again)) != 0) x.s.news[x.row.order + news++] = g;
     bits.remove(trail::opened | trail::moved);
-    x.s.group_marks[g] &= mark::differs | mark::outdated;
+    x.s.group_marks[g] &= mark::differs | mark::stale;
   }
 }
 
 namespace {
 
 /// Copies `count` groups of the last order, from this place on, to the new one.
-DIRECTOR_INLINE void put_again(Context& x, Index from, Index count) {
+DIRECTOR_INLINE void copy_order(Context& x, Index from, Index count) {
   if (from != x.placed) {
     for (Index i = 0; i < count; ++i) put(x, x.s.order[x.row.order + from + i], static_cast<Index>(x.placed + i));
   }
@@ -269,21 +270,22 @@ DIRECTOR_INLINE void put_again(Context& x, Index from, Index count) {
 
 /// Leaves a group that was not opened, with all below it, at its place with its assignment.
 void pass_by(Context& x, Index group) {
-  leave_to(x, requester_of_holder(x, x.s.last[group]));
+  close_extents(x, requester_of_holder(x, x.s.last[group]));
   x.s.group_trail[group] |= trail::passed;
-  put_again(x, x.s.place[group], x.s.extent[group]);
+  copy_order(x, x.s.place[group], x.s.extent[group]);
 }
 
 /// Whether an edge that searched for pushes, or whose target was claimed, need not be decided again.
-bool waits_on(const Context& x, Index edge) {
+bool keeps_waiting(const Context& x, Index edge) {
   const std::uint8_t bits = x.s.edge_trail[edge];
-  const bool searches = (bits & trail::waits) != 0 && x.disturbed && !injected(Fault::who_waits_is_overlooked);
-  const bool is_free = (bits & trail::behind) != 0 && !taken(x, edge) && !injected(Fault::who_is_behind_is_overlooked);
+  const bool searches = (bits & trail::waits) != 0 && x.disturbed && !injected(Fault::waiting_units_are_overlooked);
+  const bool is_free =
+      (bits & trail::in_line) != 0 && !taken(x, edge) && !injected(Fault::waiting_lines_are_overlooked);
   return !searches && !is_free;
 }
 
 /// Copies the rest of the order if nothing below this edge of root and those behind it was opened or reached.
-bool rest_stands(Context& x, Index root) {
+bool copy_unchanged_rest(Context& x, Index root) {
   if (x.had_pushes || x.postponed != 0 || x.row.groups.size() <= 4 * x.most_decided_whole) {
     x.undecided =
         static_cast<Index>(x.t.edges.size()); // no edge: it is not called again, which costs more than it saves
@@ -297,21 +299,21 @@ bool rest_stands(Context& x, Index root) {
     if (x.s.request[e].level == nil) continue;
     const Index group = x.t.edges[e].target;
     const bool was_held = x.s.last[group].holder == e;
-    const bool looked_at = !stands(x, e) || (was_held && x.s.place[group] < x.opened_end);
-    if (looked_at && !injected(Fault::the_rest_stands_always)) {
+    const bool affected = !stands(x, e) || (was_held && x.s.place[group] < x.opened_end);
+    if (affected && !injected(Fault::the_rest_is_always_unchanged)) {
       x.undecided = e;
       return false;
     }
     if (was_held && x.s.place[group] < from) from = x.s.place[group];
   }
-  leave_to(x, nil);
-  put_again(x, from, static_cast<Index>(x.s.order_count[x.component] - from));
+  close_extents(x, nil);
+  copy_order(x, from, static_cast<Index>(x.s.order_count[x.component] - from));
   x.rest = root;
   return true;
 }
 
 /// Sets the extents of the groups placed last, up to this group, below which the next one is placed (nil: below root).
-void leave_to(Context& x, Index group) {
+void close_extents(Context& x, Index group) {
   while (x.top != group && x.top != nil) {
     x.s.extent[x.top] = static_cast<Index>(x.placed - x.s.place[x.top]);
     x.top = requester_of_holder(x, x.s.now[x.top]);
@@ -319,12 +321,12 @@ void leave_to(Context& x, Index group) {
 }
 
 /// Repeats the last decision about an edge of a group that was opened: it claims again what it had.
-void repeat(Context& x, Index edge) {
+void claim_again(Context& x, Index edge) {
   x.s.edge_marks[edge] |= mark::visited;
-  if (runs_for_now(x, edge)) {
+  if (was_granted(x, edge)) {
     const Index group = target(x, edge), provider = x.s.last[group].active;
     claim(x, group, edge);
-    now_granted(x, edge, provider);
+    grant_target(x, edge, provider);
     const Index end = x.t.providers[provider].needs.empty() ? Index{0} : entries_of(x, group, x.s.last);
     if (end != 0) claim_plan(x, group, provider, 0, end);
   } else {

@@ -22,9 +22,9 @@ DIRECTOR_PART void begin_followed(Context& x, Index count);
 DIRECTOR_PART void compare_with_last(Context& x, Index count);
 DIRECTOR_PART void reach_users(Context& x, Index group);
 DIRECTOR_PART void reach_edge(Context& x, Index edge);
-DIRECTOR_PART void look_at_lines(Context& x, Index group);
-DIRECTOR_PART bool waits_on(const Context& x, Index edge);
-DIRECTOR_PART bool rest_stands(Context& x, Index root);
+DIRECTOR_PART void check_lines(Context& x, Index group);
+DIRECTOR_PART bool keeps_waiting(const Context& x, Index edge);
+DIRECTOR_PART bool copy_unchanged_rest(Context& x, Index root);
 DIRECTOR_PART void reach_all_below(Context& x, Index group);
 void disturb(Context& x);
 void reach_by_request(Context& x, Index edge, bool with_siblings);
@@ -49,7 +49,7 @@ inline void compare_claim(Context& x, Index group) {
 /// Clears the assignment of the group in this pass.
 DIRECTOR_ONE_COPY inline void clear(Context& x, Index group) {
   x.s.now[group] = GroupAssignment{};
-  x.s.run_queue[group].counts = 0;
+  x.s.run_queue[group].stale_matters = 0;
   if (!alternatives(x, x.component)) return;
   for (const Index slot : x.t.groups[group].slots.rows()) x.s.now.plan[slot] = nil;
 }
@@ -62,7 +62,7 @@ inline bool stands(const Context& x, Index edge) {
   if (x.whole) return false;
   const std::uint8_t bits = x.s.edge_trail[edge];
   if ((bits & (trail::reached | trail::on_stale)) != 0) return false;
-  return (bits & (trail::waits | trail::behind)) == 0 || waits_on(x, edge);
+  return (bits & (trail::waits | trail::in_line)) == 0 || keeps_waiting(x, edge);
 }
 
 /// The groups that the pass has opened; all others keep their last assignment.
@@ -96,13 +96,13 @@ inline void leave_unvisited(Context& x, Index edge) {
 inline void begin_decision(Context& x, Index count) {
   ++x.decided;
   ++x.work;
-  x.depends_on_orders = false;
+  x.depends_on_requester = false;
   for (Index at = 0; at < count; ++at) x.s.edge_marks[x.s.unit[at]] |= mark::visited;
   if (is_followed(x)) begin_followed(x, count);
 }
 
 inline void end_decision(Context& x, Index count) {
-  if (x.depends_on_orders) note_outdated_orders(x);
+  if (x.depends_on_requester) note_stale_requester(x);
   if (is_followed(x)) compare_with_last(x, count);
 }
 

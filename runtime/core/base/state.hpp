@@ -51,22 +51,21 @@ inline constexpr Index serving = 8;  ///< and the condition of the push is false
 
 /// Bits of State::component, for the next arbitration.
 namespace work {
-inline constexpr std::uint8_t changed = 1;      ///< a request, value or flag that it depends on has changed
-inline constexpr std::uint8_t unsettled = 2;    ///< a pass over the last result may decide differently
-inline constexpr std::uint8_t stale_counts = 4; ///< decisions of the last pass depended on which groups are stale
-inline constexpr std::uint8_t listed = 8;       ///< it is listed in State::work
-inline constexpr std::uint8_t passed = 16;      ///< it was decided in this micro-step
-inline constexpr std::uint8_t reordered = 32;   ///< the order of its edges of root may have changed
-inline constexpr std::uint8_t pushes = 64;      ///< with `passed`: it has pushes, or had them before
-inline constexpr std::uint8_t kept = stale_counts | reordered; ///< bits that stay when it need not be decided
+inline constexpr std::uint8_t changed = 1;       ///< a request, value or flag that it depends on has changed
+inline constexpr std::uint8_t unsettled = 2;     ///< a pass over the last result may decide differently
+inline constexpr std::uint8_t stale_matters = 4; ///< decisions of the last pass depended on which groups are stale
+inline constexpr std::uint8_t listed = 8;        ///< it is listed in State::work
+inline constexpr std::uint8_t passed = 16;       ///< it was decided in this micro-step
+inline constexpr std::uint8_t reordered = 32;    ///< the order of its edges of root may have changed
+inline constexpr std::uint8_t pushes = 64;       ///< with `passed`: it has pushes, or had them before
+inline constexpr std::uint8_t kept = stale_matters | reordered; ///< bits that stay when it need not be decided
 } // namespace work
 
 /// Bits of RunQueueEntry::pending, as Reason.
 namespace reason {
 inline constexpr auto new_task = static_cast<std::uint8_t>(Reason::new_task);
 inline constexpr auto pushed = static_cast<std::uint8_t>(Reason::pushed);
-inline constexpr auto outdating =
-    static_cast<std::uint8_t>(new_task | pushed); ///< reasons that make a granted group stale
+inline constexpr auto makes_stale = static_cast<std::uint8_t>(new_task | pushed); ///< of a granted group
 } // namespace reason
 
 /// Bits of RunQueueEntry::done.
@@ -145,7 +144,7 @@ struct RunQueueEntry {
   Index runs_after = nil;  ///< the group before it in the queue; nil
   Index runs_before = nil; ///< the group behind it; nil
   Index component = 0;     ///< as Group::component
-  Bits counts{};           ///< 1: a decision of the last pass depends on whether it is stale
+  Bits stale_matters{};    ///< 1: a decision of the last pass depends on whether it is stale
   Bits flags{};            ///< bits of `group_flag`
   Bits pending{};          ///< bits of Reason
   Bits done{};             ///< bits of `result`
@@ -217,7 +216,7 @@ struct Counters {
   Index work_count = 0;          ///< rows of State::work in use
   Index touched_count = 0;       ///< rows of State::touched in use; 0 between micro-steps
   Index staged_count = 0;        ///< rows of State::staged in use; 0 between micro-steps
-  Index asked_count = 0;         ///< rows of State::asked in use; 0 between micro-steps
+  Index anew_count = 0;          ///< rows of State::renewed in use; 0 between micro-steps
   Index handled_count = 0;       ///< rows of State::handled in use
   bool begun = false;            ///< the first step was taken
   bool unsettled = false;        ///< the last arbitration changed something
@@ -261,7 +260,7 @@ struct State {
   Index* staged = nullptr;       ///< states that the running body set
   Requested* before = nullptr;   ///< requests before this micro-step changed them; target: the edge
   Bits* anew = nullptr;          ///< edge: 1: it was requested anew in this micro-step
-  Index* asked = nullptr;        ///< edges that were requested anew
+  Index* renewed = nullptr;      ///< edges that were requested anew
   Index* next_order = nullptr;   ///< as `order`
   Index* next_count = nullptr;   ///< as `order_count`
   Index* first_moved = nullptr;  ///< component: the first place at which that order differs
@@ -315,7 +314,7 @@ struct State {
     scratch();
     rows(n.conditions, s.cost, s.cost_at, s.cost_plan, s.cost_next);
     rows(n.groups, s.now.group), rows(n.plan_slots, s.now.plan), rows(n.pushable, s.own, s.first);
-    rows(n.groups, s.touched), rows(n.states, s.staged), rows(n.altered, s.before), rows(n.edges, s.anew, s.asked);
+    rows(n.groups, s.touched), rows(n.states, s.staged), rows(n.altered, s.before), rows(n.edges, s.anew, s.renewed);
     rows(n.groups, s.next_order), rows(n.components, s.next_count, s.first_moved);
     rows(n.groups, s.extent, s.differing, s.trial, s.entry);
     rows(n.most_edges + 1, s.unit, s.member), rows(n.edges, s.candidate), rows(n.groups, s.reach, s.denied);

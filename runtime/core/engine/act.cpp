@@ -24,7 +24,7 @@ void Engine::arbitrate() {
     arbitration::decide(x_, component);
     const bool other = changed(component, stops);
     arbitration::end(x_);
-    std::uint8_t left = x_.depends_on_all_stale ? work::stale_counts : 0;
+    std::uint8_t left = x_.depends_on_all_stale ? work::stale_matters : 0;
     if (other && x_.depends_on_last) left |= work::unsettled;
     if (x_.pushed_count != 0) left |= work::pushes;
     x_.s.component[component] = left | work::listed | work::passed;
@@ -80,7 +80,7 @@ void Engine::act_on_touched() {
   c.touched_count = 0;
   const Index group = x_.s.touched[0];
   untouch(group);
-  if (granted(group)) give_again(group, x_.s.anew[x_.s.last[group].holder] != 0);
+  if (granted(group)) queue_run(group, x_.s.anew[x_.s.last[group].holder] != 0);
 }
 
 /// Granted groups that may have a new reason to run, in the new order: their assignment differs, or they were touched.
@@ -95,9 +95,9 @@ std::span<const Index> Engine::with_reasons() {
   for (Index i = 0; i < c.touched_count; ++i) {
     const Index group = x_.s.touched[i];
     if (!decided(group)) {
-      if (!granted(group) || injected(Fault::others_are_overlooked)) continue;
+      if (!granted(group) || injected(Fault::other_components_are_overlooked)) continue;
     } else if (x_.s.group_marks[group].has(mark::differs) || !x_.s.now[group].granted() ||
-               injected(Fault::who_stands_as_before_is_overlooked)) {
+               injected(Fault::unchanged_groups_are_overlooked)) {
       continue;
     }
     x_.s.reach[count++] = group;
@@ -108,13 +108,13 @@ std::span<const Index> Engine::with_reasons() {
 
 void Engine::stop_group(Index group) {
   RunQueueEntry& entry = x_.s.run_queue[group];
-  if (entry.flags.has(group_flag::ends)) end_what_it_has(group);
+  if (entry.flags.has(group_flag::lifecycle)) end_lifecycle(group);
   entry.pending = entry.done = 0;
   end_wait(group);
-  live_on(group, nil);
+  use_data_of(group, nil);
   forget_triggers(group);
   for (const Index e : x_.t.groups[group].edges.rows()) {
-    if (x_.s.request[e].level == nil || injected(Fault::stopped_requests_stand)) continue;
+    if (x_.s.request[e].level == nil || injected(Fault::stopped_requests_stay)) continue;
     x_.s.request[e].level = nil;
     arbitration::note_rerequest(x_, e);
   }
@@ -123,20 +123,20 @@ void Engine::stop_group(Index group) {
 /// The reasons to run of a granted group that follow from its assignment.
 std::uint8_t Engine::reasons(const GroupAssignment& last, const GroupAssignment& now) {
   std::uint8_t bits = 0;
-  const bool handed_on = last.holder != now.holder && !injected(Fault::a_new_holder_is_no_news);
+  const bool handed_on = last.holder != now.holder && !injected(Fault::a_new_holder_gives_no_reason);
   if (last.active == nil || !last.granted() || handed_on) bits |= reason::new_task;
   if (last.active != now.active) bits |= now.in_force() ? reason::pushed : reason::new_task;
   const bool served =
       last.serving() && now.push.provider == last.push.provider && now.push.condition == last.push.condition;
-  if (now.serving() && !served && !injected(Fault::a_lost_state_is_nobodys_concern)) bits |= reason::pushed;
+  if (now.serving() && !served && !injected(Fault::a_lost_state_gives_no_reason)) bits |= reason::pushed;
   return bits;
 }
 
 /// Adds the reasons of one of these groups, and calls its start handler if it became live.
 void Engine::give_reasons(Index group) {
   const GroupAssignment &now = x_.s.now[group], &last = x_.s.last[group];
-  if (x_.s.run_queue[group].flags.has(group_flag::ends)) begin_what_it_has(group);
-  live_on(group, now.holder);
+  if (x_.s.run_queue[group].flags.has(group_flag::lifecycle)) begin_lifecycle(group);
+  use_data_of(group, now.holder);
   std::uint8_t bits = reasons(last, now);
   if (x_.s.anew[now.holder] != 0) bits |= reason::new_task;
   if (bits != 0) note_reasons(group, bits);
@@ -145,7 +145,7 @@ void Engine::give_reasons(Index group) {
 
 /// Adopts the new assignment. A group that is not granted leaves the run queue; its pending reasons stay.
 inline void Engine::adopt(Index group) {
-  if (!x_.s.now[group].granted() && !injected(Fault::who_leaves_stays_queued)) queue().leave(group);
+  if (!x_.s.now[group].granted() && !injected(Fault::lost_groups_stay_queued)) queue().leave(group);
   x_.s.group_marks[group].remove(mark::differs);
   x_.s.last[group] = x_.s.now[group];
   for (const Index slot : x_.t.groups[group].slots.rows()) x_.s.last.plan[slot] = x_.s.now.plan[slot];

@@ -8,9 +8,9 @@ namespace director {
 const char part::data = 0;
 
 bool Engine::take_request_with_data(const Input& record) {
-  if (record.more || !asks_again(record.thing, record.level())) return take_requests(record);
+  if (record.more || !repeats_request(record.thing, record.level())) return take_requests(record);
   bodies_.data(bodies_.self, Bodies::Data::accept, record.thing, record.handle);
-  give_what_is_asked_again(record.thing);
+  run_for_repeated_request(record.thing);
   settle_data(record.thing);
   return false;
 }
@@ -21,7 +21,7 @@ void Engine::settle_data(Index edge) {
   const bool given = granted(group) && x_.s.last[group].holder == edge;
   if (!given && x_.s.last[group].active != nil && x_.s.data_from[group] == edge) {
     bodies_.data(bodies_.self, Bodies::Data::retain, edge, nil);
-    live_on(group, nil);
+    use_data_of(group, nil);
   }
   bodies_.data(bodies_.self, Bodies::Data::settle, edge, nil);
 }

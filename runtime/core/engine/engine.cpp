@@ -26,7 +26,7 @@ void Engine::reset() {
   for (Index i = 0; i < x_.t.states.size(); ++i) {
     s.values[i].value = x_.t.states[i].initial;
     s.values[i].staged = s.handler_values[i] = unset;
-    look_at_conditions(i);
+    update_conditions(i);
   }
   for (Index p = 0; p < x_.t.providers.size(); ++p) s.enabled[p] = 1;
   for (Index e = 0; e < x_.t.edges.size(); ++e) {
@@ -46,7 +46,7 @@ void Engine::reset() {
     if (!row.listens.empty()) entry.flags |= group_flag::listens;
     if (row.start || row.stop || !row.owned.empty() ||
         any(row.providers.rows(), [&](Index p) { return x_.t.providers[p].every != 0; }))
-      entry.flags |= group_flag::ends;
+      entry.flags |= group_flag::lifecycle;
   }
   for (Index c = 0; c < x_.t.components.size(); ++c) {
     Index* link = &s.first_root[c];
@@ -69,7 +69,7 @@ RunState Engine::state(Index edge) const {
   return x_.s.request[edge].level != nil ? RunState::queued : RunState::none;
 }
 
-bool Engine::said(Index edge, std::uint8_t answer) const {
+bool Engine::answered(Index edge, std::uint8_t answer) const {
   return x_.s.run_queue[x_.t.edges[edge].target].done.has(answer) && state(edge) == RunState::running;
 }
 
@@ -86,8 +86,8 @@ DataPlace Engine::data_of(Index group) const {
 
 Time Run::now() const { return engine_.now(); }
 RunState Run::state(Index edge) const { return engine_.state(edge); }
-bool Run::done(Index edge) const { return engine_.said(edge, result::done); }
-bool Run::failed(Index edge) const { return engine_.said(edge, result::failed); }
+bool Run::done(Index edge) const { return engine_.answered(edge, result::done); }
+bool Run::failed(Index edge) const { return engine_.answered(edge, result::failed); }
 DataPlace Run::data() const { return engine_.data_of(group_); }
 
 void Run::set(Index state, std::int32_t value) {

@@ -157,7 +157,7 @@ private:
   DIRECTOR_PART void begin_to_expire();
   DIRECTOR_PART bool take_states(const Input& first);
   DIRECTOR_PART bool expire(Index state);
-  DIRECTOR_PART void look_at_conditions(Index state);
+  DIRECTOR_PART void update_conditions(Index state);
   DIRECTOR_PART void commit_states(bool fault);
 
   // promises.cpp: section 7
@@ -168,8 +168,8 @@ private:
   DIRECTOR_PART void keep_promises_in(Index component);
 
   // handlers.cpp
-  DIRECTOR_PART void begin_what_it_has(Index group);
-  DIRECTOR_PART void end_what_it_has(Index group);
+  DIRECTOR_PART void begin_lifecycle(Index group);
+  DIRECTOR_PART void end_lifecycle(Index group);
   DIRECTOR_PART void end_period(Index group, Time when);
   DIRECTOR_PART bool take_handlers_input();
   void set_by_handler(Index state, std::int32_t value);
@@ -182,9 +182,9 @@ private:
   void touch(Index group);
   void untouch(Index group);
   bool note_reasons(Index group, std::uint8_t bits);
-  void live_on(Index group, Index edge);
+  void use_data_of(Index group, Index edge);
   void add_reason(Index group, Reason reason);
-  void give_again(Index group, bool anew);
+  void queue_run(Index group, bool anew);
   void forget_triggers(Index group);
   void mark_request(Index edge);
   void request(Index edge, Index level);
@@ -192,8 +192,8 @@ private:
   const Input* take_more(const Input& record);
   bool set_value(Index state, std::int32_t value);
   bool assign(Index state, std::int32_t value);
-  bool asks_again(Index edge, Index level) const;
-  void give_what_is_asked_again(Index edge);
+  bool repeats_request(Index edge, Index level) const;
+  void run_for_repeated_request(Index edge);
 
   // several.cpp
   DIRECTOR_PART void commit_pack(Range edges);
@@ -220,7 +220,7 @@ private:
   void adopt(Index group);
   void adopt_order(Index component);
 
-  bool said(Index edge, std::uint8_t answer) const;
+  bool answered(Index edge, std::uint8_t answer) const;
   RunQueue queue() const { return RunQueue(x_.s); }
 
   // reports.cpp: section 6. All but the first only if observed().
@@ -239,7 +239,7 @@ private:
   DIRECTOR_PART void report_value(Event::Kind kind, Index group, Index provider, Index state, std::int32_t value) const;
   DIRECTOR_PART void remember_queued(Index component);
   DIRECTOR_PART void report_decisions(Index component) const;
-  void tell(Event&& event) const; ///< adds the time
+  void notify(Event&& event) const; ///< adds the time
   bool observed() const { return observable && observer_.tell != nullptr; }
   DataPlace data_of(Index group) const;
 
@@ -251,11 +251,11 @@ private:
   std::uint64_t passes_ = 0;
   std::uint32_t budget_ = default_budget;
   std::uint64_t work_budget_ = 0;
-  std::uint32_t left_ = 0;      ///< micro-steps that may still be taken
-  Index differing_ = 0;         ///< rows of State::differing in use
-  Index starting_ = nil;        ///< the group whose start handler runs; its data may still be staged
-  std::uint32_t told_lost_ = 0; ///< lost inputs that were reported
-  mutable bool inside_ = false; ///< a body, handler or observer is running
+  std::uint32_t left_ = 0;          ///< micro-steps that may still be taken
+  Index differing_ = 0;             ///< rows of State::differing in use
+  Index starting_ = nil;            ///< the group whose start handler runs; its data may still be staged
+  std::uint32_t reported_lost_ = 0; ///< lost inputs that were reported
+  mutable bool inside_ = false;     ///< a body, handler or observer is running
   bool faulted_ = false;
 };
 

@@ -8,7 +8,7 @@ namespace director {
 
 const char part::handlers = 0;
 
-void Engine::end_what_it_has(Index group) {
+void Engine::end_lifecycle(Index group) {
   for (const Index state : x_.t.list(x_.t.groups[group].owned)) {
     if (!injected(Fault::owned_states_stay)) set_by_handler(state, x_.t.states[state].initial);
   }
@@ -30,11 +30,11 @@ void Engine::handle(Index group, Reason reason) {
 }
 
 /// Calls the start handler when the group becomes live, and begins the period when its provider becomes active.
-void Engine::begin_what_it_has(Index group) {
+void Engine::begin_lifecycle(Index group) {
   const GroupAssignment &now = x_.s.now[group], &last = x_.s.last[group];
   if (last.active == now.active || injected(Fault::handlers_are_overlooked)) return;
   if (last.active == nil) {
-    live_on(group, now.holder);
+    use_data_of(group, now.holder);
     starting_ = group;
     handle(group, Reason::started);
     starting_ = nil;

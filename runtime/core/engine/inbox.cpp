@@ -45,7 +45,7 @@ bool Inbox::claim(std::span<const Input> records) {
 
 bool Inbox::put(const Input& record, Index slot) {
   if (slot >= slots_.size()) return post({&record, 1});
-  if (!waits_outside(slot) && claim({&record, 1})) return true;
+  if (!is_pending(slot) && claim({&record, 1})) return true;
   OverflowSlot::Note note{.input = record, .leader = slot};
   note.input.handle = reserve(slot);
   if (note.input.handle == nil) return true;

@@ -120,7 +120,7 @@ public:
   /// record sees the overflow slots that its writer published before.
   void open() {
     limit_ = tail_.load(std::memory_order_acquire);
-    if (spoken_.load(std::memory_order_relaxed) != 0) open_slots();
+    if (unseen_.load(std::memory_order_relaxed) != 0) open_slots();
     closed_ = !first_waits_ && head_ == limit_ && in_hand_ == 0;
   }
   bool due() const { return first_waits_ || (!closed_ && (head_ != limit_ || in_hand_ != 0)); }
@@ -140,7 +140,7 @@ public:
   std::uint32_t waiting() const { return tail_.load(std::memory_order_acquire) - head_; }
   /// Ignores the record put first, and overflow slots held by the reader: these remain behind a claimed record that was
   /// not taken, or if a step ended before they were taken, and then the next step looks for them anyway.
-  bool empty() const { return waiting() == 0 && spoken_.load(std::memory_order_relaxed) == 0; }
+  bool empty() const { return waiting() == 0 && unseen_.load(std::memory_order_relaxed) == 0; }
   /// Whether any input waits.
   bool waits() const { return !empty() || due(); }
 
@@ -162,15 +162,15 @@ private:
   bool take_cell();
 
   // overflow_slots.cpp
-  bool waits_outside(Index slot) const;
+  bool is_pending(Index slot) const;
   Index reserve(Index slot);
   void publish(Index slot, const OverflowSlot::Note& note);
   void count_lost();
   void open_slots();
   bool sweep();
   bool take_slot();
-  void give(OverflowSlot& slot);
-  void let_go(OverflowSlot& slot);
+  void deliver(OverflowSlot& slot);
+  void release(OverflowSlot& slot);
 
   // together.cpp
   DIRECTOR_PART void wait_for_leader(OverflowSlot& slot);
@@ -186,11 +186,11 @@ private:
   Input record_;             ///< the record that was put first, or taken last
   std::span<OverflowSlot> slots_;
   std::atomic<std::uint32_t> tickets_{0};
-  std::atomic<std::uint32_t> spoken_{
+  std::atomic<std::uint32_t> unseen_{
       0}; ///< not 0: there may be a record in a slot, or a loss, that the reader has not seen
   std::atomic<std::uint32_t> lost_{0}; ///< inputs lost so far
   Index in_hand_ = 0;                  ///< slots with a held place that was not taken
-  OverflowSlot* given_ = nullptr;      ///< the slot whose record was taken last
+  OverflowSlot* taken_ = nullptr;      ///< the slot whose record was taken last
 };
 
 } // namespace director

@@ -12,8 +12,8 @@ bool Engine::take_input(const Input& record) {
   switch (record.kind) {
   case Input::Kind::request:
     if (bodies_.data != nullptr) return take_request_with_data(record);
-    if (record.more || !asks_again(record.thing, record.level())) return take_requests(record);
-    give_what_is_asked_again(record.thing);
+    if (record.more || !repeats_request(record.thing, record.level())) return take_requests(record);
+    run_for_repeated_request(record.thing);
     return false;
   case Input::Kind::set: return take_states(record);
   case Input::Kind::cancel: return take_cancel(record.thing);

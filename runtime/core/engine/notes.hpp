@@ -20,9 +20,9 @@ DIRECTOR_ONE_COPY inline void Engine::mark(Index component, std::uint8_t bits) {
 
 /// Notes that the group becomes stale, or stale no longer, if a decision of the last pass depended on it.
 DIRECTOR_ONE_COPY inline void Engine::mark_stale(Index group) {
-  if (injected(Fault::who_is_stale_is_overlooked)) return;
+  if (injected(Fault::staleness_is_overlooked)) return;
   const RunQueueEntry& entry = x_.s.run_queue[group];
-  if (entry.counts != 0 || x_.s.component[entry.component].has(work::stale_counts))
+  if (entry.stale_matters != 0 || x_.s.component[entry.component].has(work::stale_matters))
     mark(entry.component, work::changed);
 }
 
@@ -41,12 +41,12 @@ inline bool Engine::note_reasons(Index group, std::uint8_t bits) {
   if ((bits & reason::new_task) != 0 && !injected(Fault::done_outlives_a_new_task)) entry.done = 0;
   const auto news = static_cast<std::uint8_t>(bits & ~entry.pending);
   entry.pending |= news;
-  if ((news & reason::outdating) != 0) mark_stale(group);
+  if ((news & reason::makes_stale) != 0) mark_stale(group);
   return news != 0;
 }
 
 /// Makes the group use the data of this request from now on; nil: its own copy.
-inline void Engine::live_on(Index group, Index edge) {
+inline void Engine::use_data_of(Index group, Index edge) {
   if (bodies_.data != nullptr) x_.s.data_from[group] = edge;
 }
 
@@ -56,8 +56,8 @@ inline void Engine::add_reason(Index group, Reason reason) {
 
 /// Queues a run of a group that stays granted. `anew`: its holder requested it again; that it is stale is noted
 /// already.
-DIRECTOR_INLINE void Engine::give_again(Index group, bool anew) {
-  live_on(group, x_.s.last[group].holder);
+DIRECTOR_INLINE void Engine::queue_run(Index group, bool anew) {
+  use_data_of(group, x_.s.last[group].holder);
   RunQueueEntry& entry = x_.s.run_queue[group];
   if (anew) {
     entry.pending |= reason::new_task;
@@ -107,7 +107,7 @@ DIRECTOR_ONE_COPY DIRECTOR_INLINE void Engine::request(Index edge, Index level) 
   Requested& request = x_.s.request[edge];
   if (Bits& anew = x_.s.anew[edge]; anew == 0) {
     anew = 1; // a task that is requested again is a new task
-    x_.s.asked[x_.s.counters->asked_count++] = edge;
+    x_.s.renewed[x_.s.counters->anew_count++] = edge;
   }
   if (request.level != level) {
     mark_request(edge);
@@ -137,26 +137,26 @@ DIRECTOR_ONE_COPY inline bool Engine::set_value(Index state, std::int32_t value)
 inline bool Engine::assign(Index state, std::int32_t value) {
   if (x_.s.values[state].value == value) return false;
   x_.s.values[state].value = value;
-  if (!x_.s.values[state].unchanged.has(value)) look_at_conditions(state);
+  if (!x_.s.values[state].unchanged.has(value)) update_conditions(state);
   return true;
 }
 
 /// Whether a micro-step that only makes this request changes no input of arbitration: the level is the same, and no
 /// decision depends on whether the target is stale. It can only cause a run.
-DIRECTOR_INLINE bool Engine::asks_again(Index edge, Index level) const {
+DIRECTOR_INLINE bool Engine::repeats_request(Index edge, Index level) const {
   const Counters& c = *x_.s.counters;
   const Requested& request = x_.s.request[edge];
   if (request.level != level || (c.work_count | c.touched_count) != 0) return false;
   const RunQueueEntry& entry = x_.s.run_queue[request.target];
-  return entry.counts == 0 && !x_.s.component[entry.component].has(work::stale_counts);
+  return entry.stale_matters == 0 && !x_.s.component[entry.component].has(work::stale_matters);
 }
 
 /// Queues the run that such a request causes; the caller settles the data.
-DIRECTOR_INLINE void Engine::give_what_is_asked_again(Index edge) {
+DIRECTOR_INLINE void Engine::run_for_repeated_request(Index edge) {
   const Index group = x_.s.request[edge].target;
   const GroupAssignment& last = x_.s.last[group];
   x_.s.counters->unsettled = false;
-  if (last.granted()) give_again(group, last.holder == edge);
+  if (last.granted()) queue_run(group, last.holder == edge);
 }
 
 /// Forgets the triggers that fired since the last run of the group, which mostly listens to none.

@@ -15,7 +15,7 @@ bool precedes(std::uint32_t a, std::uint32_t b) { return static_cast<std::int32_
 } // namespace
 
 /// Whether the newest record in this slot was not seen by the reader yet.
-bool Inbox::waits_outside(Index slot) const {
+bool Inbox::is_pending(Index slot) const {
   return slot < slots_.size() && OverflowSlot::any_published(slots_[slot].states.load(std::memory_order_acquire));
 }
 
@@ -42,23 +42,23 @@ void Inbox::publish(Index slot, const OverflowSlot::Note& note) {
     return OverflowSlot::with(now, place, PlaceState::published);
   });
   if (OverflowSlot::any_published(before)) count_lost();
-  spoken_.store(1, std::memory_order_release);
+  unseen_.store(1, std::memory_order_release);
 }
 
 /// Counts a lost input, for the reader to see.
 void Inbox::count_lost() {
   count(lost_);
-  spoken_.store(1, std::memory_order_release);
+  unseen_.store(1, std::memory_order_release);
 }
 
 /// Holds the newest record of every slot; a record published later waits for the next call.
 void Inbox::open_slots() {
-  std::uint32_t spoken = 1;
-  if (!spoken_.compare_exchange_strong(spoken, 0, std::memory_order_acquire, std::memory_order_relaxed)) return;
+  std::uint32_t unseen = 1;
+  if (!unseen_.compare_exchange_strong(unseen, 0, std::memory_order_acquire, std::memory_order_relaxed)) return;
   // Repeated until no record is new: a record published before one that was seen must be seen with it.
   for (std::size_t i = 0; i <= slots_.size() && sweep(); ++i) {}
   for (OverflowSlot& slot : slots_) {
-    if (slot.held != nil && &slot != given_ && slot.in_hand().input.more) wait_for_leader(slot);
+    if (slot.held != nil && &slot != taken_ && slot.in_hand().input.more) wait_for_leader(slot);
   }
 }
 
@@ -66,7 +66,7 @@ bool Inbox::sweep() {
   bool found = false;
   for (OverflowSlot& slot : slots_) {
     if (!OverflowSlot::any_published(slot.states.load(std::memory_order_acquire))) continue;
-    if (given_ == &slot) given_ = nullptr, let_go(slot);
+    if (taken_ == &slot) taken_ = nullptr, release(slot);
     Index place = nil;
     change(slot.states, [&](std::uint32_t now) {
       place = OverflowSlot::find(now, PlaceState::published);
@@ -90,23 +90,23 @@ bool Inbox::sweep() {
 bool Inbox::take_slot() {
   OverflowSlot* first = nullptr;
   for (OverflowSlot& slot : slots_) {
-    if (slot.held == nil || &slot == given_ || precedes(head_, slot.in_hand().position)) continue;
+    if (slot.held == nil || &slot == taken_ || precedes(head_, slot.in_hand().position)) continue;
     if (first == nullptr || precedes(slot.in_hand().ticket, first->in_hand().ticket)) first = &slot;
   }
-  if (first != nullptr) give(*first);
+  if (first != nullptr) deliver(*first);
   return first != nullptr;
 }
 
 /// Takes the record of the slot. Its place stays held until the next one is taken, so that its data can be moved.
-void Inbox::give(OverflowSlot& slot) {
-  if (given_ != nullptr) let_go(*given_);
-  given_ = &slot;
+void Inbox::deliver(OverflowSlot& slot) {
+  if (taken_ != nullptr) release(*taken_);
+  taken_ = &slot;
   --in_hand_;
   record_ = slot.in_hand().input;
   if (record_.more) record_.more = first_of(slot.in_hand().ticket) != nullptr;
 }
 
-void Inbox::let_go(OverflowSlot& slot) {
+void Inbox::release(OverflowSlot& slot) {
   change(slot.states, [&](std::uint32_t now) { return OverflowSlot::with(now, slot.held, PlaceState::free); });
   slot.held = nil;
 }

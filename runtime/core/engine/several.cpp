@@ -23,11 +23,11 @@ void Engine::commit_pack(Range edges) {
     staged->level = nil;
     if (observed()) report_request(staged->keep ? Event::Kind::keep : Event::Kind::ask, e, level);
     if (staged->keep) continue;
-    if (edges.size() != 1 || !asks_again(e, level)) {
+    if (edges.size() != 1 || !repeats_request(e, level)) {
       request(e, level);
       continue;
     }
-    give_what_is_asked_again(e);
+    run_for_repeated_request(e);
     if (bodies_.data != nullptr) settle_data(e);
   }
 }
@@ -52,7 +52,7 @@ void Engine::act_on_all_touched() {
     x_.s.touched[count++] = group;
   }
   if (!sorted) arbitration::sort_by_place(x_, {x_.s.touched, count}, arbitration::Chains::previous);
-  for (Index i = 0; i < count; ++i) give_again(x_.s.touched[i], x_.s.anew[x_.s.last[x_.s.touched[i]].holder] != 0);
+  for (Index i = 0; i < count; ++i) queue_run(x_.s.touched[i], x_.s.anew[x_.s.last[x_.s.touched[i]].holder] != 0);
 }
 
 /// Remembers a request before its first change in this micro-step.
@@ -67,7 +67,7 @@ void Engine::remember_request(Index edge) {
 
 /// Swaps requests with those before this micro-step; the second call swaps them back.
 void Engine::swap_altered() {
-  if (injected(Fault::what_stops_is_ordered_anew)) return;
+  if (injected(Fault::stops_use_the_new_order)) return;
   for (Requested& row : std::span(x_.s.before, x_.before_count)) {
     Requested& request = x_.s.request[row.target];
     std::swap(request.level, row.level);

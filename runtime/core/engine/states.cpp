@@ -9,7 +9,7 @@ const char part::states = 0;
 
 void Engine::preset(Index state, std::int32_t value) {
   x_.s.values[state].value = value;
-  look_at_conditions(state);
+  update_conditions(state);
 }
 
 /// Starts the expiry of values with the first step.
@@ -56,7 +56,7 @@ bool narrow(UnchangedInterval& unchanged, std::span<const Interval> accepted, st
 
 /// Evaluates the conditions on a state with a new value. Components in which a condition flips are decided again,
 /// except before the first step. While a state is unset, none of its conditions holds, and any value may change that.
-void Engine::look_at_conditions(Index state) {
+void Engine::update_conditions(Index state) {
   const std::int32_t value = x_.s.values[state].value;
   UnchangedInterval unchanged{unset + 1, 2147483647};
   if (value == unset) unchanged = {unset, unset};

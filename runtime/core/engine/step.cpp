@@ -93,10 +93,10 @@ DIRECTOR_INLINE bool Engine::micro_step() {
     act_on_touched();
   }
   if (bodies_.data != nullptr) {
-    for (Index i = 0; i < c.asked_count; ++i) settle_data(x_.s.asked[i]);
+    for (Index i = 0; i < c.anew_count; ++i) settle_data(x_.s.renewed[i]);
   }
-  for (Index i = 0; i < c.asked_count; ++i) x_.s.anew[x_.s.asked[i]] = 0; // new for one micro-step
-  c.asked_count = 0;
+  for (Index i = 0; i < c.anew_count; ++i) x_.s.anew[x_.s.renewed[i]] = 0; // new for one micro-step
+  c.anew_count = 0;
   if (!x_.t.promises.empty() && ran != nil) keep_promises(ran);
   return true;
 }
@@ -119,7 +119,7 @@ DIRECTOR_INLINE bool Engine::micro_step() {
     c.now = c.until;
   inbox_.open();
   if (observed()) {
-    if (inbox_.lost() != told_lost_) report_lost();
+    if (inbox_.lost() != reported_lost_) report_lost();
     if (std::exchange(faulted_, false)) return StepResult::fault; // the observer threw
   }
   const std::uint64_t before = work();

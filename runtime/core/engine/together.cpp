@@ -17,13 +17,13 @@ void link(std::span<Input> records) {
 /// The next record is there: the writer published it before the first one.
 const Input* Inbox::take_more() {
   if (!by_slot_) return take_cell() ? &record_ : nullptr;
-  OverflowSlot* const next = first_of(given_->in_hand().ticket);
-  if (next != nullptr) give(*next);
+  OverflowSlot* const next = first_of(taken_->in_hand().ticket);
+  if (next != nullptr) deliver(*next);
   return next != nullptr ? &record_ : nullptr;
 }
 
 bool Inbox::post_in_turn(std::span<const Input> records) {
-  return !any(records, [&](const Input& record) { return waits_outside(record.thing); }) && claim(records);
+  return !any(records, [&](const Input& record) { return is_pending(record.thing); }) && claim(records);
 }
 
 void Inbox::reserve(std::span<Input> records) {
@@ -53,7 +53,7 @@ void Inbox::wait_for_leader(OverflowSlot& slot) {
   using PlaceState = OverflowSlot::PlaceState;
   const OverflowSlot::Note& note = slot.in_hand();
   const OverflowSlot& first = slots_[note.leader];
-  if (first.held != nil && &first != given_ && first.in_hand().ticket == note.ticket) return;
+  if (first.held != nil && &first != taken_ && first.in_hand().ticket == note.ticket) return;
   const std::uint32_t leading = first.states.load(std::memory_order_acquire);
   if (OverflowSlot::find(leading, PlaceState::filling) == nil && !OverflowSlot::any_published(leading)) return;
   const std::uint32_t before = change(slot.states, [&](std::uint32_t now) {
@@ -63,12 +63,12 @@ void Inbox::wait_for_leader(OverflowSlot& slot) {
   if (OverflowSlot::any_published(before)) count_lost();
   slot.held = nil;
   --in_hand_;
-  spoken_.store(1, std::memory_order_relaxed);
+  unseen_.store(1, std::memory_order_relaxed);
 }
 
 OverflowSlot* Inbox::first_of(std::uint32_t ticket) {
   for (OverflowSlot& slot : slots_) {
-    if (slot.held != nil && &slot != given_ && slot.in_hand().ticket == ticket) return &slot;
+    if (slot.held != nil && &slot != taken_ && slot.in_hand().ticket == ticket) return &slot;
   }
   return nullptr;
 }

@@ -15,9 +15,9 @@ namespace {
 
 using Kind = Because::Kind;
 
-class Asking {
+class Explainer {
 public:
-  explicit Asking(const View& view) : v_(view), t_(*view.tables) {}
+  explicit Explainer(const View& view) : v_(view), t_(*view.tables) {}
 
   Because about(Index group) {
     Because out;
@@ -168,12 +168,12 @@ private:
 
   /// Whether the requests of the group may change: it, or the first one above it that is granted, is about to run for a
   /// new task or is not held, or a group above it is in limbo, below which no rule of the order is worth explaining.
-  bool orders_change(Index group) const {
+  bool requests_may_change(Index group) const {
     for (bool granted = false; group != nil; group = requester(v_.holder(group))) {
       const Index holder = v_.holder(group);
       if (holder == nil) return !granted;
       if (v_.is_limbo(holder)) return true;
-      if (!granted && v_.granted(group) && v_.run_queue[group].pending.has(reason::outdating)) return true;
+      if (!granted && v_.granted(group) && v_.run_queue[group].pending.has(reason::makes_stale)) return true;
       granted = granted || v_.granted(group);
     }
     return false;
@@ -182,7 +182,7 @@ private:
   void explain(Because& out) {
     const Queued queued = v_.queued(out.edge);
     out.kind = Kind::outdated;
-    if (orders_change(requester(out.edge))) return;
+    if (requests_may_change(requester(out.edge))) return;
     switch (queued.why) {
     case Why::waiting: return waits(out, queued.condition);
     case Why::deferred: out.kind = Kind::deferred; return;
@@ -300,10 +300,10 @@ private:
 
 } // namespace
 
-Because why(const View& view, Index group) { return Asking(view).about(group); }
+Because why(const View& view, Index group) { return Explainer(view).about(group); }
 
 bool stands_in_the_way(const View& view, Index holder, Index edge) {
-  return Asking(view).stands_in_the_way(holder, edge);
+  return Explainer(view).stands_in_the_way(holder, edge);
 }
 
 } // namespace director

@@ -14,9 +14,9 @@ namespace {
 
 constexpr bool is_in(Index row, Range rows) { return rows.begin <= row && row < rows.end; }
 
-class Checking {
+class Checker {
 public:
-  Checking(const Engine& engine, const std::byte* from)
+  Checker(const Engine& engine, const std::byte* from)
       : t_(engine.tables()),
         s_(engine.memory()),
         from_(from),
@@ -32,7 +32,7 @@ public:
       for (std::size_t i = 0; i < count && good; ++i)
         good = fits(read<Row>(from_ + at_.*kind, i), static_cast<Index>(i));
     });
-    for (Index g = 0; g < t_.groups.size() && good; ++g) good = ends_at_root(g) && has_its_plan(g);
+    for (Index g = 0; g < t_.groups.size() && good; ++g) good = ends_at_root(g) && plan_is_complete(g);
     return good && places<GroupRow>(at_.groups, t_.groups.size(), &GroupRow::queue_place) &&
            places<ComponentRow>(at_.components, t_.components.size(), &ComponentRow::work_place);
   }
@@ -76,7 +76,7 @@ private:
     constexpr std::uint8_t reasons = 31; // the reasons of runs
     const bool granted = (row.flags & flag::granted) != 0, pushed = (row.flags & (flag::in_force | flag::serving)) != 0;
     if ((row.flags & ~flags) != 0 || (row.pending & ~reasons) != 0 || row.done > 3 || row.done == result::failed ||
-        row.counts > 1)
+        row.stale_matters > 1)
       return false;
     if (!holder(g, row.holder) || !provider_of(g, row.active) || !provider_of(g, row.planned) || !push(g, row.push))
       return false;
@@ -103,7 +103,7 @@ private:
   }
 
   /// Whether the plan of the group is complete; it cannot have more entries than there are groups.
-  bool has_its_plan(Index g) const {
+  bool plan_is_complete(Index g) const {
     Index provider = row_of(g).planned, end = 0;
     if (provider == nil) return true;
     for (Index next = 0;; provider = s_.reach[next++]) {
@@ -148,6 +148,6 @@ private:
 
 } // namespace
 
-bool is_possible(const Engine& engine, const std::byte* from) { return Checking(engine, from).all(); }
+bool is_possible(const Engine& engine, const std::byte* from) { return Checker(engine, from).all(); }
 
 } // namespace director::saved

@@ -29,7 +29,7 @@ inline constexpr std::uint32_t version_word = 0x44000000U | format << 16 |
 inline constexpr std::size_t summed_from = 8;
 
 /// The bits of State::component that last longer than a micro-step.
-inline constexpr std::uint8_t component_bits = work::changed | work::unsettled | work::stale_counts;
+inline constexpr std::uint8_t component_bits = work::changed | work::unsettled | work::stale_matters;
 
 /// The place of a number: a member of a row of an array, if that is there.
 template <class T>
@@ -75,7 +75,7 @@ struct GroupRow {
   Push push{};
   Time wait = never, every = never; ///< when these timers are due
   Index queue_place = nil;          ///< place in the run queue; in memory in State::reach
-  std::uint8_t pending = 0, done = 0, counts = 0;
+  std::uint8_t pending = 0, done = 0, stale_matters = 0;
   Index data_from = nil;
   Promised promised{};
   constexpr void each(auto visit, const State& s = {}, Index g = 0) {
@@ -88,7 +88,8 @@ struct GroupRow {
     visit(push.condition, at(pushes, 0, &Push::condition));
     visit(wait, Timers::Timer{Timers::Kind::wait, g}), visit(every, Timers::Timer{Timers::Kind::every, g});
     visit(queue_place, at(s.reach, g)), visit(pending, at(s.run_queue, g, &RunQueueEntry::pending));
-    visit(done, at(s.run_queue, g, &RunQueueEntry::done)), visit(counts, at(s.run_queue, g, &RunQueueEntry::counts));
+    visit(done, at(s.run_queue, g, &RunQueueEntry::done)),
+        visit(stale_matters, at(s.run_queue, g, &RunQueueEntry::stale_matters));
     visit(data_from, at(s.data_from, g)), visit(promised.edge, at(s.promised, g, &Promised::edge));
     visit(promised.provider, at(s.promised, g, &Promised::provider));
   }

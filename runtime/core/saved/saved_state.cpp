@@ -161,7 +161,7 @@ private:
   /// Called before `begun` is set, so that no component is marked for a new decision.
   void states() {
     for (Index i = 0; i < t_.states.size(); ++i) {
-      engine_.look_at_conditions(i);
+      engine_.update_conditions(i);
       if (s_.handler_values[i] != unset) s_.handled[s_.counters->handled_count++] = i;
     }
   }
