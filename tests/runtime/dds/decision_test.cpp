@@ -13,15 +13,15 @@ using namespace director::tests;
 namespace {
 
 /// Everything that one behaviour tells, in words.
-struct Told {
-  static void hear(void* self, const Event& event) {
-    Told& told = *static_cast<Told*>(self);
+struct Recorded {
+  static void observe(void* self, const Event& event) {
+    Recorded& told = *static_cast<Recorded*>(self);
     const dds::Decision d = dds::decision_of(event, *told.plug);
     using enum Event::Kind;
     constexpr std::array no_decisions{set, input, ask, answer, assign, begin, given};
     if (std::find(no_decisions.begin(), no_decisions.end(), event.kind) == no_decisions.end())
       told.decisions.push_back(d.kind + " " + d.group + "." + d.provider + " for " + d.requester + ": " + d.reason);
-    if (const auto ended = told.promises->hear(event))
+    if (const auto ended = told.promises->observe(event))
       told.ended.push_back((ended->kept ? "kept " : "broken ") + ended->group + "." + ended->provider + ": " +
                            ended->condition);
   }
@@ -38,8 +38,8 @@ struct Heard {
   }
   Plans plans;
   Skills skills;
-  Told told;
-  courier::Behaviour behaviour{plans, skills, {&Told::hear, &told}};
+  Recorded told;
+  courier::Behaviour behaviour{plans, skills, {&Recorded::observe, &told}};
   const dds::Plug plugged = plug(behaviour);
   dds::Promises promises{plugged};
 };
@@ -59,19 +59,19 @@ TEST_CASE("a decision is told in names") {
 TEST_CASE("a promise is kept by the run of its provider, and broken when its time is over") {
   Heard heard;
   const auto hear = [&](Event event) {
-    if (const auto ended = heard.promises.hear(event))
+    if (const auto ended = heard.promises.observe(event))
       heard.told.ended.push_back((ended->kept ? "kept " : "broken ") + ended->condition);
   };
   const Tables& t = heard.plugged.tables();
   Index unlocking = 0;
   while (std::string(courier::names::provider(unlocking)) != "unlocking") ++unlocking;
   const Index open = t.providers[unlocking].group, door = state_row("Door");
-  hear({.kind = Event::Kind::run, .group = open, .provider = unlocking, .micro_step = 5});
-  hear({.kind = Event::Kind::set, .state = door, .value = 0, .micro_step = 5});
+  observe({.kind = Event::Kind::run, .group = open, .provider = unlocking, .micro_step = 5});
+  observe({.kind = Event::Kind::set, .state = door, .value = 0, .micro_step = 5});
   CHECK(heard.told.ended.empty());
-  hear({.kind = Event::Kind::set, .state = door, .value = 1, .micro_step = 6}); // by a handler, or a timer
+  observe({.kind = Event::Kind::set, .state = door, .value = 1, .micro_step = 6}); // by a handler, or a timer
   CHECK(heard.told.ended.empty());
-  hear({.kind = Event::Kind::set, .state = door, .value = 1, .micro_step = 5});
-  hear({.kind = Event::Kind::broken, .group = open, .provider = unlocking, .micro_step = 9});
+  observe({.kind = Event::Kind::set, .state = door, .value = 1, .micro_step = 5});
+  observe({.kind = Event::Kind::broken, .group = open, .provider = unlocking, .micro_step = 9});
   CHECK(heard.told.ended == std::vector<std::string>{"kept Door == open", "broken Door == open"});
 }

@@ -10,17 +10,17 @@ using namespace director::dds;
 TEST_CASE("what would be said again and again is said once") {
   std::vector<std::string> told;
   Notes notes([&](const Notice& notice) { told.push_back(notice.robot + ": " + notice.text); });
-  for (int i = 0; i < 3; ++i) notes.tell_once(Notice::Kind::bad_sample, "two", "nonsense");
-  notes.tell_once(Notice::Kind::bad_sample, "three", "nonsense");
-  notes.tell(Notice::Kind::joined, "two", "there");
-  notes.tell(Notice::Kind::joined, "two", "there");
+  for (int i = 0; i < 3; ++i) notes.report_once(Notice::Kind::bad_sample, "two", "nonsense");
+  notes.report_once(Notice::Kind::bad_sample, "three", "nonsense");
+  notes.report(Notice::Kind::joined, "two", "there");
+  notes.report(Notice::Kind::joined, "two", "there");
   CHECK(told == std::vector<std::string>{"two: nonsense", "three: nonsense", "two: there", "two: there"});
 }
 
 TEST_CASE("whoever invents mistakes fills no memory") {
   int told = 0;
   Notes notes([&](const Notice&) { ++told; });
-  for (int i = 0; i < 5000; ++i) notes.tell_once(Notice::Kind::bad_sample, "two", std::to_string(i));
+  for (int i = 0; i < 5000; ++i) notes.report_once(Notice::Kind::bad_sample, "two", std::to_string(i));
   CHECK(told == 1000);
 }
 

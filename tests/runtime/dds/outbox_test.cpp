@@ -22,7 +22,7 @@ TEST_CASE("decisions come out in order and numbered, what bodies request does no
   tell(outbox.observer(), Event::Kind::ask);
   tell(outbox.observer(), Event::Kind::set);
   tell(outbox.observer(), Event::Kind::done, 1);
-  Outbox::Told told;
+  Outbox::Entry told;
   CHECK(outbox.anything_new());
   REQUIRE(outbox.take(told));
   CHECK(told.event.kind == Event::Kind::run);
@@ -40,7 +40,7 @@ TEST_CASE("what finds no room is counted, and leaves a gap in the numbers") {
   Outbox outbox(4);
   for (int i = 0; i < 6; ++i) tell(outbox.observer(), Event::Kind::run);
   CHECK(outbox.lost() == 2);
-  Outbox::Told told;
+  Outbox::Entry told;
   std::uint64_t last = 0;
   while (outbox.take(told)) last = told.number;
   CHECK(last == 4);
@@ -63,7 +63,7 @@ TEST_CASE("between two threads nothing is torn, and what is not lost comes once"
   std::thread stepping([&] {
     for (Index i = 0; i < events; ++i) tell(outbox.observer(), Event::Kind::run, i);
   });
-  Outbox::Told told;
+  Outbox::Entry told;
   std::uint64_t taken = 0, last = 0, wrong = 0;
   const auto take_all = [&] {
     while (outbox.take(told)) {

@@ -32,7 +32,7 @@ struct CourierMoments {
   void show() {
     (void)behaviour.fire<courier::Bell>();
     behaviour.step(std::chrono::milliseconds(0));
-    moments.show(behaviour.seen().view(), queue.told());
+    moments.show(behaviour.seen().view(), queue.total());
   }
 
   Names names = courier::names::all();

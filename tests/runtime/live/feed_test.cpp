@@ -226,8 +226,8 @@ TEST_CASE("moments go from thread to thread whole, and none is refused") {
     while (!over) {
       const live::Moment& moment = source.moments.look();
       if (moment.view.tables == nullptr) continue;
-      if (moment.told != moment.view.micro_step || moment.told < last) std::abort();
-      last = moment.told;
+      if (moment.events != moment.view.micro_step || moment.events < last) std::abort();
+      last = moment.events;
     }
   });
   for (int i = 0; i < 20'000; ++i) {
@@ -238,5 +238,5 @@ TEST_CASE("moments go from thread to thread whole, and none is refused") {
   }
   over = true;
   reader.join();
-  CHECK(source.moments.look().told == source.behaviour.seen().view().micro_step);
+  CHECK(source.moments.look().events == source.behaviour.seen().view().micro_step);
 }
