@@ -53,7 +53,7 @@ void check(const std::string& path) {
   }
 }
 
-TEST_CASE("the oracle plays every scenario of the conformance folder as it is expected") {
+TEST_CASE("the oracle plays every scenario of the conformance folder as expected") {
   REQUIRE(scenarios().size() > 60);
   for (const std::string& path : scenarios()) check(path);
 }

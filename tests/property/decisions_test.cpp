@@ -23,7 +23,7 @@ constexpr std::uint64_t usual_cases = 300;
 constexpr std::uint64_t usual_cases = 20;
 #endif
 
-TEST_CASE("whatever is decided is among what may come of it") {
+TEST_CASE("every decision is among its possible results") {
   const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
   const auto cases = from_environment<std::uint64_t>("DIRECTOR_CASES", usual_cases);
   std::size_t decided = 0, explored = 0, moments = 0, passes = 0, states = 0;

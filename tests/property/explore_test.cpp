@@ -100,7 +100,7 @@ std::vector<std::size_t> refuted_by(const Compiled& compiled) {
   return out;
 }
 
-TEST_CASE("explorations agree with the checks, with proofs, and with what is played") {
+TEST_CASE("explorations agree with checks, with proofs, and with scenarios") {
   const auto first = tests::from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
   const std::uint64_t cases = tests::from_environment("DIRECTOR_CASES", usual_cases);
   std::size_t complete = 0, proven = 0, refuted = 0, not_played = 0, states = 0, scenarios = 0;

@@ -23,7 +23,7 @@ constexpr std::uint64_t usual_games = 600;
 constexpr std::uint64_t usual_games = 20; // not optimised, or under a sanitizer
 #endif
 
-TEST_CASE("in long games a pass decides what it would if it decided everything again") {
+TEST_CASE("in long games an incremental pass decides the same as a pass from nothing") {
   const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
   const auto games = from_environment("DIRECTOR_CASES", usual_games);
   std::uint64_t micro_steps = 0;

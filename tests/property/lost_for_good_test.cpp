@@ -110,7 +110,7 @@ void take(Seen& seen, std::uint64_t seed) {
   }
 }
 
-TEST_CASE("what is said to be lost for good never comes back, and mostly is lost") {
+TEST_CASE("conditions that a finding calls lost for good never come back, and mostly are lost") {
   const auto first = tests::from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
   const auto cases = tests::from_environment("DIRECTOR_CASES", tests::is_long() ? long_cases : usual_cases);
   Seen seen;

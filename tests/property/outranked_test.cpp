@@ -146,7 +146,7 @@ void take(Seen& seen, std::uint64_t seed) {
   }
 }
 
-TEST_CASE("where a task is said to wait behind what could help it, it is seen to wait") {
+TEST_CASE("a task that may wait behind a provider that could help it does wait in an exploration") {
   const auto first = tests::from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
   const auto cases = tests::from_environment("DIRECTOR_CASES", tests::is_long() ? long_cases : usual_cases);
   Seen seen;

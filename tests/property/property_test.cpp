@@ -144,14 +144,16 @@ TEST_CASE("the engine does what the oracle does, in the first part of the random
 TEST_CASE("the engine does what the oracle does, in the second part of the random cases") { run_part(1); }
 TEST_CASE("the engine does what the oracle does, in the third part of the random cases") { run_part(2); }
 TEST_CASE("the engine does what the oracle does, in the last part of the random cases") { run_part(3); }
-TEST_CASE("the engine does what the oracle does, in behaviours that are several in one") {
+TEST_CASE("the engine does what the oracle does, in behaviours of several parts") {
   run_special(generate_parts, " of several parts");
 }
-TEST_CASE("the engine does what the oracle does, where a unit is tried now before and now behind another task") {
+TEST_CASE("the engine does what the oracle does, if a unit changes its place in the order") {
   run_special(generate_moving_unit, " of units that move");
 }
-TEST_CASE("the engine does what the oracle does, where most are equals") { run_special(generate_equals, " of equals"); }
-TEST_CASE("the engine does what the oracle does, where bodies go on to request something else") {
+TEST_CASE("the engine does what the oracle does, if most edges are equal") {
+  run_special(generate_equals, " of equals");
+}
+TEST_CASE("the engine does what the oracle does, if bodies change their requests in many runs") {
   run_special(generate_long, " of long games");
 }
 

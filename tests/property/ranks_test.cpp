@@ -340,7 +340,7 @@ void compare_cases(Documents (*make)(std::uint64_t), std::uint64_t cases, Seen& 
             << " where its unit stands before it\n";
 }
 
-TEST_CASE("what a page tells of who goes first is what the engine does") {
+TEST_CASE("the order of tasks on a page is that of the engine") {
   const std::uint64_t cases = from_environment("DIRECTOR_CASES", usual_cases);
   Seen seen;
   compare_cases(generate, cases, seen);
@@ -351,8 +351,7 @@ TEST_CASE("what a page tells of who goes first is what the engine does") {
   CHECK(seen.rivals > cases / 10);
 }
 
-TEST_CASE("what a page tells of who goes first is what the engine does where a unit is tried before another task now "
-          "and behind it now") {
+TEST_CASE("the order of tasks on a page is that of the engine if a unit changes its place in the order") {
   const std::uint64_t cases = from_environment("DIRECTOR_CASES", usual_cases / 2);
   Seen seen;
   compare_cases(generate_moving_unit, cases, seen);

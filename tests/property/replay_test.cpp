@@ -90,8 +90,8 @@ std::string mutated(std::string behaviour, Random& random) {
   return behaviour.replace(at, end - at, std::to_string(random.below(60)));
 }
 
-TEST_CASE("what was recorded of random scenarios is the same when it is played again, and otherwise where it is "
-          "decided otherwise") {
+TEST_CASE(
+    "a replay of a random scenario is equal to its trace, and differs where another behaviour decides differently") {
   const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
   const std::uint64_t cases = from_environment("DIRECTOR_CASES", usual_cases);
   std::size_t events = 0, others = 0, differing = 0;

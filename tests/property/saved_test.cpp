@@ -131,7 +131,8 @@ void cut_at_random(std::uint64_t seed, Cuts& cuts) {
   if (const std::string found = difference(whole, cut); !found.empty()) FAIL("DIRECTOR_SEED=" << seed << ": " << found);
 }
 
-TEST_CASE("a behaviour that is cut at random and goes on in a new engine has the trace of one that was never cut") {
+TEST_CASE(
+    "a behaviour that is saved at random and loaded into a new engine has the trace of one that was not interrupted") {
   const std::uint64_t wanted = is_long() ? 100'000 : 3'000;
   Cuts cuts;
   std::uint64_t seed = from_environment<std::uint64_t>("DIRECTOR_SEED", 1), cases = 0;
@@ -253,7 +254,7 @@ bool counts(const Member& member, std::uint64_t seed) {
   return refused || whole.events() != cut.events();
 }
 
-TEST_CASE("each number that is saved counts") {
+TEST_CASE("each saved number is necessary") {
   constexpr std::uint64_t most = 4'000;
   const std::vector<Member> all = members();
   for (std::size_t i = 0; i < all.size(); i += numbers_apart) {
@@ -280,7 +281,7 @@ void damage(std::vector<std::byte>& bytes, Random& random) {
   }
 }
 
-TEST_CASE("bytes that nobody saved are refused, or are played on from without harm") {
+TEST_CASE("bytes that were not saved are refused, or loaded without harm") {
   const std::uint64_t wanted = is_long() ? 200'000 : 20'000;
   std::uint64_t seed = from_environment<std::uint64_t>("DIRECTOR_SEED", 1), tried = 0, accepted = 0;
   for (; tried < wanted; ++seed) {
@@ -324,7 +325,7 @@ TEST_CASE("bytes that nobody saved are refused, or are played on from without ha
   CHECK(accepted < tried);
 }
 
-TEST_CASE("cut off anywhere, or flipped anywhere without a new check sum, bytes are refused") {
+TEST_CASE("truncated bytes, and flipped bits without a new check sum, are refused") {
   const auto documents = compiled(7);
   EngineRun run(*documents, false);
   std::vector<std::byte> bytes;

@@ -61,7 +61,7 @@ std::string find_told_twice(std::uint64_t seed) {
   return out;
 }
 
-TEST_CASE("that a task never runs for somebody is told once") {
+TEST_CASE("only one finding reports that a task never runs for a requester") {
   const auto first = tests::from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
   const auto cases = tests::from_environment("DIRECTOR_CASES", tests::is_long() ? long_cases : usual_cases);
   std::string twice;

@@ -218,7 +218,7 @@ void take_range(Measure& measure, std::uint64_t first, std::uint64_t cases) {
     take(measure, seed);
 }
 
-TEST_CASE("what findings call impossible is never reached, and what is never reached is told") {
+TEST_CASE("what findings call impossible is never reached, and what is never reached is reported") {
   const std::uint64_t first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
   const std::uint64_t cases = from_environment("DIRECTOR_CASES", is_long() ? long_cases : usual_cases);
   Measure measure;
@@ -230,7 +230,7 @@ TEST_CASE("what findings call impossible is never reached, and what is never rea
   CHECK(measure.share() >= (is_long() ? least_told_long : least_told));
 }
 
-TEST_CASE("nothing untrue is told of behaviours of which it once was") {
+TEST_CASE("findings are true for behaviours for which one was once false") {
   if (tests::is_sanitized) return; // it is what is told that counts here
   Measure measure;
   for (const std::uint64_t seed : {1'001'288U, 1'001'557U, 1'002'239U, 2'001'694U, 4'000'471U, 4'000'477U})
@@ -240,7 +240,7 @@ TEST_CASE("nothing untrue is told of behaviours of which it once was") {
   CHECK(measure.explored == 6);
 }
 
-TEST_CASE("so it is with seeds that nobody looked at while the checks were written") {
+TEST_CASE("findings are true and complete for seeds that were not used to write the checks") {
   if (!is_long() || std::getenv("DIRECTOR_SEED") != nullptr) return;
   const std::uint64_t cases = from_environment("DIRECTOR_CASES", far_cases);
   for (const std::uint64_t first : far_ranges) {

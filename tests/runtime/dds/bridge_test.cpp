@@ -110,7 +110,7 @@ bool is(Robot& robot, const std::string& state, std::int32_t value) {
 
 } // namespace
 
-TEST_CASE("what one robot becomes the other one hears") {
+TEST_CASE("a robot receives the states of another") {
   Robot one(speaks), two(hears);
   CHECK(one.behaviour.set(post::Mood::hurried, courier::Battery{-7}));
   one.step();
@@ -123,7 +123,7 @@ TEST_CASE("what one robot becomes the other one hears") {
   CHECK(two.bridge.counts().states_heard >= 3);
 }
 
-TEST_CASE("a robot that joins late hears what holds, though it was said before") {
+TEST_CASE("a robot that joins late receives current states that were published before") {
   Robot one(speaks);
   CHECK(one.behaviour.set(post::Mood::hurried));
   one.step();
@@ -132,7 +132,7 @@ TEST_CASE("a robot that joins late hears what holds, though it was said before")
   CHECK(is(two, "Mood", hurried)); // and one has not stepped again
 }
 
-TEST_CASE("a robot that joins very late does not hear what nobody has said for long") {
+TEST_CASE("a robot that joins very late does not receive states that were not repeated for long") {
   Robot one({.robot = "one", .publish = {"Mood"}, .say_again = 20ms});
   CHECK(one.behaviour.set(post::Mood::hurried));
   one.step();
@@ -146,7 +146,7 @@ TEST_CASE("a robot that joins very late does not hear what nobody has said for l
   CHECK(two.value("Mood") == calm);
 }
 
-TEST_CASE("a robot says its states again and again, but only while it steps") {
+TEST_CASE("a robot repeats its states, but only while it steps") {
   Robot one({.robot = "one", .publish = {"Mood"}, .say_again = 10ms});
   Onlooker onlooker;
   CHECK(one.comes_true([&] { return onlooker.state("Mood") == "calm" && onlooker.heard > 5; }));
@@ -158,7 +158,7 @@ TEST_CASE("a robot says its states again and again, but only while it steps") {
   CHECK(onlooker.heard == heard);
 }
 
-TEST_CASE("a state without a value is said to have none, and changes nothing") {
+TEST_CASE("an unset state is published as unset, and changes nothing") {
   Robot one(speaks), two(hears);
   Onlooker onlooker;
   CHECK(one.comes_true([&] { return onlooker.state("Battery") == "nothing"; }));
@@ -169,7 +169,7 @@ TEST_CASE("a state without a value is said to have none, and changes nothing") {
   CHECK(two.value("Battery") == 5);
 }
 
-TEST_CASE("a value that is not known here is told of once, and changes nothing") {
+TEST_CASE("an unknown value is reported once, and changes nothing") {
   Robot two(hears);
   Stranger one;
   for (int i = 0; i < 5; ++i) {
@@ -186,7 +186,7 @@ TEST_CASE("a value that is not known here is told of once, and changes nothing")
             "unknown_value one: the state Battery is 1000, a value that Battery does not have; it stays as it is"});
 }
 
-TEST_CASE("samples that cannot be meant are told of and change nothing") {
+TEST_CASE("invalid samples are reported and change nothing") {
   Robot two(hears);
   Stranger one;
   std::uint64_t faults = 0; // one after the other: of one state only the newest sample is kept
@@ -245,7 +245,7 @@ TEST_CASE("bytes that are no message change nothing") {
   dds_set_log_sink(nullptr, nullptr);
 }
 
-TEST_CASE("who offers states with less quality than it takes is told of") {
+TEST_CASE("a writer of states with insufficient quality is reported") {
   Robot two(hears);
   const dds::Entity participant = dds::join(loopback_domain());
   const dds_entity_t topic =
@@ -258,7 +258,7 @@ TEST_CASE("who offers states with less quality than it takes is told of") {
   }));
 }
 
-TEST_CASE("who comes, goes, comes again and decides otherwise is told") {
+TEST_CASE("robots that join, leave, restart or run another specification are reported") {
   Robot two(hears);
   {
     Robot one(speaks);
@@ -277,7 +277,7 @@ TEST_CASE("who comes, goes, comes again and decides otherwise is told") {
   }));
 }
 
-TEST_CASE("two processes with one name are told of") {
+TEST_CASE("two processes with one name are reported") {
   Robot one(speaks), twin(speaks);
   const std::string notice =
       "twin one: another process says that it is this robot with the behaviour courier; both are "
@@ -286,7 +286,7 @@ TEST_CASE("two processes with one name are told of") {
   CHECK(twin.comes_true([&] { return twin.was_told(notice); }));
 }
 
-TEST_CASE("values that nobody takes in time are told of, and the newest one comes") {
+TEST_CASE("values that are not taken in time are reported, and the newest one is taken") {
   Robot two(hears);
   Stranger one;
   for (int i = 0; i < 200; ++i) { // and nobody steps
@@ -299,7 +299,7 @@ TEST_CASE("values that nobody takes in time are told of, and the newest one come
   CHECK(is(two, "Battery", 42));
 }
 
-TEST_CASE("others see what a robot decides, in order, and what becomes of its promises") {
+TEST_CASE("others receive the decisions of a robot in order, and the ends of its promises") {
   Onlooker onlooker;
   Robot one(speaks);
   one.plans.deliver = [](courier::Deliver::Default& run) {
@@ -328,7 +328,7 @@ TEST_CASE("others see what a robot decides, in order, and what becomes of its pr
   CHECK(onlooker.gaps == 0);
 }
 
-TEST_CASE("decisions that find no room are counted, and others see the gap") {
+TEST_CASE("decisions that find the outbox full are counted, and others see the gap") {
   Onlooker onlooker;
   Robot one(speaks);
   CHECK(one.comes_true([&] { return onlooker.ready(); }));
@@ -348,7 +348,7 @@ TEST_CASE("decisions that find no room are counted, and others see the gap") {
   CHECK(onlooker.in_order);
 }
 
-TEST_CASE("a domain that does not exist, or whose network is not there, is an error that says so") {
+TEST_CASE("a domain that does not exist, or has no network, is reported as an error") {
   loopback_domain();
   Plans plans;
   Skills skills;

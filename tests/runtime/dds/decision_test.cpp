@@ -46,7 +46,7 @@ struct Heard {
 
 } // namespace
 
-TEST_CASE("a decision is told in names") {
+TEST_CASE("a decision is published with names") {
   Heard heard;
   heard.plans.rest = [](courier::Rest::Default& run) { return run.request(courier::Sing{}); };
   heard.behaviour.request<courier::Rest>();

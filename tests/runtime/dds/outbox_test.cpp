@@ -16,7 +16,7 @@ void tell(Observer observer, Event::Kind kind, Index group = 0) {
 
 } // namespace
 
-TEST_CASE("decisions come out in order and numbered, what bodies request does not") {
+TEST_CASE("decisions come out in order and numbered, requests of bodies do not") {
   Outbox outbox(8);
   tell(outbox.observer(), Event::Kind::run, 1);
   tell(outbox.observer(), Event::Kind::ask);
@@ -36,7 +36,7 @@ TEST_CASE("decisions come out in order and numbered, what bodies request does no
   CHECK(!outbox.take(told));
 }
 
-TEST_CASE("what finds no room is counted, and leaves a gap in the numbers") {
+TEST_CASE("events that find no room are counted, and leave a gap in the numbers") {
   Outbox outbox(4);
   for (int i = 0; i < 6; ++i) tell(outbox.observer(), Event::Kind::run);
   CHECK(outbox.lost() == 2);
@@ -49,7 +49,7 @@ TEST_CASE("what finds no room is counted, and leaves a gap in the numbers") {
   CHECK(told.number == 7);
 }
 
-TEST_CASE("another observer is told as well, of everything") {
+TEST_CASE("another observer is called as well, for everything") {
   int told = 0;
   Outbox outbox(2, {[](void* self, const Event&) { ++*static_cast<int*>(self); }, &told});
   tell(outbox.observer(), Event::Kind::ask);
@@ -57,7 +57,7 @@ TEST_CASE("another observer is told as well, of everything") {
   CHECK(told == 6);
 }
 
-TEST_CASE("between two threads nothing is torn, and what is not lost comes once") {
+TEST_CASE("between two threads no event is torn, and each that is not lost comes once") {
   Outbox outbox(16);
   constexpr Index events = 100'000;
   std::thread stepping([&] {

@@ -160,7 +160,7 @@ void check_never_two(Team& team) {
 
 } // namespace
 
-TEST_CASE("the role passes on when the striker is killed, and comes back when it is started again") {
+TEST_CASE("the role passes to another robot when the striker is killed, and back when it is restarted") {
   Team team;
   for (int robot = 0; robot < count; ++robot) team.start(robot);
   check_settled(team, "all three are there");
@@ -177,7 +177,7 @@ TEST_CASE("the role passes on when the striker is killed, and comes back when it
   check_never_two(team);
 }
 
-TEST_CASE("whoever is killed and started again, one robot strikes in the end") {
+TEST_CASE("whichever robots are killed and restarted, one robot strikes in the end") {
   const unsigned seed = std::random_device{}();
   std::printf("   seed %u\n", seed);
   CAPTURE(seed);
@@ -200,7 +200,7 @@ TEST_CASE("whoever is killed and started again, one robot strikes in the end") {
   check_never_two(team);
 }
 
-TEST_CASE("a striker that freezes loses the role, and when it goes on there is one again") {
+TEST_CASE("a striker that freezes loses the role, and when it continues there is one striker again") {
   Team team;
   for (int robot = 0; robot < count; ++robot) team.start(robot);
   check_settled(team, "all three are there");
@@ -213,7 +213,7 @@ TEST_CASE("a striker that freezes loses the role, and when it goes on there is o
   check_never_two(team);
 }
 
-TEST_CASE("a robot that says goodbye, or is halted by the coach, leaves the role to the next") {
+TEST_CASE("a robot that ends, or is halted by the coach, leaves the role to the next") {
   Team team;
   for (int robot = 0; robot < count; ++robot) team.start(robot);
   check_settled(team, "all three are there");

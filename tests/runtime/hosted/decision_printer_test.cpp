@@ -113,7 +113,7 @@ const char* word(const void*, Index) { return "x"; }
 
 } // namespace
 
-TEST_CASE("the printer says what simulate says, in every scenario of the conformance tests") {
+TEST_CASE("the printer prints the same as simulate, in every scenario of the conformance tests") {
   int scenarios = 0, lines = 0, plain = 0, levels = 0;
   for (const auto& entry : std::filesystem::directory_iterator(tests::source_dir() / "tests/conformance")) {
     const std::string path = entry.path().string();
@@ -137,7 +137,7 @@ TEST_CASE("the printer says what simulate says, in every scenario of the conform
   CHECK(lines > 500);
 }
 
-TEST_CASE("inputs are printed as steps of a scenario have them") {
+TEST_CASE("inputs are printed as in the steps of a scenario") {
   const Names names{.self = nullptr,
                     .group = word,
                     .provider = word,
@@ -186,7 +186,7 @@ TEST_CASE("a line that does not fit is cut off") {
   CHECK(std::string(to_text(event, names, none)).empty());
 }
 
-TEST_CASE("the time stands before a line in seconds") {
+TEST_CASE("the time before a line is in seconds") {
   std::array<char, 40> buffer{};
   CHECK(std::string(time_text(0, buffer)) == "[    0.000000] ");
   CHECK(std::string(time_text(1'500'007, buffer)) == "[    1.500007] ");
@@ -195,7 +195,7 @@ TEST_CASE("the time stands before a line in seconds") {
   CHECK(std::string(time_text(std::numeric_limits<Time>::min(), buffer)) == "[-9223372036854.775808] ");
 }
 
-TEST_CASE("each word of an event has a name of its own") {
+TEST_CASE("each enumerator of an event has its own name") {
   std::vector<std::string> names;
   for (int i = 0; i <= static_cast<int>(Event::Kind::given); ++i)
     names.emplace_back(name_of(static_cast<Event::Kind>(i)));

@@ -45,7 +45,8 @@ TEST_CASE("a viewer from the beginning gets every event, in order") {
   CHECK(viewer.follower.gaps() == 0);
 }
 
-TEST_CASE("a viewer who comes late gets a header, how much it missed, what holds, and then every event") {
+TEST_CASE(
+    "a viewer that connects late gets a header, the number of missed events, the current state, and then every event") {
   CourierMoments source{1024};
   Feed feed(source.queue, source.moments, source.names, 1 << 20);
   source.tell(100);
@@ -66,7 +67,7 @@ TEST_CASE("a viewer who comes late gets a header, how much it missed, what holds
   CHECK(viewer.follower.missed() == 100);
 }
 
-TEST_CASE("who is too slow misses what is gone, is told how much, and what holds now") {
+TEST_CASE("a viewer that is too slow misses events, and gets their number and the current state") {
   CourierMoments source{1024};
   Feed feed(source.queue, source.moments, source.names, 2000);
   Viewer slow{feed, {}, {}}, quick{feed, {}, {}};
@@ -84,8 +85,8 @@ TEST_CASE("who is too slow misses what is gone, is told how much, and what holds
   CHECK(slow.follower.missed() == 500); // nothing was kept that it could have got
 }
 
-TEST_CASE("where groups stand that do not just run comes behind the events of its moment, and again when that may be "
-          "in doubt") {
+TEST_CASE(
+    "groups that do not simply run are sent behind the events of their moment, and again when that may be in doubt") {
   CourierMoments source{1024};
   source.plans.deliver = [](courier::Deliver::Default& run) { return run.enter(courier::Open{}, courier::Walk{{}}); };
   (void)source.behaviour.enable<courier::Open::Unlocking>(false);
@@ -131,7 +132,7 @@ TEST_CASE("where groups stand that do not just run comes behind the events of it
   CHECK(look(late).empty());
 }
 
-TEST_CASE("what the queue had no place for is a gap for everybody") {
+TEST_CASE("events that found the queue full are a gap for all viewers") {
   CourierMoments source{16};
   Feed feed(source.queue, source.moments, source.names, 1 << 20);
   Viewer viewer{feed, {}, {}};
@@ -153,7 +154,7 @@ TEST_CASE("what the queue had no place for is a gap for everybody") {
   CHECK(viewer.follower.missed() == 10 + 7);
 }
 
-TEST_CASE("of a program that shows no moments viewers get the events that are kept") {
+TEST_CASE("viewers of a program that shows no moments get the events that are kept") {
   CourierMoments source{16};
   Feed feed(source.queue, source.moments, source.names, 300);
   Viewer early{feed, {}, {}}, late{feed, {}, {}};
@@ -169,7 +170,7 @@ TEST_CASE("of a program that shows no moments viewers get the events that are ke
   CHECK(late.follower.missed() > 50);
 }
 
-TEST_CASE("a moment that is older than what is kept, as of a program that stopped showing, is not told") {
+TEST_CASE("a moment that is older than the kept events, as if a program stopped showing, is not sent") {
   CourierMoments source{16};
   Feed feed(source.queue, source.moments, source.names, 300);
   source.tell(2);
@@ -183,7 +184,7 @@ TEST_CASE("a moment that is older than what is kept, as of a program that stoppe
   CHECK(late.follower.at() == 62);
 }
 
-TEST_CASE("who comes back with the id of its last message goes on there, where that is still kept") {
+TEST_CASE("a viewer that reconnects with the id of its last message continues there, if that is still kept") {
   CourierMoments source{64};
   Feed feed(source.queue, source.moments, source.names, 1000);
   source.tell(5);
@@ -211,14 +212,14 @@ TEST_CASE("a sign of life has the engine's time") {
   CHECK(*feed.alive() == "event: alive\ndata: 1500000\n\n");
 }
 
-TEST_CASE("a moment names tables that outlive the behaviour, as the view may do") {
+TEST_CASE("a moment has tables that outlive the behaviour, as the view may do") {
   CourierMoments source{16};
   source.show();
   CHECK(source.moments.look().view.tables == source.names.tables);
   CHECK(source.behaviour.seen().view().tables != source.names.tables);
 }
 
-TEST_CASE("moments go from thread to thread whole, and none is refused") {
+TEST_CASE("moments pass from thread to thread whole, and none is refused") {
   CourierMoments source{16};
   std::atomic<bool> over{false};
   std::thread reader([&] {

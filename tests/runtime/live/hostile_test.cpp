@@ -41,7 +41,7 @@ std::string with_headers(const std::string& url, std::size_t bytes, std::string_
 
 } // namespace
 
-TEST_CASE("random bytes are no request") {
+TEST_CASE("random bytes are refused") {
   Attacked attacked;
   property::Random random(1);
   for (int i = 0; i < 300; ++i) {
@@ -76,7 +76,7 @@ TEST_CASE("requests that are nearly right: a letter replaced, lost or doubled") 
   CHECK(attacked.is_there());
 }
 
-TEST_CASE("a request that is too long is refused, however it is made long") {
+TEST_CASE("a request that is too long is refused, in any part") {
   Attacked attacked;
   const std::string& url = attacked.view.url();
   CHECK(attacked.status(with_headers(url, 4000, "A: b\r\n")) == 200);
@@ -91,7 +91,7 @@ TEST_CASE("a request that is too long is refused, however it is made long") {
   CHECK(attacked.is_there());
 }
 
-TEST_CASE("nothing but what is there can be reached, by whatever way") {
+TEST_CASE("no path reaches anything that is not served") {
   Attacked attacked;
   const std::string& url = attacked.view.url();
   for (const char* path : {"../../etc/passwd", "..%2f..%2fetc%2fpasswd", "%2e%2e/%2e%2e/etc/passwd", "....//etc/passwd",
@@ -101,7 +101,7 @@ TEST_CASE("nothing but what is there can be reached, by whatever way") {
   }
 }
 
-TEST_CASE("without the token, or with nearly the right one, nothing is told") {
+TEST_CASE("without the token, or with a similar one, nothing is sent") {
   Attacked attacked;
   const std::string& url = attacked.view.url();
   const std::string token = token_of(url), host = " HTTP/1.1\r\nHost: " + authority_of(url) + "\r\n\r\n";
@@ -131,7 +131,7 @@ TEST_CASE("other methods, and bodies of any size, do nothing") {
   CHECK(attacked.is_there());
 }
 
-TEST_CASE("who sends a letter now and then, or nothing, keeps nobody out") {
+TEST_CASE("a client that sends a letter now and then, or nothing, excludes no others") {
   Attacked attacked({.connections = 8, .patience = 60s});
   const std::string& url = attacked.view.url();
   std::vector<Caller> slow;
@@ -142,7 +142,7 @@ TEST_CASE("who sends a letter now and then, or nothing, keeps nobody out") {
   }
 }
 
-TEST_CASE("a request that does not come to its end is not waited for") {
+TEST_CASE("a request that does not end is closed after a timeout") {
   Attacked attacked({.patience = 100ms});
   const Caller slow(attacked.view.url());
   while (slow.say("x")) { // until nobody takes it any more
@@ -153,7 +153,7 @@ TEST_CASE("a request that does not come to its end is not waited for") {
   CHECK(attacked.is_there());
 }
 
-TEST_CASE("where all connections are taken by viewers, the next one is told so, and has a place when one leaves") {
+TEST_CASE("if viewers use all connections, the next one is refused, and gets a place when one leaves") {
   Attacked attacked({.connections = 4});
   const std::string& url = attacked.view.url();
   std::vector<Caller> viewers;
@@ -166,7 +166,7 @@ TEST_CASE("where all connections are taken by viewers, the next one is told so, 
   while (!attacked.is_there()) std::this_thread::sleep_for(1ms);
 }
 
-TEST_CASE("many who connect and leave at once, also in the middle of an answer, leave nothing behind") {
+TEST_CASE("many clients that connect and leave at once, also in the middle of an answer, leave nothing behind") {
   Attacked attacked;
   const std::string& url = attacked.view.url();
   property::Random random(3);

@@ -119,7 +119,7 @@ struct Times {
 
 } // namespace
 
-TEST_CASE("200 viewers, half of whom read nothing: the others get every event in order, and the steps are as without") {
+TEST_CASE("of 200 viewers half read nothing: the others get every event in order, and steps are not slower") {
   constexpr int steps = 6000;
   const auto play = [](SoccerGame& game) {
     for (int i = 0; i < steps; ++i) {
@@ -164,7 +164,7 @@ TEST_CASE("200 viewers, half of whom read nothing: the others get every event in
               readers.gaps(), with_none.against(without).c_str(), with_all.against(with_none).c_str());
 }
 
-TEST_CASE("what viewers who read nothing keep of the memory does not grow") {
+TEST_CASE("the memory for viewers that read nothing does not grow") {
   LiveView view{soccer::names::all(), {.memory = 256 << 10, .connections = 64, .interval = 1ms}};
   SoccerGame game(&view);
   const std::vector<Caller> deaf = deaf_viewers(view.url(), 50);
@@ -187,7 +187,7 @@ TEST_CASE("what viewers who read nothing keep of the memory does not grow") {
   CHECK(after < before + (1 << 20)); // of 3 MB that happened, and 50 viewers
 }
 
-TEST_CASE("who reads nothing is let go after a while, and the others stay") {
+TEST_CASE("a viewer that reads nothing is disconnected after a while, and the others stay") {
   LiveView view{soccer::names::all(), {.memory = 64 << 10, .interval = 1ms, .patience = 2s}};
   SoccerGame game(&view);
   const std::vector<Caller> deaf = deaf_viewers(view.url(), 10);
@@ -203,7 +203,7 @@ TEST_CASE("who reads nothing is let go after a while, and the others stay") {
   CHECK(reader.wrong == "");
 }
 
-TEST_CASE("with the longest patience who reads nothing stays, and a view at the longest interval rests") {
+TEST_CASE("with the longest patience a viewer that reads nothing stays, and a view with the longest interval sleeps") {
   LiveView patient{soccer::names::all(), {.interval = 1ms, .patience = std::chrono::milliseconds::max()}};
   SoccerGame game(&patient);
   const std::vector<Caller> deaf = deaf_viewers(patient.url(), 10);
@@ -218,7 +218,7 @@ TEST_CASE("with the longest patience who reads nothing stays, and a view at the 
   CHECK(std::clock() - before < CLOCKS_PER_SEC / 5); // of the time of a processor, the first view's included
 }
 
-TEST_CASE("who is slow for a while misses what is gone, knows how much, and goes on") {
+TEST_CASE("a viewer that is slow for a while misses events, gets their number, and continues") {
   LiveView view{soccer::names::all(), {.memory = 100'000, .interval = 1ms}};
   SoccerGame game(&view);
   Readers reader(view.url(), 1);
@@ -247,7 +247,7 @@ TEST_CASE("a view ends while its viewers are stuck, and in the middle of request
   for (const Caller& each : deaf) each.hear_all();
 }
 
-TEST_CASE("the page, why, and what is not there") {
+TEST_CASE("the page, why, and paths that do not exist") {
   const TemporaryFolder folder;
   REQUIRE(
       run_command("directorc docs behaviours/soccer/soccer.yaml -o " + folder.path().string(), source_dir()).status ==
@@ -269,7 +269,7 @@ TEST_CASE("the page, why, and what is not there") {
   CHECK(call(from_text.url(), get(from_text.url(), "why")).status == 503);
 }
 
-TEST_CASE("a browser that comes back goes on where it was") {
+TEST_CASE("a browser that reconnects continues where it was") {
   LiveView view{soccer::names::all(), {.interval = 1ms}};
   SoccerGame game(&view);
   for (int i = 0; i < 50; ++i) game.step();
@@ -297,7 +297,7 @@ TEST_CASE("a browser that comes back goes on where it was") {
   CHECK(data == std::vector<std::string>(happened.begin() + std::stol(id), happened.end()));
 }
 
-TEST_CASE("a program commands by HTTP what it allowed") {
+TEST_CASE("commands by HTTP work if the program allows them") {
   LiveView view{soccer::names::all(), {.interval = 1ms}};
   CHECK(call(view.url(), get(view.url(), "cancel_all", "", "POST")).status == 403);
   sim::World world{1};
@@ -318,7 +318,7 @@ TEST_CASE("a program commands by HTTP what it allowed") {
   CHECK(call(view.url(), get(view.url(), "cancel_all", "", "POST")).status == 403);
 }
 
-TEST_CASE("at any address of this computer a view is called by the computer's own name, by which it answers") {
+TEST_CASE("a view on any address of this computer has the computer's own name in its address, and answers to it") {
   LiveView view{soccer::names::all(), {.address = "0.0.0.0"}};
   REQUIRE(view.good());
   CHECK(view.url().find("0.0.0.0") == std::string::npos);
@@ -328,7 +328,7 @@ TEST_CASE("at any address of this computer a view is called by the computer's ow
   CHECK(call(local, get(local, "why")).status == 503);
 }
 
-TEST_CASE("an address of IPv6 stands in brackets") {
+TEST_CASE("an IPv6 address is in brackets") {
   const LiveView view{soccer::names::all(), {.address = "::1"}};
   if (view.good())
     CHECK(view.url().starts_with("http://[::1]:"));
@@ -336,7 +336,7 @@ TEST_CASE("an address of IPv6 stands in brackets") {
     CHECK(view.error().starts_with("cannot listen at [::1]:0: ")); // of a system without IPv6
 }
 
-TEST_CASE("what cannot be shown is said in words, and the behaviour runs on") {
+TEST_CASE("an error of a view is a sentence, and the behaviour continues") {
   const auto error = [](const LiveView::Options& options) {
     LiveView view{soccer::names::all(), options};
     CHECK_FALSE(view.good());

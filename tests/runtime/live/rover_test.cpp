@@ -58,7 +58,7 @@ std::string saved_until(const std::string& url, std::string_view last) {
 
 } // namespace
 
-TEST_CASE("what a viewer is sent is a trace that can be printed, from the beginning or from the middle") {
+TEST_CASE("a viewer gets a trace that can be printed, from the beginning or from the middle") {
   const TemporaryFolder folder;
   std::atomic<const std::string*> url{nullptr};
   std::atomic<bool> running{true};

@@ -43,7 +43,7 @@ constexpr const char* no_token =
 
 } // namespace
 
-TEST_CASE("behind the token is the page, and nothing without it") {
+TEST_CASE("the page is behind the token, and nothing is sent without it") {
   Shown shown;
   CHECK(shown.ask("GET", "/token/") == "200 <html>");
   CHECK(shown.ask("GET", "/token") == "308 The address ends with a slash.\n");
@@ -55,7 +55,7 @@ TEST_CASE("behind the token is the page, and nothing without it") {
     CHECK(shown.ask("GET", path).starts_with("404 There is nothing here: "));
 }
 
-TEST_CASE("other methods are refused, and say which there are") {
+TEST_CASE("other methods are refused, with a list of those that exist") {
   Shown shown;
   for (const char* method : {"PUT", "DELETE", "PATCH", "OPTIONS", "TRACE", "CONNECT"}) {
     CHECK(shown.ask(method, "/token/") ==
@@ -65,7 +65,7 @@ TEST_CASE("other methods are refused, and say which there are") {
   CHECK(shown.ask("GET", "/token/cancel_all") == "405 A command is posted: curl -X POST ...\n");
 }
 
-TEST_CASE("who calls this computer by a name of others is refused, token or not") {
+TEST_CASE("a request with a host name of others is refused, with or without the token") {
   Shown shown;
   Request request{.method = "GET", .path = "/token/", .host = "evil.example:80"};
   const Reply reply = shown.site.answer(request, shown.source.moments.look());
@@ -75,7 +75,7 @@ TEST_CASE("who calls this computer by a name of others is refused, token or not"
   CHECK(shown.site.answer(request, shown.source.moments.look()).status == 200);
 }
 
-TEST_CASE("every answer forbids to keep it, to show it elsewhere, and to tell others its address") {
+TEST_CASE("every answer forbids caching, framing, and referrers") {
   Shown shown;
   const auto headers = [&](const char* path) {
     std::string out;
@@ -92,7 +92,7 @@ TEST_CASE("every answer forbids to keep it, to show it elsewhere, and to tell ot
     CHECK(headers(path) == common + "; frame-ancestors 'none'\n");
 }
 
-TEST_CASE("why one group waits, or all that do") {
+TEST_CASE("why one group waits, or all waiting groups") {
   Shown shown;
   CHECK(
       shown.ask("GET", "/token/why", {{"group", "Sing"}}) ==
@@ -105,7 +105,7 @@ TEST_CASE("why one group waits, or all that do") {
         "503 The program has shown nothing yet: it calls show(behaviour) of its LiveView after each step.\n");
 }
 
-TEST_CASE("without a page there is still what happens") {
+TEST_CASE("without a page the events are still sent") {
   CourierMoments source{16};
   const Site site{source.names, std::nullopt, "token", {}};
   CHECK(Shown::text(site.answer({.method = "GET", .path = "/token/", .host = "localhost"}, source.moments.look())) ==
@@ -114,7 +114,7 @@ TEST_CASE("without a page there is still what happens") {
   CHECK(site.answer({.method = "GET", .path = "/token/events", .host = "localhost"}, source.moments.look()).stream);
 }
 
-TEST_CASE("commands are refused until the program allows them, and then do what they say") {
+TEST_CASE("commands are refused until the program allows them, and then are carried out") {
   Shown shown;
   for (const char* command : {"request", "cancel", "cancel_all", "set", "nothing"})
     CHECK(
@@ -135,7 +135,7 @@ TEST_CASE("commands are refused until the program allows them, and then do what 
   CHECK(shown.ask("POST", "/token/cancel_all").starts_with("403 "));
 }
 
-TEST_CASE("a parameter that is misspelt, or given twice, is refused with those that there are, and nothing is done") {
+TEST_CASE("an unknown or repeated parameter is refused with a list of the known ones, and nothing is done") {
   Shown shown;
   shown.allow();
   CHECK(shown.ask("GET", "/token/why", {{"gruop", "Sing"}}) ==
@@ -157,7 +157,7 @@ TEST_CASE("a parameter that is misspelt, or given twice, is refused with those t
   CHECK(shown.ask("GET", "/token/", {{"from", "mail"}}) == "200 <html>"); // as programs add to links
 }
 
-TEST_CASE("a command that cannot be done says why") {
+TEST_CASE("a command that cannot be carried out is answered with the reason") {
   Shown shown;
   shown.allow();
   const auto post = [&](const char* command, std::multimap<std::string, std::string> parameters) {

@@ -21,7 +21,7 @@ groups:
   Legs: {}
 )";
 
-TEST_CASE("a stronger task that waits pushes, and takes over when what it waits for has come true") {
+TEST_CASE("a stronger task that waits pushes, and takes over once its condition is true") {
   Machine machine(walker);
   machine.decisions = true;
   bool still = false;
@@ -45,7 +45,7 @@ TEST_CASE("a stronger task that waits pushes, and takes over when what it waits 
                                 "grant Walk>Legs after Kick>Legs", "run Walk.walking new_task", "run Legs new_task"});
 }
 
-TEST_CASE("a push waives nothing for what is below the one who pushes, also not for its needs") {
+TEST_CASE("a push waives no conditions for groups below the pusher, nor for its needs") {
   Machine machine(R"(
 behaviour: reading
 language: 1
@@ -72,7 +72,7 @@ groups:
                                 "queue Study>Read waiting"});
 }
 
-TEST_CASE("a group whose orders are outdated gets nothing new before it has run") {
+TEST_CASE("a stale group gets nothing new before it has run") {
   Machine machine(R"(
 behaviour: orders
 language: 1
@@ -91,7 +91,7 @@ groups:
   CHECK(machine.step() == Lines{"run Plan new_task"}); // and the reason that it had is not told again
 }
 
-TEST_CASE("what is requested on orders that are outdated at once is queued for that reason") {
+TEST_CASE("a request of a group that is stale immediately is queued as outdated") {
   Machine machine(R"(
 behaviour: orders
 language: 1

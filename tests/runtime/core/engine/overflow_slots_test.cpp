@@ -56,7 +56,7 @@ struct Small {
 
 using Lines = std::vector<std::string>;
 
-TEST_CASE("requests and cancels find a place outside a full inbox, and come after what it held, in their order") {
+TEST_CASE("requests and cancels are stored outside a full inbox, and taken after its inputs, in their order") {
   Small small;
   small.fill();
   CHECK(small.say(Kind::request, {3}));
@@ -66,7 +66,7 @@ TEST_CASE("requests and cancels find a place outside a full inbox, and come afte
   CHECK(small.read().empty());
 }
 
-TEST_CASE("of several words about one root task the last one counts, whatever it is, in its place in the order") {
+TEST_CASE("of several inputs about one root task the last one counts, at its place in the order") {
   Small small;
   small.fill();
   for (const Kind kind : {Kind::request, Kind::cancel, Kind::request, Kind::cancel}) CHECK(small.say(kind, {2}));
@@ -75,7 +75,7 @@ TEST_CASE("of several words about one root task the last one counts, whatever it
   CHECK(small.read() == Lines{"fire", "fire", "request 1", "request 2"});
 }
 
-TEST_CASE("what comes about a root task later waits behind its newest record, though the inbox has room again") {
+TEST_CASE("a later input about a root task waits behind its newest record, even if the inbox has room again") {
   Small small;
   small.fill();
   CHECK(small.say(Kind::request, {1}));
@@ -90,7 +90,7 @@ TEST_CASE("what comes about a root task later waits behind its newest record, th
   CHECK(small.read() == Lines{"cancel 1"});
 }
 
-TEST_CASE("what one writer posts is taken in its order, through the inbox or outside it") {
+TEST_CASE("inputs of one writer are taken in its order, from the inbox or outside of it") {
   Small small;
   small.fire(9);
   CHECK(small.say(Kind::request, {1}));
@@ -103,7 +103,7 @@ TEST_CASE("what one writer posts is taken in its order, through the inbox or out
   CHECK(small.read() == Lines{"cancel 1", "fire", "request 1"});
 }
 
-TEST_CASE("root tasks that are requested together come together") {
+TEST_CASE("root tasks that are requested together are taken together") {
   Small small;
   small.fill();
   CHECK(small.say(Kind::request, {1, 3, 0}));
@@ -115,14 +115,14 @@ TEST_CASE("root tasks that are requested together come together") {
   CHECK(small.read() == Lines{"fire", "fire", "request 1", "cancel 3"});
 }
 
-TEST_CASE("a task that is requested twice in one input is there once") {
+TEST_CASE("a task that is requested twice in one input is requested once") {
   Small small;
   small.fill();
   CHECK(small.say(Kind::request, {1, 1}));
   CHECK(small.read() == Lines{"fire", "fire", "request 1"});
 }
 
-TEST_CASE("a writer that is interrupted in the middle holds nobody up") {
+TEST_CASE("a writer that is interrupted in the middle blocks no other thread") {
   Small small;
   const auto reserve = [&] {
     std::array record{Input{.kind = Kind::request, .thing = 1}};
@@ -148,7 +148,7 @@ TEST_CASE("a writer that is interrupted in the middle holds nobody up") {
   CHECK(small.inbox.take() == nullptr);
 }
 
-TEST_CASE("what is published before its leader waits for it") {
+TEST_CASE("a record that is published before its leader waits for it") {
   Small small;
   std::array both{Input{.kind = Kind::request, .more = true, .thing = 0}, Input{.kind = Kind::request, .thing = 1}};
   small.inbox.reserve(both);

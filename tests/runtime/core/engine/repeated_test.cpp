@@ -49,7 +49,7 @@ void begin(Machine& machine) {
 const Lines two_turns{"run Left new_task", "run Shared.stand new_task", "run Shared.stand new_task",
                       "run Left new_task"};
 
-TEST_CASE("the run of who has all it can have takes no pass, and of who waits for its turn to ask it does") {
+TEST_CASE("the run of a group that repeats its requests takes no pass, unless a decision waits for it") {
   Machine machine(rivals);
   begin(machine);
   const auto passes = [&machine](const std::string& level, const Lines& expected) {
@@ -68,7 +68,7 @@ TEST_CASE("the run of who has all it can have takes no pass, and of who waits fo
   CHECK(passes("low", first_left) == 1); // and keeps it
 }
 
-TEST_CASE("who takes turns has the same again each time, also after a reset") {
+TEST_CASE("two tasks that alternate get the same each time, also after a reset") {
   Machine machine(rivals);
   begin(machine);
   for (int i = 0; i < 4; ++i) CHECK(turns(machine, 2) == two_turns);
@@ -77,7 +77,7 @@ TEST_CASE("who takes turns has the same again each time, also after a reset") {
   CHECK(turns(machine, 2) == two_turns);
 }
 
-TEST_CASE("why a task is queued follows who takes turns; a copy of what stands keeps what it was made of") {
+TEST_CASE("the reason why a task is queued follows the task that holds the group; a copy of the view does not change") {
   Machine machine(rivals);
   begin(machine);
   turns(machine, 1);
@@ -108,7 +108,7 @@ void ask_for_all(Machine& machine, const std::vector<std::pair<std::string, std:
   REQUIRE(machine.inbox().post(input));
 }
 
-TEST_CASE("who runs first follows the order that stands, whoever asks, and where something else is decided besides") {
+TEST_CASE("runs follow the current order, whichever tasks are requested, and also if other decisions are made") {
   Machine machine(R"(
 behaviour: robot
 language: 1
@@ -141,7 +141,7 @@ groups:
   }
 }
 
-TEST_CASE("another value, or a provider that is disabled, is another situation") {
+TEST_CASE("another value, or a disabled provider, leads to another decision") {
   Machine machine(rivals);
   machine.request("Right");
   machine.step();
@@ -156,7 +156,7 @@ TEST_CASE("another value, or a provider that is disabled, is another situation")
   CHECK(machine.step() == Lines{"run Shared.stand new_task"});
 }
 
-TEST_CASE("which of two equals was requested first is told from the other order") {
+TEST_CASE("of two equals the one that was requested first goes first, in either order") {
   Machine machine(R"(
 behaviour: equals
 language: 1
@@ -186,7 +186,7 @@ groups:
   }
 }
 
-TEST_CASE("handlers are called, periods begin and end, and who stands as before is asked anew, each time again") {
+TEST_CASE("handlers, periods and new requests for unchanged groups work the same in each repetition") {
   Machine machine(R"(
 behaviour: robot
 language: 1

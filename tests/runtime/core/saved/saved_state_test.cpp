@@ -82,7 +82,7 @@ TEST_CASE("a saved state is as long as the sum of its rows, and has a version, i
   CHECK(saved.load() == LoadResult::loaded);
 }
 
-TEST_CASE("what is loaded is what was saved, and says the same of everything") {
+TEST_CASE("a loaded state is equal to the saved one, and leads to the same explanations") {
   Saved saved;
   Machine other(crane);
   REQUIRE(load(other.engine(), saved.bytes, 10, fingerprint) == LoadResult::loaded);
@@ -97,7 +97,7 @@ TEST_CASE("what is loaded is what was saved, and says the same of everything") {
   CHECK(other.step(2'000'010) == saved.machine.step(2'000'010)); // the promise is broken
 }
 
-TEST_CASE("a row that is not there, or that may not stand there, is refused") {
+TEST_CASE("a number of a row that does not exist, or is not allowed there, is refused") {
   Saved saved;
   const auto impossible = LoadResult::impossible;
   // Of a group: who holds it, its provider, its plan, its push.
@@ -149,7 +149,7 @@ TEST_CASE("a row that is not there, or that may not stand there, is refused") {
   CHECK(saved.load() == LoadResult::loaded); // unless nothing is changed
 }
 
-TEST_CASE("a plan that lacks a provider, and a length that is another, are refused") {
+TEST_CASE("a plan that lacks a provider, and a wrong length, are refused") {
   Saved saved;
   REQUIRE(saved.shape.plan_slots > 0);
   bool refused = false;

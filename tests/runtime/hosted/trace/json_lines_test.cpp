@@ -19,7 +19,7 @@ std::string line(const Event& event, const Names& names) {
 
 } // namespace
 
-TEST_CASE("the header of a trace says what everything is called") {
+TEST_CASE("the header of a trace has the names of all rows") {
   const Lamp lamp;
   std::string out;
   append_header(lamp.names, "a \"lamp\"\n.yaml", out);

@@ -99,7 +99,7 @@ std::string counts_on(const std::string& counter, const std::string& bytes) {
   return seen;
 }
 
-TEST_CASE("a counter in a trace for Perfetto says how many inputs were lost so far") {
+TEST_CASE("a counter in a trace for Perfetto has the number of lost inputs") {
   const Lamp lamp;
   const std::unique_ptr<director::TraceFormat> format = director::perfetto(lamp.names);
   std::string bytes;
@@ -112,8 +112,8 @@ TEST_CASE("a counter in a trace for Perfetto says how many inputs were lost so f
   CHECK(counts_on("lost inputs", bytes) == "3000000: 3\n3000000: 4\n7000000: 11\n"); // time does not go back
 }
 
-TEST_CASE("a counter in a trace for Perfetto says how many tasks are queued: none of who does not run, nor behind "
-          "missing events") {
+TEST_CASE("a counter in a trace for Perfetto has the number of queued tasks: none of a group that does not run, nor "
+          "after missing events") {
   const Lamp lamp;
   const std::unique_ptr<director::TraceFormat> format = director::perfetto(lamp.names);
   std::string bytes;
@@ -137,7 +137,7 @@ TEST_CASE("a counter in a trace for Perfetto says how many tasks are queued: non
 }
 
 TEST_CASE(
-    "in a trace for Perfetto the tracks stand as they are declared, and those of states have a parent of their own") {
+    "in a trace for Perfetto the tracks are in the order of declaration, and those of states have their own parent") {
   const Lamp lamp;
   const std::unique_ptr<director::TraceFormat> format = director::perfetto(lamp.names);
   std::string bytes, seen;
@@ -158,8 +158,7 @@ TEST_CASE(
                 "1/6 4 \"lost inputs\" \n");
 }
 
-TEST_CASE(
-    "in a trace for Perfetto each value of a state is a slice, whoever sets it, and not known behind missing events") {
+TEST_CASE("in a trace for Perfetto each value of a state is a slice, and unknown after missing events") {
   const Lamp lamp;
   const std::unique_ptr<director::TraceFormat> format = director::perfetto(lamp.names);
   std::string bytes;
@@ -209,7 +208,7 @@ TEST_CASE(
                 "5000 Motion SLICE_END \n");
 }
 
-TEST_CASE("of a process that is killed a trace for Perfetto can be read up to shortly before its end") {
+TEST_CASE("a trace for Perfetto of a process that is killed can be read up to shortly before its end") {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "run.perfetto-trace").string();
   const Lamp lamp;
@@ -235,7 +234,7 @@ TEST_CASE("of a process that is killed a trace for Perfetto can be read up to sh
   CHECK(events > 5000);
 }
 
-TEST_CASE("in a trace for Perfetto slices nest, flows have both ends, and time goes on") {
+TEST_CASE("in a trace for Perfetto slices nest, flows have both ends, and time does not go back") {
   for (const char* scenario : {"tests/docs/rover/rover.scenario.yaml", "tests/conformance/timers.scenario.yaml",
                                "tests/conformance/a_pusher_is_displaced_and_restored.scenario.yaml",
                                "behaviours/soccer/scenarios/a_promise_is_broken.scenario.yaml"}) {
@@ -277,7 +276,7 @@ TEST_CASE("in a trace for Perfetto slices nest, flows have both ends, and time g
   }
 }
 
-TEST_CASE("what a rover does, as Perfetto reads it", "[golden]") {
+TEST_CASE("a run of the rover, as Perfetto reads it", "[golden]") {
   std::string of;
   const std::vector<Packet> packets = packets_of(decoded("tests/docs/rover/rover.scenario.yaml", of));
   std::map<std::string, std::string> names;
