@@ -28,7 +28,7 @@ TEST_CASE("each workload plays the same when it is repeated, comes to rest, and 
     const std::size_t inputs = 300;
     const Tape first = record(each, 1, inputs), again = record(each, 1, inputs);
     CHECK(first.inputs() == inputs);
-    CHECK(first.calls() > (each.name == "wide" ? inputs / 4 : inputs)); // the units of that one are all in vain
+    CHECK(first.calls() > (each.name == "wide" ? inputs / 4 : inputs)); // all units of that one fail
     CHECK(first.calls() == again.calls());
   }
 }

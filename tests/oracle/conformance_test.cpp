@@ -30,7 +30,7 @@ std::string joined(const std::vector<std::string>& lines) {
   return out;
 }
 
-/// Step by step: what it expects, and what happens.
+/// The expected lines of each step, and the actual ones.
 void check(const std::string& path) {
   dsl::DiskFiles files;
   dsl::Sources sources;

@@ -8,7 +8,7 @@ namespace {
 
 using namespace director::oracle;
 
-/// Everything is requested at its first level, and held by the edge that is named for it.
+/// Every task is requested at its first level, and held by the edge that is named for it.
 class Held {
 public:
   explicit Held(const char* text)

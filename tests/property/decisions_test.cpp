@@ -1,4 +1,4 @@
-// What may come of every decision, held against what random small behaviours do: nothing happens that is not among it.
+// Compares the possible results of every decision with those of random small behaviours: nothing else happens.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/decisions/decisions.hpp"
 #include "compiler/analysis/facts/facts.hpp"

@@ -22,7 +22,7 @@ bool says(const dsl::Diagnostic& finding, std::string_view words) {
   return finding.message.find(words) != std::string::npos;
 }
 
-/// What stands at a place.
+/// The text at a place.
 class Places {
 public:
   explicit Places(const Model& model) : model_(model) {}
@@ -85,7 +85,7 @@ private:
   const Model& model_;
 };
 
-/// What stands between backquotes, in order.
+/// The texts in backquotes, in order.
 std::vector<std::string> quoted_in(const std::string& message) {
   std::vector<std::string> out;
   for (std::size_t at = message.find('`'); at != std::string::npos; at = message.find('`', at)) {
@@ -183,7 +183,7 @@ std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model)
     return spans;
   };
   const std::string& id = finding.id;
-  // Why something never happens goes down to what never runs.
+  // Explanations end at providers that never run.
   for (const Span span : notes_with("but never runs itself")) {
     if (const auto entry = places.entry(span); entry && entry->provider) never_runs(*entry->provider);
   }
@@ -227,7 +227,8 @@ std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model)
       if (packs[i].provider == *entry->provider && packs[i].pack == entry->pack) out.push_back(NeverWhole{i});
     }
   } else if (id == "self_conflict") {
-    // "`Legs` never runs for `Walk` below `KickTo`, which keeps `Legs` for itself": the last one is what it keeps.
+    // "`Legs` never runs for `Walk` below `KickTo`, which keeps `Legs` for itself": the last name is the group that it
+    // keeps.
     const auto entry = places.entry(finding.span);
     const std::vector<std::string> names = quoted_in(finding.message);
     if (!entry || !entry->provider || names.size() < 2) return out;
@@ -291,7 +292,7 @@ std::vector<EdgeId> losers_of(const dsl::Diagnostic& finding, const Model& model
   for (const dsl::Note& note : finding.notes) {
     const std::vector<std::string> names = quoted_in(note.message);
     if (names.size() != 2 || note.message.find(" requests ") == std::string::npos) continue;
-    if (const auto edge = edge_between(model, names[0], names[1])) out = {*edge}; // the last one is the loser
+    if (const auto edge = edge_between(model, names[0], names[1])) out = {*edge}; // the last name is the loser
   }
   return out;
 }
@@ -302,7 +303,7 @@ std::vector<ProviderId> hints_of(const dsl::Diagnostic& finding, const Model& mo
                                          "undone_by_stop",    "undone_by_fallback", "causer_goes_first"};
   std::vector<ProviderId> out;
   if (finding.id == "possible_pack_conflict" && !says(finding, "can never")) {
-    // "can be granted together only by other providers": those that it names have no use there.
+    // "can be granted together only by other providers": the providers that it names are not among them.
     for (const ProviderId id : model.providers.ids()) {
       const auto& needs = model.providers[id].needs;
       if (says(finding, "`" + model.full_name(id) + "`") &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two robots and an onlooker in one process, each with a participant of its own.
+// Two robots and an observer in one process, each with a participant of its own.
 #include "runtime/dds/entity.hpp"
 #include "runtime/dds/plan.hpp"
 #include "tests/runtime/dds/robot.hpp"
@@ -27,7 +27,7 @@ const Settings hears{.robot = "two",
                                  {.robot = "one", .state = "Battery", .into = "Battery"}}};
 constexpr std::int32_t calm = 0, hurried = 1;
 
-/// Speaks for a robot that has no bridge, and whatever it is told to.
+/// Publishes any sample for a robot without a bridge.
 class Stranger {
 public:
   void says(const char* state, int kind, int number, const char* name, const char* robot = "one") {
@@ -54,7 +54,7 @@ private:
   const dds::Entity members_ = dds::make_writer<dds::Member>(participant_);
 };
 
-/// Hears everybody.
+/// Receives all samples.
 class Onlooker {
 public:
   std::string state(const std::string& name) {
@@ -129,14 +129,14 @@ TEST_CASE("a robot that joins late receives current states that were published b
   one.step();
   std::this_thread::sleep_for(20ms);
   Robot two(hears);
-  CHECK(is(two, "Mood", hurried)); // and one has not stepped again
+  CHECK(is(two, "Mood", hurried)); // robot one has not stepped again
 }
 
 TEST_CASE("a robot that joins very late does not receive states that were not repeated for long") {
   Robot one({.robot = "one", .publish = {"Mood"}, .say_again = 20ms});
   CHECK(one.behaviour.set(post::Mood::hurried));
   one.step();
-  std::this_thread::sleep_for(400ms); // it does not step any more: its last words live for five times say_again
+  std::this_thread::sleep_for(400ms); // it does not step any more: its last samples last for five times say_again
   Robot two(hears);
   CHECK(two.comes_true([&] { return two.was_told("joined one: the behaviour courier is there"); }));
   for (int i = 0; i < 20; ++i) {
@@ -189,7 +189,7 @@ TEST_CASE("an unknown value is reported once, and changes nothing") {
 TEST_CASE("invalid samples are reported and change nothing") {
   Robot two(hears);
   Stranger one;
-  std::uint64_t faults = 0; // one after the other: of one state only the newest sample is kept
+  std::uint64_t faults = 0; // one after the other: only the newest sample of a state is kept
   const auto is_counted = [&] {
     ++faults;
     return comes_true([&] { return two.bridge.counts().bad_samples + two.bridge.counts().unknown_values == faults; });
@@ -208,7 +208,7 @@ TEST_CASE("invalid samples are reported and change nothing") {
   one.says("Mood", 2, 1, ""); // the number of a value with a name
   CHECK(is_counted());
   CHECK(two.bridge.counts().unknown_values == 2);
-  one.says("Mood", 1, 0, "hurried", "somebody"); // whom nobody listens to
+  one.says("Mood", 1, 0, "hurried", "somebody"); // a robot that is not in the settings
   one.says("Sound", 1, 0, "hurried");
   one.says("Battery", 2, 1, "");
   CHECK(is(two, "Battery", 1));
@@ -221,7 +221,7 @@ TEST_CASE("invalid samples are reported and change nothing") {
 TEST_CASE("bytes that are no message change nothing") {
   Robot two(hears);
   Stranger one;
-  std::atomic<int> complaints{0}; // of the library, which would fill the terminal
+  std::atomic<int> complaints{0}; // messages of the library, not to be printed
   dds_set_log_sink([](void* count, const dds_log_data_t*) { ++*static_cast<std::atomic<int>*>(count); }, &complaints);
   const int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
   REQUIRE(socket >= 0);
@@ -229,12 +229,12 @@ TEST_CASE("bytes that are no message change nothing") {
   for (int i = 0; i < 1000; ++i) {
     std::string bytes(draw() % 200, 0);
     for (char& byte : bytes) byte = static_cast<char>(draw());
-    if (i % 2 == 0) bytes.insert(0, "RTPS\x02\x01"); // the beginning of one
+    if (i % 2 == 0) bytes.insert(0, "RTPS\x02\x01"); // the beginning of an RTPS message
     sockaddr_in to{};
     to.sin_family = AF_INET;
     to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    to.sin_port =
-        htons(static_cast<std::uint16_t>(7400 + 250 * loopback_domain() + 10 + draw() % 4)); // of the first two
+    to.sin_port = htons(static_cast<std::uint16_t>(7400 + 250 * loopback_domain() + 10 +
+                                                   draw() % 4)); // ports of the first two participants
     sendto(socket, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof to);
   }
   close(socket);
@@ -267,7 +267,7 @@ TEST_CASE("robots that join, leave, restart or run another specification are rep
   CHECK(two.comes_true([&] { return two.was_told("gone one: the behaviour courier said goodbye"); }));
   Robot again(speaks);
   CHECK(two.comes_true([&] { return two.was_told("restarted one: the behaviour courier was started again"); }));
-  CHECK(two.notices().size() == 3); // it decides as before
+  CHECK(two.notices().size() == 3); // its specification is as before
   const std::string mine = dds::specification_of(plug(two.behaviour));
   Stranger three;
   three.is_member("three", 9, "0123");
@@ -289,7 +289,7 @@ TEST_CASE("two processes with one name are reported") {
 TEST_CASE("values that are not taken in time are reported, and the newest one is taken") {
   Robot two(hears);
   Stranger one;
-  for (int i = 0; i < 200; ++i) { // and nobody steps
+  for (int i = 0; i < 200; ++i) { // without a step
     one.says("Battery", 2, i % 100, "");
     std::this_thread::sleep_for(1ms);
   }
@@ -333,7 +333,7 @@ TEST_CASE("decisions that find the outbox full are counted, and others see the g
   Robot one(speaks);
   CHECK(one.comes_true([&] { return onlooker.ready(); }));
   one.plans.rest = [](courier::Rest::Default& run) { return run.request(courier::Sing{}); };
-  for (int i = 0; i < 200; ++i) { // without telling the bridge: what it decided piles up
+  for (int i = 0; i < 200; ++i) { // without a call of the bridge: its decisions wait
     one.behaviour.request<courier::Rest>();
     one.behaviour.step(0s);
   }

@@ -12,7 +12,7 @@ using namespace director::tests;
 
 namespace {
 
-/// Everything that one behaviour tells, in words.
+/// All decisions of one behaviour, as text.
 struct Recorded {
   static void observe(void* self, const Event& event) {
     Recorded& told = *static_cast<Recorded*>(self);
@@ -30,7 +30,7 @@ struct Recorded {
   std::vector<std::string> decisions, ended;
 };
 
-/// A behaviour whose every event is heard.
+/// A behaviour with an observer of every event.
 struct Heard {
   Heard() {
     told.plug = &plugged;

@@ -14,7 +14,7 @@ TEST_CASE("a repeated request has the same answer") {
   CHECK(once.look(7, 1) == Once::Seen{Verdict::first, 0});
   once.note(7, 1, 2);
   CHECK(once.look(7, 1) == Once::Seen{Verdict::repeated, 2});
-  CHECK(once.look(8, 1) == Once::Seen{Verdict::first, 0}); // of another asker
+  CHECK(once.look(8, 1) == Once::Seen{Verdict::first, 0}); // from another asker
 }
 
 TEST_CASE("a request that was overtaken is still the first of its number") {

@@ -18,7 +18,7 @@ const dds::Asker::To one{"one", "courier"};
 
 dds::Settings offering() { return {.robot = "one", .offer = {{.task = "Rest"}}}; }
 
-/// A robot that steps, in a thread of its own.
+/// A robot that steps in a thread of its own.
 class Running {
 public:
   explicit Running(Robot& robot)
@@ -135,7 +135,7 @@ TEST_CASE("a repeated request is carried out once") {
   CHECK(robot.bridge.counts().requests_taken == 1);
   CHECK(robot.bridge.counts().requests_repeated >= 9);
 
-  request.session = robot.bridge.session() + 1; // as if the robot had been started again
+  request.session = robot.bridge.session() + 1; // as if the robot had been restarted
   request.number = 2;
   replies.clear();
   CHECK(robot.comes_true([&] {

@@ -111,7 +111,7 @@ std::vector<Message> take_messages(std::string& stream) {
 
 std::string Follower::follow(const std::vector<Message>& messages, const std::vector<std::string>& happened) {
   for (const Message& message : messages) {
-    if (!message.event.empty()) continue; // `alive` and `standing`: no events
+    if (!message.event.empty()) continue; // `alive` and `standing` are no events
     std::size_t line = 0;
     bool moment = false;
     if (!begun_) {

@@ -1,9 +1,9 @@
 // Header: tests/runtime/live/CMakeLists.txt. Test: none, it prints what docs/performance.md says.
 // SPDX-License-Identifier: MIT
 //
-// live_cost [GAMES]: what a live view takes of the thread that steps, in processor time an event: ten minutes of
-// soccer, some thirty times as fast as the world, with as many viewers as are named. Of several games the one that took
-// least counts.
+// live_cost [GAMES]: prints the cost of a live view for the thread that steps, in processor time for each event: ten
+// minutes of soccer, some thirty times as fast as real time, with several numbers of viewers. Of several games the
+// fastest counts.
 #include "behaviours/soccer/player/player.hpp"
 #include "behaviours/soccer/player/servos.hpp"
 #include "behaviours/soccer/world/world.hpp"

@@ -19,7 +19,7 @@ struct Viewer {
   Place place;
   Follower follower;
 
-  /// All that is there for this one; says what is wrong with it.
+  /// Takes all messages for this viewer; returns what is wrong with them.
   std::string look(const std::vector<std::string>& happened) {
     std::string text;
     while (const Feed::Text message = feed.next(place)) text += *message;
@@ -79,10 +79,10 @@ TEST_CASE("a viewer that is too slow misses events, and gets their number and th
     if (round == 3 || round == 49) CHECK(slow.look(source.happened).empty());
   }
   CHECK(quick.follower.at() == 500);
-  CHECK(quick.follower.missed() == 10); // before the moment with which it began
+  CHECK(quick.follower.missed() == 10); // before its first moment
   CHECK(slow.follower.at() == 500);
   CHECK(slow.follower.gaps() == 2);
-  CHECK(slow.follower.missed() == 500); // nothing was kept that it could have got
+  CHECK(slow.follower.missed() == 500); // none of these events was kept
 }
 
 TEST_CASE(
@@ -107,10 +107,10 @@ TEST_CASE(
   source.tell(3);
   source.behaviour.request(courier::Deliver{{}});
   source.show();
-  source.tell(2); // of the next moment
+  source.tell(2); // events of the next moment
   CHECK(look(place) == "to 3\n" + waits + "to 5\n");
   source.show();
-  CHECK(look(place).empty()); // it is the same, and nothing says otherwise
+  CHECK(look(place).empty()); // nothing changed since
   Event lose;
   lose.kind = Event::Kind::lose;
   lose.group = 0;
@@ -128,7 +128,7 @@ TEST_CASE(
   CHECK(look(late) == waits + "to 7\n");
   source.behaviour.cancel_all();
   source.show();
-  CHECK(look(late) == "standing []\n"); // none waits any more, whatever a viewer thinks
+  CHECK(look(late) == "standing []\n"); // none waits any more, which no event reported
   CHECK(look(late).empty());
 }
 
@@ -140,12 +140,12 @@ TEST_CASE("events that found the queue full are a gap for all viewers") {
   source.show();
   feed.take();
   CHECK(viewer.look(source.happened).empty());
-  source.tell(20); // four of them find no place
+  source.tell(20); // four of them are dropped
   feed.take();
   source.tell(3);
   feed.take();
   CHECK(viewer.look(source.happened).empty());
-  CHECK(viewer.follower.at() == 26); // it waits for a moment behind the gap
+  CHECK(viewer.follower.at() == 26); // it waits for a moment after the gap
   source.show();
   source.tell(2);
   feed.take();

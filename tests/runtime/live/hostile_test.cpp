@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who wants nothing good of a live view: whatever they send, others go on looking, and the view is there afterwards.
+// Hostile clients of a live view: whatever they send, other viewers continue, and so does the view.
 #include "tests/property/random.hpp"
 #include "tests/runtime/live/client.hpp"
 #include "tests/runtime/live/soccer_game.hpp"
@@ -19,7 +19,7 @@ struct Attacked {
     for (int i = 0; i < 10; ++i) game.step();
     while (!is_there()) std::this_thread::sleep_for(1ms);
   }
-  /// Somebody with the token is answered.
+  /// Whether a client with the token gets an answer.
   bool is_there() const { return call(view.url(), get(view.url(), "why")).status == 200; }
   int status(const std::string& request) const { return call(view.url(), request).status; }
 
@@ -87,7 +87,7 @@ TEST_CASE("a request that is too long is refused, in any part") {
   CHECK(attacked.status(get(url, std::string(7900, 'x'))) == 404);
   CHECK(attacked.status(get(url, "why?" + std::string(7900, '&'))) == 200);
   CHECK(attacked.status(get(url, std::string(2000, '%'))) == 404);
-  CHECK(attacked.status(std::string(20'000'000, 'x')) == 431); // in one line, without an end
+  CHECK(attacked.status(std::string(20'000'000, 'x')) == 431); // one line without an end
   CHECK(attacked.is_there());
 }
 
@@ -145,7 +145,7 @@ TEST_CASE("a client that sends a letter now and then, or nothing, excludes no ot
 TEST_CASE("a request that does not end is closed after a timeout") {
   Attacked attacked({.patience = 100ms});
   const Caller slow(attacked.view.url());
-  while (slow.say("x")) { // until nobody takes it any more
+  while (slow.say("x")) { // until the connection is closed
     std::string heard;
     if (!slow.hear(heard)) break;
     std::this_thread::sleep_for(5ms);

@@ -8,7 +8,7 @@ using namespace director::live;
 
 namespace {
 
-/// What the handler was asked last, in a line; it answers with what it is given.
+/// The last request of the handler, as a line; it answers with a given text.
 struct Asked {
   Reply reply{.body = std::make_shared<const std::string>("text")};
   std::string line;

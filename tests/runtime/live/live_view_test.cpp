@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests runtime/live/live_view.hpp: with viewers who read, who read nothing, and who come and go.
+// Tests runtime/live/live_view.hpp: with viewers that read, that read nothing, and that come and go.
 #include "runtime/live/live_view.hpp"
 #include "tests/runtime/live/client.hpp"
 #include "tests/runtime/live/soccer_game.hpp"
@@ -27,7 +27,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Viewers who read all that they are sent.
+/// Viewers that read all messages.
 class Readers {
 public:
   Readers(const std::string& url, std::size_t count) : viewers_(count) {
@@ -36,7 +36,7 @@ public:
       viewer.caller->say(get(url, "events"));
     }
   }
-  /// What came by now, of all of them.
+  /// Reads the waiting messages of all of them.
   void hear() {
     std::vector<pollfd> sockets;
     for (const Viewer& viewer : viewers_) sockets.push_back({viewer.caller->socket(), POLLIN, 0});
@@ -52,7 +52,7 @@ public:
       if (viewer.answered) std::ranges::move(take_messages(viewer.text), std::back_inserter(viewer.messages));
     }
   }
-  /// Each has begun, and is at this event or behind it; the first thing that is wrong ends that.
+  /// Whether each has begun, and is at this event or behind it; the first difference ends the test.
   bool are_at(const std::vector<std::string>& happened) {
     return std::ranges::all_of(viewers_, [&](Viewer& viewer) {
       if (wrong.empty()) wrong = viewer.follower.follow(viewer.messages, happened);
@@ -79,7 +79,7 @@ private:
   std::vector<Viewer> viewers_;
 };
 
-/// Who asks for all that happens, and never reads a byte of it.
+/// A viewer that requests all events, and never reads a byte.
 std::vector<Caller> deaf_viewers(const std::string& url, std::size_t count) {
   std::vector<Caller> out;
   for (std::size_t i = 0; i < count; ++i) {
@@ -93,7 +93,7 @@ void wait_for_viewers(const LiveView& view, std::size_t count) {
   while (view.viewers() != count) std::this_thread::sleep_for(1ms);
 }
 
-/// How long steps took, in microseconds.
+/// The durations of steps, in microseconds.
 struct Times {
   explicit Times(std::vector<double> took) {
     std::ranges::sort(took);
@@ -107,7 +107,7 @@ struct Times {
                   half, most, longest);
     return out;
   }
-  /// Of these against those of `other`. No test compares it: it is a machine's, with all that goes on there.
+  /// Prints these beside those of `other`. No test compares them: they depend on the machine and its load.
   std::string against(const Times& other) const {
     char out[200];
     std::snprintf(out, sizeof(out), "%.2f times, %.2f times, %.1f times", half / other.half, most / other.most,
@@ -124,7 +124,7 @@ TEST_CASE("of 200 viewers half read nothing: the others get every event in order
   const auto play = [](SoccerGame& game) {
     for (int i = 0; i < steps; ++i) {
       game.step();
-      if (i % 10 == 0) std::this_thread::sleep_for(1ms); // a hundred times as fast as the world
+      if (i % 10 == 0) std::this_thread::sleep_for(1ms); // a hundred times as fast as real time
     }
   };
   SoccerGame alone(nullptr);
@@ -178,13 +178,13 @@ TEST_CASE("the memory for viewers that read nothing does not grow") {
     const std::vector<std::string> happened = game.happened();
     while (!reader.are_at(happened)) reader.hear();
   };
-  play(2000); // many times what is kept
+  play(2000); // many times the kept events
   const std::size_t before = mallinfo2().uordblks;
   play(8000);
   const std::size_t after = mallinfo2().uordblks;
   CHECK(reader.wrong == "");
   CHECK(view.viewers() == 51);
-  CHECK(after < before + (1 << 20)); // of 3 MB that happened, and 50 viewers
+  CHECK(after < before + (1 << 20)); // of 3 MB of events, with 50 viewers
 }
 
 TEST_CASE("a viewer that reads nothing is disconnected after a while, and the others stay") {
@@ -215,7 +215,7 @@ TEST_CASE("with the longest patience a viewer that reads nothing stays, and a vi
   const std::clock_t before = std::clock();
   const LiveView seldom{soccer::names::all(), {.interval = std::chrono::milliseconds::max()}};
   std::this_thread::sleep_for(400ms);
-  CHECK(std::clock() - before < CLOCKS_PER_SEC / 5); // of the time of a processor, the first view's included
+  CHECK(std::clock() - before < CLOCKS_PER_SEC / 5); // processor time, including the first view's
 }
 
 TEST_CASE("a viewer that is slow for a while misses events, gets their number, and continues") {
@@ -276,7 +276,8 @@ TEST_CASE("a browser that reconnects continues where it was") {
   const std::string id = std::to_string(game.count());
   {
     Readers reader(view.url(), 1);
-    const std::vector<std::string> before = game.happened(); // all of which the view has taken, when the reader has it
+    const std::vector<std::string> before =
+        game.happened(); // all of them taken by the view, once the reader has the last
     while (!reader.are_at(before)) reader.hear();
     REQUIRE(reader.wrong.empty());
   }
@@ -333,7 +334,7 @@ TEST_CASE("an IPv6 address is in brackets") {
   if (view.good())
     CHECK(view.url().starts_with("http://[::1]:"));
   else
-    CHECK(view.error().starts_with("cannot listen at [::1]:0: ")); // of a system without IPv6
+    CHECK(view.error().starts_with("cannot listen at [::1]:0: ")); // on a system without IPv6
 }
 
 TEST_CASE("an error of a view is a sentence, and the behaviour continues") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests runtime/live/moment_lines.hpp, and runtime/hosted/why_notes.hpp where names are compiled in.
+// Tests runtime/live/moment_lines.hpp, and runtime/hosted/why_notes.hpp with compiled names.
 #include "runtime/live/moment_lines.hpp"
 #include "tests/system/api/office.hpp"
 
@@ -11,7 +11,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Deliver wants to open the door, which is shut.
+/// Deliver waits for the door, which is shut.
 struct Shut {
   Shut() {
     plans.deliver = [](courier::Deliver::Default& run) { return run.enter(courier::Open{}, courier::Walk{{}}); };

@@ -17,7 +17,7 @@ struct Shown {
         site{source.names, live::Page{"<html>", "default-src 'none'"}, "token", {"robot7"}} {
     if (shown) source.show();
   }
-  /// As `200 text`.
+  /// The answer, as `200 text`.
   std::string ask(const std::string& method, const std::string& path,
                   std::multimap<std::string, std::string> parameters = {}, const std::string& origin = "") {
     Request request{
@@ -154,7 +154,7 @@ TEST_CASE("an unknown or repeated parameter is refused with a list of the known 
         "400 set has no parameter \"State\"; there are: state, value.\n");
   shown.source.show();
   CHECK(shown.source.behaviour.state<courier::Rest>() == RunState::none);
-  CHECK(shown.ask("GET", "/token/", {{"from", "mail"}}) == "200 <html>"); // as programs add to links
+  CHECK(shown.ask("GET", "/token/", {{"from", "mail"}}) == "200 <html>"); // parameters that programs add to links
 }
 
 TEST_CASE("a command that cannot be carried out is answered with the reason") {

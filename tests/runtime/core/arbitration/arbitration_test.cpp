@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a pass decides, told by its decisions. The whole of section 4 is held by the scenarios of tests/conformance and
-// by the oracle; here stand the reasons that people ask for.
+// Decisions of a pass, with the reasons that users see. Section 4 as a whole is tested by the scenarios of
+// tests/conformance and by the oracle.
 
 #include "tests/runtime/core/machine.hpp"
 
@@ -86,9 +86,9 @@ groups:
   machine.request("Plan");
   CHECK(machine.step() == Lines{"grant root>Plan after nobody", "run Plan new_task", "queue Plan>Hold waiting"});
   machine.request("Plan");
-  machine.set("Hand", "open"); // both before Plan runs: it may not want Hold any more
+  machine.set("Hand", "open"); // both before Plan runs: it may withdraw Hold
   machine.body("Plan", [](Run& run) { return run.pack(); });
-  CHECK(machine.step() == Lines{"run Plan new_task"}); // and the reason that it had is not told again
+  CHECK(machine.step() == Lines{"run Plan new_task"}); // and its reason is not reported again
 }
 
 TEST_CASE("a request of a group that is stale immediately is queued as outdated") {

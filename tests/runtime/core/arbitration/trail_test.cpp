@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is decided again: only what a change reaches, however much else is in its component, if it is no small one.
+// Incremental passes: only units that a change reaches are decided again, in a component that is not small.
 
 #include "tests/runtime/core/machine.hpp"
 
@@ -8,7 +8,7 @@
 namespace director::tests {
 namespace {
 
-/// A player, and a crowd of skills in the same component, all of which run and none of which the player touches.
+/// A player, and a crowd of skills in the same component, all of which run and none of which the player uses.
 std::string player_in_a_crowd(int others) {
   std::string all;
   std::string groups;
@@ -40,7 +40,7 @@ groups:
          all + "}}}\n" + groups;
 }
 
-/// How many units each of a player's inputs makes the engine decide.
+/// The number of units that the engine decides for each input of a player.
 std::vector<std::uint64_t> work_of(int others) {
   Machine machine(player_in_a_crowd(others));
   machine.body("Walk.halting", [&](Run& run) {
@@ -69,14 +69,14 @@ std::vector<std::uint64_t> work_of(int others) {
 
 TEST_CASE("units that no change reaches are not decided again, whatever their number") {
   std::vector<std::uint64_t> few = work_of(12), many = work_of(212);
-  // Who may be pushed is not followed: when a provider is disabled, all of its component is decided again.
+  // Which groups may be pushed is not noted: when a provider is disabled, all of its component is decided again.
   constexpr std::size_t disabled = 4;
   CHECK(few[disabled] < many[disabled]);
   few[disabled] = many[disabled] = 0;
   CHECK(few == many);
 }
 
-/// What happens where two wait for one condition, and the push of the first one serves both until it is dropped.
+/// The decisions when two tasks wait for one condition, and the push of the first one serves both until it is dropped.
 Lines served_by_another(Index most_decided_whole) {
   Machine machine(R"(
 behaviour: pushes
@@ -113,7 +113,7 @@ TEST_CASE("a unit that relied on the push of another is decided again when that 
   CHECK(std::count(followed.begin(), followed.end(), "push Walk for root>Kick") == 3);
 }
 
-/// The decisions that follow from a scenario, where nothing is decided whole and where all is.
+/// The decisions in a scenario, with incremental passes and with whole ones.
 struct Both {
   Lines followed, whole;
 };
@@ -223,7 +223,7 @@ groups:
                     step();
                   }
                   asks = true;
-                  machine.request("First"); // what it asks for is asked for later than by the second one
+                  machine.request("First"); // its task is requested later than that of the second one
                   step();
                   machine.set("Light", "on");
                   machine.fire("Tick");
@@ -282,7 +282,7 @@ groups:
     CHECK(machine.engine().holder(machine.group("Arm")) == machine.edge("Lift>Arm"));
     CHECK(machine.engine().queued(machine.edge("Carry>Wave")).why == Why::waiting);
     machine.set("Grip", "firm");
-    machine.engine().set_budget(1); // and not when all has settled
+    machine.engine().set_budget(1); // not at rest
     machine.step();
     CHECK(machine.engine().holder(machine.group("Arm")) == machine.edge("Lift>Arm"));
     CHECK(machine.engine().queued(machine.edge("Carry>Wave")).why == Why::blocked);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests runtime/core/base/observer.hpp: what who plays a run again has to be told.
+// Tests runtime/core/base/observer.hpp: the events that a replay needs.
 #include "runtime/core/engine/engine.hpp"
 #include "tests/runtime/core/machine.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the engine promises to those who call `step`: time, inputs, budget, faults, several engines, task data.
+// The guarantees of `step`: time, inputs, budget, faults, several engines, task data.
 
 #include "tests/runtime/core/machine.hpp"
 
@@ -60,12 +60,12 @@ groups:
   Input green{.kind = Input::Kind::set, .thing = machine.state("Light")};
   green.value = machine.value("Light", "green");
   CHECK(machine.engine().take_first(green));
-  CHECK_FALSE(machine.engine().take_first(green)); // one waits already
+  CHECK_FALSE(machine.engine().take_first(green)); // another input waits already
   machine.set("Light", "yellow");
   CHECK(machine.step() == Lines{"run Watch.slow new_task"}); // all inputs come before a run
 
   machine.set("Light", "red");
-  CHECK_FALSE(machine.engine().take_first(green)); // it would overtake
+  CHECK_FALSE(machine.engine().take_first(green)); // it would overtake another input
   CHECK(machine.engine().post({&green, 1}));
   CHECK(machine.step() == Lines{"run Watch.go new_task"});
 }
@@ -77,7 +77,7 @@ TEST_CASE("an input that bypasses the inbox counts among the micro-steps of its 
   CHECK(machine.step() == Lines{"exhausted"});
   Input again{.kind = Input::Kind::request, .thing = machine.edge("root>Watch")};
   again.set_level(machine.level(again.thing));
-  CHECK(machine.engine().take_first(again)); // before the run that is left
+  CHECK(machine.engine().take_first(again)); // taken before the remaining run
   CHECK(machine.step() == Lines{"exhausted"});
   CHECK(machine.step() == Lines{"run Watch new_task"});
 }
@@ -146,7 +146,7 @@ groups:
   machine.step();
   machine.set("Light", "night");
   CHECK(machine.step() == Lines{"run Look.by_lamp new_task"});
-  // The push that Look made serves Listen only, so it ends while each of them stands for itself.
+  // The push of Look serves Listen only, so it ends while each of them is a unit by itself.
   machine.request("Watch");
   CHECK(machine.step() == Lines{"release Walk", "run Watch new_task", "run Walk.walking new_task",
                                 "run Look.by_lamp new_task", "run Listen new_task"});

@@ -66,21 +66,21 @@ TEST_CASE("an input that is put first is taken before later ones, and overtakes 
   Inbox inbox(cells);
   CHECK(inbox.take() == nullptr);
   CHECK(inbox.put_first(numbered(1)));
-  CHECK_FALSE(inbox.put_first(numbered(2))); // one waits already
+  CHECK_FALSE(inbox.put_first(numbered(2))); // another input waits already
   CHECK(post(inbox, 2));
   inbox.open();
   CHECK(inbox.due());
   const Input* const first = inbox.take();
   REQUIRE(first != nullptr);
   CHECK(first->thing == 1);
-  CHECK_FALSE(inbox.put_first(numbered(3))); // it would overtake
+  CHECK_FALSE(inbox.put_first(numbered(3))); // it would overtake another input
   CHECK(inbox.is_open());
   const Input* const second = inbox.take();
   REQUIRE(second != nullptr);
   CHECK(second->thing == 2);
   CHECK(inbox.take() == nullptr);
 
-  CHECK(inbox.put_first(numbered(4))); // and nothing else
+  CHECK(inbox.put_first(numbered(4))); // nothing else waits
   inbox.open();
   CHECK(inbox.is_open());
   CHECK(inbox.take() != nullptr);

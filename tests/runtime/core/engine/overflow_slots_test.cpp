@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The overflow slots: what a full inbox does not refuse, in which order it comes, and that it comes whole.
+// The overflow slots: inputs that a full inbox does not refuse, their order, and that they are taken whole.
 
 #include "runtime/core/engine/inbox.hpp"
 
@@ -36,7 +36,7 @@ struct Small {
     inbox.publish(records);
     return true;
   }
-  /// What one step of a reader sees: `request 1+2`, `cancel 0`, `fire`.
+  /// The inputs in one step of a reader: `request 1+2`, `cancel 0`, `fire`.
   std::vector<std::string> read() {
     std::vector<std::string> out;
     inbox.open();
@@ -81,7 +81,7 @@ TEST_CASE("a later input about a root task waits behind its newest record, even 
   CHECK(small.say(Kind::request, {1}));
   small.inbox.open();
   CHECK(small.inbox.take() != nullptr);
-  CHECK(small.inbox.take() != nullptr); // the inbox is empty, the request is in the reader's hands
+  CHECK(small.inbox.take() != nullptr); // the inbox is empty, the reader holds the request
   CHECK(small.say(Kind::cancel, {1}));
   const Input* const input = small.inbox.take();
   REQUIRE(input != nullptr);
@@ -135,9 +135,9 @@ TEST_CASE("a writer that is interrupted in the middle blocks no other thread") {
   };
   std::vector<Index> handles;
   for (Index i = 0; i < OverflowSlot::places; ++i) handles.push_back(reserve());
-  CHECK(reserve() == nil); // one of those in the middle of it will count as the later one
+  CHECK(reserve() == nil); // one of the unfinished records will count as the later one
   publish(handles[2], 2);
-  const Index again = reserve(); // the newest record gives up its place
+  const Index again = reserve(); // the newest record loses its place
   CHECK(again == handles[2]);
   publish(again, 5);
   publish(handles[0], 7);
@@ -152,7 +152,7 @@ TEST_CASE("a record that is published before its leader waits for it") {
   Small small;
   std::array both{Input{.kind = Kind::request, .more = true, .thing = 0}, Input{.kind = Kind::request, .thing = 1}};
   small.inbox.reserve(both);
-  // As far as a writer of both comes that is interrupted: the leader is still to be published.
+  // The state after a writer of both was interrupted: the leader is not published yet.
   small.inbox.publish({&both[1], 1});
   OverflowSlot::Note& follower = small.slots[1].notes[static_cast<Index>(both[1].handle - waiting_requests)];
   follower.leader = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A robot comes back to where it was again and again: what happened then happens once more, and what differs counts.
+// Repeated situations: the same inputs lead to the same decisions again, and differences to others.
 #include "runtime/core/inspect/view.hpp"
 #include "tests/runtime/core/machine.hpp"
 
@@ -29,7 +29,7 @@ void append(Lines& to, Lines lines) {
   for (std::string& line : lines) to.push_back(std::move(line));
 }
 
-/// What happens while the two take turns.
+/// The runs while the two tasks alternate.
 Lines turns(Machine& machine, int times) {
   Lines out;
   for (int i = 0; i < times; ++i) {
@@ -39,7 +39,7 @@ Lines turns(Machine& machine, int times) {
   return out;
 }
 
-/// Right holds what both want.
+/// Right holds the group that both need.
 void begin(Machine& machine) {
   machine.request("Left", "low");
   machine.request("Right");
@@ -60,12 +60,12 @@ TEST_CASE("the run of a group that repeats its requests takes no pass, unless a 
   };
   const Lines first_left{"run Left new_task", "run Shared.stand new_task"};
   const Lines first_shared{"run Shared.stand new_task", "run Left new_task"};
-  CHECK(passes("high", first_left) == 2);  // Left takes it once it has run
-  CHECK(passes("low", first_shared) == 1); // Right takes it at once
+  CHECK(passes("high", first_left) == 2);  // Left gets it after its run
+  CHECK(passes("low", first_shared) == 1); // Right gets it at once
   CHECK(passes("high", first_left) == 2);
   machine.cancel("Right");
   CHECK(machine.step().empty());
-  CHECK(passes("low", first_left) == 1); // and keeps it
+  CHECK(passes("low", first_left) == 1); // it keeps the group
 }
 
 TEST_CASE("two tasks that alternate get the same each time, also after a reset") {
@@ -96,7 +96,7 @@ TEST_CASE("the reason why a task is queued follows the task that holds the group
   left_runs(copy);
 }
 
-/// One input that asks for several tasks.
+/// Posts one input that requests several tasks.
 void ask_for_all(Machine& machine, const std::vector<std::pair<std::string, std::size_t>>& tasks) {
   std::vector<Input> input;
   for (const auto& [group, level] : tasks) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What other threads see: whole moments, the newest that was shown, and nobody waits.
+// Copies for other threads: whole, the newest one, and without waiting.
 
 #include "runtime/core/inspect/snapshot.hpp"
 #include "runtime/core/inspect/view.hpp"
@@ -49,7 +49,7 @@ TEST_CASE("readers see whole buffers while the writer continues") {
         if (buffer == nil) continue;
         const int first = contents[buffer][0];
         for (const int each : contents[buffer]) torn = torn || each != first;
-        torn = torn || first < newest; // time goes on
+        torn = torn || first < newest; // time does not go back
         newest = first;
         buffers.leave(buffer);
       }

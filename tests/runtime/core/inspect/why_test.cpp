@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Why a group does not run, in words: each kind of answer in a situation of its own. That answers are true is held
-// against the oracle on random scenarios, in tests/property.
+// Why a group does not run, as a sentence: each kind of answer in one situation. tests/property compares answers with
+// the oracle on random scenarios.
 
 #include "runtime/core/inspect/why.hpp"
 #include "tests/runtime/core/machine.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests runtime/hosted/trace/json_lines.hpp. That what is written can be read and played: tests/compiler/trace.
+// Tests runtime/hosted/trace/json_lines.hpp. Reading and replaying traces: tests/compiler/trace.
 #include "runtime/hosted/trace/fingerprint.hpp"
 #include "runtime/hosted/trace/json_lines.hpp"
 #include "tests/runtime/hosted/trace/lamp.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests the traces for Perfetto: what protoc reads of them with the numbers of Perfetto's schema.
+// Tests the traces for Perfetto: reads them with protoc and the numbers of Perfetto's schema.
 #include "runtime/hosted/trace/recorder.hpp"
 #include "tests/runtime/hosted/trace/lamp.hpp"
 #include "tests/support/command.hpp"
@@ -27,7 +27,7 @@ namespace {
 struct Packet {
   std::multimap<std::string, std::string> fields;
   std::string operator[](const std::string& name) const {
-    const auto [first, end] = fields.equal_range(name); // the outermost comes last
+    const auto [first, end] = fields.equal_range(name); // the outermost is last
     return first == end ? "" : std::prev(end)->second;
   }
 };
@@ -57,7 +57,7 @@ std::string decoded(const std::string& scenario, std::string& slices) {
   return ran.output;
 }
 
-/// What protoc reads of these bytes.
+/// The output of protoc for these bytes.
 std::vector<Packet> packets_in(const std::string& bytes) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "t.pftrace").string();
@@ -68,7 +68,7 @@ std::vector<Packet> packets_in(const std::string& bytes) {
   return packets_of(ran.output);
 }
 
-/// The packets that are whole; as Perfetto itself reads a file, one after another.
+/// The complete packets, one after another, as Perfetto itself reads a file.
 std::string whole_packets(const std::string& bytes) {
   std::size_t whole = 0;
   for (std::size_t at = 0; at < bytes.size();) {
@@ -88,7 +88,7 @@ std::string whole_packets(const std::string& bytes) {
 
 } // namespace
 
-/// What the counter of this name says, with the times.
+/// The values of the counter of this name, with their times.
 std::string counts_on(const std::string& counter, const std::string& bytes) {
   std::string track, seen;
   for (const Packet& packet : packets_in(bytes)) {
@@ -128,7 +128,7 @@ TEST_CASE("a counter in a trace for Perfetto has the number of queued tasks: non
   };
   tell(Kind::queue, 1, shine_bulb);
   tell(Kind::queue, 2, root_shine);
-  tell(Kind::grant, 3, root_shine); // only held, by nobody in charge
+  tell(Kind::grant, 3, root_shine); // only held, without an active provider
   tell(Kind::queue, 4, signal_bulb);
   tell(Kind::stop, 5, lamp.lowered.edges[root_signal].target);
   tell(Kind::queue, 6, root_signal);
@@ -174,7 +174,7 @@ TEST_CASE("in a trace for Perfetto each value of a state is a slice, and unknown
   tell(Kind::begin, 0);
   tell(Kind::given, 0, 1, 80);
   tell(Kind::set, 1, 0, 1);
-  tell(Kind::set, 2, 0, 1); // as it is
+  tell(Kind::set, 2, 0, 1); // the same value
   tell(Kind::input, 3, 1, 79);
   tell(Kind::set, 4, 1, director::unset);
   format->dropped(7, bytes);
@@ -258,7 +258,7 @@ TEST_CASE("in a trace for Perfetto slices nest, flows have both ends, and time d
       const std::uint64_t time = std::stoull("0" + packet["timestamp"]);
       CHECK(time >= now);
       now = time;
-      if (type == "TYPE_SLICE_BEGIN") CHECK(++open[track] == 1); // one provider at a time is in charge
+      if (type == "TYPE_SLICE_BEGIN") CHECK(++open[track] == 1); // one provider at a time is active
       if (type == "TYPE_SLICE_END") CHECK(--open[track] == 0);
       if (type == "TYPE_COUNTER") {
         counters[track] = std::stoll(packet["counter_value"]);

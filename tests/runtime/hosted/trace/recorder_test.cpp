@@ -38,7 +38,7 @@ std::string lines(const Lamp& lamp, int from, int to) {
   return out;
 }
 
-/// Whose events wait until the test lets them go.
+/// A format that blocks until the test releases it.
 class Held final : public TraceFormat {
 public:
   explicit Held(std::binary_semaphore& begun, std::binary_semaphore& go, const Names& names)
@@ -86,11 +86,11 @@ TEST_CASE("events that find the queue full are counted, and reported in the file
     Recorder recorder{
         std::make_unique<Held>(begun, go, lamp.names), file, {.queue = 8, .interval = std::chrono::milliseconds(1)}};
     recorder.tell(lamp.event(Event::Kind::exhausted, 0));
-    begun.acquire(); // its place is still taken
+    begun.acquire(); // its place is not free yet
     for (int i = 1; i < 13; ++i) recorder.tell(lamp.event(Event::Kind::exhausted, i));
     CHECK(recorder.dropped() == 5);
     go.release();
-    for (int tries = 0; tries < 10'000 && recorder.dropped() == 5; ++tries) { // until there is place again
+    for (int tries = 0; tries < 10'000 && recorder.dropped() == 5; ++tries) { // until there is a place again
       if (read_file(file).find("\"t\":7,") != std::string::npos) break;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -141,7 +141,7 @@ TEST_CASE("a recorder with the longest interval sleeps, but not while a thread w
       CHECK(recorder.dropped() == 0);
       std::this_thread::sleep_for(std::chrono::milliseconds(400));
     }
-    CHECK(std::clock() - before < CLOCKS_PER_SEC / 5); // of the time of a processor
+    CHECK(std::clock() - before < CLOCKS_PER_SEC / 5); // processor time
     CHECK(read_file(file) == header(lamp.names) + lines(lamp, 0, 300));
   }
 }
@@ -178,7 +178,7 @@ TEST_CASE("a failure of the last write is known when the recorder is closed") {
     open = recorder.error();
     recorder.close();
     closed = recorder.error();
-    recorder.tell(lamp.event(Event::Kind::exhausted, 10)); // is not recorded, and harms nothing
+    recorder.tell(lamp.event(Event::Kind::exhausted, 10)); // it is not recorded, without harm
   }
   setrlimit(RLIMIT_FSIZE, &as_it_was);
   std::signal(SIGXFSZ, before);
