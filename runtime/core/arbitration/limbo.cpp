@@ -35,7 +35,7 @@ void keep_in_limbo(Context& x, Index group) {
 void reach_below_limbo(Context& x) {
   for (Index i = x.s.order_count[x.component]; i-- != 0;) { // limbo is last in the order
     const Index group = x.s.order[x.row.order + i];
-    if (!lies_in_limbo(x, group)) return;
+    if (!was_in_limbo(x, group)) return;
     if (x.s.now[group].holder != nil) continue;
     for (const Index e : x.t.groups[group].edges.rows()) {
       if (x.s.queued[e].why != Why::none || !x.t.groups[target(x, e)].simple) reach_edge(x, e);

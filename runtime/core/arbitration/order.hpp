@@ -115,7 +115,7 @@ inline Index requester_of_holder(const Context& x, const GroupAssignment& assign
 }
 
 /// Whether the group, which is held, is in limbo in the last assignment, or below such a group.
-inline bool lies_in_limbo(const Context& x, Index group) {
+inline bool was_in_limbo(const Context& x, Index group) {
   return is_limbo(x, chain(x, {x.s.last[group].holder, Chains::previous}).top);
 }
 

@@ -67,8 +67,8 @@ bool is_decided_again(const Context& x, Index edge) {
 }
 
 /// Whether a group noted by the last pass need not be opened before it has run, or something differs.
-bool can_stand(const Context& x, Index group) {
-  if (x.had_limbo && lies_in_limbo(x, group)) return false;
+bool need_not_be_opened(const Context& x, Index group) {
+  if (x.had_limbo && was_in_limbo(x, group)) return false;
   if (is_marked_stale(x, group) && !becomes_stale(x, group)) return false;
   return !any_edge(x, group, [&](Index e) { // optional edges are behind all others in the order
     return x.s.edge_trail[e].has(trail::on_stale) || optional(x, e);
@@ -132,14 +132,14 @@ void clear_marks(Context& x) {
 void begin_trail(Context& x) {
   const Index news = x.s.news_count[x.component];
   const Index held = x.s.order_count[x.component];
-  x.had_limbo = held != 0 && lies_in_limbo(x, x.s.order[x.row.order + held - 1]); // limbo is last in the order
+  x.had_limbo = held != 0 && was_in_limbo(x, x.s.order[x.row.order + held - 1]); // limbo is last in the order
   x.pushed_count = x.s.pushed_count[x.component];
   for (const Index g : pushed_groups(x)) {
     open(x, g);
     x.s.group_marks[g] |= mark::listed;
   }
   if (x.pushed_count != 0) mark_pushers(x);
-  // The last result first: what is reached from here on belongs to this pass.
+  // The last result first: bits that are set from here on are notes for the next pass.
   Index* const rows = x.s.news + x.row.order;
   for (Index i = 0; i < news; ++i) {
     const Index g = rows[i];
@@ -153,7 +153,7 @@ void begin_trail(Context& x) {
   Index kept = 0;
   for (Index i = 0; i < x.kept_count; ++i) {
     const Index g = rows[i];
-    if (can_stand(x, g)) {
+    if (need_not_be_opened(x, g)) {
       rows[kept++] = g;
       if (is_marked_stale(x, g)) ++x.stale_kept;
     } else {
@@ -173,12 +173,12 @@ void begin_trail(Context& x) {
   });
   // Groups that may have become stale: those in the run queue, and those requested in this micro-step.
   const Counters& c = *x.s.counters;
-  const auto look = [&](Index g) {
+  const auto open_if_stale = [&](Index g) {
     if (x.s.run_queue[g].component != x.component || x.t.groups[g].edges.empty()) return;
     if (!is_marked_stale(x, g) && becomes_stale(x, g)) open(x, g);
   };
-  for (Index g = c.queue_first; g != nil; g = x.s.run_queue[g].runs_before) look(g);
-  for (Index i = 0; i < c.touched_count; ++i) look(x.s.touched[i]);
+  for (Index g = c.queue_first; g != nil; g = x.s.run_queue[g].runs_before) open_if_stale(g);
+  for (Index i = 0; i < c.touched_count; ++i) open_if_stale(x.s.touched[i]);
 }
 
 /// Whether the walk has passed by the group, or one above it, so that it counts as claimed.

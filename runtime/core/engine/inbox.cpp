@@ -56,7 +56,7 @@ bool Inbox::put(const Input& record, Index slot) {
 }
 
 const Input* Inbox::take_posted() {
-  by_slot_ = in_hand_ != 0 && take_slot();
+  by_slot_ = held_count_ != 0 && take_slot();
   closed_ = !by_slot_ && (head_ == limit_ || !take_cell());
   return closed_ ? nullptr : &record_;
 }

@@ -63,7 +63,7 @@ struct OverflowSlot {
     return nil;
   }
   static bool any_published(std::uint32_t states) { return (states >> 1 & ~states & 0x55U) != 0; }
-  const Note& in_hand() const { return notes[held]; }
+  const Note& held_note() const { return notes[held]; }
 
   std::atomic<std::uint32_t> states{0}; ///< two bits for each place
   std::array<Note, places> notes;
@@ -85,8 +85,7 @@ public:
 
   // For writers: any thread.
 
-  /// Posts the records of one input, `more` set on all but the last. False: full, nothing was posted, the input is
-  /// lost.
+  /// Posts the records of one input, `more` set on all but the last. False: it is full, and the input is lost.
   bool post(std::span<const Input> records);
   /// Posts an input of one record, without data, that has an overflow slot: it is not refused.
   bool put(const Input& record, Index slot);
@@ -106,7 +105,7 @@ public:
 
   /// Adds an input of one record, to be taken before all that is posted later. False: another waits already.
   bool put_first(const Input& record) {
-    if (first_waits_ || !empty() || in_hand_ != 0) return false;
+    if (first_waits_ || !empty() || held_count_ != 0) return false;
     record_.kind = record.kind; // one by one: a copy of the whole would wait until it was written
     record_.more = false;
     record_.thing = record.thing;
@@ -121,16 +120,16 @@ public:
   void open() {
     limit_ = tail_.load(std::memory_order_acquire);
     if (unseen_.load(std::memory_order_relaxed) != 0) open_slots();
-    closed_ = !first_waits_ && head_ == limit_ && in_hand_ == 0;
+    closed_ = !first_waits_ && head_ == limit_ && held_count_ == 0;
   }
-  bool due() const { return first_waits_ || (!closed_ && (head_ != limit_ || in_hand_ != 0)); }
+  bool due() const { return first_waits_ || (!closed_ && (head_ != limit_ || held_count_ != 0)); }
   /// False: nothing is due. True: probably something is.
   bool is_open() const { return !closed_; }
   /// The next record, valid until another one is taken; null: none is due and complete.
   const Input* take() {
     if (!first_waits_) return take_posted();
     first_waits_ = false;
-    closed_ = head_ == limit_ && in_hand_ == 0;
+    closed_ = head_ == limit_ && held_count_ == 0;
     return &record_;
   }
   /// The next record of the same input, if the last one has `more`.
@@ -189,7 +188,7 @@ private:
   std::atomic<std::uint32_t> unseen_{
       0}; ///< not 0: there may be a record in a slot, or a loss, that the reader has not seen
   std::atomic<std::uint32_t> lost_{0}; ///< inputs lost so far
-  Index in_hand_ = 0;                  ///< slots with a held place that was not taken
+  Index held_count_ = 0;               ///< slots with a held place that was not taken
   OverflowSlot* taken_ = nullptr;      ///< the slot whose record was taken last
 };
 

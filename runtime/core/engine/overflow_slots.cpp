@@ -58,7 +58,7 @@ void Inbox::open_slots() {
   // Repeated until no record is new: a record published before one that was seen must be seen with it.
   for (std::size_t i = 0; i <= slots_.size() && sweep(); ++i) {}
   for (OverflowSlot& slot : slots_) {
-    if (slot.held != nil && &slot != taken_ && slot.in_hand().input.more) wait_for_leader(slot);
+    if (slot.held != nil && &slot != taken_ && slot.held_note().input.more) wait_for_leader(slot);
   }
 }
 
@@ -76,7 +76,7 @@ bool Inbox::sweep() {
     });
     if (place == nil) continue;
     if (slot.held == nil) {
-      ++in_hand_;
+      ++held_count_;
     } else {
       count_lost();
     }
@@ -90,8 +90,8 @@ bool Inbox::sweep() {
 bool Inbox::take_slot() {
   OverflowSlot* first = nullptr;
   for (OverflowSlot& slot : slots_) {
-    if (slot.held == nil || &slot == taken_ || precedes(head_, slot.in_hand().position)) continue;
-    if (first == nullptr || precedes(slot.in_hand().ticket, first->in_hand().ticket)) first = &slot;
+    if (slot.held == nil || &slot == taken_ || precedes(head_, slot.held_note().position)) continue;
+    if (first == nullptr || precedes(slot.held_note().ticket, first->held_note().ticket)) first = &slot;
   }
   if (first != nullptr) deliver(*first);
   return first != nullptr;
@@ -101,9 +101,9 @@ bool Inbox::take_slot() {
 void Inbox::deliver(OverflowSlot& slot) {
   if (taken_ != nullptr) release(*taken_);
   taken_ = &slot;
-  --in_hand_;
-  record_ = slot.in_hand().input;
-  if (record_.more) record_.more = first_of(slot.in_hand().ticket) != nullptr;
+  --held_count_;
+  record_ = slot.held_note().input;
+  if (record_.more) record_.more = first_of(slot.held_note().ticket) != nullptr;
 }
 
 void Inbox::release(OverflowSlot& slot) {
