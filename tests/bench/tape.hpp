@@ -30,7 +30,7 @@ private:
     void (*provide)(Tape& tape, const Call& self);
     std::uint32_t first_request, first_set, requests = 0, sets = 0;
   };
-  static void tell(void* self, const director::Event& event);
+  static void observe(void* self, const director::Event& event);
   static void provide(Tape& tape, const Call& self);
 
   std::vector<Call> calls_;

@@ -26,7 +26,7 @@ public:
     if (r_.chance(0.15)) draft_.triggers = {"T"};
     for (std::size_t g = draft_.groups.size(); g-- > 0;) write_group(g);
     write_roots();
-    for (std::size_t g = 1; g < draft_.groups.size(); ++g) ask_for(g);
+    for (std::size_t g = 1; g < draft_.groups.size(); ++g) request(g);
     if (draft_.roots.size() > 1 && r_.chance(0.35)) write_soft_pair();
     return std::move(draft_);
   }
@@ -186,7 +186,7 @@ private:
   }
 
   /// Groups without a requester are useless here: mostly there is one.
-  void ask_for(std::size_t g) {
+  void request(std::size_t g) {
     const auto wants = [&](const std::vector<TaskDraft>& tasks) {
       return std::any_of(tasks.begin(), tasks.end(), [&](const TaskDraft& task) { return task.target == g; });
     };

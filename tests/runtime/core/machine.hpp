@@ -64,7 +64,7 @@ public:
 
 private:
   void handle(Handling& handling, const char* which); ///< `.start`
-  void tell(const Event& event);
+  void observe(const Event& event);
   std::string provider_name(Index provider) const;
   std::string edge_name(Index edge) const;
 

@@ -30,7 +30,7 @@ constexpr std::int32_t calm = 0, hurried = 1;
 /// Publishes any sample for a robot without a bridge.
 class Stranger {
 public:
-  void says(const char* state, int kind, int number, const char* name, const char* robot = "one") {
+  void publish(const char* state, int kind, int number, const char* name, const char* robot = "one") {
     const dds::State sample{.robot = const_cast<char*>(robot),
                             .behaviour = const_cast<char*>("courier"),
                             .state = const_cast<char*>(state),
@@ -83,12 +83,12 @@ public:
     });
     return promise_;
   }
-  bool hears(const dds::Entity& of_type) {
+  bool receives(const dds::Entity& of_type) {
     dds_subscription_matched_status_t status{};
     dds_get_subscription_matched_status(of_type.get(), &status);
     return status.current_count > 0;
   }
-  bool ready() { return hears(decisions_); }
+  bool ready() { return receives(decisions_); }
 
   int heard = 0;
   bool in_order = true;
@@ -173,11 +173,11 @@ TEST_CASE("an unknown value is reported once, and changes nothing") {
   Robot two(hears);
   Stranger one;
   for (int i = 0; i < 5; ++i) {
-    one.says("Mood", 1, 0, "merry");
-    one.says("Battery", 2, 1000, "");
+    one.publish("Mood", 1, 0, "merry");
+    one.publish("Battery", 2, 1000, "");
     CHECK(two.comes_true([&, i] { return two.bridge.counts().unknown_values >= 2U * static_cast<unsigned>(i) + 2; }));
   }
-  one.says("Mood", 1, 0, "hurried");
+  one.publish("Mood", 1, 0, "hurried");
   CHECK(is(two, "Mood", hurried));
   CHECK(two.value("Battery") == unset);
   CHECK(two.notices() ==
@@ -194,23 +194,23 @@ TEST_CASE("invalid samples are reported and change nothing") {
     ++faults;
     return comes_true([&] { return two.bridge.counts().bad_samples + two.bridge.counts().unknown_values == faults; });
   };
-  one.says("Mood", 77, 1, "hurried");
+  one.publish("Mood", 77, 1, "hurried");
   CHECK(is_counted());
-  one.says("", 1, 0, "hurried");
+  one.publish("", 1, 0, "hurried");
   CHECK(is_counted());
-  one.says("Mood", 1, 1, "hurried", "");
+  one.publish("Mood", 1, 1, "hurried", "");
   CHECK(is_counted());
   one.is_member("", 1, "");
   CHECK(is_counted());
   CHECK(two.bridge.counts().bad_samples == 4);
-  one.says("Mood", 1, 1, std::string(1'000'000, 'x').c_str());
+  one.publish("Mood", 1, 1, std::string(1'000'000, 'x').c_str());
   CHECK(is_counted());
-  one.says("Mood", 2, 1, ""); // the number of a value with a name
+  one.publish("Mood", 2, 1, ""); // the number of a value with a name
   CHECK(is_counted());
   CHECK(two.bridge.counts().unknown_values == 2);
-  one.says("Mood", 1, 0, "hurried", "somebody"); // a robot that is not in the settings
-  one.says("Sound", 1, 0, "hurried");
-  one.says("Battery", 2, 1, "");
+  one.publish("Mood", 1, 0, "hurried", "somebody"); // a robot that is not in the settings
+  one.publish("Sound", 1, 0, "hurried");
+  one.publish("Battery", 2, 1, "");
   CHECK(is(two, "Battery", 1));
   CHECK(two.value("Mood") == calm);
   CHECK(two.was_told("bad_sample one: the state Mood comes as something that is neither a name nor a number"));
@@ -238,7 +238,7 @@ TEST_CASE("bytes that are no message change nothing") {
     sendto(socket, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof to);
   }
   close(socket);
-  one.says("Battery", 2, 42, "");
+  one.publish("Battery", 2, 42, "");
   CHECK(is(two, "Battery", 42));
   CHECK(two.value("Mood") == calm);
   CHECK(comes_true([&] { return complaints > 0; }));
@@ -290,12 +290,12 @@ TEST_CASE("values that are not taken in time are reported, and the newest one is
   Robot two(hears);
   Stranger one;
   for (int i = 0; i < 200; ++i) { // without a step
-    one.says("Battery", 2, i % 100, "");
+    one.publish("Battery", 2, i % 100, "");
     std::this_thread::sleep_for(1ms);
   }
   CHECK(comes_true([&] { return two.bridge.counts().inbox_full > 0; }));
   CHECK(two.was_told("inbox_full one: the inbox has no room for Battery: is the behaviour stepped often enough?"));
-  one.says("Battery", 2, 42, "");
+  one.publish("Battery", 2, 42, "");
   CHECK(is(two, "Battery", 42));
 }
 

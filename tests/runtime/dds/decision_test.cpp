@@ -15,15 +15,15 @@ namespace {
 /// All decisions of one behaviour, as text.
 struct Recorded {
   static void observe(void* self, const Event& event) {
-    Recorded& told = *static_cast<Recorded*>(self);
-    const dds::Decision d = dds::decision_of(event, *told.plug);
+    Recorded& recorded = *static_cast<Recorded*>(self);
+    const dds::Decision d = dds::decision_of(event, *recorded.plug);
     using enum Event::Kind;
     constexpr std::array no_decisions{set, input, ask, answer, assign, begin, given};
     if (std::find(no_decisions.begin(), no_decisions.end(), event.kind) == no_decisions.end())
-      told.decisions.push_back(d.kind + " " + d.group + "." + d.provider + " for " + d.requester + ": " + d.reason);
-    if (const auto ended = told.promises->observe(event))
-      told.ended.push_back((ended->kept ? "kept " : "broken ") + ended->group + "." + ended->provider + ": " +
-                           ended->condition);
+      recorded.decisions.push_back(d.kind + " " + d.group + "." + d.provider + " for " + d.requester + ": " + d.reason);
+    if (const auto ended = recorded.promises->observe(event))
+      recorded.ended.push_back((ended->kept ? "kept " : "broken ") + ended->group + "." + ended->provider + ": " +
+                               ended->condition);
   }
   const dds::Plug* plug = nullptr;
   dds::Promises* promises = nullptr;
@@ -31,15 +31,15 @@ struct Recorded {
 };
 
 /// A behaviour with an observer of every event.
-struct Heard {
-  Heard() {
-    told.plug = &plugged;
-    told.promises = &promises;
+struct Observed {
+  Observed() {
+    recorded.plug = &plugged;
+    recorded.promises = &promises;
   }
   Plans plans;
   Skills skills;
-  Recorded told;
-  courier::Behaviour behaviour{plans, skills, {&Recorded::observe, &told}};
+  Recorded recorded;
+  courier::Behaviour behaviour{plans, skills, {&Recorded::observe, &recorded}};
   const dds::Plug plugged = plug(behaviour);
   dds::Promises promises{plugged};
 };
@@ -47,31 +47,31 @@ struct Heard {
 } // namespace
 
 TEST_CASE("a decision is published with names") {
-  Heard heard;
-  heard.plans.rest = [](courier::Rest::Default& run) { return run.request(courier::Sing{}); };
-  heard.behaviour.request<courier::Rest>();
-  heard.behaviour.step(0s);
-  CHECK(heard.told.decisions ==
+  Observed observed;
+  observed.plans.rest = [](courier::Rest::Default& run) { return run.request(courier::Sing{}); };
+  observed.behaviour.request<courier::Rest>();
+  observed.behaviour.step(0s);
+  CHECK(observed.recorded.decisions ==
         std::vector<std::string>{"grant Rest.default for root: ", "run Rest.default for : new_task",
                                  "grant Sing.default for Rest: ", "run Sing.default for : new_task"});
 }
 
 TEST_CASE("a promise is kept by the run of its provider, and broken when its time is over") {
-  Heard heard;
-  const auto hear = [&](Event event) {
-    if (const auto ended = heard.promises.observe(event))
-      heard.told.ended.push_back((ended->kept ? "kept " : "broken ") + ended->condition);
+  Observed observed;
+  const auto observe = [&](Event event) {
+    if (const auto ended = observed.promises.observe(event))
+      observed.recorded.ended.push_back((ended->kept ? "kept " : "broken ") + ended->condition);
   };
-  const Tables& t = heard.plugged.tables();
+  const Tables& t = observed.plugged.tables();
   Index unlocking = 0;
   while (std::string(courier::names::provider(unlocking)) != "unlocking") ++unlocking;
   const Index open = t.providers[unlocking].group, door = state_row("Door");
   observe({.kind = Event::Kind::run, .group = open, .provider = unlocking, .micro_step = 5});
   observe({.kind = Event::Kind::set, .state = door, .value = 0, .micro_step = 5});
-  CHECK(heard.told.ended.empty());
+  CHECK(observed.recorded.ended.empty());
   observe({.kind = Event::Kind::set, .state = door, .value = 1, .micro_step = 6}); // by a handler, or a timer
-  CHECK(heard.told.ended.empty());
+  CHECK(observed.recorded.ended.empty());
   observe({.kind = Event::Kind::set, .state = door, .value = 1, .micro_step = 5});
   observe({.kind = Event::Kind::broken, .group = open, .provider = unlocking, .micro_step = 9});
-  CHECK(heard.told.ended == std::vector<std::string>{"kept Door == open", "broken Door == open"});
+  CHECK(observed.recorded.ended == std::vector<std::string>{"kept Door == open", "broken Door == open"});
 }

@@ -22,11 +22,11 @@ public:
   int socket() const { return socket_; }
   bool connected() const { return socket_ >= 0; }
   /// Sends the text unchanged. False: the connection has ended.
-  bool say(std::string_view bytes) const;
+  bool send(std::string_view bytes) const;
   /// All bytes until the server ends the connection.
-  std::string hear_all() const;
+  std::string read_all() const;
   /// The bytes received by now; nothing: the server has ended the connection.
-  bool hear(std::string& into) const;
+  bool read(std::string& into) const;
 
 private:
   int socket_ = -1;
@@ -36,13 +36,13 @@ private:
 std::string get(const std::string& url, std::string_view path, std::string_view more = "",
                 std::string_view method = "GET");
 
-struct Heard {
+struct Response {
   int status = 0; ///< 0: no HTTP answer
   std::string head, body;
 };
 /// Sends the request, and reads the whole answer.
-Heard call(const std::string& url, const std::string& request);
-Heard split(const std::string& answer);
+Response call(const std::string& url, const std::string& request);
+Response split(const std::string& answer);
 
 /// The host of a url, `127.0.0.1:8080`, and its token.
 std::string authority_of(const std::string& url);

@@ -17,7 +17,7 @@ struct CourierMoments {
   explicit CourierMoments(std::size_t size) : queue(size), moments(*names.tables) {}
 
   /// Adds events, any number of them.
-  void tell() {
+  void add_events() {
     Event event;
     event.kind = Event::Kind::exhausted;
     event.time = event.until = static_cast<Time>(happened.size());
@@ -25,8 +25,8 @@ struct CourierMoments {
     append_event(event, names, happened.back());
     if (!queue.put(event)) queue.drop();
   }
-  void tell(int count) {
-    for (int i = 0; i < count; ++i) tell();
+  void add_events(int count) {
+    for (int i = 0; i < count; ++i) add_events();
   }
   /// Shows the state, in another micro-step than the last time.
   void show() {

@@ -36,7 +36,7 @@ TEST_CASE("a viewer from the beginning gets every event, in order") {
   feed.take();
   CHECK(viewer.look(source.happened).empty());
   for (int round = 0; round < 20; ++round) {
-    source.tell(round);
+    source.add_events(round);
     source.show();
     feed.take();
     CHECK(viewer.look(source.happened).empty());
@@ -49,9 +49,9 @@ TEST_CASE(
     "a viewer that connects late gets a header, the number of missed events, the current state, and then every event") {
   CourierMoments source{1024};
   Feed feed(source.queue, source.moments, source.names, 1 << 20);
-  source.tell(100);
+  source.add_events(100);
   source.show();
-  source.tell(7);
+  source.add_events(7);
   feed.take();
   Place place;
   std::string text = *feed.next(place);
@@ -72,7 +72,7 @@ TEST_CASE("a viewer that is too slow misses events, and gets their number and th
   Feed feed(source.queue, source.moments, source.names, 2000);
   Viewer slow{feed, {}, {}}, quick{feed, {}, {}};
   for (int round = 0; round < 50; ++round) {
-    source.tell(10);
+    source.add_events(10);
     source.show();
     feed.take();
     CHECK(quick.look(source.happened).empty());
@@ -104,10 +104,10 @@ TEST_CASE(
       "\n";
   Place place, late;
   CHECK(look(place) == "to 0\n");
-  source.tell(3);
+  source.add_events(3);
   source.behaviour.request(courier::Deliver{{}});
   source.show();
-  source.tell(2); // events of the next moment
+  source.add_events(2); // events of the next moment
   CHECK(look(place) == "to 3\n" + waits + "to 5\n");
   source.show();
   CHECK(look(place).empty()); // nothing changed since
@@ -123,7 +123,7 @@ TEST_CASE(
   CHECK(look(late) == "to 6\n" + waits);
   late = *feed.resume("6");
   CHECK(look(late) == waits);
-  source.tell(1);
+  source.add_events(1);
   late = *feed.resume("6");
   CHECK(look(late) == waits + "to 7\n");
   source.behaviour.cancel_all();
@@ -136,18 +136,18 @@ TEST_CASE("events that found the queue full are a gap for all viewers") {
   CourierMoments source{16};
   Feed feed(source.queue, source.moments, source.names, 1 << 20);
   Viewer viewer{feed, {}, {}};
-  source.tell(10);
+  source.add_events(10);
   source.show();
   feed.take();
   CHECK(viewer.look(source.happened).empty());
-  source.tell(20); // four of them are dropped
+  source.add_events(20); // four of them are dropped
   feed.take();
-  source.tell(3);
+  source.add_events(3);
   feed.take();
   CHECK(viewer.look(source.happened).empty());
   CHECK(viewer.follower.at() == 26); // it waits for a moment after the gap
   source.show();
-  source.tell(2);
+  source.add_events(2);
   feed.take();
   CHECK(viewer.look(source.happened).empty());
   CHECK(viewer.follower.at() == 35);
@@ -159,7 +159,7 @@ TEST_CASE("viewers of a program that shows no moments get the events that are ke
   Feed feed(source.queue, source.moments, source.names, 300);
   Viewer early{feed, {}, {}}, late{feed, {}, {}};
   for (int round = 0; round < 30; ++round) {
-    source.tell(2);
+    source.add_events(2);
     feed.take();
     CHECK(early.look(source.happened).empty());
   }
@@ -173,10 +173,10 @@ TEST_CASE("viewers of a program that shows no moments get the events that are ke
 TEST_CASE("a moment that is older than the kept events, as if a program stopped showing, is not sent") {
   CourierMoments source{16};
   Feed feed(source.queue, source.moments, source.names, 300);
-  source.tell(2);
+  source.add_events(2);
   source.show();
   for (int round = 0; round < 30; ++round) {
-    source.tell(2);
+    source.add_events(2);
     feed.take();
   }
   Viewer late{feed, {}, {}};
@@ -187,10 +187,10 @@ TEST_CASE("a moment that is older than the kept events, as if a program stopped 
 TEST_CASE("a viewer that reconnects with the id of its last message continues there, if that is still kept") {
   CourierMoments source{64};
   Feed feed(source.queue, source.moments, source.names, 1000);
-  source.tell(5);
+  source.add_events(5);
   source.show();
   feed.take();
-  source.tell(5);
+  source.add_events(5);
   feed.take();
   for (const char* id : {"5", "10"}) {
     const std::optional<Place> place = feed.resume(id);
@@ -199,7 +199,7 @@ TEST_CASE("a viewer that reconnects with the id of its last message continues th
     CHECK(std::to_string(place->next) == id);
   }
   for (const char* id : {"", "4", "11", "-1", "5 ", "99999999999999999999", "x"}) CHECK_FALSE(feed.resume(id));
-  source.tell(50);
+  source.add_events(50);
   feed.take();
   CHECK_FALSE(feed.resume("5"));
 }

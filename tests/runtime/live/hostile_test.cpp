@@ -48,9 +48,9 @@ TEST_CASE("random bytes are refused") {
     std::string bytes(random.below(3000), '\0');
     for (char& each : bytes) each = static_cast<char>(random.below(256));
     const Caller caller(attacked.view.url());
-    caller.say(bytes + "\r\n\r\n");
-    const Heard heard = split(caller.hear_all());
-    if (heard.status != 400 && heard.status != 403) FAIL(heard.status << " for " << bytes);
+    caller.send(bytes + "\r\n\r\n");
+    const Response received = split(caller.read_all());
+    if (received.status != 400 && received.status != 403) FAIL(received.status << " for " << bytes);
   }
   CHECK(attacked.is_there());
 }
@@ -107,7 +107,7 @@ TEST_CASE("without the token, or with a similar one, nothing is sent") {
   const std::string token = token_of(url), host = " HTTP/1.1\r\nHost: " + authority_of(url) + "\r\n\r\n";
   std::string nearly = token;
   nearly.back() = nearly.back() == '0' ? '1' : '0';
-  const Heard refused = call(url, "GET /" + nearly + "/events" + host);
+  const Response refused = call(url, "GET /" + nearly + "/events" + host);
   CHECK(refused.status == 403);
   CHECK(refused.body == "The address needs the token that the program printed when it began: http://.../TOKEN/\n");
   for (const std::string& path : {std::string("/"), std::string("/events"), "/" + token.substr(1) + "/",
@@ -137,7 +137,7 @@ TEST_CASE("a client that sends a letter now and then, or nothing, excludes no ot
   std::vector<Caller> slow;
   for (int i = 0; i < 40; ++i) {
     slow.emplace_back(url);
-    slow.back().say("GET /");
+    slow.back().send("GET /");
     CHECK(attacked.is_there());
   }
 }
@@ -145,9 +145,9 @@ TEST_CASE("a client that sends a letter now and then, or nothing, excludes no ot
 TEST_CASE("a request that does not end is closed after a timeout") {
   Attacked attacked({.patience = 100ms});
   const Caller slow(attacked.view.url());
-  while (slow.say("x")) { // until the connection is closed
-    std::string heard;
-    if (!slow.hear(heard)) break;
+  while (slow.send("x")) { // until the connection is closed
+    std::string received;
+    if (!slow.read(received)) break;
     std::this_thread::sleep_for(5ms);
   }
   CHECK(attacked.is_there());
@@ -157,9 +157,9 @@ TEST_CASE("if viewers use all connections, the next one is refused, and gets a p
   Attacked attacked({.connections = 4});
   const std::string& url = attacked.view.url();
   std::vector<Caller> viewers;
-  for (std::size_t i = 0; i < 4; ++i) viewers.emplace_back(url).say(get(url, "events"));
+  for (std::size_t i = 0; i < 4; ++i) viewers.emplace_back(url).send(get(url, "events"));
   while (attacked.view.viewers() != 4) std::this_thread::sleep_for(1ms);
-  const Heard full = split(Caller(url).hear_all());
+  const Response full = split(Caller(url).read_all());
   CHECK(full.status == 503);
   CHECK(full.body == "All 4 connections are taken: close a page, or give LiveView more `connections`.\n");
   viewers.pop_back();
@@ -177,7 +177,7 @@ TEST_CASE("many clients that connect and leave at once, also in the middle of an
       for (int i = 0; i < 500; ++i) {
         const Caller caller(url);
         const std::string request = get(url, own.below(2) == 0 ? "events" : "why");
-        if (caller.connected()) caller.say(request.substr(0, own.below(request.size() + 1)));
+        if (caller.connected()) caller.send(request.substr(0, own.below(request.size() + 1)));
       }
     });
   }

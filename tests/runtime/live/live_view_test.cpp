@@ -33,18 +33,18 @@ public:
   Readers(const std::string& url, std::size_t count) : viewers_(count) {
     for (Viewer& viewer : viewers_) {
       viewer.caller = std::make_unique<Caller>(url);
-      viewer.caller->say(get(url, "events"));
+      viewer.caller->send(get(url, "events"));
     }
   }
   /// Reads the waiting messages of all of them.
-  void hear() {
+  void read() {
     std::vector<pollfd> sockets;
     for (const Viewer& viewer : viewers_) sockets.push_back({viewer.caller->socket(), POLLIN, 0});
     poll(sockets.data(), sockets.size(), 1);
     for (std::size_t i = 0; i < viewers_.size(); ++i) {
       if (sockets[i].revents == 0) continue;
       Viewer& viewer = viewers_[i];
-      viewer.ended = !viewer.caller->hear(viewer.text);
+      viewer.ended = !viewer.caller->read(viewer.text);
       if (const std::size_t end = viewer.text.find("\r\n\r\n"); !viewer.answered && end != std::string::npos) {
         viewer.answered = true;
         viewer.text.erase(0, end + 4);
@@ -84,7 +84,7 @@ std::vector<Caller> deaf_viewers(const std::string& url, std::size_t count) {
   std::vector<Caller> out;
   for (std::size_t i = 0; i < count; ++i) {
     out.emplace_back(url, 2048);
-    out.back().say(get(url, "events"));
+    out.back().send(get(url, "events"));
   }
   return out;
 }
@@ -143,13 +143,13 @@ TEST_CASE("of 200 viewers half read nothing: the others get every event in order
   // The others read in a thread of their own, as in another process.
   std::atomic<bool> over{false};
   std::thread reading([&] {
-    while (!over) readers.hear();
+    while (!over) readers.read();
   });
   play(game);
   over = true;
   reading.join();
   const std::vector<std::string> happened = game.happened();
-  while (!readers.are_at(happened)) readers.hear();
+  while (!readers.are_at(happened)) readers.read();
   CHECK(readers.wrong == "");
   CHECK(view.dropped() == 0);
   CHECK(game.count() == alone.count());
@@ -173,10 +173,10 @@ TEST_CASE("the memory for viewers that read nothing does not grow") {
   const auto play = [&](int steps) {
     for (int i = 0; i < steps; ++i) {
       game.step();
-      if (i % 50 == 0) reader.hear();
+      if (i % 50 == 0) reader.read();
     }
     const std::vector<std::string> happened = game.happened();
-    while (!reader.are_at(happened)) reader.hear();
+    while (!reader.are_at(happened)) reader.read();
   };
   play(2000); // many times the kept events
   const std::size_t before = mallinfo2().uordblks;
@@ -195,11 +195,11 @@ TEST_CASE("a viewer that reads nothing is disconnected after a while, and the ot
   wait_for_viewers(view, 13);
   while (view.viewers() > 3) {
     for (int i = 0; i < 50; ++i) game.step();
-    reader.hear();
+    reader.read();
   }
   for (int i = 0; i < 100; ++i) game.step();
   const std::vector<std::string> happened = game.happened();
-  while (!reader.are_at(happened)) reader.hear();
+  while (!reader.are_at(happened)) reader.read();
   CHECK(reader.wrong == "");
 }
 
@@ -226,7 +226,7 @@ TEST_CASE("a viewer that is slow for a while misses events, gets their number, a
   for (int round = 0; round < 3; ++round) {
     for (int i = 0; i < 6000; ++i) game.step();
     const std::vector<std::string> happened = game.happened();
-    while (!reader.are_at(happened)) reader.hear();
+    while (!reader.are_at(happened)) reader.read();
     CHECK(reader.wrong == "");
   }
   CHECK(reader.gaps() >= 3);
@@ -238,13 +238,13 @@ TEST_CASE("a view ends while its viewers are stuck, and in the middle of request
   const std::string url = view->url();
   SoccerGame game(&*view);
   std::vector<Caller> deaf = deaf_viewers(url, 20);
-  for (int i = 0; i < 20; ++i) deaf.emplace_back(url).say("GET / HTTP");
+  for (int i = 0; i < 20; ++i) deaf.emplace_back(url).send("GET / HTTP");
   for (int i = 0; i < 20; ++i) deaf.emplace_back(url);
   wait_for_viewers(*view, 20);
   for (int i = 0; i < 3000; ++i) game.step();
   view.reset();
   CHECK_FALSE(Caller(url).connected());
-  for (const Caller& each : deaf) each.hear_all();
+  for (const Caller& each : deaf) each.read_all();
 }
 
 TEST_CASE("the page, why, and paths that do not exist") {
@@ -257,7 +257,7 @@ TEST_CASE("the page, why, and paths that do not exist") {
   SoccerGame game(&from_file);
   for (int i = 0; i < 100; ++i) game.step();
   while (call(from_file.url(), get(from_file.url(), "why")).status != 200) std::this_thread::sleep_for(1ms);
-  const Heard page = call(from_file.url(), get(from_file.url(), ""));
+  const Response page = call(from_file.url(), get(from_file.url(), ""));
   CHECK(page.status == 200);
   CHECK(page.body == call(from_text.url(), get(from_text.url(), "")).body);
   CHECK(page.head.find("\r\nContent-Length: " + std::to_string(page.body.size()) + "\r\n") != std::string::npos);
@@ -278,17 +278,17 @@ TEST_CASE("a browser that reconnects continues where it was") {
     Readers reader(view.url(), 1);
     const std::vector<std::string> before =
         game.happened(); // all of them taken by the view, once the reader has the last
-    while (!reader.are_at(before)) reader.hear();
+    while (!reader.are_at(before)) reader.read();
     REQUIRE(reader.wrong.empty());
   }
   for (int i = 0; i < 50; ++i) game.step();
   const std::vector<std::string> happened = game.happened();
   const Caller again(view.url());
-  again.say(get(view.url(), "events", "Last-Event-ID: " + id + "\r\n"));
+  again.send(get(view.url(), "events", "Last-Event-ID: " + id + "\r\n"));
   std::string text;
   std::vector<std::string> data;
   while (data.size() < happened.size() - std::stoul(id)) {
-    again.hear(text);
+    again.read(text);
     if (const std::size_t head = text.find("\r\n\r\n"); head != std::string::npos) text.erase(0, head + 4);
     for (const Message& message : take_messages(text)) {
       if (message.event.empty()) data.insert(data.end(), message.data.begin(), message.data.end());

@@ -43,13 +43,13 @@ void drive(std::atomic<const std::string*>& url, const std::atomic<bool>& runnin
 /// The output of `curl -N .../events | sed -n 's/^data: {/{/p'`, up to a line that contains this.
 std::string saved_until(const std::string& url, std::string_view last) {
   const Caller viewer(url);
-  viewer.say(get(url, "events"));
-  std::string heard, out;
+  viewer.send(get(url, "events"));
+  std::string received, out;
   while (out.find(last) == std::string::npos) {
-    viewer.hear(heard);
+    viewer.read(received);
     std::this_thread::sleep_for(1ms);
-    if (const std::size_t head = heard.find("\r\n\r\n"); head != std::string::npos) heard.erase(0, head + 4);
-    for (const Message& message : take_messages(heard)) {
+    if (const std::size_t head = received.find("\r\n\r\n"); head != std::string::npos) received.erase(0, head + 4);
+    for (const Message& message : take_messages(received)) {
       for (const std::string& line : message.data) out += line.starts_with('{') ? line + "\n" : "";
     }
   }

@@ -216,13 +216,13 @@ groups:
   Head: {triggers: [Tick]}
 )",
                 [](Machine& machine, auto&& step) {
-                  bool asks = false;
-                  machine.body("First", [&](Run& run) { return asks ? machine.everything(run) : run.pack(); });
+                  bool requests = false;
+                  machine.body("First", [&](Run& run) { return requests ? machine.everything(run) : run.pack(); });
                   for (const char* each : {"First", "Second", "Lamp"}) {
                     machine.request(each);
                     step();
                   }
-                  asks = true;
+                  requests = true;
                   machine.request("First"); // its task is requested later than that of the second one
                   step();
                   machine.set("Light", "on");

@@ -27,7 +27,7 @@ struct Small {
   void fill() {
     while (fire(9)) {}
   }
-  bool say(Kind kind, std::vector<Index> edges) {
+  bool post(Kind kind, std::vector<Index> edges) {
     std::vector<Input> records;
     for (const Index edge : edges) records.push_back({.kind = kind, .more = true, .thing = edge});
     records.back().more = false;
@@ -59,9 +59,9 @@ using Lines = std::vector<std::string>;
 TEST_CASE("requests and cancels are stored outside a full inbox, and taken after its inputs, in their order") {
   Small small;
   small.fill();
-  CHECK(small.say(Kind::request, {3}));
-  CHECK(small.say(Kind::cancel, {0}));
-  CHECK(small.say(Kind::request, {1}));
+  CHECK(small.post(Kind::request, {3}));
+  CHECK(small.post(Kind::cancel, {0}));
+  CHECK(small.post(Kind::request, {1}));
   CHECK(small.read() == Lines{"fire", "fire", "request 3", "cancel 0", "request 1"});
   CHECK(small.read().empty());
 }
@@ -69,20 +69,20 @@ TEST_CASE("requests and cancels are stored outside a full inbox, and taken after
 TEST_CASE("of several inputs about one root task the last one counts, at its place in the order") {
   Small small;
   small.fill();
-  for (const Kind kind : {Kind::request, Kind::cancel, Kind::request, Kind::cancel}) CHECK(small.say(kind, {2}));
-  CHECK(small.say(Kind::request, {1}));
-  CHECK(small.say(Kind::request, {2}));
+  for (const Kind kind : {Kind::request, Kind::cancel, Kind::request, Kind::cancel}) CHECK(small.post(kind, {2}));
+  CHECK(small.post(Kind::request, {1}));
+  CHECK(small.post(Kind::request, {2}));
   CHECK(small.read() == Lines{"fire", "fire", "request 1", "request 2"});
 }
 
 TEST_CASE("a later input about a root task waits behind its newest record, even if the inbox has room again") {
   Small small;
   small.fill();
-  CHECK(small.say(Kind::request, {1}));
+  CHECK(small.post(Kind::request, {1}));
   small.inbox.open();
   CHECK(small.inbox.take() != nullptr);
   CHECK(small.inbox.take() != nullptr); // the inbox is empty, the reader holds the request
-  CHECK(small.say(Kind::cancel, {1}));
+  CHECK(small.post(Kind::cancel, {1}));
   const Input* const input = small.inbox.take();
   REQUIRE(input != nullptr);
   CHECK(small.text(*input) == "request 1");
@@ -93,32 +93,32 @@ TEST_CASE("a later input about a root task waits behind its newest record, even 
 TEST_CASE("inputs of one writer are taken in its order, from the inbox or outside of it") {
   Small small;
   small.fire(9);
-  CHECK(small.say(Kind::request, {1}));
-  CHECK(small.say(Kind::cancel, {1})); // full
-  CHECK(small.say(Kind::request, {0}));
+  CHECK(small.post(Kind::request, {1}));
+  CHECK(small.post(Kind::cancel, {1})); // full
+  CHECK(small.post(Kind::request, {0}));
   CHECK(small.read() == Lines{"fire", "request 1", "cancel 1", "request 0"});
-  CHECK(small.say(Kind::cancel, {1}));
+  CHECK(small.post(Kind::cancel, {1}));
   CHECK(small.fire(9));
-  CHECK(small.say(Kind::request, {1}));
+  CHECK(small.post(Kind::request, {1}));
   CHECK(small.read() == Lines{"cancel 1", "fire", "request 1"});
 }
 
 TEST_CASE("root tasks that are requested together are taken together") {
   Small small;
   small.fill();
-  CHECK(small.say(Kind::request, {1, 3, 0}));
-  CHECK(small.say(Kind::cancel, {2}));
+  CHECK(small.post(Kind::request, {1, 3, 0}));
+  CHECK(small.post(Kind::cancel, {2}));
   CHECK(small.read() == Lines{"fire", "fire", "request 0+1+3", "cancel 2"});
   small.fill();
-  CHECK(small.say(Kind::request, {1, 3}));
-  CHECK(small.say(Kind::cancel, {3}));
+  CHECK(small.post(Kind::request, {1, 3}));
+  CHECK(small.post(Kind::cancel, {3}));
   CHECK(small.read() == Lines{"fire", "fire", "request 1", "cancel 3"});
 }
 
 TEST_CASE("a task that is requested twice in one input is requested once") {
   Small small;
   small.fill();
-  CHECK(small.say(Kind::request, {1, 1}));
+  CHECK(small.post(Kind::request, {1, 1}));
   CHECK(small.read() == Lines{"fire", "fire", "request 1"});
 }
 

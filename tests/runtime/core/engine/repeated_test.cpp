@@ -97,7 +97,7 @@ TEST_CASE("the reason why a task is queued follows the task that holds the group
 }
 
 /// Posts one input that requests several tasks.
-void ask_for_all(Machine& machine, const std::vector<std::pair<std::string, std::size_t>>& tasks) {
+void request_all(Machine& machine, const std::vector<std::pair<std::string, std::size_t>>& tasks) {
   std::vector<Input> input;
   for (const auto& [group, level] : tasks) {
     const Index edge = machine.edge("root>" + group);
@@ -125,7 +125,7 @@ groups:
 )");
   constexpr std::size_t low = 0, high = 1, dim = 0, bright = 1, dark = 2;
   const auto all = [&](const std::vector<std::pair<std::string, std::size_t>>& tasks) {
-    ask_for_all(machine, tasks);
+    request_all(machine, tasks);
     return machine.step();
   };
   const std::string left = "run Left new_task", right = "run Right.stand new_task", lamp = "run Lamp new_task";

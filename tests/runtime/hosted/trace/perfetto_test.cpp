@@ -120,18 +120,18 @@ TEST_CASE("a counter in a trace for Perfetto has the number of queued tasks: non
   format->begin(bytes);
   using Kind = director::Event::Kind;
   const director::Index root_shine = 0, root_signal = 1, shine_bulb = 2, signal_bulb = 3;
-  const auto tell = [&](Kind kind, std::uint32_t time, director::Index edge) {
+  const auto record = [&](Kind kind, std::uint32_t time, director::Index edge) {
     director::Event event = lamp.event(kind, time, time);
     event.edge = kind == Kind::stop ? director::nil : edge;
     event.group = kind == Kind::stop ? edge : lamp.lowered.edges[edge].target;
     format->event(event, bytes);
   };
-  tell(Kind::queue, 1, shine_bulb);
-  tell(Kind::queue, 2, root_shine);
-  tell(Kind::grant, 3, root_shine); // only held, without an active provider
-  tell(Kind::queue, 4, signal_bulb);
-  tell(Kind::stop, 5, lamp.lowered.edges[root_signal].target);
-  tell(Kind::queue, 6, root_signal);
+  record(Kind::queue, 1, shine_bulb);
+  record(Kind::queue, 2, root_shine);
+  record(Kind::grant, 3, root_shine); // only held, without an active provider
+  record(Kind::queue, 4, signal_bulb);
+  record(Kind::stop, 5, lamp.lowered.edges[root_signal].target);
+  record(Kind::queue, 6, root_signal);
   format->dropped(1, bytes);
   CHECK(counts_on("queued tasks", bytes) == "1000: 1\n2000: 2\n3000: 1\n3000: 0\n4000: 1\n5000: 0\n6000: 1\n6000: 0\n");
 }
@@ -164,21 +164,22 @@ TEST_CASE("in a trace for Perfetto each value of a state is a slice, and unknown
   std::string bytes;
   format->begin(bytes);
   using Kind = director::Event::Kind;
-  const auto tell = [&](Kind kind, director::Time time, director::Index state = director::nil, std::int32_t value = 0) {
+  const auto record = [&](Kind kind, director::Time time, director::Index state = director::nil,
+                          std::int32_t value = 0) {
     director::Event event = lamp.event(kind, time);
     if (kind == Kind::input) event.input = director::Event::Input::set;
     event.state = state;
     event.value = value;
     format->event(event, bytes);
   };
-  tell(Kind::begin, 0);
-  tell(Kind::given, 0, 1, 80);
-  tell(Kind::set, 1, 0, 1);
-  tell(Kind::set, 2, 0, 1); // the same value
-  tell(Kind::input, 3, 1, 79);
-  tell(Kind::set, 4, 1, director::unset);
+  record(Kind::begin, 0);
+  record(Kind::given, 0, 1, 80);
+  record(Kind::set, 1, 0, 1);
+  record(Kind::set, 2, 0, 1); // the same value
+  record(Kind::input, 3, 1, 79);
+  record(Kind::set, 4, 1, director::unset);
   format->dropped(7, bytes);
-  tell(Kind::given, 5, 0, 0);
+  record(Kind::given, 5, 0, 0);
   format->end(bytes);
   std::string seen;
   for (const Packet& packet : packets_in(bytes)) {
