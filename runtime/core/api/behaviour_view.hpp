@@ -61,8 +61,7 @@ public:
   Snapshot(const Snapshot&) = delete;
   Snapshot& operator=(const Snapshot&) = delete;
 
-  /// Read access to the newest copy, as long as this object exists. Keep it short: after the next show() it reads the
-  /// older copy, which cannot be overwritten while it exists.
+  /// Read access to the newest copy. Keep it short: show() cannot overwrite the copy while this object exists.
   class Look {
   public:
     Look(const Look&) = delete;

@@ -23,8 +23,7 @@ void sort_by_cluster(Context& x, Index count) {
   }
 }
 
-/// Whether each member by itself has a choice. `record`: tries all choices, and records for which holders they are
-/// denied.
+/// Whether each member by itself has a choice. `record`: tries all choices, to record denials.
 bool each_has_choice(Context& x, Index from, Index count, bool with_conditions, bool record) {
   for (Index at = from; at < count; ++at) {
     // Its entries begin at 0: entries_begin(x) of a member is where the one before it ends.

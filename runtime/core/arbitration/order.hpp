@@ -41,9 +41,8 @@ struct Verdict {
   int order;
 };
 
-/// Climbs both chains at equal height; of the pairs of different edges, the one nearest to root is where they part: all
-/// below it belongs to one side only. Cost: the length of the longer chain. `above(place)`: the next edge of its chain;
-/// nil behind the last.
+/// Climbs both chains at equal height; the last pair of different edges is where they part: all below it belongs to one
+/// side only. Cost: the longer chain. `above(place)`: the next edge of its chain; nil behind the last.
 template <class Above, class Optional>
 Parting parting(Place a, Place b, Index length_a, Index length_b, const Above& above, const Optional& optional) {
   bool optional_a = false, optional_b = false;

@@ -105,8 +105,7 @@ bool plan_fits(Context& x, Index at, bool with_conditions, bool record, Index& k
 
 } // namespace
 
-/// Finds the first or next plan of the current provider that can be claimed, with conditions. `as_it_is`: only the
-/// last.
+/// Finds the first or next plan of the provider that can be claimed, with conditions. `as_it_is`: only the last.
 bool find_plan(Context& x, Index at, bool first, bool as_it_is, bool with_conditions, bool record) {
   const Index provider = x.s.member[at].provider, begin = entries_begin(x, at);
   Index& end = x.s.member[at].entries_end;

@@ -1,9 +1,9 @@
 // docs/semantics.md, sections 4.3 and 4.4: pushes: made, kept, in force, dropped.
 // SPDX-License-Identifier: MIT
 //
-// For each condition that a unit waits for, the shortest chain of causing providers is searched: the length of a chain
-// is 1 for its last provider plus the lengths for all conditions that this one lacks, a least fixed point, found by
-// relaxing every causing provider until no length decreases.
+// For each condition that a unit waits for, the shortest chain of causing providers is searched: 1 for its last
+// provider, plus the lengths for all conditions that this one lacks; a least fixed point, found by relaxing every
+// provider.
 
 #include "runtime/core/arbitration/push.hpp"
 

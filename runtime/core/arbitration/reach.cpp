@@ -14,8 +14,7 @@ namespace director::arbitration {
 
 namespace {
 
-/// Compares the claims of a member with those of the last pass, and reaches other units if they differ. The providers
-/// of claimed groups make no difference to them.
+/// Compares the claims of a member with the last pass, to reach others if they differ. Providers make no difference.
 void compare_claims(Context& x, Index edge) {
   const Index group = target(x, edge);
   const GroupAssignment& now = x.s.now[group];
@@ -153,9 +152,8 @@ void reach_edge(Context& x, Index edge) {
   if (from != nil) open(x, from);
 }
 
-/// Reaches the unit of an edge that is requested at another level, or no longer, and with its siblings the unit that
-/// has another member. Others are reached once its claims differ, except for searches for pushes, which depend on
-/// requests.
+/// Reaches the unit of an edge that is requested at another level, or no longer, and with its siblings the unit with
+/// another member. Others are reached once its claims differ, except searches for pushes.
 void reach_by_request(Context& x, Index edge, bool with_siblings) {
   const Index group = target(x, edge), from = x.t.edges[edge].requester;
   reach_edge(x, edge);

@@ -30,8 +30,7 @@ bool any_not_running(const Context& x, Index count) {
   return any(members(x, count), [&](const TriedMember& member) { return !was_granted(x, member.edge); });
 }
 
-/// Leaves members of a stale requester queued for the same reason as before, unless they hold their target now, as a
-/// need.
+/// Leaves members of a stale requester queued as before, unless they hold their target as a need from now on.
 void wait_for_requester(Context& x, Index count) {
   x.depends_on_requester = true;
   for (Index at = 0; at < count; ++at) {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A unit's decision depends on what units before it claimed, pushed and were denied, on its conditions and requests, on
-// which groups are stale, and on the last result. So a pass follows the order of the last one, and decides only units
-// that a difference reaches (reach.cpp).
+// stale groups, and on the last result. So a pass follows the last order, and decides only units that a difference
+// reaches.
 //
 // Between passes State::now equals State::last. A pass opens the groups that it has to examine, each with all above it,
 // and clears only these in `now`. A group that is not opened is passed by in one step, with all below it; from then on,

@@ -73,8 +73,7 @@ inline std::span<const TableIndex> opened(const Context& x) {
 /// Whether changes of the group are noted for the next pass.
 inline bool is_noted(const Context& x, Index group) { return x.s.run_queue[group].flags.has(group_flag::followed); }
 
-/// Notes for the next pass that a condition of one of its providers flipped, or that it has to be decided again as if
-/// one had.
+/// Notes for the next pass that a condition of a provider flipped, or to decide the group as if one had.
 inline void touch_group(Context& x, Index group) {
   if (!is_noted(x, group) || x.s.group_trail[group].has(trail::touched)) return;
   x.s.group_trail[group] |= trail::touched;

@@ -28,8 +28,7 @@ bool add_candidate(Context& x, Index edge, Index base) {
 
 } // namespace
 
-/// Puts the edges of a placed group on the stack of the walk. Requests of a group that is only needed count while it is
-/// stale.
+/// Puts the edges of a placed group on the stack of the walk; requests of one that is only needed, while it is stale.
 void add_candidates(Context& x, Index group) {
   const Index source = stale_source(x, group);
   const bool is_stale = source != up_to_date, requests = is_stale || x.s.now[group].granted();

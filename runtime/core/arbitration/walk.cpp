@@ -13,8 +13,7 @@ namespace director::arbitration {
 
 namespace {
 
-/// Whether the edge is granted again without a search: the target is free, and has one provider without conditions or
-/// needs.
+/// Whether the edge is granted again without a search: the only provider of its free target has no conditions or needs.
 inline bool is_granted_again(const Context& x, Index edge) {
   const Index group = x.t.edges[edge].target;
   return is_opened(x, group) && x.t.groups[group].simple && !x.t.groups[group].conditional && was_granted(x, edge) &&

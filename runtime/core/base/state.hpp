@@ -74,8 +74,7 @@ inline constexpr std::uint8_t done = 1;
 inline constexpr std::uint8_t failed = 2; ///< with `done`
 } // namespace result
 
-/// A byte of bits. It is no `char`, which may alias anything: after a write, all pointers to arrays would be read
-/// again.
+/// A byte of bits. It is no `char`, which may alias anything: after a write, all pointers would be read again.
 class Bits {
 public:
   constexpr operator std::uint8_t() const { return static_cast<std::uint8_t>(raw_); }
@@ -106,8 +105,7 @@ struct Queued {
   constexpr bool operator==(const Queued&) const = default;
 };
 
-/// The assignment of one group, as a pass decides it. All of one group is stored together, because passes, and the
-/// comparison of their results, go from group to group.
+/// The assignment of one group, stored together, because passes and comparisons go from group to group.
 struct GroupAssignment {
   Index holder = nil;  ///< edge that controls it; edges.size() + group: limbo; nil: none
   Index active = nil;  ///< active provider; nil: it is not live
@@ -138,8 +136,7 @@ struct Requested {
   Index target = 0;        ///< as Edge::target
 };
 
-/// The place of a group in the run queue, and its reasons to run. Like GroupAssignment, most micro-steps use it; so its
-/// component is stored with it.
+/// The place of a group in the run queue, its reasons to run, and its component, used by most micro-steps.
 struct RunQueueEntry {
   Index runs_after = nil;  ///< the group before it in the queue; nil
   Index runs_before = nil; ///< the group behind it; nil

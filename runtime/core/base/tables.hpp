@@ -67,8 +67,7 @@ constexpr bool any(const All& all, const Is& is) {
 /// A level at which an edge may be requested.
 struct Level {
   std::int32_t priority = 0;
-  /// The place of the priority among those of the requester, 0 for the highest. Rules 3 and 4 of semantics.md 4.1
-  /// compare `optional` and this.
+  /// The place of the priority among those of the requester, 0 for the highest (semantics.md 4.1, rules 3 and 4).
   TableIndex urgency = 0;
   bool optional = false;
   bool apart = false;

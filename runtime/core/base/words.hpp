@@ -1,7 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The enumerations that provider bodies and programs use: why a body runs, the state of its tasks, its answer. Source:
-// semantics.md, sections 3 and 6.
+// Enumerations for bodies and programs: why a body runs, its tasks, its answer. Source: semantics.md, sections 3 and 6.
 
 #include <cstdint>
 

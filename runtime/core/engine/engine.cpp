@@ -73,8 +73,8 @@ bool Engine::answered(Index edge, std::uint8_t answer) const {
   return x_.s.run_queue[x_.t.edges[edge].target].done.has(answer) && state(edge) == RunState::running;
 }
 
-/// Where the data of the task are that the group got last. A start handler may be called for a request of this
-/// micro-step, whose data are settled after the act.
+/// The place of the group's data. A start handler may run for a request of this micro-step, whose data are still
+/// staged.
 DataPlace Engine::data_of(Index group) const {
   const Index edge = x_.s.data_from[group];
   if (edge == nil) return {DataPlace::Slot::group, group};

@@ -64,8 +64,7 @@ public:
 
   // For the thread that calls step().
 
-  /// Sets a state at once, if the next step would take that input first and only the value would change. False: post
-  /// it.
+  /// Sets a state at once, if the next step would take that input first and only its value would change. Else: post.
   bool take_at_once(Index state, std::int32_t value) {
     Counters& c = *x_.s.counters;
     if (c.quiet_until == first_time || observed() || inside_ || !x_.s.values[state].unchanged.has(value) ||
@@ -76,8 +75,7 @@ public:
     return true;
   }
 
-  /// Adds an input of one record, to be taken before all that is posted later. False: another waits already, so post
-  /// it.
+  /// Adds an input of one record, to be taken before all later ones. False: another waits already, so post it.
   bool take_first(const Input& input) {
     if (inside_ || !inbox_.put_first(input)) return false;
     x_.s.counters->quiet_until = first_time;

@@ -54,8 +54,7 @@ inline void Engine::add_reason(Index group, Reason reason) {
   if (note_reasons(group, static_cast<std::uint8_t>(reason))) touch(group);
 }
 
-/// Queues a run of a group that stays granted. `anew`: its holder requested it again; that it is stale is noted
-/// already.
+/// Queues a run of a group that stays granted. `anew`: for a new request of its holder, noted as making it stale.
 DIRECTOR_INLINE void Engine::queue_run(Index group, bool anew) {
   use_data_of(group, x_.s.last[group].holder);
   RunQueueEntry& entry = x_.s.run_queue[group];

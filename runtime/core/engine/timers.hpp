@@ -1,7 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// docs/semantics.md, section 3, Time. A part (base/parts.hpp), named by the tables or by a body that waits: without it,
-// no timer is ever armed.
+// docs/semantics.md, section 3, Time. A part (base/parts.hpp): unless the tables or a body name it, no timer is armed.
 
 #include "runtime/core/base/parts.hpp"
 #include "runtime/core/base/state.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The state at one moment between micro-steps, as it can be read from outside: holders, requests, values. A view reads
-// the memory of an engine, or a copy of it (snapshot.hpp).
+// The state between two micro-steps, as it can be read from outside: holders, requests, values. A view reads the memory
+// of an engine, or a copy of it (snapshot.hpp).
 
 #include "runtime/core/base/state.hpp"
 
@@ -47,8 +47,7 @@ struct View {
   Holding holding(Index group) const;
 
 private:
-  /// Calls visit(array, count) for every array, none aligned to more than the one before. clang++ needs it before its
-  /// uses.
+  /// Calls visit(array, count) for every array, in decreasing alignment. clang++ needs it before its uses.
   template <class Visit>
   constexpr void each(const Shape& n, Visit&& visit) {
     visit(request, n.edges), visit(values, n.states), visit(assignment, n.groups);

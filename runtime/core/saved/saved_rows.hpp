@@ -189,9 +189,8 @@ Row read(const std::byte* begin, std::size_t row) {
   return out;
 }
 
-/// Whether the bytes, as many as the tables require, are a possible state: every number is one of an existing row and
-/// allowed there, and what the engine follows (holders, plans, the queue) ends. Writes only scratch memory of the
-/// engine. saved_check.cpp
+/// Whether the bytes are a possible state: every number is one of an existing row and allowed there, and what the
+/// engine follows (holders, plans, the queue) ends. Writes only scratch memory of the engine. saved_check.cpp
 bool is_possible(const Engine& engine, const std::byte* from);
 
 } // namespace saved
