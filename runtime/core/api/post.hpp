@@ -62,8 +62,8 @@ public:
     inbox_->reserve(words);
     input = words.data();
     const Input* before = records.data();
-    move_data(task, *before, *input);
-    (move_data(more, *++before, *++input), ...);
+    move_to_slot(task, *before, *input);
+    (move_to_slot(more, *++before, *++input), ...);
     inbox_->publish(words);
     return true;
   }
@@ -183,8 +183,8 @@ private:
 
   /// Moves the data to the place of the overflow slot that was reserved.
   template <class Task>
-  void move_data([[maybe_unused]] Task& task, [[maybe_unused]] const Input& before,
-                 [[maybe_unused]] const Input& word) const {
+  void move_to_slot([[maybe_unused]] Task& task, [[maybe_unused]] const Input& before,
+                    [[maybe_unused]] const Input& word) const {
     if constexpr (has_data<Task>) {
       auto& waiting = data_->template waiting<Task>();
       TaskBase<Task>& base = task;
