@@ -243,33 +243,31 @@ struct State {
   Bits* component = nullptr;              ///< component: bits of `work`
   Bits* enabled = nullptr;                ///< provider
   Bits* truth = nullptr;                  ///< condition: whether it holds
-  Bits* fired = nullptr; ///< listening slot (Group::listens): whether the trigger fired since the last run
+  Bits* fired = nullptr;                  ///< listening slot (Group::listens): whether the trigger fired
 
   // Scratch memory of one pass, commit or act.
-  std::uint64_t* cost = nullptr; ///< condition: length of the shortest chain of pushes that makes it true
-  Index* cost_at = nullptr;      ///< condition: first provider of that chain
-  Index* cost_plan = nullptr;    ///< condition: number of its plan
-  Index* cost_next = nullptr;    ///< condition: the first condition that the chain lacks; nil: none
-  Assignment now;                ///< the assignment of this pass
-  Push* own = nullptr;           ///< row of State::pushed of the component: pushes of the current unit
-  Push* first = nullptr;         ///< likewise: new pushes of the current unit
-  Index* touched = nullptr;      ///< groups that got a reason to run since the last act
-  Index* staged = nullptr;       ///< states that the running body set
-  Requested* before = nullptr;   ///< requests before this micro-step changed them; target: the edge
-  Bits* anew = nullptr;          ///< edge: 1: it was requested anew in this micro-step
-  Index* renewed = nullptr;      ///< edges that were requested anew
-  Index* next_order = nullptr;   ///< as `order`
-  Index* next_count = nullptr;   ///< as `order_count`
-  Index* first_moved = nullptr;  ///< component: the first place at which that order differs
-  Index* extent =
-      nullptr; ///< group that is claimed: the number of groups that it and all below it are, consecutive in the order
-  Index* differing = nullptr; ///< groups whose assignment differs
-  Index* trial = nullptr;     ///< group: edge that would claim it in the current combination
-  PlanEntry* entry = nullptr; ///< plans of the current members, as stacks of entries; at most one entry for each group
-  Index* unit = nullptr;      ///< most_edges + 1: edges that are tried together
-  TriedMember* member = nullptr; ///< the current members
-  Index* candidate =
-      nullptr; ///< stack of the walk, the next edge last; optional edges that wait are at the end of the rows
+  std::uint64_t* cost = nullptr;    ///< condition: length of the shortest chain of pushes that makes it true
+  Index* cost_at = nullptr;         ///< condition: first provider of that chain
+  Index* cost_plan = nullptr;       ///< condition: number of its plan
+  Index* cost_next = nullptr;       ///< condition: the first condition that the chain lacks; nil: none
+  Assignment now;                   ///< the assignment of this pass
+  Push* own = nullptr;              ///< row of State::pushed of the component: pushes of the current unit
+  Push* first = nullptr;            ///< likewise: new pushes of the current unit
+  Index* touched = nullptr;         ///< groups that got a reason to run since the last act
+  Index* staged = nullptr;          ///< states that the running body set
+  Requested* before = nullptr;      ///< requests before this micro-step changed them; target: the edge
+  Bits* anew = nullptr;             ///< edge: 1: it was requested anew in this micro-step
+  Index* renewed = nullptr;         ///< edges that were requested anew
+  Index* next_order = nullptr;      ///< as `order`
+  Index* next_count = nullptr;      ///< as `order_count`
+  Index* first_moved = nullptr;     ///< component: the first place at which that order differs
+  Index* extent = nullptr;          ///< claimed group: the number of groups that it and all below it are
+  Index* differing = nullptr;       ///< groups whose assignment differs
+  Index* trial = nullptr;           ///< group: edge that would claim it in the current combination
+  PlanEntry* entry = nullptr;       ///< plans of the current members; at most one entry for each group
+  Index* unit = nullptr;            ///< most_edges + 1: edges that are tried together
+  TriedMember* member = nullptr;    ///< the current members
+  Index* candidate = nullptr;       ///< stack of the walk, the next edge last; optional edges at the end
   Index* reach = nullptr;           ///< groups: work list of a search, or of the act
   Index* denied = nullptr;          ///< groups in the order in which they were denied because of their holder
   Staged* staged_request = nullptr; ///< edge of the running group, by its place among them
