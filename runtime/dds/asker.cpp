@@ -46,7 +46,7 @@ struct Asker::Parts {
 
   Reply send(const To& to, Request request, std::chrono::milliseconds patience);
   void take_members();
-  std::optional<Reply> answer_to(std::uint64_t number);
+  std::optional<Reply> answer_to(std::uint64_t wanted);
 
   const std::string name;
   const std::uint64_t session = new_session();
@@ -63,10 +63,10 @@ void Asker::Parts::take_members() {
   });
 }
 
-std::optional<Reply> Asker::Parts::answer_to(std::uint64_t number) {
+std::optional<Reply> Asker::Parts::answer_to(std::uint64_t wanted) {
   std::optional<Reply> found;
   take<Answer>(answers, [&](const Answer& sample, const dds_sample_info_t& info) {
-    if (info.valid_data && name == sample.asker && sample.asker_session == session && sample.number == number &&
+    if (info.valid_data && name == sample.asker && sample.asker_session == session && sample.number == wanted &&
         sample.reply < static_cast<std::uint8_t>(Reply::unanswered))
       found = static_cast<Reply>(sample.reply);
   });
