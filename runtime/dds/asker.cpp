@@ -1,8 +1,8 @@
 // Header: runtime/dds/asker.hpp. Test: tests/runtime/dds/request_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// A request names the session of the robot that it is meant for. Whoever was started again meanwhile has forgotten what
-// it did, so it does not take a request to the one before: the asker hears of that, and decides.
+// A request names the session of the robot that it is for. A robot that was restarted does not know its earlier
+// requests, so it does not take a request to the session before: the asker gets that answer, and decides.
 #include "runtime/dds/asker.hpp"
 
 #include "runtime/dds/entity.hpp"
@@ -22,7 +22,7 @@ constexpr auto repeat_after = 200ms;
 
 bool is_name(const std::string& text) { return !text.empty() && text.size() <= longest_name; }
 
-/// From now on. However long the patience is, the clock can tell its end.
+/// The end of the patience from now on, limited to the range of the clock.
 Clock::time_point end_of(std::chrono::milliseconds patience) {
   const auto now = Clock::now();
   if (patience.count() <= 0) return now;
@@ -44,9 +44,9 @@ struct Asker::Parts {
       check(dds_waitset_attach(waiting.get(), one->get(), 0), "the waitset");
   }
 
-  Reply ask(const To& to, Request request, std::chrono::milliseconds patience);
-  void hear_members();
-  std::optional<Reply> answer_to(std::uint64_t asked);
+  Reply send(const To& to, Request request, std::chrono::milliseconds patience);
+  void take_members();
+  std::optional<Reply> answer_to(std::uint64_t wanted);
 
   const std::string name;
   const std::uint64_t session = new_session();
@@ -55,7 +55,7 @@ struct Asker::Parts {
   std::map<std::array<std::string, 2>, std::uint64_t> sessions;
 };
 
-void Asker::Parts::hear_members() {
+void Asker::Parts::take_members() {
   take<Member>(members, [this](const Member& sample, const dds_sample_info_t& info) {
     const std::array<std::string, 2> key{sample.robot, sample.behaviour};
     if (info.valid_data) sessions[key] = sample.session;
@@ -63,17 +63,17 @@ void Asker::Parts::hear_members() {
   });
 }
 
-std::optional<Reply> Asker::Parts::answer_to(std::uint64_t asked) {
+std::optional<Reply> Asker::Parts::answer_to(std::uint64_t wanted) {
   std::optional<Reply> found;
   take<Answer>(answers, [&](const Answer& sample, const dds_sample_info_t& info) {
-    if (info.valid_data && name == sample.asker && sample.asker_session == session && sample.number == asked &&
+    if (info.valid_data && name == sample.asker && sample.asker_session == session && sample.number == wanted &&
         sample.reply < static_cast<std::uint8_t>(Reply::unanswered))
       found = static_cast<Reply>(sample.reply);
   });
   return found;
 }
 
-Reply Asker::Parts::ask(const To& to, Request request, std::chrono::milliseconds patience) {
+Reply Asker::Parts::send(const To& to, Request request, std::chrono::milliseconds patience) {
   const auto end = end_of(patience);
   const std::array<std::string, 2> key{to.robot, to.behaviour};
   request.robot = text(to.robot);
@@ -83,11 +83,11 @@ Reply Asker::Parts::ask(const To& to, Request request, std::chrono::milliseconds
   request.number = ++number;
   auto next = Clock::now();
   for (auto at = next; at < end; at = Clock::now()) {
-    hear_members();
+    take_members();
     if (const auto known = sessions.find(key); request.session == 0 && known != sessions.end())
       request.session = known->second;
     if (request.session != 0 && at >= next) {
-      write(requests, request); // if it is not taken, it is said again
+      write(requests, request); // if the middleware does not take it, it is repeated
       next = at + repeat_after;
     }
     const auto until = request.session == 0 ? end : std::min(end, next);
@@ -109,15 +109,15 @@ Asker::~Asker() = default;
 
 Reply Asker::request(const To& to, const std::string& task, std::chrono::milliseconds patience,
                      const std::string& level, std::span<const std::byte> data) {
-  // A robot takes it for noise and does not answer.
+  // A robot would not answer such a request.
   if (!is_name(task)) return Reply::unknown_task;
   if (level.size() > longest_name || data.size() > longest_data) return Reply::refused;
   Request request{};
   request.task = text(task);
   request.level = text(level);
   request.data._length = request.data._maximum = static_cast<std::uint32_t>(data.size());
-  request.data._buffer = reinterpret_cast<std::uint8_t*>(const_cast<std::byte*>(data.data())); // only read
-  return parts_->ask(to, request, patience);
+  request.data._buffer = reinterpret_cast<std::uint8_t*>(const_cast<std::byte*>(data.data())); // it is only read
+  return parts_->send(to, request, patience);
 }
 
 Reply Asker::cancel(const To& to, const std::string& task, std::chrono::milliseconds patience) {
@@ -127,7 +127,7 @@ Reply Asker::cancel(const To& to, const std::string& task, std::chrono::millisec
   request.kind = 1;
   request.task = text(task);
   request.level = text(none);
-  return parts_->ask(to, request, patience);
+  return parts_->send(to, request, patience);
 }
 
 const char* to_text(Reply reply) {

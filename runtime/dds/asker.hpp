@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Asks other processes for root tasks, and cancels them: a coach, an operator's panel, another computer of the robot. A
-// request is repeated until it is answered, and is done once at most. Blocks: not for the thread that steps. One thread
-// at a time uses an asker.
+// Requests and cancels root tasks of other processes, for a coach, an operator's panel, or another computer of the
+// robot. A request is repeated until it is answered, and is carried out at most once. Calls block, so not for the
+// thread that steps. One thread at a time may use an asker.
 
 #include "runtime/dds/reply.hpp"
 #include "runtime/dds/settings.hpp"
@@ -13,7 +13,7 @@ namespace director::dds {
 
 class Asker {
 public:
-  /// `name`: for people, and for the answers to come back; not empty, and no longer than longest_name. Errors: Failure.
+  /// `name`: for display, and to address the answers; not empty, and no longer than longest_name. Errors: Failure.
   explicit Asker(std::string name, std::uint32_t domain = 0);
   ~Asker();
   Asker(const Asker&) = delete;
@@ -22,8 +22,8 @@ public:
   struct To {
     std::string robot, behaviour;
   };
-  /// Waits up to `patience` for the robot to be there and to answer. What is longer than any robot hears is answered at
-  /// once, by the asker itself.
+  /// Waits up to `patience` for the robot and its answer. A request that is too long for any robot is answered
+  /// immediately by the asker itself.
   Reply request(const To& to, const std::string& task, std::chrono::milliseconds patience,
                 const std::string& level = {}, std::span<const std::byte> data = {});
   Reply cancel(const To& to, const std::string& task, std::chrono::milliseconds patience);

@@ -7,7 +7,7 @@
 
 namespace director::dds {
 
-/// In the order in which they need each other.
+/// In the order of their dependencies.
 struct Bridge::Parts {
   Parts(Plug given_plug, Outbox& outbox, Settings given)
       : settings(std::move(given)),

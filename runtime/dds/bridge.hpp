@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Shares the states and tasks of a behaviour with other processes over DDS: what they say of themselves is posted to
-// the behaviour, what this one becomes and decides is told. Two threads of its own; whoever steps never waits for the
-// network. README.md has an example, and says what happens when the network drops. Errors: a Failure from the
-// constructor; later on, notices.
+// Shares the states and tasks of a behaviour with other processes over DDS: what others publish is posted to the
+// behaviour, its own states and decisions are published. It has two threads; the thread that steps never waits for the
+// network. README.md has an example, and what happens when the network drops. Errors: a Failure from the constructor;
+// notices later.
 //
 //   Outbox outbox;
 //   team::Behaviour behaviour{player, outbox.observer()};
@@ -22,12 +22,13 @@ class Bridge {
 public:
   /// Behaviour and outbox must outlive it.
   Bridge(Plug plug, Outbox& outbox, Settings settings);
-  /// Says goodbye.
+  /// Disposes all that this robot published.
   ~Bridge();
   Bridge(const Bridge&) = delete;
   Bridge& operator=(const Bridge&) = delete;
 
-  /// After each step, from the thread that steps. No lock, no allocation. Who does not call it any more falls silent.
+  /// To be called after each step, from the thread that steps. No lock, no allocation. While it is not called, states
+  /// are not repeated.
   void stepped();
 
   Counts counts() const; ///< from any thread

@@ -58,7 +58,7 @@ Decision decision_of(const Event& event, const Plug& plug) {
   return out;
 }
 
-std::optional<Kept> Promises::hear(const Event& event) {
+std::optional<Kept> Promises::observe(const Event& event) {
   const Tables& t = plug_.tables();
   if (event.kind == Event::Kind::run) {
     running_ = event.provider;

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What an event of the engine says, in names. Not for who steps: it makes strings.
+// An event of the engine, with names. It makes strings, so it is not for the thread that steps.
 
 #include "runtime/core/base/observer.hpp"
 #include "runtime/dds/plug.hpp"
@@ -11,7 +11,7 @@
 namespace director::dds {
 
 struct Decision {
-  std::string kind; ///< Event::Kind, in its own words
+  std::string kind; ///< name of the Event::Kind
   std::string group;
   std::string provider;
   std::string requester; ///< root, or a group
@@ -21,7 +21,7 @@ struct Decision {
 
 Decision decision_of(const Event& event, const Plug& plug);
 
-/// How a promise ended.
+/// The end of a promise.
 struct Kept {
   std::string group, provider;
   bool kept = false;
@@ -29,12 +29,12 @@ struct Kept {
   bool operator==(const Kept&) const = default;
 };
 
-/// Follows the events in order and says when a provider's `causing` came true by its own run, or was not true in time.
-/// Only promises that somebody counts on: a condition that some `when`, `stay` or `within` names.
+/// Reads the events in order, and detects when a provider's `causing` came true by its own run, or was not true in
+/// time. Only for promises of a condition that some `when`, `stay` or `within` names.
 class Promises {
 public:
   explicit Promises(const Plug& plug) : plug_(plug) {}
-  std::optional<Kept> hear(const Event& event);
+  std::optional<Kept> observe(const Event& event);
 
 private:
   bool accepts(const Condition& condition, std::int32_t value) const;

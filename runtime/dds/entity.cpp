@@ -12,7 +12,7 @@ namespace director::dds {
 namespace {
 
 struct Topic {
-  const char* name; ///< as ROS 2 calls /director/...
+  const char* name; ///< the name that ROS 2 gives to /director/...
   const dds_topic_descriptor_t* type;
 };
 template <class Sample>
@@ -54,7 +54,7 @@ void check(dds_return_t answer, const std::string& what) {
 }
 
 Entity join(std::uint32_t domain) {
-  constexpr std::uint32_t highest = 232; // the last one whose ports exist
+  constexpr std::uint32_t highest = 232; // its ports are the last that exist
   if (domain > highest)
     throw Failure("dds: there is no domain " + std::to_string(domain) + "; the highest is " + std::to_string(highest));
   const dds_entity_t handle = dds_create_participant(domain, nullptr, nullptr);
@@ -66,14 +66,14 @@ Entity join(std::uint32_t domain) {
 
 template <class Sample>
 Entity make_writer(const Entity& participant, std::chrono::milliseconds say_again) {
-  const Quality quality = quality_to_offer<Sample>(say_again);
+  const Quality quality = writer_quality<Sample>(say_again);
   return {dds_create_writer(participant.get(), make_topic<Sample>(participant), quality.get(), nullptr),
           std::string("a writer of ") + topic_of<Sample>.name};
 }
 
 template <class Sample>
 Entity make_reader(const Entity& participant) {
-  const Quality quality = quality_to_ask_for<Sample>();
+  const Quality quality = reader_quality<Sample>();
   Entity reader{dds_create_reader(participant.get(), make_topic<Sample>(participant), quality.get(), nullptr),
                 std::string("a reader of ") + topic_of<Sample>.name};
   check(dds_set_status_mask(reader.get(), DDS_DATA_AVAILABLE_STATUS | DDS_REQUESTED_INCOMPATIBLE_QOS_STATUS),

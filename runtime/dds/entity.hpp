@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The C library of Cyclone DDS, with owners and types. Errors: a Failure with the library's own words.
+// The C library of Cyclone DDS, with owners and types. Errors: a Failure with the message of the library.
 
 #include "runtime/dds/messages.h"
 #include "runtime/dds/settings.hpp"
@@ -21,11 +21,11 @@ using Request = director_msgs_msg_dds__Request_;
 using Answer = director_msgs_msg_dds__Answer_;
 using Stamp = builtin_interfaces_msg_dds__Time_;
 
-/// A handle of the library, deleted with all that belongs to it when its owner ends.
+/// A handle of the library. Its owner deletes it, with all that belongs to it.
 class Entity {
 public:
   Entity() = default;
-  /// `handle`: what the library answered; below 0 it is an error, and `what` was to be done.
+  /// `handle`: the result of the library; below 0 it is an error of `what`.
   Entity(dds_entity_t handle, const std::string& what);
   Entity(Entity&& other) noexcept : handle_(std::exchange(other.handle_, 0)) {}
   Entity& operator=(Entity&& other) noexcept {
@@ -42,7 +42,8 @@ private:
 Entity join(std::uint32_t domain);
 void check(dds_return_t answer, const std::string& what);
 
-/// Of its topic, with the quality of that topic (qualities.hpp). `say_again`: how often a state is said.
+/// A writer of the topic of the type, with its quality (qualities.hpp). `say_again`: the period in which a state is
+/// repeated.
 template <class Sample>
 Entity make_writer(const Entity& participant, std::chrono::milliseconds say_again = std::chrono::milliseconds(100));
 template <class Sample>
@@ -54,10 +55,10 @@ bool write(const Entity& writer, const Sample& sample) {
   return dds_write(writer.get(), &sample) == DDS_RETCODE_OK;
 }
 
-/// Texts of a sample to write, which the library only reads.
+/// A text of a sample to write, which the library only reads.
 inline char* text(const std::string& of) { return const_cast<char*>(of.c_str()); }
 
-/// Calls each(sample, info) for all that has come, and forgets it. Without valid data only the keys are there.
+/// Calls each(sample, info) for all samples received, and removes them. Without valid data only the keys are set.
 template <class Sample, class Each>
 void take(const Entity& reader, Each&& each) {
   constexpr std::size_t at_once = 32;

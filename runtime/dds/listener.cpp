@@ -6,7 +6,7 @@ namespace director::dds {
 
 namespace {
 
-// Far more than a team has: who invents names does not fill the memory.
+// Far more than a team has, so that invented names cannot fill the memory.
 constexpr std::size_t most_members = 256;
 
 bool is_name(const char* text) {
@@ -44,69 +44,70 @@ Listener::~Listener() {
 void Listener::listen() {
   while (!stopping_) {
     dds_waitset_wait(waiting_.get(), nullptr, 0, DDS_INFINITY);
-    take<Member>(members_, [this](const Member& sample, const auto& info) { hear_member(sample, info); });
-    take<State>(states_, [this](const State& sample, const auto& info) { hear_state(sample, info); });
-    take<Request>(requests_, [this](const Request& sample, const auto& info) { hear_request(sample, info); });
-    hear_incompatible(members_, "members");
-    hear_incompatible(states_, "states");
-    hear_incompatible(requests_, "requests");
+    take<Member>(members_, [this](const Member& sample, const auto& info) { receive_member(sample, info); });
+    take<State>(states_, [this](const State& sample, const auto& info) { receive_state(sample, info); });
+    take<Request>(requests_, [this](const Request& sample, const auto& info) { receive_request(sample, info); });
+    report_incompatible(members_, "members");
+    report_incompatible(states_, "states");
+    report_incompatible(requests_, "requests");
   }
 }
 
-void Listener::hear_incompatible(const Entity& reader, const char* what) {
+void Listener::report_incompatible(const Entity& reader, const char* what) {
   dds_requested_incompatible_qos_status_t status{};
   dds_get_requested_incompatible_qos_status(reader.get(), &status);
   if (status.total_count_change != 0)
-    notes_.tell_once(Notice::Kind::incompatible, "",
-                     std::string("somebody says ") + what +
-                         " with a quality of service that is not enough, and is not heard (policy " +
-                         std::to_string(status.last_policy_id) + ")");
+    notes_.report_once(Notice::Kind::incompatible, "",
+                       std::string("somebody says ") + what +
+                           " with a quality of service that is not enough, and is not heard (policy " +
+                           std::to_string(status.last_policy_id) + ")");
 }
 
-void Listener::bad(std::string_view robot, const std::string& what) {
+void Listener::report_bad(std::string_view robot, const std::string& what) {
   notes_.count(&Counts::bad_samples);
-  notes_.tell_once(Notice::Kind::bad_sample, robot, what);
+  notes_.report_once(Notice::Kind::bad_sample, robot, what);
 }
 
-void Listener::hear_member(const Member& sample, const dds_sample_info_t& info) {
-  if (!is_name(sample.robot) || !is_name(sample.behaviour)) return bad(sample.robot, "a member without a proper name");
+void Listener::receive_member(const Member& sample, const dds_sample_info_t& info) {
+  if (!is_name(sample.robot) || !is_name(sample.behaviour))
+    return report_bad(sample.robot, "a member without a proper name");
   const std::array<std::string, 2> key{sample.robot, sample.behaviour};
-  if (known_.size() >= most_members && !known_.contains(key)) return bad(sample.robot, "one member too many");
+  if (known_.size() >= most_members && !known_.contains(key)) return report_bad(sample.robot, "one member too many");
   Known& known = known_[key];
   const std::string what = "the behaviour " + shown(sample.behaviour);
   if (info.valid_data) {
     if (plug_.behaviour == sample.behaviour && settings_.robot == sample.robot && sample.session != session_)
-      notes_.tell(Notice::Kind::twin, sample.robot,
-                  "another process says that it is this robot with " + what + "; both are heard as one");
+      notes_.report(Notice::Kind::twin, sample.robot,
+                    "another process says that it is this robot with " + what + "; both are heard as one");
     if (known.session == 0) {
-      notes_.tell(Notice::Kind::joined, sample.robot, what + " is there");
+      notes_.report(Notice::Kind::joined, sample.robot, what + " is there");
     } else if (known.session != sample.session) {
-      notes_.tell(Notice::Kind::restarted, sample.robot, what + " was started again");
+      notes_.report(Notice::Kind::restarted, sample.robot, what + " was started again");
     } else if (!known.there) {
-      notes_.tell(Notice::Kind::joined, sample.robot, what + " is heard again");
+      notes_.report(Notice::Kind::joined, sample.robot, what + " is heard again");
     }
     if (plug_.behaviour == sample.behaviour && specification_ != sample.specification &&
         known.session != sample.session)
-      notes_.tell(Notice::Kind::other_specification, sample.robot,
-                  what + " decides otherwise there: its specification is " + shown(sample.specification) +
-                      ", here it is " + specification_);
+      notes_.report(Notice::Kind::other_specification, sample.robot,
+                    what + " decides otherwise there: its specification is " + shown(sample.specification) +
+                        ", here it is " + specification_);
     known = {.session = sample.session, .there = true};
   }
   if (info.instance_state == DDS_IST_ALIVE || !known.there) return;
   known.there = false;
   const bool goodbye = info.instance_state == DDS_IST_NOT_ALIVE_DISPOSED;
-  notes_.tell(goodbye ? Notice::Kind::gone : Notice::Kind::lost, sample.robot,
-              what + (goodbye ? " said goodbye" : " is not heard any more"));
+  notes_.report(goodbye ? Notice::Kind::gone : Notice::Kind::lost, sample.robot,
+                what + (goodbye ? " said goodbye" : " is not heard any more"));
 }
 
-void Listener::hear_state(const State& sample, const dds_sample_info_t& info) {
+void Listener::receive_state(const State& sample, const dds_sample_info_t& info) {
   if (!is_name(sample.robot) || !is_name(sample.behaviour) || !is_name(sample.state))
-    return bad(sample.robot, "a state without a proper name");
+    return report_bad(sample.robot, "a state without a proper name");
   const auto found = plan_.taken.find({sample.robot, sample.behaviour, sample.state});
   if (found == plan_.taken.end()) return;
   for (const Taken& taken : found->second) {
     if (info.valid_data) post_value(sample, taken);
-    // Whoever says goodbye need not be waited for.
+    // A disposed state has its value after `expires` immediately.
     if (info.instance_state != DDS_IST_ALIVE && taken.silent != unset) post(taken, taken.silent, sample.robot);
   }
 }
@@ -114,38 +115,38 @@ void Listener::hear_state(const State& sample, const dds_sample_info_t& info) {
 void Listener::post_value(const State& sample, const Taken& taken) {
   std::optional<std::int32_t> value;
   switch (sample.kind) {
-  case 0: return; // no value: if the state here has an `expires`, it will go by that
+  case 0: return; // no value: the state here changes only by its `expires`
   case 1: value = number_of(taken, std::string_view(sample.name)); break;
   case 2: value = number_of(taken, sample.number); break;
   default:
-    return bad(sample.robot,
-               "the state " + shown(sample.state) + " comes as something that is neither a name nor a number");
+    return report_bad(sample.robot,
+                      "the state " + shown(sample.state) + " comes as something that is neither a name nor a number");
   }
   if (value) return post(taken, *value, sample.robot);
   notes_.count(&Counts::unknown_values);
-  notes_.tell_once(Notice::Kind::unknown_value, sample.robot,
-                   "the state " + shown(sample.state) + " is " +
-                       (sample.kind == 1 ? shown(sample.name) : std::to_string(sample.number)) + ", a value that " +
-                       plug_.names.state(taken.state) + " does not have; it stays as it is");
+  notes_.report_once(Notice::Kind::unknown_value, sample.robot,
+                     "the state " + shown(sample.state) + " is " +
+                         (sample.kind == 1 ? shown(sample.name) : std::to_string(sample.number)) + ", a value that " +
+                         plug_.names.state(taken.state) + " does not have; it stays as it is");
 }
 
-/// Where the inbox is full, the value waits in the state's own slot, and may take the place of one that nobody saw.
+/// If the inbox is full, the value waits in the state's overflow slot, where it may replace one that no step has taken.
 void Listener::post(const Taken& taken, std::int32_t value, std::string_view robot) {
   const std::uint32_t lost = plug_.engine->lost();
   if (plug_.set(taken.state, value)) notes_.count(&Counts::states_heard);
   if (plug_.engine->lost() == lost) return;
   notes_.count(&Counts::inbox_full);
-  notes_.tell_once(Notice::Kind::inbox_full, robot,
-                   std::string("the inbox has no room for ") + plug_.names.state(taken.state) +
-                       ": is the behaviour stepped often enough?");
+  notes_.report_once(Notice::Kind::inbox_full, robot,
+                     std::string("the inbox has no room for ") + plug_.names.state(taken.state) +
+                         ": is the behaviour stepped often enough?");
 }
 
-void Listener::hear_request(const Request& sample, const dds_sample_info_t& info) {
+void Listener::receive_request(const Request& sample, const dds_sample_info_t& info) {
   if (!info.valid_data || settings_.robot != sample.robot || plug_.behaviour != sample.behaviour) return;
   if (!is_name(sample.asker) || sample.asker_session == 0 || sample.number == 0 || sample.kind > 1 ||
       !is_name(sample.task) || std::string_view(sample.level).size() > longest_name ||
       sample.data._length > longest_data)
-    return bad(sample.asker, "a request that cannot be meant");
+    return report_bad(sample.asker, "a request that cannot be meant");
   if (sample.session != 0 && sample.session != session_) return answer(sample, Reply::another_session);
   const Once::Seen seen = once_.look(sample.asker_session, sample.number);
   switch (seen.verdict) {
@@ -155,16 +156,16 @@ void Listener::hear_request(const Request& sample, const dds_sample_info_t& info
     return answer(sample, static_cast<Reply>(seen.answer));
   case Once::Verdict::first: break;
   }
-  const Reply reply = obey(sample);
+  const Reply reply = carry_out(sample);
   once_.note(sample.asker_session, sample.number, static_cast<std::uint8_t>(reply));
   notes_.count(reply == Reply::taken ? &Counts::requests_taken : &Counts::requests_refused);
   if (reply != Reply::taken)
-    notes_.tell_once(Notice::Kind::refused, sample.asker,
-                     (sample.kind == 1 ? "cancel " : "request ") + shown(sample.task) + ": " + to_text(reply));
+    notes_.report_once(Notice::Kind::refused, sample.asker,
+                       (sample.kind == 1 ? "cancel " : "request ") + shown(sample.task) + ": " + to_text(reply));
   answer(sample, reply);
 }
 
-Reply Listener::obey(const Request& sample) {
+Reply Listener::carry_out(const Request& sample) {
   const auto found = plan_.offered.find(std::string_view(sample.task));
   if (found == plan_.offered.end()) return Reply::unknown_task;
   const Offered& offered = found->second;
@@ -175,7 +176,7 @@ Reply Listener::obey(const Request& sample) {
     try {
       taken = offered.take(
           {.asker = sample.asker, .cancel = cancel, .level = sample.level, .data = {data, sample.data._length}});
-    } catch (...) { // whatever the program's function throws ends here: this thread is not the program's
+    } catch (...) { // an exception of the program's function must not leave this thread, which is the bridge's
     }
   } else if (cancel) {
     taken = plug_.cancel(offered.edge);

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The half of a bridge that listens: a thread of its own takes what others say, posts the states that the plan knows
-// and the requests that are new, and answers these.
+// The receiving half of a bridge: a thread takes the samples of others, posts the states in the plan and new requests,
+// and answers the requests.
 
 #include "runtime/dds/entity.hpp"
 #include "runtime/dds/notes.hpp"
@@ -22,15 +22,15 @@ public:
 
 private:
   void listen();
-  void hear_incompatible(const Entity& reader, const char* what);
-  void hear_member(const Member& sample, const dds_sample_info_t& info);
-  void hear_state(const State& sample, const dds_sample_info_t& info);
+  void report_incompatible(const Entity& reader, const char* what);
+  void receive_member(const Member& sample, const dds_sample_info_t& info);
+  void receive_state(const State& sample, const dds_sample_info_t& info);
   void post_value(const State& sample, const Taken& taken);
   void post(const Taken& taken, std::int32_t value, std::string_view robot);
-  void hear_request(const Request& sample, const dds_sample_info_t& info);
-  Reply obey(const Request& sample);
+  void receive_request(const Request& sample, const dds_sample_info_t& info);
+  Reply carry_out(const Request& sample);
   void answer(const Request& sample, Reply reply);
-  void bad(std::string_view robot, const std::string& what);
+  void report_bad(std::string_view robot, const std::string& what);
 
   struct Known {
     std::uint64_t session = 0;

@@ -8,7 +8,7 @@ namespace director::dds {
 
 namespace {
 
-constexpr std::size_t most_said = 1000;
+constexpr std::size_t most_reported = 1000;
 constexpr std::size_t longest = 60;
 
 } // namespace
@@ -28,18 +28,18 @@ Counts Notes::counts() const {
   return counts_;
 }
 
-void Notes::tell(Notice::Kind kind, std::string_view robot, std::string text) {
-  if (!tell_) return;
-  const std::lock_guard lock(telling_);
-  tell_({.kind = kind, .robot = shown(robot), .text = std::move(text)});
+void Notes::report(Notice::Kind kind, std::string_view robot, std::string text) {
+  if (!report_) return;
+  const std::lock_guard lock(reporting_);
+  report_({.kind = kind, .robot = shown(robot), .text = std::move(text)});
 }
 
-void Notes::tell_once(Notice::Kind kind, std::string_view robot, const std::string& text) {
+void Notes::report_once(Notice::Kind kind, std::string_view robot, const std::string& text) {
   {
     const std::lock_guard lock(mutex_);
-    if (said_.size() >= most_said || !said_.insert(shown(robot) + ' ' + text).second) return;
+    if (reported_.size() >= most_reported || !reported_.insert(shown(robot) + ' ' + text).second) return;
   }
-  tell(kind, robot, text);
+  report(kind, robot, text);
 }
 
 std::string shown(std::string_view text) {

@@ -8,11 +8,11 @@ namespace director::dds {
 
 Outbox::Outbox(std::size_t room, Observer next) : ring_(std::bit_ceil(room < 2 ? 2 : room)), next_(next) {}
 
-void Outbox::hear(void* self, const Event& event) {
+void Outbox::observe(void* self, const Event& event) {
   Outbox& out = *static_cast<Outbox*>(self);
   if (out.next_.tell != nullptr) out.next_.tell(out.next_.self, event);
   switch (event.kind) {
-  case Event::Kind::input: // what comes in, and what bodies ask for, others need not hear: they see what follows
+  case Event::Kind::input: // inputs and requests of bodies are not published: what follows from them is
   case Event::Kind::ask:
   case Event::Kind::keep:
   case Event::Kind::withdraw:
@@ -36,7 +36,7 @@ void Outbox::put(const Event& event, std::uint64_t number) {
   end_.store(end + 1, std::memory_order_release);
 }
 
-bool Outbox::take(Told& out) {
+bool Outbox::take(Entry& out) {
   const std::uint64_t begin = begin_.load(std::memory_order_relaxed);
   if (begin == end_.load(std::memory_order_acquire)) return false;
   out = ring_[begin & (ring_.size() - 1)];

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The way out of a step: a fixed ring between the thread that steps and the one that writes to the network. Whoever
-// steps never waits, allocates or locks; what finds no room is counted.
+// A fixed ring of events between the thread that steps and the one that writes to the network. The thread that steps
+// never waits, allocates or locks; events that find the ring full are counted.
 
 #include "runtime/core/base/observer.hpp"
 
@@ -14,21 +14,21 @@ namespace director::dds {
 
 class Outbox {
 public:
-  struct Told {
+  struct Entry {
     Event event;
-    std::uint64_t number = 0; ///< counts the decisions from 1, also those that found no room; 0: a state was set
+    std::uint64_t number = 0; ///< the number of the decision, from 1, including those dropped; 0: a state was set
   };
 
-  /// `room`: how many events can wait; rounded up to a power of two. `next` is told too.
+  /// `room`: how many events can wait; rounded up to a power of two. `next` is called as well.
   explicit Outbox(std::size_t room = 1024, Observer next = {});
   Outbox(const Outbox&) = delete;
   Outbox& operator=(const Outbox&) = delete;
 
   /// For the behaviour's constructor. The outbox must live as long as the behaviour.
-  Observer observer() { return {&Outbox::hear, this}; }
+  Observer observer() { return {&Outbox::observe, this}; }
 
   // For the thread that writes.
-  bool take(Told& out);
+  bool take(Entry& out);
   std::uint64_t lost() const { return lost_.load(std::memory_order_relaxed); }
 
   // For the thread that steps.
@@ -36,15 +36,15 @@ public:
   void all_seen() { seen_ = end_.load(std::memory_order_relaxed); }
 
 private:
-  static void hear(void* self, const Event& event);
+  static void observe(void* self, const Event& event);
   void put(const Event& event, std::uint64_t number);
 
-  std::vector<Told> ring_;
+  std::vector<Entry> ring_;
   Observer next_;
   std::uint64_t number_ = 0; ///< of the last decision
   std::uint64_t seen_ = 0;
   std::atomic<std::uint64_t> begin_{0},
-      end_{0}; ///< what waits; only the writer moves the first, only the stepper the other
+      end_{0}; ///< the events that wait; only the writer changes the first, only the thread that steps the other
   std::atomic<std::uint64_t> lost_{0};
 };
 

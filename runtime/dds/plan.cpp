@@ -6,7 +6,7 @@ namespace director::dds {
 
 namespace {
 
-/// "Mood, Door", by name(row); "none" where there are no rows.
+/// A list such as "Mood, Door", by name(row); "none" if there are no rows.
 template <class Name>
 std::string listed(Name name, Index count) {
   std::string out;
@@ -14,9 +14,9 @@ std::string listed(Name name, Index count) {
   return out.empty() ? "none" : out;
 }
 
-class Resolving {
+class Resolver {
 public:
-  Resolving(const Settings& settings, const Plug& plug) : settings_(settings), plug_(plug) {}
+  Resolver(const Settings& settings, const Plug& plug) : settings_(settings), plug_(plug) {}
 
   Plan plan() {
     if (settings_.robot.empty()) mistake("the robot needs a name");
@@ -117,7 +117,7 @@ std::uint64_t count(const Row& rows) {
 
 } // namespace
 
-Plan resolve(const Settings& settings, const Plug& plug) { return Resolving(settings, plug).plan(); }
+Plan resolve(const Settings& settings, const Plug& plug) { return Resolver(settings, plug).plan(); }
 
 std::optional<std::int32_t> number_of(const Taken& taken, std::string_view name) {
   const auto found = taken.values.find(name);

@@ -1,7 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The settings of a bridge, resolved against the behaviour: names have become rows. Errors: a Failure that tells of
-// every mistake.
+// The settings of a bridge, resolved against the behaviour: names become rows. Errors: a Failure with all mistakes.
 
 #include "runtime/dds/plug.hpp"
 #include "runtime/dds/settings.hpp"
@@ -11,12 +10,12 @@
 
 namespace director::dds {
 
-/// Where a state of another robot goes.
+/// The state here that takes in one of another robot.
 struct Taken {
   Index state = nil;
-  std::map<std::string, std::int32_t, std::less<>> values; ///< by name; empty: it has numbers
+  std::map<std::string, std::int32_t, std::less<>> values; ///< by name; empty: the values are numbers
   Domain domain;
-  std::int32_t silent = unset; ///< what it becomes when its robot says goodbye: what its `expires` names
+  std::int32_t silent = unset; ///< its value when its robot ends: that of `expires`
 };
 
 struct Offered {
@@ -35,11 +34,11 @@ struct Plan {
 
 Plan resolve(const Settings& settings, const Plug& plug);
 
-/// The number of a value that another robot says; nothing: the state does not have it.
+/// The number of a value that another robot published; nothing: the state does not have it.
 std::optional<std::int32_t> number_of(const Taken& taken, std::string_view name);
 std::optional<std::int32_t> number_of(const Taken& taken, std::int32_t number);
 
-/// Equal for behaviours that decide alike and mean the same by their names: a hash of the tables and of all names.
+/// Equal for behaviours that decide alike and have the same names: a hash of the tables and of all names.
 std::string specification_of(const Plug& plug);
 
 } // namespace director::dds

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A behaviour as a bridge sees it: its engine, what rows are called, and the way in by number. Made from any generated
-// Behaviour, which must outlive it.
+// The interface of a behaviour for a bridge: its engine, the names of rows, and its inputs by number. Made from any
+// generated Behaviour, which must outlive it.
 
 #include "runtime/core/api/program.hpp"
 
@@ -24,7 +24,7 @@ struct Names {
 };
 
 struct Plug {
-  std::string behaviour; ///< what the YAML calls it
+  std::string behaviour; ///< its name in the YAML file
   Names names;
   const Engine* engine = nullptr;
   std::span<const Domain> domains;              ///< of the states

@@ -6,16 +6,16 @@ namespace director::dds {
 
 namespace {
 
-// Nobody waits for the network longer than that, and only threads of the bridge do.
+// The longest wait for the network, and only of threads of the bridge.
 constexpr dds_duration_t blocked_at_most = DDS_MSECS(50);
-// A process that is gone is known to be after that. Robots count on `expires`, not on this.
+// The time after which a process that is gone is detected. Robots rely on `expires`, not on this.
 constexpr dds_duration_t lease = DDS_SECS(1);
-// A request that comes later than that is not obeyed any more.
+// A request that arrives later is not carried out any more.
 constexpr dds_duration_t request_lives = DDS_SECS(1);
-// A state may be that many times overdue and still be told to who joins.
-constexpr int sayings = 5;
+// A robot that joins gets a state that is overdue by up to this many periods.
+constexpr int periods_overdue = 5;
 
-/// Reliable, of the last `depth` samples of each key.
+/// A reliable quality that keeps the last `depth` samples of each key.
 Quality reliable(std::int32_t depth, dds_durability_kind_t durability) {
   Quality quality(dds_create_qos());
   dds_qset_reliability(quality.get(), DDS_RELIABILITY_RELIABLE, blocked_at_most);
@@ -24,7 +24,7 @@ Quality reliable(std::int32_t depth, dds_durability_kind_t durability) {
   dds_qset_durability_service(quality.get(), 0, DDS_HISTORY_KEEP_LAST, depth, DDS_LENGTH_UNLIMITED,
                               DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
   dds_qset_destination_order(quality.get(), DDS_DESTINATIONORDER_BY_RECEPTION_TIMESTAMP);
-  // Whoever ends says so itself. A process that is gone did not say goodbye.
+  // Instances are disposed explicitly when a bridge ends, and not when its process is killed.
   dds_qset_writer_data_lifecycle(quality.get(), false);
   dds_qset_ignorelocal(quality.get(), DDS_IGNORELOCAL_PARTICIPANT);
   constexpr dds_data_representation_id_t plain = DDS_DATA_REPRESENTATION_XCDR1;
@@ -35,60 +35,60 @@ Quality reliable(std::int32_t depth, dds_durability_kind_t durability) {
 } // namespace
 
 template <>
-Quality quality_to_ask_for<Member>() {
+Quality reader_quality<Member>() {
   return reliable(1, DDS_DURABILITY_TRANSIENT_LOCAL);
 }
 template <>
-Quality quality_to_ask_for<State>() {
+Quality reader_quality<State>() {
   return reliable(1, DDS_DURABILITY_TRANSIENT_LOCAL);
 }
 template <>
-Quality quality_to_ask_for<DecisionSample>() {
+Quality reader_quality<DecisionSample>() {
   return reliable(256, DDS_DURABILITY_VOLATILE);
 }
 template <>
-Quality quality_to_ask_for<PromiseSample>() {
+Quality reader_quality<PromiseSample>() {
   return reliable(1, DDS_DURABILITY_TRANSIENT_LOCAL);
 }
 template <>
-Quality quality_to_ask_for<Request>() {
+Quality reader_quality<Request>() {
   return reliable(64, DDS_DURABILITY_VOLATILE);
 }
 template <>
-Quality quality_to_ask_for<Answer>() {
+Quality reader_quality<Answer>() {
   return reliable(64, DDS_DURABILITY_VOLATILE);
 }
 
 template <>
-Quality quality_to_offer<Member>(std::chrono::milliseconds) {
-  Quality quality = quality_to_ask_for<Member>();
+Quality writer_quality<Member>(std::chrono::milliseconds) {
+  Quality quality = reader_quality<Member>();
   dds_qset_liveliness(quality.get(), DDS_LIVELINESS_AUTOMATIC, lease);
   return quality;
 }
 template <>
-Quality quality_to_offer<State>(std::chrono::milliseconds say_again) {
-  Quality quality = quality_to_ask_for<State>();
+Quality writer_quality<State>(std::chrono::milliseconds say_again) {
+  Quality quality = reader_quality<State>();
   dds_qset_liveliness(quality.get(), DDS_LIVELINESS_AUTOMATIC, lease);
-  dds_qset_lifespan(quality.get(), sayings * DDS_MSECS(say_again.count()));
+  dds_qset_lifespan(quality.get(), periods_overdue * DDS_MSECS(say_again.count()));
   return quality;
 }
 template <>
-Quality quality_to_offer<DecisionSample>(std::chrono::milliseconds) {
-  return quality_to_ask_for<DecisionSample>();
+Quality writer_quality<DecisionSample>(std::chrono::milliseconds) {
+  return reader_quality<DecisionSample>();
 }
 template <>
-Quality quality_to_offer<PromiseSample>(std::chrono::milliseconds) {
-  return quality_to_ask_for<PromiseSample>();
+Quality writer_quality<PromiseSample>(std::chrono::milliseconds) {
+  return reader_quality<PromiseSample>();
 }
 template <>
-Quality quality_to_offer<Request>(std::chrono::milliseconds) {
-  Quality quality = quality_to_ask_for<Request>();
+Quality writer_quality<Request>(std::chrono::milliseconds) {
+  Quality quality = reader_quality<Request>();
   dds_qset_lifespan(quality.get(), request_lives);
   return quality;
 }
 template <>
-Quality quality_to_offer<Answer>(std::chrono::milliseconds) {
-  return quality_to_ask_for<Answer>();
+Quality writer_quality<Answer>(std::chrono::milliseconds) {
+  return reader_quality<Answer>();
 }
 
 } // namespace director::dds

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The quality of service of each kind of sample, in one place. The reasons stand in README.md, as a table.
+// The quality of service of each kind of sample. README.md has a table with the reasons.
 
 #include "runtime/dds/entity.hpp"
 
@@ -13,12 +13,12 @@ struct DeleteQos {
 };
 using Quality = std::unique_ptr<dds_qos_t, DeleteQos>;
 
-/// Of a writer. `say_again`: of states.
+/// The quality of a writer. `say_again`: the period of states.
 template <class Sample>
-Quality quality_to_offer(std::chrono::milliseconds say_again);
+Quality writer_quality(std::chrono::milliseconds say_again);
 
-/// Of a reader: no more than it takes, so that other software may offer less where that does no harm.
+/// The quality of a reader: no more than it needs, so that other software may offer less where that does no harm.
 template <class Sample>
-Quality quality_to_ask_for();
+Quality reader_quality();
 
 } // namespace director::dds

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a program wants of a bridge, and what it is told. All names are checked when the bridge is made, and never
-// compared again where a step could notice.
+// The settings of a bridge, and its reports. All names are resolved when the bridge is made, and never compared in a
+// step.
 
 #include <chrono>
 #include <cstddef>
@@ -15,26 +15,27 @@
 
 namespace director::dds {
 
-/// The program asks for what the behaviour does not have, or the middleware cannot do what it is asked: what(), for
-/// people, says which. Thrown only while a Bridge or an Asker is made.
+/// The program uses a name that the behaviour does not have, or the middleware fails: what() says which. Thrown only by
+/// the constructors of Bridge and Asker.
 struct Failure final : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// In bytes. No robot hears more: of a name, and of the data of a request.
+/// The most bytes that a robot accepts, of a name and of the data of a request.
 inline constexpr std::size_t longest_name = 255, longest_data = 64 * 1024;
 
-/// A state of another robot that becomes an external state of this one. Names of values count, not their numbers.
+/// A state of another robot that is copied to an external state of this one. Values are compared by name, not by
+/// number.
 struct TakeIn {
   std::string robot{};
-  std::string state{};     ///< what it is called there
-  std::string into{};      ///< and here
-  std::string behaviour{}; ///< of that robot; empty: of the same name as here
+  std::string state{};     ///< its name there
+  std::string into{};      ///< and its name here
+  std::string behaviour{}; ///< of that robot; empty: the name of this one
 };
 
-/// Something that another process asked for.
+/// A request of another process.
 struct Asked {
-  std::string_view asker{}; ///< the name that it gave itself
+  std::string_view asker{}; ///< the name of the asker
   bool cancel = false;      ///< false: it requests the task
   std::string_view level{}; ///< empty: the first
   std::span<const std::byte> data{};
@@ -43,26 +44,26 @@ struct Asked {
 /// A root task that others may request and cancel.
 struct Offer {
   std::string task{};
-  /// Posts what is asked, from the bridge's thread; false, or an exception: refused. Empty: the bridge posts it, at the
+  /// Posts the request, from the bridge's thread; false, or an exception: refused. Empty: the bridge posts it, at the
   /// task's first level, which is possible for a task without data.
   std::function<bool(const Asked&)> take{};
 };
 
-/// Something that a person should know. Each Kind says what happened to `robot`.
+/// A report for the user. Each Kind says what happened to `robot`.
 struct Notice {
   enum class Kind : std::uint8_t {
-    joined,              ///< it was not there before
-    restarted,           ///< it is another process now
-    gone,                ///< it said goodbye
-    lost,                ///< nothing is heard of its process any more
+    joined,              ///< it is new
+    restarted,           ///< it has another process now
+    gone,                ///< its bridge ended
+    lost,                ///< its process is not connected any more
     twin,                ///< another process uses the name of this one
-    other_specification, ///< it runs a behaviour of this name that decides otherwise
-    incompatible,        ///< somebody offers a topic with a quality that is not enough
-    unknown_value,       ///< it says a value that the state here does not have
-    bad_sample,          ///< it says what cannot be meant
-    refused,             ///< what it asked for was not taken
-    inbox_full,          ///< what it says found no room, and something that was said before is lost
-    decisions_lost,      ///< of this robot: more than the outbox had room for
+    other_specification, ///< it runs a different behaviour with this name
+    incompatible,        ///< another process offers a topic with an insufficient quality
+    unknown_value,       ///< it published a value that the state here does not have
+    bad_sample,          ///< it published an invalid sample
+    refused,             ///< its request was not taken
+    inbox_full,          ///< the inbox was full, and an earlier value of it is lost
+    decisions_lost,      ///< of this robot: the outbox was full
     not_written,         ///< of this robot: the middleware did not take it
   };
   Kind kind = Kind::joined;
@@ -83,13 +84,13 @@ inline constexpr std::chrono::hours longest_say_again{24};
 
 struct Settings {
   std::string robot{};                ///< unique in the team
-  std::uint32_t domain = 0;           ///< of DDS: who has another one is not heard
-  std::vector<std::string> publish{}; ///< states that the others may take in
+  std::uint32_t domain = 0;           ///< of DDS: robots in other domains are not connected
+  std::vector<std::string> publish{}; ///< states that other robots may take in
   std::vector<TakeIn> take_in{};
   std::vector<Offer> offer{};
-  bool decisions = true;                    ///< tell of decisions and promises
-  std::chrono::milliseconds say_again{100}; ///< up to longest_say_again; states are said again as often as that, as
-                                            ///< long as stepped() is called
+  bool decisions = true; ///< publish decisions and promises
+  std::chrono::milliseconds say_again{
+      100}; ///< up to longest_say_again: the period in which states are repeated, as long as stepped() is called
   std::function<void(const Notice&)>
       notice{}; ///< called by one thread at a time, of the bridge's; must not throw; may be empty
 };

@@ -23,15 +23,15 @@ Speaker::Speaker(const Entity& participant, const Settings& settings, const Plug
       kept_(make_writer<PromiseSample>(participant)),
       values_(plan.published.size()) {
   for (const Index state : plan.published) published_.push_back({.state = state, .name = plug.names.state(state)});
-  sem_init(&bell_, 0, 0);
-  thread_ = std::thread(&Speaker::speak, this);
+  sem_init(&semaphore_, 0, 0);
+  thread_ = std::thread(&Speaker::run, this);
 }
 
 Speaker::~Speaker() {
   stopping_ = true;
-  sem_post(&bell_);
+  sem_post(&semaphore_);
   thread_.join();
-  sem_destroy(&bell_);
+  sem_destroy(&semaphore_);
 }
 
 void Speaker::stepped() {
@@ -48,61 +48,62 @@ void Speaker::stepped() {
   wake();
 }
 
-/// Posting a semaphore neither waits nor locks. It is posted once for each time that the thread sleeps.
+/// Wakes the thread. To post a semaphore neither waits nor locks. It is posted once for each time that the thread
+/// sleeps.
 void Speaker::wake() {
-  if (!awake_.exchange(true, std::memory_order_acq_rel)) sem_post(&bell_);
+  if (!awake_.exchange(true, std::memory_order_acq_rel)) sem_post(&semaphore_);
 }
 
-/// Or until the bell rings.
+/// Waits until this time, or until wake().
 void Speaker::wait_until(Clock::time_point when) {
   timespec until{};
   const auto since = when.time_since_epoch();
   const auto whole = std::chrono::duration_cast<std::chrono::seconds>(since);
   until.tv_sec = whole.count();
   until.tv_nsec = std::chrono::duration_cast<std::chrono::nanoseconds>(since - whole).count();
-  sem_clockwait(&bell_, CLOCK_MONOTONIC, &until);
+  sem_clockwait(&semaphore_, CLOCK_MONOTONIC, &until);
 }
 
-void Speaker::speak() {
-  say_member();
+void Speaker::run() {
+  publish_member();
   Clock::time_point next = Clock::now() + settings_.say_again;
   std::uint64_t steps_before = 0;
   while (!stopping_) {
     wait_until(next);
-    awake_.store(false, std::memory_order_seq_cst); // from here on whoever has news rings again
+    awake_.store(false, std::memory_order_seq_cst); // from here on, wake() posts again
     const std::uint64_t steps = steps_.load(std::memory_order_acquire);
     const bool due = Clock::now() >= next;
-    const bool again = due && steps != steps_before; // somebody has stepped since
+    const bool again = due && steps != steps_before; // a step was taken since
     if (due) {
       steps_before = steps;
       next = Clock::now() + settings_.say_again;
     }
-    if (steps != 0) say_states(again);
-    say_what_was_decided();
+    if (steps != 0) publish_states(again);
+    publish_decisions();
   }
-  say_what_was_decided(); // the last words
-  say_goodbye();
+  publish_decisions(); // the last decisions
+  dispose_all();
 }
 
 template <class Sample>
-void Speaker::say(const Entity& writer, const Sample& sample, std::uint64_t Counts::*counter) {
+void Speaker::publish(const Entity& writer, const Sample& sample, std::uint64_t Counts::*counter) {
   if (write(writer, sample)) {
     if (counter != nullptr) notes_.count(counter);
     return;
   }
   notes_.count(&Counts::not_written);
-  notes_.tell_once(Notice::Kind::not_written, settings_.robot, "the network does not take what this robot says");
+  notes_.report_once(Notice::Kind::not_written, settings_.robot, "the network does not take what this robot says");
 }
 
-void Speaker::say_member() {
+void Speaker::publish_member() {
   const Member member{.robot = text(settings_.robot),
                       .behaviour = text(plug_.behaviour),
                       .session = session_,
                       .specification = text(specification_)};
-  say(members_, member, nullptr);
+  publish(members_, member, nullptr);
 }
 
-void Speaker::say_goodbye() {
+void Speaker::dispose_all() {
   for (const Published& state : published_) {
     const State sample{.robot = text(settings_.robot),
                        .behaviour = text(plug_.behaviour),
@@ -120,18 +121,18 @@ void Speaker::say_goodbye() {
   dds_dispose(members_.get(), &member);
 }
 
-void Speaker::say_states(bool again) {
+void Speaker::publish_states(bool again) {
   for (std::size_t i = 0; i < published_.size(); ++i) {
     Published& state = published_[i];
     const std::int32_t value = values_[i].load(std::memory_order_relaxed);
-    if (state.ever && state.said == value && !again) continue;
-    say_state(state, value);
-    state.said = value;
+    if (state.ever && state.published == value && !again) continue;
+    publish_state(state, value);
+    state.published = value;
     state.ever = true;
   }
 }
 
-void Speaker::say_state(const Published& state, std::int32_t value) {
+void Speaker::publish_state(const Published& state, std::int32_t value) {
   const std::string name = value == unset ? "" : plug_.names.value(state.state, value);
   const State sample{.robot = text(settings_.robot),
                      .behaviour = text(plug_.behaviour),
@@ -142,43 +143,43 @@ void Speaker::say_state(const Published& state, std::int32_t value) {
                      .number = value == unset ? 0 : value,
                      .name = text(name),
                      .stamp = now()};
-  say(states_, sample, &Counts::states_said);
+  publish(states_, sample, &Counts::states_said);
 }
 
-void Speaker::say_what_was_decided() {
-  Outbox::Told told;
-  while (outbox_.take(told)) {
+void Speaker::publish_decisions() {
+  Outbox::Entry entry;
+  while (outbox_.take(entry)) {
     if (!settings_.decisions) continue;
-    if (told.number != 0 && told.event.kind != Event::Kind::broken) say_decision(told);
-    say_promise(told.event);
+    if (entry.number != 0 && entry.event.kind != Event::Kind::broken) publish_decision(entry);
+    publish_promise(entry.event);
   }
   const std::uint64_t lost = outbox_.lost();
   if (lost == lost_) return;
   lost_ = lost;
   notes_.set(&Counts::decisions_lost, lost);
-  notes_.tell_once(Notice::Kind::decisions_lost, settings_.robot,
-                   "more was decided at once than the outbox has room for; others see gaps in the numbers");
+  notes_.report_once(Notice::Kind::decisions_lost, settings_.robot,
+                     "more was decided at once than the outbox has room for; others see gaps in the numbers");
 }
 
-void Speaker::say_decision(const Outbox::Told& told) {
-  const Decision decision = decision_of(told.event, plug_);
+void Speaker::publish_decision(const Outbox::Entry& entry) {
+  const Decision decision = decision_of(entry.event, plug_);
   const DecisionSample sample{.robot = text(settings_.robot),
                               .behaviour = text(plug_.behaviour),
                               .session = session_,
-                              .number = told.number,
+                              .number = entry.number,
                               .kind = text(decision.kind),
                               .group = text(decision.group),
                               .provider = text(decision.provider),
                               .requester = text(decision.requester),
                               .reason = text(decision.reason),
-                              .micro_step = told.event.micro_step,
-                              .time_us = told.event.time,
+                              .micro_step = entry.event.micro_step,
+                              .time_us = entry.event.time,
                               .stamp = now()};
-  say(decisions_, sample, &Counts::decisions_said);
+  publish(decisions_, sample, &Counts::decisions_said);
 }
 
-void Speaker::say_promise(const Event& event) {
-  const auto ended = promises_.hear(event);
+void Speaker::publish_promise(const Event& event) {
+  const auto ended = promises_.observe(event);
   if (!ended) return;
   const PromiseSample sample{.robot = text(settings_.robot),
                              .behaviour = text(plug_.behaviour),
@@ -187,7 +188,7 @@ void Speaker::say_promise(const Event& event) {
                              .kept = ended->kept,
                              .condition = text(ended->condition),
                              .stamp = now()};
-  say(kept_, sample, &Counts::promises_said);
+  publish(kept_, sample, &Counts::promises_said);
 }
 
 } // namespace director::dds

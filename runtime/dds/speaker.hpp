@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The half of a bridge that speaks: a thread of its own writes what the behaviour became and decided. It says the
-// states again and again, but only as long as somebody steps: a robot whose main loop hangs falls silent.
+// The sending half of a bridge: a thread publishes states and decisions. It repeats the states as long as steps are
+// taken: a robot whose main loop hangs stops publishing.
 
 #include "runtime/dds/decision.hpp"
 #include "runtime/dds/entity.hpp"
@@ -23,29 +23,29 @@ public:
           Notes& notes, std::uint64_t session);
   ~Speaker();
 
-  /// From the thread that steps, after a step.
+  /// To be called from the thread that steps, after a step.
   void stepped();
 
 private:
   struct Published {
     Index state = nil;
     std::string name;
-    std::int32_t said = 0;
+    std::int32_t published = 0;
     bool ever = false;
   };
 
-  void speak();
+  void run();
   void wake();
   void wait_until(std::chrono::steady_clock::time_point when);
-  void say_member();
-  void say_goodbye();
-  void say_what_was_decided();
-  void say_states(bool again);
-  void say_state(const Published& state, std::int32_t value);
-  void say_decision(const Outbox::Told& told);
-  void say_promise(const Event& event);
+  void publish_member();
+  void dispose_all();
+  void publish_decisions();
+  void publish_states(bool again);
+  void publish_state(const Published& state, std::int32_t value);
+  void publish_decision(const Outbox::Entry& entry);
+  void publish_promise(const Event& event);
   template <class Sample>
-  void say(const Entity& writer, const Sample& sample, std::uint64_t Counts::*counter);
+  void publish(const Entity& writer, const Sample& sample, std::uint64_t Counts::*counter);
 
   const Settings& settings_;
   const Plug& plug_;
@@ -58,11 +58,11 @@ private:
   std::vector<Published> published_;
   std::uint64_t lost_ = 0;
 
-  // Between the two threads.
+  // Shared by the two threads.
   std::vector<std::atomic<std::int32_t>> values_; ///< of `published_`, after the last step
   std::atomic<std::uint64_t> steps_{0};
   std::atomic<bool> awake_{false}, stopping_{false};
-  sem_t bell_;
+  sem_t semaphore_;
   std::thread thread_;
 };
 

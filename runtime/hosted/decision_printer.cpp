@@ -15,7 +15,7 @@ namespace director {
 namespace {
 
 constexpr std::int64_t per_second = 1'000'000;
-constexpr std::size_t longest_line = 1000; ///< names of people, several in a line
+constexpr std::size_t longest_line = 1000; ///< a line may have several names from the YAML file
 
 class Line {
 public:
@@ -39,9 +39,9 @@ private:
   std::size_t size_ = 0;
 };
 
-class Words {
+class EventText {
 public:
-  Words(const Event& event, const Names& names, std::span<char> buffer) : e_(event), n_(names), line_(buffer) {}
+  EventText(const Event& event, const Names& names, std::span<char> buffer) : e_(event), n_(names), line_(buffer) {}
 
   void write() {
     switch (e_.kind) {
@@ -66,7 +66,7 @@ public:
         value();
       }
       return;
-    case Event::Kind::refused: // a scenario ends there; a robot goes on
+    case Event::Kind::refused: // a scenario ends here; a robot continues
       line_ << "refused " << n_.state(n_.self, e_.state) << " ";
       value();
       return;
@@ -90,7 +90,7 @@ public:
   }
 
 private:
-  Words& named(std::string_view word) {
+  EventText& named(std::string_view word) {
     line_ << word;
     return *this;
   }
@@ -101,7 +101,7 @@ private:
     if (e_.provider != nil) line_ << "." << n_.provider(n_.self, e_.provider);
   }
 
-  /// Without the provider where a group writes its words directly.
+  /// Without the provider if the group declares it directly.
   void short_name() {
     line_ << n_.group(n_.self, e_.group);
     const char* provider = n_.provider(n_.self, e_.provider);
@@ -131,7 +131,7 @@ private:
     if (e_.why == Why::waiting && e_.condition != nil) line_ << " for " << n_.condition(n_.self, e_.condition);
   }
 
-  /// The first level is what a request takes that names none.
+  /// The first level, that of a request without a level, is not printed.
   void request() {
     const char* const level = n_.level == nullptr || e_.level == nil ? "" : n_.level(n_.self, e_.level);
     line_ << "> request ";
@@ -145,7 +145,7 @@ private:
     switch (e_.input) {
     case Event::Input::request: request(); return;
     case Event::Input::cancel:
-      if (e_.group == nil) return; // of all: each is told
+      if (e_.group == nil) return; // a cancel of all: one event for each follows
       line_ << "> " << name_of(e_.input) << " " << n_.group(n_.self, e_.group);
       return;
     case Event::Input::set:
@@ -163,7 +163,7 @@ private:
     case Event::Input::expire:
     case Event::Input::wait:
     case Event::Input::within:
-    case Event::Input::every: return; // time passed: what comes of it is told
+    case Event::Input::every: return; // time passed: the events that follow are printed
     }
   }
 
@@ -175,7 +175,7 @@ private:
 } // namespace
 
 const char* to_text(const Event& event, const Names& names, std::span<char> buffer) {
-  Words(event, names, buffer).write();
+  EventText(event, names, buffer).write();
   return buffer.data();
 }
 

@@ -1,13 +1,13 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// An observer that prints what a behaviour decides, a line for each event, in the words of `directorc simulate
-// --decisions`, so that what a robot does can be compared with what a scenario does:
+// An observer that prints what a behaviour decides, a line for each event, in the format of `directorc simulate
+// --decisions`, so that a robot can be compared with a scenario:
 //
 //   director::DecisionPrinter printer{rover::names::all()};
 //   rover::Behaviour behaviour{mission, chassis, printer.observer()};
 //
-// No heap, no exceptions. It writes where the step is called: into a buffered stream, what a line takes is some
-// microseconds, and a disk or a terminal that is slow makes the step slow.
+// No heap, no exceptions. It writes in the thread that steps: a line takes some microseconds in a buffered stream, but
+// a slow disk or terminal makes the step slow.
 
 #include "runtime/core/base/observer.hpp"
 #include "runtime/core/inspect/why.hpp"
@@ -17,18 +17,17 @@
 
 namespace director {
 
-/// One event as a line, without an end of line; empty where `simulate` has none: what tasks are granted and asked for,
-/// and timers. Written into `buffer`, which it returns; cut off where that is too small (at least one byte).
+/// Writes one event as a line, without an end of line, into `buffer`, which it returns; cut off if that is too small
+/// (at least one byte). Empty for events that `simulate` does not print: grants, requests of runs, and timers.
 const char* to_text(const Event& event, const Names& names, std::span<char> buffer);
 
-/// Prints what is decided as it is decided.
+/// Prints decisions while they are made.
 class DecisionPrinter {
 public:
-  /// `yes`: the time before each line, as `simulate --times` has it.
+  /// `yes`: the time before each line, as in `simulate --times`.
   enum class Times : bool { no, yes };
 
-  /// `names`: `all()` of the behaviour's `names`. `out` must be open for as long as the behaviour lives, and so must
-  /// the printer be there.
+  /// `names`: `all()` of the behaviour's `names`. `out` must be open, and the printer exist, as long as the behaviour.
   explicit DecisionPrinter(const Names& names, std::FILE* out = stdout, Times times = Times::no)
       : names_(names),
         out_(out),
@@ -38,7 +37,7 @@ public:
 
   /// For the constructor of a Behaviour.
   Observer observer();
-  /// Prints the event; what an observer of your own may do besides.
+  /// Prints the event; to be called by an observer of your own.
   void tell(const Event& event);
 
 private:
@@ -47,8 +46,8 @@ private:
   Times times_;
 };
 
-/// How the line of something that happened at this time begins: `[    1.500000] `, in seconds. Written into `buffer`,
-/// which it returns.
+/// Writes the beginning of a line for an event at this time, `[    1.500000] `, in seconds, into `buffer`, which it
+/// returns.
 const char* time_text(Time time, std::span<char> buffer);
 
 } // namespace director

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The memory of an engine whose tables are known only while running, from the heap, taken once. Generated code has it
-// in its Behaviour and does not need this.
+// The memory of an engine whose tables are known only at run time, allocated once on the heap. Generated code has it in
+// its Behaviour and does not need this.
 
 #include "runtime/core/base/state.hpp"
 
@@ -11,15 +11,15 @@
 
 namespace director {
 
-/// As many bytes as the tables need, aligned as the engine wants them.
+/// The bytes that the tables need, aligned for the engine.
 class EngineMemory {
 public:
-  /// From the heap, zero.
+  /// Allocates the memory, all zero.
   explicit EngineMemory(const Tables& tables) : state_(lines(State::bytes(Shape::of(tables)))) {}
 
-  /// What an engine is built with.
+  /// For the constructor of an engine.
   std::span<std::byte> state() { return std::as_writable_bytes(std::span(state_)); }
-  /// For who compares or copies it.
+  /// For comparing or copying.
   std::span<const std::byte> state() const { return std::as_bytes(std::span(state_)); }
 
 private:

@@ -1,16 +1,16 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Tests of a module alone: a body or a handler is called as the engine would call it, with a task, reasons and what it
-// sees of others as the test says, and what it asked for is read from what it left behind. No engine runs, nothing else
-// is called, and any test framework will do:
+// Tests of a module alone: a body or a handler is called as the engine would call it, with a task, reasons and states
+// of other groups set by the test, and its requests and values are read afterwards. No engine runs, nothing else is
+// called, and any test framework can be used:
 //
 //   director::testing::Trial<rover::Drive::Braking> braking{rover::Course{.mm_per_s = 200}};
 //   const auto answer = braking.reasons(Reason::pushed).run(chassis);
 //   CHECK(answer.data<rover::Wheels>().left == 100);
 //   CHECK(answer.wait() == 100ms);
 //
-// What the specification does not declare does not compile here either. Errors of a test (data that nobody asked for)
-// are thrown as std::logic_error. Link what is generated; the modules' own sources are the only ones besides.
+// What the specification does not declare does not compile here either. Errors of a test (data that were not requested)
+// are thrown as std::logic_error. Only generated code and the modules' own sources have to be linked.
 
 #include "runtime/core/api/behaviour.hpp"
 
@@ -26,16 +26,16 @@
 
 namespace director::testing {
 
-/// How a task or need in `uses` fares.
+/// The state of a task or need in `uses`.
 enum class Fares : std::uint8_t {
-  none,    ///< not requested from here
-  queued,  ///< requested from here, not granted
+  none,    ///< not requested by this group
+  queued,  ///< requested by this group, not granted
   running, ///< granted
-  done,    ///< granted, and it said done
-  failed,  ///< granted, and it said fail
+  done,    ///< granted, and its answer was done
+  failed,  ///< granted, and its answer was fail
 };
 
-/// Makes what otherwise only the engine makes.
+/// Makes contexts, which otherwise only the engine makes.
 struct Access {
   static Run run(Engine& engine, Index group, Index provider, Reasons reasons) {
     return {engine, engine.memory(), engine.tables().groups[group].edges.begin, group, provider, reasons};
@@ -83,15 +83,14 @@ constexpr void each_entry(Packs<All...>, See see) {
   (look(static_cast<const All*>(nullptr)), ...);
 }
 
-/// The engine of a behaviour that is never stepped: its memory is where a body finds what it is given, and leaves what
-/// it asks for.
+/// The engine of a behaviour, never stepped: bodies read and write its memory.
 template <class Whole>
 struct Rig {
-  Rig() : inbox(cells, words), engine(Whole::tables(), memory.data(), Bodies{}, inbox, Observer{&Rig::tell, this}) {}
+  Rig() : inbox(cells, words), engine(Whole::tables(), memory.data(), Bodies{}, inbox, Observer{&Rig::observe, this}) {}
   Rig(const Rig&) = delete;
   Rig& operator=(const Rig&) = delete;
 
-  static void tell(void* self, const Event& event) {
+  static void observe(void* self, const Event& event) {
     if (event.kind == Event::Kind::refused) static_cast<Rig*>(self)->refused.push_back({event.state, event.value});
   }
   const State& state() const { return engine.memory(); }
@@ -107,7 +106,7 @@ struct Rig {
 
 } // namespace detail
 
-/// What a body or handler asked for. Holds until the next run of the same trial.
+/// The results of a body or handler, valid until the next run of the same trial.
 template <class Context>
 class Answer {
   using Facts = decltype(detail::facts_of(std::declval<const Context&>()));
@@ -115,18 +114,18 @@ class Answer {
   static constexpr bool handler = detail::IsHandler<Context>;
 
 public:
-  using Kind = Outcome::Kind; ///< what the body answered
+  using Kind = Outcome::Kind; ///< the kind of the body's answer
 
-  /// What the body answered: pack (a request), done, failed or keep; fault for a level that is not declared.
+  /// The kind of the body's answer: pack (a request), done, failed or keep; fault for a level that is not declared.
   Kind outcome() const requires(!handler) { return outcome_; }
 
-  /// The name of the pack that was requested; empty where the provider has flat `tasks`, or did not request.
+  /// The name of the requested pack; empty if the provider has flat `tasks`, or did not request.
   std::string_view pack() const requires(!handler) {
     if (outcome_ != Kind::pack || pack_ >= Facts::pack_names.size()) return {};
     return *(Facts::pack_names.begin() + pack_);
   }
 
-  /// How many tasks were requested, those among them that are kept.
+  /// The number of requested tasks, including those that are kept.
   std::size_t count() const requires(!handler) {
     const Range edges = rig_->engine.tables().groups[group].edges;
     std::size_t out = 0;
@@ -134,12 +133,12 @@ public:
     return out;
   }
 
-  /// The task was requested.
+  /// Whether the task was requested.
   template <class Task>
   bool requests() const requires(!handler) {
     return level_of(edge<Task>()) != nil;
   }
-  /// It was requested at this level: `answer.requests(soccer::Kick::urgent)`.
+  /// Whether it was requested at this level: `answer.requests(soccer::Kick::urgent)`.
   template <class Task>
   bool requests(LevelOf<Task> level) const requires(!handler) {
     const Index asked = level_of(edge<Task>());
@@ -147,12 +146,12 @@ public:
     detail::each_entry<Task>(Entries{}, [&]<class Entry>() { same = same || Entry::row(level) == asked; });
     return same && asked != nil;
   }
-  /// It was requested with director::keep, and at that level before: so it stays as it is.
+  /// Whether it was requested with director::keep, and at that level before, so that it stays as it is.
   template <class Task>
   bool keeps() const requires(!handler) {
     return requests<Task>() && rig_->state().staged_request[place(edge<Task>())].keep;
   }
-  /// The data that were given with the request.
+  /// The data of the request.
   template <class Task>
   const auto& data() const requires(!handler) {
     static_assert(has_data<Task>, "this task has no data");
@@ -163,20 +162,20 @@ public:
     return rig_->data.template of<Task>().at(DataPlace::Slot::staging, at);
   }
 
-  /// The state was set to this value.
+  /// Whether the state was set to this value.
   template <class Value>
   bool sets(Value value) const {
     const Setting setting = declared(value);
     return value_of(setting.state) == setting.value;
   }
-  /// The state was set, to whatever value.
+  /// Whether the state was set, to any value.
   template <class Value>
   bool sets() const {
     static_assert(DeclaredState<Value, Facts>,
                   "`causing` and `sets` of this provider or handler do not name this state");
     return value_of(Whole::States::template row<Value>) != unset;
   }
-  /// try_set refused this value.
+  /// Whether try_set refused this value.
   template <class Value>
   bool refuses(Value value) const {
     const Setting setting = declared(value);
@@ -185,7 +184,7 @@ public:
     });
   }
 
-  /// After what time it wants to run again, if it asked for that.
+  /// The time after which it requested another run, if it did.
   std::optional<std::chrono::microseconds> wait() const requires(!handler) {
     if (wait_ == 0) return std::nullopt;
     return std::chrono::microseconds(wait_);
@@ -227,7 +226,7 @@ private:
   Time wait_ = 0;
 };
 
-/// `Context`: what the body or handler gets, `soccer::Walk::Halting`, `soccer::Walk::Stop`.
+/// `Context`: the context of the body or handler, `soccer::Walk::Halting`, `soccer::Walk::Stop`.
 template <class Context>
 class Trial {
   using Facts = decltype(detail::facts_of(std::declval<const Context&>()));
@@ -243,9 +242,9 @@ public:
   requires has_data<Task>
   explicit Trial(Given data) { task(std::move(data)); }
 
-  // What the body is given. The words may be chained, and hold until others are said.
+  // The input of the body. Calls may be chained, and hold until they are replaced.
 
-  /// Other data of the task.
+  /// Sets other data of the task.
   template <class Given = Data>
   requires has_data<Task> Trial& task(Given data) {
     auto& slots = rig_->data.template of<Task>();
@@ -255,14 +254,14 @@ public:
     return *this;
   }
 
-  /// Why it is called, only the next time; where nothing is said, for new_task.
+  /// Sets the reasons of the next call only; new_task by default.
   template <std::same_as<Reason>... Given>
   requires(!handler) Trial& reasons(Given... reasons) {
     reasons_ = static_cast<std::uint8_t>((reasons_ | ... | static_cast<std::uint8_t>(reasons)));
     return *this;
   }
 
-  /// This trigger fired, which is a reason as well; only the next time.
+  /// Fires this trigger, which is a reason as well; for the next call only.
   template <class Trigger>
   requires(!handler) Trial& triggered() {
     static_assert(Facts::Triggers::template has<Trigger>, "the provider's `triggers` do not name this trigger");
@@ -274,7 +273,7 @@ public:
     return reasons(Reason::trigger);
   }
 
-  /// How a group in its `uses` fares.
+  /// Sets the state of a group in its `uses`.
   template <class Used>
   requires(!handler) Trial& uses(Fares fares) {
     static_assert(Facts::Uses::template has<Used>, "this group does not stand in the provider's `uses`");
@@ -299,7 +298,8 @@ public:
     return *this;
   }
 
-  /// It requested this task in a run before, at this level (without one, the first): what director::keep may leave.
+  /// Sets that it requested this task in an earlier run, at this level (by default the first), so that director::keep
+  /// can keep it.
   template <class Asked>
   requires(!handler) Trial& requested(LevelOf<Asked> level = {}) {
     constexpr Index edge = Answer<Context>::template edge<Asked>();
@@ -312,7 +312,7 @@ public:
     return *this;
   }
 
-  /// Calls it. What it throws passes through. A request counts as `requested` in the next run.
+  /// Calls the body or handler. Exceptions pass through. Its request is the earlier one for the next run.
   Answer<Context> run(typename Facts::Module& module) {
     forget();
     Answer<Context> answer(rig_);
@@ -343,7 +343,7 @@ private:
   static constexpr Index group = Whole::Groups::template row<Task>;
   static constexpr Reason why = detail::is_start<Context>() ? Reason::started : Reason::stopped;
 
-  /// What was asked for is requested from now on, and nothing else.
+  /// Makes the staged requests the current ones, and no others.
   void commit() {
     const State& state = rig_->state();
     const Tables& tables = rig_->engine.tables();
@@ -355,7 +355,7 @@ private:
     }
   }
 
-  /// Clears what the last run left.
+  /// Clears the results of the last run.
   void forget() {
     const State& state = rig_->state();
     const Tables& tables = rig_->engine.tables();

@@ -30,11 +30,11 @@ public:
   }
 
 private:
-  void say(std::string text, About about, Index row) { notes_.push_back({std::move(text), about, row}); }
+  void add(std::string text, About about, Index row) { notes_.push_back({std::move(text), about, row}); }
 
   std::string group(Index row) const { return n_.group(n_.self, row); }
   std::string edge(Index row) const { return n_.edge(n_.self, row); }
-  /// `Walk.halting`; of a group that writes its words directly `Walk`.
+  /// `Walk.halting`; `Walk` if the group declares the provider directly.
   std::string provider(Index row) const {
     const std::string_view own = n_.provider(n_.self, row);
     const std::string of = group(t_.providers[row].group);
@@ -47,7 +47,7 @@ private:
     return name.empty() ? std::to_string(number) : name;
   }
 
-  /// Who requested what, up to the program.
+  /// The chain of requesters up to the program.
   void chain(Index edge, std::string_view word) {
     std::string text(word);
     const Index first = edge;
@@ -58,7 +58,7 @@ private:
       if (requester == nil) break;
       edge = v_.holder(requester);
     }
-    say(std::move(text), About::edge, first);
+    add(std::move(text), About::edge, first);
   }
 
   std::int32_t priority(Index edge) const {
@@ -70,12 +70,12 @@ private:
   void condition(const Because& because) {
     const Index state = t_.conditions[because.condition].state;
     const std::string name = n_.state(n_.self, state);
-    say(name + " is " + value(state), About::condition, because.condition);
+    add(name + " is " + value(state), About::condition, because.condition);
     for (const Index row : causers(t_, because.condition)) causer(row, because);
-    if (t_.states[state].external) say("the outside may set " + name, About::state, state);
+    if (t_.states[state].external) add("the outside may set " + name, About::state, state);
   }
 
-  /// What a provider that promises the condition does about it.
+  /// The state of a provider that promises the condition.
   void causer(Index row, const Because& because) {
     const Index of = t_.providers[row].group;
     const GroupAssignment& standing = v_.assignment[of];
@@ -93,7 +93,7 @@ private:
     } else {
       text += " could cause it, and is not pushed for " + edge(because.edge);
     }
-    say(std::move(text), About::provider, row);
+    add(std::move(text), About::provider, row);
   }
 
   bool is_requested(Index group) const {
@@ -106,7 +106,7 @@ private:
   void disabled(Index group) {
     const Range providers = t_.groups[group].providers;
     for (Index row = providers.begin; row != providers.end; ++row) {
-      if (v_.enabled[row] == 0) say(provider(row) + " is disabled", About::provider, row);
+      if (v_.enabled[row] == 0) add(provider(row) + " is disabled", About::provider, row);
     }
   }
 
@@ -114,10 +114,10 @@ private:
     for (const Index edge : t_.list(t_.groups[group_row].requesters)) {
       const Index requester = t_.edges[edge].requester;
       if (requester == nil) {
-        say("the program may", About::edge, edge);
+        add("the program may", About::edge, edge);
       } else {
         const bool lives = v_.assignment[requester].active != nil;
-        say(group(requester) + (lives ? " may, and does not request it now" : " may, and does not run"), About::edge,
+        add(group(requester) + (lives ? " may, and does not request it now" : " may, and does not run"), About::edge,
             edge);
       }
     }

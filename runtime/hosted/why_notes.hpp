@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What stands below the answer of `why`: who is in the way and for whom, what the state is worth that is missing, and
-// what becomes of each who could cause it.
+// The notes below the answer of `why`: the requesters of the edge in the way, the value of the state in a false
+// condition, and the state of each provider that could cause it.
 
 #include "runtime/core/inspect/why.hpp"
 
@@ -12,7 +12,7 @@
 namespace director {
 
 struct WhyNote {
-  /// What `row` is one of. Of a condition: it is missing, and the note says what its state is worth.
+  /// The table of `row`. A condition is false, and the note has the value of its state.
   enum class About : std::uint8_t { edge, condition, state, provider };
   std::string text;
   About about = About::edge;
@@ -20,15 +20,15 @@ struct WhyNote {
   bool operator==(const WhyNote&) const = default;
 };
 
-/// `because`: what `why` answered about this view.
+/// `because`: the answer of `why` for this view.
 std::vector<WhyNote> why_notes(const View& view, const Because& because, const Names& names);
 
-/// What is in the way is held: `because.group`, by the edge `because.holder`.
+/// Whether the group in the way, `because.group`, is held, by the edge `because.holder`.
 inline bool is_blocked(const Because& because) {
   return because.kind == Because::Kind::lost || because.kind == Because::Kind::need_held;
 }
 
-/// As it is written: `lost`, `need_held`.
+/// The text of a kind: `lost`, `need_held`.
 std::string_view name_of(Because::Kind kind);
 
 } // namespace director

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// How long a thread of the runtime's own may be told to wait: with a pause, and not beyond what a clock can add. A
-// longer time, up to the longest duration, is a day; none, or less, a millisecond.
+// Limits the time that a thread of the runtime waits, to at least a millisecond, so that it pauses, and at most a day,
+// so that a clock can add it.
 
 #include <algorithm>
 #include <chrono>

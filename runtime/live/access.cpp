@@ -14,7 +14,7 @@ namespace director::live {
 
 namespace {
 
-/// Without the port, and without the brackets of an address of IPv6; nothing: it is none.
+/// The host without the port, and without the brackets of an IPv6 address; nothing: it is invalid.
 std::optional<std::string> name_in(std::string_view host) {
   if (host.starts_with('[')) {
     const std::size_t end = host.find(']');

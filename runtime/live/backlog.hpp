@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The events of the last seconds or minutes, as they are sent, once for all viewers: blocks one behind another, each of
-// them whole. How much is kept is bounded; a viewer whose next block is gone has missed something.
+// The events of the last seconds or minutes, as they are sent, once for all viewers: consecutive complete blocks. Their
+// total size is bounded; a viewer whose next block is gone has missed events.
 
 #include <cstdint>
 #include <deque>
@@ -19,18 +19,18 @@ class Backlog {
 public:
   explicit Backlog(std::size_t bytes) : most_(bytes) {}
 
-  /// Begins where the one before ends; later, where events were dropped between.
+  /// Adds a block, which begins where the last one ends, or later if events were dropped between.
   void add(Block block);
 
   /// The block that begins there; null: none does.
   const Block* at(std::uint64_t event) const;
-  /// The first that begins there or later; null: none does.
+  /// The first block that begins there or later; null: none does.
   const Block* from(std::uint64_t event) const;
-  /// The oldest event that is kept; `end()` where there is none.
+  /// The oldest event that is kept; `end()` if there is none.
   std::uint64_t begin() const { return blocks_.empty() ? end_ : blocks_.front().begin; }
-  /// One more than the last event.
+  /// The number behind that of the last event.
   std::uint64_t end() const { return end_; }
-  /// A viewer may go on at this event.
+  /// Whether a viewer can continue at this event.
   bool continues_at(std::uint64_t event) const { return event == end_ || at(event) != nullptr; }
 
 private:

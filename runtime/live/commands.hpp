@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What viewers may do to a behaviour, where the program lets them: the words of its Post, by number.
+// The commands of viewers to a behaviour, if the program allows them: the functions of its Post, by number.
 
 #include "runtime/core/base/tables.hpp"
 
@@ -8,7 +8,7 @@
 
 namespace director::live {
 
-/// Each may be called from any thread, as Post may; empty: nobody lets them.
+/// Each may be called from any thread, as Post may; empty: not allowed.
 struct Commands {
   std::function<bool(Index edge, Index level)> request = {};
   std::function<bool(Index edge)> cancel = {};

@@ -15,16 +15,16 @@ namespace director::live {
 
 namespace {
 
-constexpr std::size_t most_of_block = 64 << 10; ///< bytes; a viewer that does not read keeps one block
+constexpr std::size_t most_of_block = 64 << 10; ///< bytes; a viewer that does not read keeps one block in memory
 
-/// The end of a message, with the event behind it.
+/// The end of a message, with the number of the event behind it.
 void append_end(std::uint64_t event, std::string& out) {
   out += "id: ";
   json::append_number(event, out);
   out += "\n\n";
 }
 
-/// Lines, each with its end, as lines of a message.
+/// Makes complete lines the data lines of a message.
 void append_data(std::string_view lines, std::string& out) {
   while (!lines.empty()) {
     const std::size_t end = lines.find('\n') + 1;
@@ -49,20 +49,20 @@ Feed::Feed(EventQueue& queue, Moments& moments, const Names& names, std::size_t 
       names_(names),
       backlog_(memory),
       moment_(&moments.look()),
-      told_(standing_message("[]")) {
+      shown_(standing_message("[]")) {
   header_ = "data: ";
   append_header(names, "", header_);
   header_ += '\n';
 }
 
 void Feed::take() {
-  moment_ = &moments_.look(); // before the events, so that all that were told before it are among them
+  moment_ = &moments_.look(); // before the events, so that these include all events before the moment
   if (moment_->view.micro_step != standing_of_) standing_ = nullptr;
-  const std::uint64_t cut = moment_->told;
+  const std::uint64_t cut = moment_->events;
   queue_.take([&](const EventQueue::Entry& entry) {
     const std::uint64_t number = taken_ + entry.dropped;
     if (number == cut) see_standing();
-    if (number != begin_ && text_.empty()) begin_ = number; // some were dropped
+    if (number != begin_ && text_.empty()) begin_ = number; // events were dropped
     if (!text_.empty() && (number == cut || text_.size() >= most_of_block || number != last_ + 1)) {
       finish_block(last_ + 1);
       begin_ = number;
@@ -86,15 +86,15 @@ const Feed::Text& Feed::standing() {
   return standing_ = standing_message(text);
 }
 
-/// Only where the events are those before the moment: behind later ones it would be untrue. The same again is told
-/// where a reader may have come to think otherwise.
+/// Makes a message of the standing groups, only if no event is behind the moment, since it would be wrong then. It is
+/// repeated if an event may have misled a reader.
 void Feed::see_standing() {
   const std::uint64_t at = text_.empty() ? begin_ : last_ + 1;
-  if (moment_->view.tables == nullptr || moment_->told != at) return;
-  if (!std::exchange(may_mislead_, false) && *standing() == *told_) return;
-  told_ = standing();
-  told_before_ = at;
-  ++told_count_;
+  if (moment_->view.tables == nullptr || moment_->events != at) return;
+  if (!std::exchange(may_mislead_, false) && *standing() == *shown_) return;
+  shown_ = standing();
+  shown_before_ = at;
+  ++shown_count_;
 }
 
 void Feed::finish_block(std::uint64_t end) {
@@ -106,7 +106,7 @@ void Feed::finish_block(std::uint64_t end) {
 
 Feed::Text Feed::next(Place& place) {
   if (place.begun) {
-    if (place.next == told_before_ && std::exchange(place.standing, told_count_) != told_count_) return told_;
+    if (place.next == shown_before_ && std::exchange(place.standing, shown_count_) != shown_count_) return shown_;
     if (const Block* const block = backlog_.at(place.next)) {
       place.next = block->end;
       return block->text;
@@ -116,13 +116,13 @@ Feed::Text Feed::next(Place& place) {
   return begin_anew(place);
 }
 
-/// From a moment that is newer than what the viewer knows. Where the program shows none, from the oldest event that is
-/// kept.
+/// Begins with a moment that is newer than the viewer's. If the program shows none, with the oldest event that is kept.
 Feed::Text Feed::begin_anew(Place& place) {
-  std::uint64_t from = moment_->told;
+  std::uint64_t from = moment_->events;
   const bool shown = moment_->view.tables != nullptr && from >= backlog_.begin();
   if (shown) {
-    if (!backlog_.continues_at(from) || (place.begun && from <= place.next)) return nullptr; // a newer one comes soon
+    if (!backlog_.continues_at(from) || (place.begun && from <= place.next))
+      return nullptr; // a newer moment comes soon
   } else {
     const Block* const block = backlog_.from(place.next);
     from = block == nullptr ? backlog_.end() : block->begin;
@@ -137,7 +137,7 @@ Feed::Text Feed::begin_anew(Place& place) {
   append_data(lines, out);
   append_end(from, out);
   if (shown) out += *standing();
-  place = {from, true, told_count_};
+  place = {from, true, shown_count_};
   return std::make_shared<const std::string>(std::move(out));
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What viewers are sent, in order: server-sent events whose data are lines of a trace. Makes it of the queue of events
-// and of moments, and says for each viewer what comes next.
+// The messages to viewers, in order: server-sent events whose data are lines of a trace. They are made from the queue
+// of events and from moments; for each viewer it has the next message.
 //
-// A viewer begins with the header of a trace, a line that says how many events it missed, and what holds now. One that
-// is too slow gets those lines again, without the header. What holds and no event tells comes behind the events of its
-// moment, in a message of its own, `event: standing`: without those messages the stream is a trace. The `id` of a
-// message is the number of the event behind it: a browser that comes back sends the last one, and goes on there.
+// A viewer first gets the header of a trace, a line with the number of events that it missed, and the current state.
+// One that is too slow gets those lines again, without the header. State that no event reports comes behind the events
+// of its moment, in a message of its own, `event: standing`: without those messages the stream is a trace. The `id` of
+// a message is the number of the event behind it: a browser that reconnects sends the last one, and continues there.
 
 #include "runtime/core/inspect/why.hpp"
 #include "runtime/hosted/trace/event_queue.hpp"
@@ -19,11 +19,11 @@
 
 namespace director::live {
 
-/// How far one viewer is.
+/// The place of one viewer.
 struct Place {
   std::uint64_t next = 0;     ///< the first event that it did not get
-  bool begun = false;         ///< it has the header
-  std::uint64_t standing = 0; ///< the last message of this kind that it got, or that it needs no more
+  bool begun = false;         ///< it has got the header
+  std::uint64_t standing = 0; ///< the last message of this kind that it got, or does not need
 };
 
 class Feed {
@@ -32,16 +32,16 @@ public:
 
   Feed(EventQueue& queue, Moments& moments, const Names& names, std::size_t memory);
 
-  /// Takes what was told, and the newest moment.
+  /// Takes the waiting events, and the newest moment.
   void take();
-  /// The next message for a viewer there, which is then further; null: nothing new.
+  /// The next message for a viewer at this place, which is advanced; null: nothing new.
   Text next(Place& place);
-  /// Where one who was sent the message with this `id` goes on; nothing: that is gone, and it begins anew.
+  /// The place behind the message with this `id`; nothing: it is gone, and the viewer begins again.
   std::optional<Place> resume(const std::string& id) const;
-  /// A message for who hears nothing else: the engine's time.
+  /// A message for viewers without other messages: the engine's time.
   Text alive() const;
 
-  /// The newest moment; without tables in its view there is none yet. Until the next take().
+  /// The newest moment, valid until the next take(); without tables in its view there is none yet.
   const Moment& moment() const { return *moment_; }
 
 private:
@@ -55,19 +55,19 @@ private:
   const Names names_;
   Backlog backlog_;
   const Moment* moment_;
-  std::string header_;      ///< as a message's line
-  std::string text_;        ///< of the block that is being made
+  std::string header_;      ///< as a line of a message
+  std::string text_;        ///< of the block in construction
   std::uint64_t begin_ = 0; ///< its first event
   std::uint64_t last_ = 0;  ///< its last one
   std::uint64_t taken_ = 0; ///< from the queue, so far
 
-  // Messages of where groups stand.
-  Text standing_;                 ///< of the newest moment; null: nobody needed it yet
-  std::uint64_t standing_of_ = 0; ///< the micro-step of the moment that it is of
-  Text told_;                     ///< the last one that viewers get
-  std::uint64_t told_before_ = 0; ///< ... before this event
-  std::uint64_t told_count_ = 0;  ///< how many there were so far
-  bool may_mislead_ = false;      ///< since then came an event by which a reader may take a group to run that does not
+  // Messages of standing groups.
+  Text standing_;                  ///< of the newest moment; null: not needed yet
+  std::uint64_t standing_of_ = 0;  ///< the micro-step of its moment
+  Text shown_;                     ///< the last one for viewers
+  std::uint64_t shown_before_ = 0; ///< the event behind it
+  std::uint64_t shown_count_ = 0;  ///< the number of such messages so far
+  bool may_mislead_ = false; ///< since then there was an event after which a reader may wrongly take a group to run
 };
 
 } // namespace director::live

@@ -1,9 +1,9 @@
 // Header: runtime/live/http.hpp. Test: tests/runtime/live/http_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// cpp-httplib reads the request and writes the head of the answer, from a text into a text. Its own server is not used:
-// it has a thread for each connection, and reads lines of any length. What it would do beside is kept from it: parts of
-// an answer (Range) and compression, by which a small request costs much.
+// cpp-httplib parses the request and writes the head of the answer, from a text into a text. Its own server is not
+// used: it has a thread for each connection, and reads lines of any length. Features of it that make a small request
+// expensive are disabled: parts of an answer (Range) and compression.
 #include "runtime/live/http.hpp"
 
 #include <httplib.h>
@@ -15,7 +15,7 @@ namespace director::live {
 
 namespace {
 
-/// A connection as the library sees it: what came in is all that ever comes.
+/// A connection for the library that has only the bytes received so far.
 class Text final : public httplib::Stream {
 public:
   explicit Text(std::string_view in) : in_(in) {}
@@ -54,19 +54,19 @@ public:
 
   Answer answer(std::string_view request) {
     reply_ = {};
-    asked_ = false;
+    handler_called_ = false;
     Text text(request);
     process(*this, text, [](httplib::Request& read) {
       read.ranges.clear();
       for (const char* header : {"Range", "Accept-Encoding", "Expect"}) read.headers.erase(header);
     });
-    // The library refuses what is no request without a word.
-    if (!asked_) return {.head = bare_answer("400 Bad Request", "This is no request of HTTP/1.1.\n")};
+    // The library gives no answer to an invalid request.
+    if (!handler_called_) return {.head = bare_answer("400 Bad Request", "This is no request of HTTP/1.1.\n")};
     return {std::move(text.out), std::move(reply_.body), reply_.stream};
   }
 
 private:
-  /// Since version 0.16 it also asks who is at the two ends.
+  /// Since version 0.16 it also calls for the addresses of both ends.
   template <class Self>
   static void process(Self& self, httplib::Stream& text, const std::function<void(httplib::Request&)>& prepare) {
     bool closed = false;
@@ -86,11 +86,11 @@ private:
                     .last_event = header("Last-Event-ID"),
                     .has_body = from.has_header("Transfer-Encoding") ||
                                 (from.has_header("Content-Length") && header("Content-Length") != "0")};
-    asked_ = true;
+    handler_called_ = true;
     reply_ = handler_(request);
     to.status = reply_.status;
     for (const auto& [name, value] : reply_.headers) to.set_header(name, value);
-    // Only the head is wanted: the body is sent as it is.
+    // Only the head is used: the body is sent as it is.
     if (reply_.stream)
       to.set_content_provider(reply_.type, [](std::size_t, httplib::DataSink&) { return false; });
     else if (reply_.body != nullptr && !reply_.body->empty())
@@ -104,7 +104,7 @@ private:
 
   Http::Handler handler_;
   Reply reply_;
-  bool asked_ = false; ///< the handler, for the present request
+  bool handler_called_ = false; ///< the handler was called for the current request
 };
 
 Http::Http(Handler handler) : library_(std::make_unique<Library>(std::move(handler))) {}

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What somebody asks by HTTP, and what is answered; the only place that knows the library that reads and writes it.
-// One request a connection: whatever is asked, the connection ends after the answer.
+// HTTP requests and their answers; the only place with the library that reads and writes them. A connection has one
+// request, and ends after the answer.
 
 #include <functional>
 #include <map>
@@ -16,7 +16,7 @@ namespace director::live {
 struct Request {
   std::string method = {}, path = {};
   std::multimap<std::string, std::string> parameters = {};
-  std::string host = {}, origin = {}, last_event = {}; ///< headers; empty where they are missing
+  std::string host = {}, origin = {}, last_event = {}; ///< headers; empty if missing
   bool has_body = false;
 };
 
@@ -25,10 +25,10 @@ struct Reply {
   std::string type = "text/plain; charset=utf-8";
   std::shared_ptr<const std::string> body = {};
   std::vector<std::pair<std::string, std::string>> headers = {};
-  bool stream = false; ///< what follows the body has no end
+  bool stream = false; ///< messages without end follow the body
 };
 
-/// The bytes of an answer: `head`, then what the body is, if it is sent.
+/// The bytes of an answer: `head`, then the body, if it is sent.
 struct Answer {
   std::string head;
   std::shared_ptr<const std::string> body = {};
@@ -44,7 +44,8 @@ public:
   Http(const Http&) = delete;
   Http& operator=(const Http&) = delete;
 
-  /// `request`: up to the empty line and with it. What is none is answered with 400 or the like, without the handler.
+  /// `request`: up to and including the empty line. An invalid one is answered with 400 or the like, without the
+  /// handler.
   Answer answer(std::string_view request);
 
 private:
@@ -52,7 +53,7 @@ private:
   std::unique_ptr<Library> library_;
 };
 
-/// For who is not even asked: `503 Service Unavailable`, with a text.
+/// The answer to a connection that is refused: `503 Service Unavailable`, with a text.
 std::string bare_answer(std::string_view status, std::string_view text);
 
 } // namespace director::live

@@ -17,11 +17,11 @@ namespace director::live {
 namespace {
 
 constexpr int waiting =
-    SOMAXCONN; ///< connections that nobody has taken yet: who finds no place tries again after a second
+    SOMAXCONN; ///< connections that are not accepted yet; a client that finds no place tries again after a second
 
 std::string words(int error) { return std::generic_category().message(error); }
 
-/// The port that the socket got.
+/// The port of the socket.
 std::string port_of(int socket) {
   sockaddr_storage name{};
   socklen_t size = sizeof(name);

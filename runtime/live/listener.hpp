@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A socket on which this computer is called.
+// A socket that listens for connections.
 
 #include <cstdint>
 #include <string>
@@ -8,9 +8,9 @@
 namespace director::live {
 
 struct Listener {
-  int socket = -1;       ///< does not block; -1: there is none
+  int socket = -1;       ///< it does not block; -1: there is none
   std::string authority; ///< `127.0.0.1:8080`, `[::1]:8080`
-  std::string error;     ///< why there is none, in words
+  std::string error;     ///< the reason if there is none
 };
 
 /// `port`: 0: any that is free.

@@ -23,7 +23,7 @@ std::optional<std::string> text_of(const std::string& path) {
   return std::move(text).str();
 }
 
-/// Nothing, and an error, where there should be a page and is none.
+/// The page; nothing, with an error, if it cannot be read.
 std::optional<live::Page> page_of(const LiveView::Options& options, std::string& error) {
   std::optional<std::string> read;
   if (!options.page.empty()) {
@@ -42,7 +42,7 @@ std::optional<live::Page> page_of(const LiveView::Options& options, std::string&
   return page;
 }
 
-/// Where others find it that is called at any address of this computer.
+/// The name under which other computers reach a server on all addresses.
 std::string name_of(std::string authority, const std::vector<std::string>& own_names) {
   for (const std::string_view any : {"0.0.0.0", "[::]"}) {
     if (authority.starts_with(any) && !own_names.empty()) return own_names.front() + authority.substr(any.size());

@@ -93,7 +93,7 @@ private:
   std::string& out_;
 };
 
-/// The edges by which a group asks now, as a JSON array.
+/// The edges by which a group is requested now, as a JSON array.
 void append_requests(const View& view, Index group, const Names& names, std::string& out) {
   const Range edges = view.tables->groups[group].edges;
   out += '[';

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The way of whole moments from the thread that steps to the one that shows them: three buffers, one that is written,
-// one that is read, and one between, which each side takes in exchange for its own. Nobody ever waits, and no moment is
-// refused: what nobody looked at is written over.
+// A triple buffer of moments between the thread that steps and the one that shows them: one buffer is written, one is
+// read, and each side exchanges its own for the third. No thread ever waits, and no moment is refused: a moment that
+// was not read is overwritten.
 
 #include "runtime/core/inspect/view.hpp"
 
@@ -14,10 +14,10 @@
 
 namespace director::live {
 
-/// What held after a step.
+/// The state after a step.
 struct Moment {
-  View view;              ///< of the copy; without tables: there is none yet
-  std::uint64_t told = 0; ///< events that were told before it, those that were dropped among them
+  View view;                ///< of the copy; without tables there is none yet
+  std::uint64_t events = 0; ///< events before it, including those that were dropped
 };
 
 class Moments {
@@ -28,25 +28,25 @@ public:
   Moments(const Moments&) = delete;
   Moments& operator=(const Moments&) = delete;
 
-  /// For the thread that steps. Copies only where a micro-step was taken since the last time.
-  void show(const View& view, std::uint64_t told) {
+  /// For the thread that steps. Copies only if a micro-step was taken since the last call.
+  void show(const View& view, std::uint64_t events) {
     now_.store(view.now, std::memory_order_relaxed);
     if (view.micro_step == shown_) return;
     shown_ = view.micro_step;
     Buffer& buffer = buffers_[written_];
-    buffer.moment = {view.copy(reinterpret_cast<std::byte*>(buffer.bytes.data())), told};
-    buffer.moment.view.tables = &tables_; // the engine's own end with the behaviour, which the view outlives
+    buffer.moment = {view.copy(reinterpret_cast<std::byte*>(buffer.bytes.data())), events};
+    buffer.moment.view.tables = &tables_; // those of the engine end with the behaviour, before the view
     written_ = between_.exchange(static_cast<std::uint8_t>(written_ | fresh), std::memory_order_acq_rel) & place;
   }
 
-  /// For the thread that shows: the newest moment, which stays as it is until the next call.
+  /// For the thread that shows: the newest moment, unchanged until the next call.
   const Moment& look() {
     if ((between_.load(std::memory_order_relaxed) & fresh) != 0)
       read_ = between_.exchange(read_, std::memory_order_acq_rel) & place;
     return buffers_[read_].moment;
   }
 
-  /// From any thread: the engine's time when `show` was called last.
+  /// From any thread: the engine's time at the last `show`.
   Time now() const { return now_.load(std::memory_order_relaxed); }
 
 private:
@@ -59,9 +59,9 @@ private:
   const Tables& tables_;
   std::array<Buffer, 3> buffers_;
   std::uint64_t shown_ =
-      ~std::uint64_t{0}; ///< the micro-step of the last moment; of the thread that steps, as is the next
+      ~std::uint64_t{0}; ///< the micro-step of the last moment; this and the next are used by the thread that steps
   std::uint8_t written_ = 0;
-  std::uint8_t read_ = 1; ///< of the thread that shows
+  std::uint8_t read_ = 1; ///< used by the thread that shows
   std::atomic<std::uint8_t> between_{2};
   std::atomic<Time> now_{0};
 };

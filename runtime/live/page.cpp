@@ -17,7 +17,7 @@ std::optional<Page> to_send(std::string_view html) {
   if (end == std::string_view::npos || html.find('\n', policy) < end) return std::nullopt;
   Page out;
   out.policy = std::string(html.substr(policy, end - policy)) + "; connect-src 'self'; frame-ancestors 'none'";
-  // The script looks for this tag, and asks for what it names, beside the page.
+  // The script searches this tag, and loads what it names from beside the page.
   out.html = std::string(html.substr(0, begin)) + "<meta name=\"director-live\" content=\"events\">" +
              std::string(html.substr(end + after.size()));
   return out;

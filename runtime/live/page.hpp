@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A page of `directorc docs` as it is sent: a page in a file may ask for nothing, and says so itself; one that is sent
-// may ask its own server, and is told where.
+// A page of `directorc docs` as it is sent: a page in a file may load nothing, by its own policy; one that is sent may
+// load from its own server, whose address it gets.
 
 #include <optional>
 #include <string>
@@ -14,7 +14,7 @@ struct Page {
   std::string policy; ///< for the header Content-Security-Policy
 };
 
-/// Nothing: it is no page that `directorc docs` wrote.
+/// Nothing: the page was not written by `directorc docs`.
 std::optional<Page> to_send(std::string_view html);
 
 } // namespace director::live

@@ -24,17 +24,17 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t longest_request = 8192;   ///< bytes; a browser's is about 500
-constexpr std::size_t most_at_once = 256 << 10; ///< bytes for one connection before it is the next one's turn
+constexpr std::size_t most_at_once = 256 << 10; ///< bytes for one connection before the next one
 constexpr std::size_t most_connections_at_once = 64;
 constexpr auto sign_of_life = 1s;
-constexpr auto leaving_takes = 1s; ///< for what is still on its way, so that it does not cut off the answer
+constexpr auto leaving_takes = 1s; ///< for bytes that still arrive, so that the answer is not cut off
 constexpr auto no_socket_left = 100ms;
 
 bool has_ended(ssize_t moved) {
   return moved == 0 || (moved < 0 && errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR);
 }
 
-/// Viewers are less urgent than what they look at.
+/// Viewers have a lower priority than the behaviour.
 void yield_to_others() { setpriority(PRIO_PROCESS, 0, 10); }
 
 } // namespace
@@ -45,10 +45,10 @@ Server::Server(int socket, std::unique_ptr<Feed> feed, std::unique_ptr<Site> sit
       site_(std::move(site)),
       options_{options.connections, within_a_day(options.interval), within_a_day(options.patience)},
       http_([this](const Request& request) {
-        asked_ = request.last_event;
+        last_event_id_ = request.last_event;
         return site_->answer(request, feed_->moment());
       }) {
-  // The program's signals are for its own threads, but for those that say that this one has crashed.
+  // Signals of the program are handled by its own threads, except those for crashes of this one.
   sigset_t others, before;
   sigfillset(&others);
   for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS}) sigdelset(&others, crash);
@@ -70,7 +70,8 @@ void Server::run() {
   while (!stop_.load()) wait();
 }
 
-/// One round. Who steps wakes nobody, since that would be a system call: so what happened is looked for now and then.
+/// One round of all connections. The thread that steps does not wake this one, which would be a system call: so it
+/// polls for events.
 void Server::wait() {
   std::vector<pollfd> sockets{{socket_, static_cast<short>(now_ >= accepts_again_ ? POLLIN : 0), 0}};
   for (const auto& each : connections_)
@@ -104,7 +105,7 @@ void Server::take_connections() {
   for (std::size_t count = 0; count < most_connections_at_once; ++count) {
     const int taken = accept4(socket_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
     if (taken < 0) {
-      // Without a free descriptor the connection stays where it is, and would be told of again and again.
+      // Without a free descriptor the connection stays pending, and would be reported again and again.
       if (errno != EAGAIN && errno != EWOULDBLOCK && errno != ECONNABORTED && errno != EINTR)
         accepts_again_ = now_ + no_socket_left;
       return;
@@ -125,8 +126,7 @@ void Server::take_connections() {
   }
 }
 
-/// Of those who look at nothing yet, the one that is there longest goes: who connects and says nothing keeps nobody
-/// out.
+/// Closes the oldest connection without a complete request, so that silent clients cannot exclude others.
 bool Server::make_room() {
   const auto oldest = std::ranges::min_element(connections_, {}, [](const auto& each) {
     const bool idle = each->stage == Connection::Stage::asking || each->stage == Connection::Stage::leaving;
@@ -151,7 +151,7 @@ void Server::serve(Connection& connection, short events) {
   }
 }
 
-/// False: it has ended. What comes behind a request is read, and nobody looks at it.
+/// Reads. False: the connection has ended. Bytes behind a request are read and ignored.
 bool Server::read(Connection& connection) {
   std::array<char, 4096> buffer;
   const ssize_t count = recv(connection.socket, buffer.data(), buffer.size(), 0);
@@ -174,12 +174,13 @@ void Server::ask(Connection& connection) {
   if (answer.body) push(connection, std::move(answer.body));
   enter(connection, answer.stream ? Connection::Stage::viewing : Connection::Stage::answering);
   if (answer.stream) {
-    connection.place = feed_->resume(asked_).value_or(Place{});
+    connection.place = feed_->resume(last_event_id_).value_or(Place{});
     fill(connection);
   }
 }
 
-/// What is new, as long as the viewer takes it: who does not keeps one message, and the others only know where he is.
+/// Sends new messages as long as the viewer takes them: for a viewer that does not, only one message and its place are
+/// kept.
 void Server::fill(Connection& connection) {
   while (connection.out.size() < 2) {
     Feed::Text text = feed_->next(connection.place);
@@ -189,13 +190,13 @@ void Server::fill(Connection& connection) {
   }
 }
 
-/// How long it takes nothing counts from now on, if it had all before.
+/// The timeout begins now, if it had all messages before.
 void Server::push(Connection& connection, Feed::Text text) const {
   if (connection.out.empty()) connection.moved = now_;
   connection.out.push_back(std::move(text));
 }
 
-/// False: it has ended.
+/// Writes. False: the connection has ended.
 bool Server::write(Connection& connection) {
   std::size_t left = most_at_once;
   while (!connection.out.empty() && left > 0) {

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// All connections of all viewers, in one thread. Nothing here ever waits for one of them: a socket that cannot be read
-// or written now is left for the next round, and one that moves nothing for too long is closed.
+// All connections of all viewers, in one thread, which never waits for one of them: a socket that cannot be read or
+// written now is left for the next round, and one without progress is closed after a timeout.
 
 #include "runtime/live/feed.hpp"
 #include "runtime/live/http.hpp"
@@ -25,7 +25,7 @@ public:
     std::chrono::milliseconds patience{10'000};
   };
 
-  /// `socket`: listens; the server's from now on.
+  /// `socket`: it listens, and belongs to the server from now on.
   Server(int socket, std::unique_ptr<Feed> feed, std::unique_ptr<Site> site, Options options);
   /// Ends all connections.
   ~Server();
@@ -40,14 +40,14 @@ private:
   using Clock = std::chrono::steady_clock;
 
   struct Connection {
-    /// Asks; is answered; looks at all that happens; has got all, and may still send something.
+    /// It sends a request; is sent an answer; is sent all events; has been sent all, and may still send something.
     enum class Stage { asking, answering, viewing, leaving };
     int socket = -1;
     Stage stage = Stage::asking;
-    Clock::time_point since, moved; ///< this stage began; something was taken
+    Clock::time_point since, moved; ///< when this stage began; when bytes were moved last
     std::string in;
     std::deque<Feed::Text> out;
-    std::size_t at = 0; ///< of the first of `out`, what is sent already
+    std::size_t at = 0; ///< bytes of the first of `out` that are sent already
     Place place;
   };
 
@@ -71,7 +71,7 @@ private:
   const Options options_;
   Http http_;
   std::vector<std::unique_ptr<Connection>> connections_;
-  std::string asked_; ///< of the request in hand, the `Last-Event-ID`
+  std::string last_event_id_; ///< the `Last-Event-ID` of the current request
   Clock::time_point now_, taken_, alive_, accepts_again_;
   std::atomic<std::size_t> viewers_{0};
   std::atomic<bool> stop_{false};

@@ -14,18 +14,18 @@ namespace director::live {
 
 namespace {
 
-Reply say(int status, std::string text) {
+Reply text_reply(int status, std::string text) {
   text += '\n';
   return {.status = status, .body = std::make_shared<const std::string>(std::move(text))};
 }
 
 Reply json(std::string text) {
-  Reply out = say(200, std::move(text));
+  Reply out = text_reply(200, std::move(text));
   out.type = "application/json";
   return out;
 }
 
-/// Nothing: there is none of that name.
+/// Nothing: there is none with that name.
 std::optional<std::string> parameter(const Request& request, const char* name) {
   const auto found = request.parameters.find(name);
   return found == request.parameters.end() ? std::nullopt : std::optional(found->second);
@@ -35,7 +35,7 @@ bool is_command(std::string_view what) {
   return what == "request" || what == "cancel" || what == "cancel_all" || what == "set";
 }
 
-/// What may stand behind the `?`.
+/// The parameters behind the `?`.
 std::vector<std::string_view> parameters_of(std::string_view what) {
   if (what == "why") return {"group"};
   if (what == "request") return {"task", "level"};
@@ -44,8 +44,8 @@ std::vector<std::string_view> parameters_of(std::string_view what) {
   return {};
 }
 
-/// What is misspelt, or given twice, would else be passed over: all groups would be told of instead of one, and a task
-/// requested at another level. Nothing: each parameter is known, and given once.
+/// Nothing: a parameter is unknown or repeated. To ignore it would change the meaning: all groups instead of one, or a
+/// request at another level.
 std::optional<Reply> misread(std::string_view what, const Request& request) {
   const std::vector<std::string_view> known = parameters_of(what);
   for (auto each = request.parameters.begin(); each != request.parameters.end(); ++each) {
@@ -53,10 +53,11 @@ std::optional<Reply> misread(std::string_view what, const Request& request) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       std::string there = known.empty() ? "; it takes none" : known.size() == 1 ? "; there is: " : "; there are: ";
       for (const std::string_view one : known) there.append(one == known.front() ? "" : ", ").append(one);
-      return say(400, std::string(what) + " has no parameter \"" + name + "\"" + there + ".");
+      return text_reply(400, std::string(what) + " has no parameter \"" + name + "\"" + there + ".");
     }
     if (request.parameters.count(name) > 1)
-      return say(400, "The parameter " + name + " is given more than once: " + std::string(what) + " takes one.");
+      return text_reply(400,
+                        "The parameter " + name + " is given more than once: " + std::string(what) + " takes one.");
   }
   return std::nullopt;
 }
@@ -82,22 +83,22 @@ Site::Site(const Names& names, std::optional<Page> page, std::string token, std:
 Reply Site::answer(const Request& request, const Moment& moment) const {
   const auto checked = [&]() -> Reply {
     if (!is_own_host(request.host, own_names_))
-      return say(403, "This is not called \"" + request.host + "\": use the address that the program printed.");
+      return text_reply(403, "This is not called \"" + request.host + "\": use the address that the program printed.");
     std::string_view path = request.path;
     if (path == "/favicon.ico") return {.status = 204};
     path.remove_prefix(path.starts_with('/') ? 1 : 0);
     const std::size_t end = path.find('/');
     if (!is_token(path.substr(0, end), token_))
-      return say(403, "The address needs the token that the program printed when it began: http://.../TOKEN/");
+      return text_reply(403, "The address needs the token that the program printed when it began: http://.../TOKEN/");
     if (end == std::string_view::npos) {
-      Reply moved = say(308, "The address ends with a slash.");
+      Reply moved = text_reply(308, "The address ends with a slash.");
       moved.headers.emplace_back("Location", token_ + "/");
       return moved;
     }
     const std::string_view what = path.substr(end + 1);
     if (request.method == "GET" || request.method == "HEAD") return look(what, request, moment);
     if (request.method == "POST") return command(what, request);
-    Reply refused = say(405, request.method + " is not understood here, only GET, HEAD and POST.");
+    Reply refused = text_reply(405, request.method + " is not understood here, only GET, HEAD and POST.");
     refused.headers.emplace_back("Allow", "GET, HEAD, POST");
     return refused;
   };
@@ -118,16 +119,19 @@ Reply Site::look(std::string_view what, const Request& request, const Moment& mo
   }
   if (what.empty() && page_ != nullptr) return {.type = "text/html; charset=utf-8", .body = page_};
   if (what.empty())
-    return say(404, "The program has no page: it gives LiveView `page` or `html`, what `directorc docs` wrote. What "
-                    "happens is at events, and why at why.");
-  if (is_command(what)) return say(405, "A command is posted: curl -X POST ...");
-  return say(404, "There is nothing here: the page is at the address that ends behind the token, what happens at "
-                  "events, and why at why.");
+    return text_reply(404,
+                      "The program has no page: it gives LiveView `page` or `html`, what `directorc docs` wrote. What "
+                      "happens is at events, and why at why.");
+  if (is_command(what)) return text_reply(405, "A command is posted: curl -X POST ...");
+  return text_reply(404,
+                    "There is nothing here: the page is at the address that ends behind the token, what happens at "
+                    "events, and why at why.");
 }
 
 Reply Site::why(const Request& request, const Moment& moment) const {
   if (moment.view.tables == nullptr)
-    return say(503, "The program has shown nothing yet: it calls show(behaviour) of its LiveView after each step.");
+    return text_reply(503,
+                      "The program has shown nothing yet: it calls show(behaviour) of its LiveView after each step.");
   std::string out;
   json::Members answer(out);
   answer.number("t", moment.view.now).number("n", moment.view.micro_step).key("groups");
@@ -140,7 +144,7 @@ Reply Site::why(const Request& request, const Moment& moment) const {
     append_why(moment.view, row, names_, out);
     between = ',';
   }
-  if (between == '[' && wanted) return say(404, "There is no group \"" + *wanted + "\".");
+  if (between == '[' && wanted) return text_reply(404, "There is no group \"" + *wanted + "\".");
   if (between == '[') out += between;
   out += ']';
   answer.end();
@@ -154,18 +158,21 @@ void Site::allow(Commands commands) {
 
 Reply Site::command(std::string_view what, const Request& request) const {
   if (!is_own_origin(request.origin, request.host))
-    return say(403, "A command is not taken from the page of another server, " + request.origin + ".");
-  if (request.has_body) return say(413, "A command has no body: all stands in the address, as in request?task=NAME.");
+    return text_reply(403, "A command is not taken from the page of another server, " + request.origin + ".");
+  if (request.has_body)
+    return text_reply(413, "A command has no body: all stands in the address, as in request?task=NAME.");
   const std::lock_guard lock(mutex_);
   if (!commands_)
-    return say(
+    return text_reply(
         403, "Commands are not allowed: the program has not called allow_commands(behaviour.post()) of its LiveView.");
-  if (!is_command(what)) return say(404, "There is no such command: there are request, cancel, cancel_all and set.");
+  if (!is_command(what))
+    return text_reply(404, "There is no such command: there are request, cancel, cancel_all and set.");
   if (std::optional<Reply> problem = misread(what, request)) return std::move(*problem);
   if (what == "request") return request_task(request);
   if (what == "cancel") return cancel_task(request);
   if (what == "set") return set_state(request);
-  return commands_.cancel_all() ? say(202, "posted: cancel all") : say(503, "not posted: the inbox is full");
+  return commands_.cancel_all() ? text_reply(202, "posted: cancel all")
+                                : text_reply(503, "not posted: the inbox is full");
 }
 
 std::optional<Index> Site::root_edge(const Request& request, Reply& problem) const {
@@ -175,9 +182,9 @@ std::optional<Index> Site::root_edge(const Request& request, Reply& problem) con
   for (Index edge = 0; task && edge < t.root_edges; ++edge) {
     if (*task == name(edge)) return edge;
   }
-  problem = say(task ? 404 : 400,
-                (task ? "\"" + *task + "\" is not a root task" : std::string("The task is missing: task=NAME")) +
-                    "; there are: " + list_of(t.root_edges, name) + ".");
+  problem = text_reply(task ? 404 : 400,
+                       (task ? "\"" + *task + "\" is not a root task" : std::string("The task is missing: task=NAME")) +
+                           "; there are: " + list_of(t.root_edges, name) + ".");
   return std::nullopt;
 }
 
@@ -192,42 +199,44 @@ Reply Site::request_task(const Request& request) const {
     return names_.level == nullptr ? "" : names_.level(names_.self, static_cast<Index>(levels.begin + row));
   };
   while (wanted && level != levels.end && *wanted != name(static_cast<Index>(level - levels.begin))) ++level;
-  if (level == levels.end) return say(404, "\"" + wanted.value_or("") + "\" is no level of this root task.");
+  if (level == levels.end) return text_reply(404, "\"" + wanted.value_or("") + "\" is no level of this root task.");
   if (!commands_.request(*edge, level))
-    return say(409, "not posted: the task carries data, which only the program can give");
-  return say(202, "posted: request " + *parameter(request, "task") + (wanted ? " at " + *wanted : ""));
+    return text_reply(409, "not posted: the task carries data, which only the program can give");
+  return text_reply(202, "posted: request " + *parameter(request, "task") + (wanted ? " at " + *wanted : ""));
 }
 
 Reply Site::cancel_task(const Request& request) const {
   Reply problem;
   const std::optional<Index> edge = root_edge(request, problem);
   if (!edge) return problem;
-  if (!commands_.cancel(*edge)) return say(503, "not posted: the inbox is full");
-  return say(202, "posted: cancel " + *parameter(request, "task"));
+  if (!commands_.cancel(*edge)) return text_reply(503, "not posted: the inbox is full");
+  return text_reply(202, "posted: cancel " + *parameter(request, "task"));
 }
 
 Reply Site::set_state(const Request& request) const {
   const Tables& t = *names_.tables;
   const std::optional<std::string> state = parameter(request, "state"), value = parameter(request, "value");
-  if (!state || !value) return say(400, "A state and a value are needed: set?state=NAME&value=VALUE.");
+  if (!state || !value) return text_reply(400, "A state and a value are needed: set?state=NAME&value=VALUE.");
   Index row = 0;
   while (row < t.states.size() && *state != names_.state(names_.self, row)) ++row;
-  if (row == t.states.size()) return say(404, "There is no state \"" + *state + "\".");
+  if (row == t.states.size()) return text_reply(404, "There is no state \"" + *state + "\".");
   if (!t.states[row].external)
-    return say(409, "\"" + *state + "\" is set by the behaviour itself: only external states are set from outside.");
+    return text_reply(409,
+                      "\"" + *state + "\" is set by the behaviour itself: only external states are set from outside.");
   std::int32_t number = 0;
   const bool named = *names_.value(names_.self, row, 0) != '\0';
   if (named) {
     while (*names_.value(names_.self, row, number) != '\0' && *value != names_.value(names_.self, row, number))
       ++number;
     if (*names_.value(names_.self, row, number) == '\0')
-      return say(404, "\"" + *value + "\" is no value of " + *state + ".");
+      return text_reply(404, "\"" + *value + "\" is no value of " + *state + ".");
   } else if (const auto [end, error] = std::from_chars(value->data(), value->data() + value->size(), number);
              error != std::errc{} || end != value->data() + value->size()) {
-    return say(400, "\"" + *value + "\" is not a whole number.");
+    return text_reply(400, "\"" + *value + "\" is not a whole number.");
   }
-  if (!commands_.set(row, number)) return say(409, "not posted: " + *value + " is not within the range of " + *state);
-  return say(202, "posted: set " + *state + " " + *value);
+  if (!commands_.set(row, number))
+    return text_reply(409, "not posted: " + *value + " is not within the range of " + *state);
+  return text_reply(202, "posted: set " + *state + " " + *value);
 }
 
 } // namespace director::live

@@ -1,8 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What is at which address, behind the token: `/` is the page, `/events` all that happens, `/why` why groups wait, and
-// to `/request`, `/cancel`, `/cancel_all` and `/set` is posted what the behaviour is to do. Every error says what to
-// do.
+// The addresses behind the token: `/` is the page, `/events` all events, `/why` the reasons why groups wait;
+// `/request`, `/cancel`, `/cancel_all` and `/set` take commands by POST. Every error says what to do.
 
 #include "runtime/core/inspect/why.hpp"
 #include "runtime/live/commands.hpp"
@@ -22,13 +21,13 @@ namespace director::live {
 
 class Site {
 public:
-  /// `names`: of this computer.
+  /// `names`: those of this computer.
   Site(const Names& names, std::optional<Page> page, std::string token, std::vector<std::string> own_names);
 
   /// `moment`: the newest one.
   Reply answer(const Request& request, const Moment& moment) const;
 
-  /// From any thread.
+  /// May be called from any thread.
   void allow(Commands commands);
 
 private:
@@ -41,7 +40,7 @@ private:
   std::optional<Index> root_edge(const Request& request, Reply& problem) const;
 
   const Names names_;
-  std::shared_ptr<const std::string> page_; ///< null: there is none
+  std::shared_ptr<const std::string> page_; ///< null: there is no page
   std::string policy_, token_;
   std::vector<std::string> own_names_;
   mutable std::mutex mutex_;

@@ -32,7 +32,7 @@ void take(Robot& robot, Input input, std::size_t which) {
   case Input::all:
     for (std::size_t each = 0; each < robot.providers.size(); ++each) call(robot, each);
     break;
-  case Input::steal: // 0: left, 1: right, 2: what they share
+  case Input::steal: // 0: left, 1: right, 2: the group that they share
     robot.holder[2] = which;
     call(robot, 0);
     call(robot, 2);

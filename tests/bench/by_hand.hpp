@@ -1,8 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The floor: what a programmer writes who knows that nothing else will ever be asked of this robot. The same provider
-// calls and the same writes in the same order as Director's, behind a switch over the inputs and function pointers, and
-// no decision at all.
+// The floor: code that a programmer could write for this robot alone. It makes the same provider calls and writes in
+// the same order as Director, with a switch over the inputs and function pointers, and without any decision.
 
 #include <cstddef>
 #include <cstdint>
@@ -34,7 +33,7 @@ public:
   virtual ~Idler() = default;
   virtual void step() = 0;
 };
-/// Its class is told to nobody, so that whoever calls it cannot know the function while compiling.
+/// Its class is not visible, so that callers cannot know the function at compile time.
 Idler& idler();
 
 } // namespace bench

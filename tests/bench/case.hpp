@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A small case, done by Director or by hand; what users do is in workload.hpp. Used by the benchmark, which takes the
-// time, and by count_instructions, which counts.
+// A small case, done by Director or by hand; workloads of users are in workload.hpp. Used by the benchmark, which
+// measures time, and by count_instructions, which counts.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +15,7 @@ class Case {
 public:
   virtual ~Case() = default;
   virtual void run(std::size_t times) = 0;
-  virtual std::uint64_t calls() const = 0; ///< of providers, so far
+  virtual std::uint64_t calls() const = 0; ///< provider calls so far
 };
 
 /// `It` has once() and calls().
@@ -38,16 +38,16 @@ private:
 
 struct Entry {
   std::string name;           ///< `trees/1000`
-  std::string title;          ///< for people
-  std::string aim;            ///< ns, or how it may grow; empty: none
-  std::size_t counted = 1000; ///< how often count_instructions does it; 0: it takes too long there
+  std::string title;          ///< for the report
+  std::string aim;            ///< ns, or a limit of growth; empty: none
+  std::size_t counted = 1000; ///< repetitions in count_instructions; 0: it takes too long there
   std::unique_ptr<Case> (*director)(std::size_t size) = nullptr;
   std::unique_ptr<Case> (*by_hand)(std::size_t size) = nullptr;
   std::size_t size = 0;   ///< of a case that grows
-  std::string grows_from; ///< the entry that it is compared with
+  std::string grows_from; ///< the entry with which it is compared
 };
 
-/// In the order of the page.
+/// All cases, in the order of the page.
 const std::vector<Entry>& entries();
 
 template <class It>

@@ -1,8 +1,8 @@
 // Header: this program. Test: tests/bench/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
-// Under callgrind: does each workload and each case some times, and lets callgrind write what that took to a file of
-// its own. Prints what was done, in the order of these files: the name and how often.
+// Under callgrind: runs each workload and each case several times, and lets callgrind write the cost of each to a file
+// of its own. Prints the name and the repetitions of each, in the order of these files.
 #include "tests/bench/case.hpp"
 #include "tests/bench/dearest.hpp"
 #include "tests/bench/workload.hpp"
@@ -25,11 +25,11 @@ void count(const std::string& name, std::size_t times, Do&& do_all) {
 }
 
 void count(const std::string& name, bench::Case& it, std::size_t times) {
-  it.run(std::min<std::size_t>(times, 100)); // what is only done once is behind it
+  it.run(std::min<std::size_t>(times, 100)); // work that is done only once is done by now
   count(name, times, [&] { it.run(times); });
 }
 
-/// For each unit of work: what a micro-step takes that decides nothing is spread over those that do.
+/// Instructions for each unit of work: those of micro-steps that decide nothing are spread over the others.
 void count(const bench::Search& search) {
   constexpr std::size_t inputs = 300;
   bench::Wanderer wanderer(search.compile(1), 1);

@@ -18,7 +18,7 @@ using director::Input;
 namespace {
 
 constexpr int replays = 3;
-constexpr std::uint64_t some_work = 20;          ///< with less, most of the time of a micro-step is not for deciding
+constexpr std::uint64_t some_work = 20;          ///< with less, a micro-step spends most of its time on other things
 constexpr std::size_t most_micro_steps = 10'000; ///< after one input
 
 using Clock = std::chrono::steady_clock;
@@ -32,7 +32,7 @@ struct MicroStep {
   double nanoseconds = std::numeric_limits<double>::max();
 };
 
-/// The same again each time; of each micro-step the least time counts.
+/// Repeats the same inputs; for each micro-step the least time counts.
 std::vector<MicroStep> wander(const Search& search, std::uint64_t seed) {
   std::vector<MicroStep> out;
   for (int replay = 0; replay < replays; ++replay) {

@@ -20,7 +20,7 @@ TEST_CASE("no micro-step that random inputs find takes more work than its bound,
   }
 }
 
-TEST_CASE("a wanderer does the same again") {
+TEST_CASE("a random player does the same when it is repeated") {
   for (const Search& search : searches()) {
     INFO(search.name);
     Wanderer first(search.compile(3), 3), again(search.compile(3), 3);
@@ -34,7 +34,7 @@ TEST_CASE("a wanderer does the same again") {
   }
 }
 
-TEST_CASE("what exceeds its bound is a fault, and the table has the shares") {
+TEST_CASE("exceeding a bound is a fault, and the table has the shares") {
   const Search search{"dearest/a", "behaviours/a", {}, 1, 1};
   DearestRow row{search, {}, 61};
   row.found = {.micro_steps = 12'345,

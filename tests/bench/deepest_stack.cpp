@@ -1,10 +1,9 @@
 // Header: this program, started by ./bench. Test: tests/bench/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
-// deepest_stack FUNCTION FOLDER: how many bytes of stack a call of FUNCTION may take, from what g++ writes with
+// deepest_stack FUNCTION FOLDER: the bytes of stack that a call of FUNCTION may take, from what g++ writes with
 // -fcallgraph-info=su about each source file: all .ci files below the folder. FUNCTION is a part of its printed name.
-// What is called by a pointer (provider bodies, the observer) is not in it; a cycle of calls is an error, for it has no
-// bound.
+// Calls by pointer (provider bodies, the observer) are not included; a recursion is an error, because it has no bound.
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -18,7 +17,7 @@
 namespace {
 
 struct Function {
-  std::string name; ///< as people write it
+  std::string name; ///< as in the source
   std::size_t bytes = 0;
   std::set<std::string> calls;
 };
@@ -47,7 +46,7 @@ public:
 
   std::size_t deepest(const std::string& title) {
     const auto at = functions_.find(title);
-    if (at == functions_.end()) return 0; // of another library, or by a pointer
+    if (at == functions_.end()) return 0; // in another library, or called by a pointer
     if (const auto known = known_.find(title); known != known_.end()) return known->second;
     if (!open_.insert(title).second) throw std::runtime_error(at->second.name + " calls itself");
     std::size_t below = 0;

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # cmake -D VALGRIND=<valgrind> -D DIRECTORC=<directorc> -D LARGE=<large_project> -D OUT=<folder> [-D SHAPE=<name>] [-D SMALL=<size>] [-D MOST=<times>] -P growth.cmake
-# Counts the instructions of `directorc check` on a behaviour of a size, 500 groups, and on one of ten times that: at most MOST times as many, 12.
+# Counts the instructions of `directorc check` on a behaviour of SMALL groups, 500 by default, and on one of ten times that size, which must take at most MOST times as many, 12 by default.
 if(NOT DEFINED SMALL)
   set(SMALL 500)
 endif()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cmake -D VALGRIND=<valgrind> -D PROGRAM=<count_instructions> -D GOLDEN=<file> -D OUT=<folder> -P instructions.cmake
-# Counts the instructions of each case under callgrind, writes them to OUT.txt and compares them with GOLDEN: 3 % more or fewer are none, nor is one
-# alone. With DIRECTOR_BLESS=1 in the environment the golden is rewritten if any line differs. Without GOLDEN it only counts.
+# Counts the instructions of each case under callgrind, writes them to OUT.txt and compares them with GOLDEN: differences of 3 %, or of one, are
+# ignored. With DIRECTOR_BLESS=1 in the environment the golden is rewritten if any line differs. Without GOLDEN it only counts.
 set(tolerance 3)
 
 file(REMOVE_RECURSE ${OUT})
@@ -12,7 +12,7 @@ if(NOT status STREQUAL 0)
   message(FATAL_ERROR "${PROGRAM} under callgrind ends with ${status}\n${done}\n${errors}")
 endif()
 
-# What was done stands in the order of callgrind's files.
+# The printed names are in the order of callgrind's files.
 string(STRIP "${done}" done)
 string(REPLACE "\n" ";" done "${done}")
 set(counts "")

@@ -1,7 +1,7 @@
 // Header: this program, started by ./bench. Test: tests/bench/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
-// large_behaviour GROUPS: the text of a behaviour of so many groups.
+// large_behaviour GROUPS: prints a behaviour with this number of groups.
 #include "tests/bench/texts.hpp"
 
 #include <cstdlib>

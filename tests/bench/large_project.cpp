@@ -1,9 +1,9 @@
 // Header: this program, started by ./bench. Test: tests/bench/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
-// large_project GROUPS FOLDER: writes a behaviour of so many groups, main.yaml and its modules, into FOLDER.
+// large_project GROUPS FOLDER: writes a behaviour with this number of groups, main.yaml and its modules, into FOLDER.
 // large_project SHAPE SIZE FOLDER: writes that shape in that size, as main.yaml, into FOLDER.
-// large_project FOLDER: every shape in its small and its large size, and prints a line for each: file, size, name.
+// large_project FOLDER: writes every shape in its small and its large size, and prints for each: file, size, name.
 #include "tests/bench/project.hpp"
 
 #include <cstdlib>

@@ -1,8 +1,8 @@
 // Header: this program, started by ./bench. Test: tests/bench/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
-// measure TIMES COMMAND...: runs it so often and prints the median of its processor time in seconds, and the most
-// memory that it had, in MB. What it prints is thrown away; if it fails, so does this.
+// measure TIMES COMMAND...: runs the command this number of times and prints the median of its processor time in
+// seconds, and its most memory in MB. Its output is discarded; if it fails, so does this.
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>

@@ -20,12 +20,11 @@ namespace {
 constexpr int replays = 7;
 constexpr std::size_t steps = 12'000; ///< two minutes of the game
 constexpr std::size_t drained =
-    3'000; ///< after so many steps the recorder, whose queue would be full, has time to write
+    3'000; ///< after this number of steps the recorder, whose queue would be full, has time to write
 
 using Clock = std::chrono::steady_clock;
 
-/// Of a game with this observer, how long each step took; the least of it and of what was there. `pause`: between
-/// steps.
+/// The time of each step of a game with this observer, or the least so far. `pause`: between steps.
 void play(const director::Observer& observer, std::vector<double>& least, std::chrono::milliseconds pause = {}) {
   const Workload& soccer = workloads().front();
   const std::unique_ptr<Playing> playing = soccer.make(soccer.size, 1, observer);
@@ -49,11 +48,11 @@ std::vector<Observed> observe() {
   std::uint64_t events = 0, dropped = 0;
   const director::Observer counting{[](void* self, const director::Event&) { ++*static_cast<std::uint64_t*>(self); },
                                     &events};
-  for (int replay = 0; replay < replays; ++replay) { // in turn: what else the machine does is a part of each
+  for (int replay = 0; replay < replays; ++replay) { // in turn, so that other load of the machine affects all of them
     play({}, alone);
     events = 0;
     play(counting, counted);
-    director::Recorder recorder{soccer::names::all(), "/dev/null"}; // its thread writes JSON lines, and no disk is slow
+    director::Recorder recorder{soccer::names::all(), "/dev/null"}; // its thread writes JSON lines, without a slow disk
     play(recorder.observer(), recorded, std::chrono::milliseconds(200));
     dropped = recorder.dropped();
   }

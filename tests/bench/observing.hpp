@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What the thread that steps pays for being observed: a game of soccer with an observer, against the same game without.
+// The cost of an observer for the thread that steps: a game of soccer with an observer, against the same game without
+// one.
 
 #include <cstdint>
 #include <string>
@@ -9,13 +10,13 @@
 namespace bench {
 
 struct Observed {
-  std::string title;         ///< who listens
-  std::uint64_t events = 0;  ///< in the game
-  double nanoseconds = 0;    ///< more, for each event
-  std::uint64_t dropped = 0; ///< events that the recorder's queue had no room for
+  std::string title;         ///< the observer
+  std::uint64_t events = 0;  ///< events in the game
+  double nanoseconds = 0;    ///< additional time of each event
+  std::uint64_t dropped = 0; ///< events that found the recorder's queue full
 };
 
-/// Of each step the least time of some replays counts.
+/// For each step, the least time of several replays counts.
 std::vector<Observed> observe();
 
 } // namespace bench

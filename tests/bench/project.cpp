@@ -103,9 +103,9 @@ constexpr const char* servos[] = {"LeftHip",  "LeftKnee", "LeftAnkle", "RightHip
                                   "Shoulder", "Elbow",    "Gripper",   "Pan",      "Tilt"};
 
 const std::string head =
-    "behaviour: grown\nlanguage: 1\nlimits: {trials: 1000000, pass: 1000000000}\n"; // all of it is one component
+    "behaviour: grown\nlanguage: 1\nlimits: {trials: 1000000, pass: 1000000000}\n"; // one component
 
-/// Numbered from 0.
+/// The names are numbered from 0.
 std::string rows(std::size_t count, fmt::format_string<std::size_t&> row) {
   std::string out;
   for (std::size_t i = 0; i < count; ++i) out += fmt::format(row, i);
@@ -132,7 +132,7 @@ std::string chain(std::size_t size, const char* row) {
 std::string chain_of_tasks(std::size_t size) { return chain(size, "  T{0}: {{tasks: [T{1}]}}\n"); }
 std::string chain_of_needs(std::size_t size) { return chain(size, "  T{0}: {{needs: [T{1}], tasks: [T{1}]}}\n"); }
 
-/// Each of these is a task that may push the one before it, which may push the one before that.
+/// Each is a task that may push the one before it, in a chain.
 std::string chain_of_causes(std::size_t size) {
   const std::string first = "  T0: {causing: [S0 == after]}\n";
   std::string groups;
@@ -165,7 +165,7 @@ std::string one_requests_all(std::size_t size) {
          rows(size, "  T{}: {{}}\n");
 }
 
-/// Every second one is asked for, and every third one has no place in their order.
+/// Every second one is requested, and every third one has no place in their order.
 std::string many_values(std::size_t size) {
   std::string values, unordered, asked;
   for (std::size_t i = 0; i < size; ++i) {
@@ -179,13 +179,13 @@ std::string many_values(std::size_t size) {
          fmt::format("      - {{name: some, when: [S == {}]}}\n      - {{name: last}}\n", asked);
 }
 
-/// All want one group, and none ranks before another.
+/// All need one group, and all are equal.
 std::string rivals(std::size_t size) {
   return head + "roots: [All]\ngroups:\n  Shared: {}\n  All:\n    tasks:\n" + rows(size, "      T{0}: {{}}\n") +
          rows(size, "  T{}: {{needs: [Shared], tasks: [Shared]}}\n");
 }
 
-/// Everybody requests all that come behind, each at its own priority.
+/// Each group requests all later ones, each at its own priority.
 std::string dense(std::size_t size) {
   std::string out = head + "roots: [T0]\ngroups:\n";
   for (std::size_t i = 0; i < size; ++i) {

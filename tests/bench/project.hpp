@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Large behaviours for the compiler, as the texts of their files: of the shape that people write, and of shapes that
-// are hard for one stage or another.
+// Large behaviours for the compiler, as the texts of their files: of a usual shape, and of shapes that are expensive
+// for some stage.
 
 #include <cstddef>
 #include <map>
@@ -11,13 +11,13 @@
 
 namespace bench {
 
-using Files = std::map<std::string, std::string>; ///< by name; the deployment is `main.yaml`
+using Files = std::map<std::string, std::string>; ///< text by name; the deployment is `main.yaml`
 
 /// Robots of 24 groups, a module each, that share a radio, an emergency and a charge: a mission with packs, skills that
 /// push one another, limbs. No errors and no warnings. `groups` is rounded down.
 Files project(std::size_t groups);
 
-/// One file. `size` is the number of what the shape is made of.
+/// A behaviour of one file. `size` is the number of its elements.
 struct Shape {
   std::string_view name;
   std::size_t small, large; ///< sizes to compare

@@ -50,7 +50,7 @@ private:
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
   }
 
-  /// Neighbours share a leaf, so that all are one component. Later providers need less.
+  /// Neighbours share a leaf, so that there is one component. Later providers need less.
   void add_skill(std::size_t number) {
     Names needs;
     add_new(needs, fmt::format("Leaf{}", number % leaves_));
@@ -69,7 +69,8 @@ private:
     }
   }
 
-  /// What each requests: skills in turn and at random, and behind the roots each planner has one or two above it.
+  /// The requests of each planner: skills in turn and at random, and behind the roots each planner has one or two above
+  /// it.
   std::vector<Names> below_planners() {
     std::vector<Names> below(planners_);
     for (std::size_t i = 0; i < std::max(skills_, planners_); ++i)

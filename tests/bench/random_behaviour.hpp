@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Random behaviours whose groups all have to do with each other, and random numbers that are the same on every machine.
+// Random behaviours of one component, and random numbers that are the same on every machine.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace bench {
 class Random {
 public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
-  /// From 0 on, less than `end`.
+  /// A number from 0 on, less than `end`.
   std::uint32_t below(std::size_t end) {
     state_ = state_ * 6364136223846793005U + 1442695040888963407U;
     const std::uint64_t mixed = (state_ >> 32 ^ state_) * 0x9e3779b97f4a7c15U;

@@ -23,7 +23,7 @@ std::string whole(double value) {
   return out;
 }
 
-/// Three digits count at least: `4.27`, `12.3`, `29,300`.
+/// At least three digits: `4.27`, `12.3`, `29,300`.
 std::string number(double value) {
   return value < 10 ? fmt::format("{:.2f}", value) : value < 100 ? fmt::format("{:.1f}", value) : whole(value);
 }

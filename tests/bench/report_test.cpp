@@ -18,7 +18,7 @@ Entry entry(const char* name, const char* title, const char* aim) {
 
 } // namespace
 
-TEST_CASE("the table shows three digits, the ratio to the floor and what a case grows by") {
+TEST_CASE("the table shows three digits, the ratio to the floor and the growth of a case") {
   const Entry small = entry("trees/100", "100 groups", ""), large = entry("trees/1000", "1000 groups", "1.5x");
   Row first{small}, second{large};
   first.nanoseconds = 29'312.4;
@@ -34,7 +34,7 @@ TEST_CASE("the table shows three digits, the ratio to the floor and what a case 
         "| 1000 groups | 58,625 | 1.5x | 0 |  |  | 1,234,567 | 0 | 2.00x |\n");
 }
 
-TEST_CASE("of workloads the table shows the tail too") {
+TEST_CASE("for workloads the table also shows the tail") {
   const Workload it{.name = "random/60", .title = "60 groups", .aim = "2,500"};
   WorkloadRow row{it, {}, 0};
   row.times = {
@@ -48,7 +48,7 @@ TEST_CASE("of workloads the table shows the tail too") {
   CHECK(faults_of(std::vector{row}) == "random/60: it allocated 2 times\n");
 }
 
-TEST_CASE("a floor that is none, other runs than the floor's, and an allocation are faults") {
+TEST_CASE("an invalid floor, different runs than in the floor, and an allocation are faults") {
   const Entry it = entry("again", "again", "");
   Row slow{it}, other{it}, allocating{it}, fine{it};
   slow.by_hand = 21;

@@ -1,8 +1,8 @@
 // Header: tests/bench/workload.hpp. Test: tests/bench/workload_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// behaviours/robocup plays by a script: what a robot's senses and a referee say, and bodies that take turns in what
-// their providers may ask for.
+// behaviours/robocup plays a script: inputs of sensors and a referee, and bodies that alternate between the packs of
+// their providers.
 #include "tests/bench/table_robot.hpp"
 #include "tests/bench/workload.hpp"
 
@@ -14,8 +14,8 @@ namespace {
 
 constexpr director::Time tick = 10'000; // us
 
-/// One tick of 10 ms. Sensors speak at each, the ball is seen at 33 Hz and the goals at 10 Hz; a half begins with
-/// READY and SET, the robot falls every two minutes and stands again four seconds later.
+/// One tick of 10 ms. Sensors post at each, the ball is seen at 33 Hz and the goals at 10 Hz; a half begins with READY
+/// and SET, the robot falls every two minutes and stands again four seconds later.
 class Robocup final : public Playing {
 public:
   Robocup(std::size_t, std::uint64_t, director::Observer observer)

@@ -18,7 +18,7 @@ namespace {
 
 using director::Outcome;
 
-/// A benchmark of something else than what it says is worse than none.
+/// Aborts if a case does not do what it is meant to measure.
 void expect(bool holds, const char* what) {
   if (!holds) throw std::logic_error(what);
 }

@@ -1,7 +1,7 @@
 // Header: tests/bench/workload.hpp. Test: tests/bench/workload_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// behaviours/soccer plays in its own world: a step of the player, senses and bodies included.
+// behaviours/soccer plays in its own world: a step of the player, with sensors and bodies.
 #include "behaviours/soccer/player/player.hpp"
 #include "behaviours/soccer/player/servos.hpp"
 #include "behaviours/soccer/world/world.hpp"

@@ -1,10 +1,10 @@
 // Header: this program, started by ./bench. Test: tests/bench/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
-// speed [--instructions=FILE] [OPTION OF GOOGLE BENCHMARK...]: takes the times of each workload, and of each small case
-// and its floor; looks for the dearest micro-steps; takes the time of observing; and prints a table of each. Fails
-// where the floor of a case is none (more than 5 ns a provider call), where the two do not call as many providers,
-// where a micro-step exceeds its bound, and where anything is allocated.
+// speed [--instructions=FILE] [OPTION OF GOOGLE BENCHMARK...]: measures the time of each workload, and of each small
+// case and its floor; searches the most expensive micro-steps; measures the time of observing; and prints a table of
+// each. Fails if the floor of a case is invalid (more than 5 ns a provider call), if case and floor do not make the
+// same number of provider calls, if a micro-step exceeds its bound, and if anything is allocated.
 #include "tests/bench/case.hpp"
 #include "tests/bench/report.hpp"
 #include "tests/system/no_heap/heap_trap.hpp"
@@ -20,12 +20,12 @@ namespace {
 
 using namespace bench;
 
-// A machine can be busy with something else for seconds at a time. So the cases take turns, in random order: what else
-// it does is a part of each.
+// A machine can be busy for seconds at a time. So the cases take turns, in random order, so that this affects all of
+// them.
 constexpr int repetitions = 25;
 constexpr double seconds_each = 0.02;
 
-/// Made once, for all repetitions.
+/// Created once, for all repetitions.
 struct Measured {
   std::unique_ptr<Case> it;
   std::uint64_t calls = 0, times = 0, heap_uses = 0;
@@ -36,7 +36,7 @@ void measure(benchmark::State& state, Measured& measured, std::unique_ptr<Case> 
   const bool small = make == entry.by_hand || entry.counted >= 1000;
   const std::size_t batch = small && entry.by_hand != nullptr ? 100 : 1;
   if (measured.it == nullptr) measured.it = make(entry.size);
-  measured.it->run(batch); // what the other cases drove out of the caches is there again
+  measured.it->run(batch); // fills the caches again after other cases
   const std::uint64_t calls = measured.it->calls(), uses = director::tests::heap_uses();
   std::uint64_t times = 0;
   while (state.KeepRunningBatch(static_cast<benchmark::IterationCount>(batch))) {
@@ -67,7 +67,7 @@ double value(const std::map<std::string, double>& from, const std::string& name)
   return found == from.end() ? 0.0 : found->second;
 }
 
-/// By the option of Google Benchmark, which looks at the small cases alone.
+/// Selects cases by the option of Google Benchmark, which knows only the small ones.
 bool is_wanted(const std::string& name) {
   const std::string only = benchmark::GetBenchmarkFilter();
   return only.empty() || std::regex_search(name, std::regex(only));
@@ -147,7 +147,7 @@ int main(int count, char** arguments) {
   }
   std::string in_turn = "--benchmark_enable_random_interleaving=true";
   std::vector<char*> all{arguments, arguments + count};
-  all.insert(all.begin() + 1, in_turn.data()); // what is said behind it goes before it
+  all.insert(all.begin() + 1, in_turn.data()); // later options override it
   count = static_cast<int>(all.size());
   arguments = all.data();
   benchmark::Initialize(&count, arguments);

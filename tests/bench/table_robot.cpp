@@ -141,7 +141,7 @@ Bodies TableRobot::functions() {
   return out;
 }
 
-/// In this run.
+/// The act of this run.
 const Act& TableRobot::act_of(Index provider, bool other) {
   if (play_ == Play::same) return acts_[provider];
   const Index first = first_act_[provider];

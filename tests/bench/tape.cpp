@@ -16,7 +16,7 @@ void Tape::begin() {
 
 void Tape::end_input() { inputs_.push_back(calls_.size()); }
 
-void Tape::tell(void* self, const Event& event) {
+void Tape::observe(void* self, const Event& event) {
   Tape& tape = *static_cast<Tape*>(self);
   const auto add = [](std::vector<Write>& writes, std::vector<std::int32_t>& rows, std::size_t row, auto value) {
     writes.push_back({row, static_cast<std::int32_t>(value)});

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The floor of a workload: what the engine calls and writes for each input is recorded once. Then the same calls and
-// writes are made by hand, in the same order, by function pointers, and nothing is decided.
+// The floor of a workload: the calls and writes of the engine for each input are recorded once. Then they are made by
+// hand, in the same order, by function pointers, without any decision.
 
 #include "runtime/core/base/observer.hpp"
 
@@ -12,14 +12,14 @@ namespace bench {
 
 class Tape {
 public:
-  // While it is recorded.
+  // For the recording.
   director::Observer observer() { return {tell, this}; }
-  void begin();     ///< what was told so far is no part of it
-  void end_input(); ///< what was told since the input before belongs to this one
+  void begin();     ///< drops the events so far
+  void end_input(); ///< the events since the last input belong to this one
 
-  void play(); ///< all inputs
+  void play(); ///< plays all inputs
   std::size_t inputs() const { return inputs_.size(); }
-  std::size_t calls() const { return calls_.size(); } ///< of providers
+  std::size_t calls() const { return calls_.size(); } ///< provider calls
 
 private:
   struct Write {
@@ -30,11 +30,11 @@ private:
     void (*provide)(Tape& tape, const Call& self);
     std::uint32_t first_request, first_set, requests = 0, sets = 0;
   };
-  static void tell(void* self, const director::Event& event);
+  static void observe(void* self, const director::Event& event);
   static void provide(Tape& tape, const Call& self);
 
   std::vector<Call> calls_;
-  std::vector<std::size_t> inputs_; ///< one past the last call of each
+  std::vector<std::size_t> inputs_; ///< for each input, the end of its calls
   std::vector<Write> requests_, sets_;
   std::vector<std::int32_t> requested_, values_; ///< by edge, by state
 };

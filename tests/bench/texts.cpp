@@ -10,7 +10,7 @@ namespace bench {
 
 namespace {
 
-const std::string head = "behaviour: grown\nlanguage: 1\nlimits: {pass: 1000000000}\n"; // all of it is one component
+const std::string head = "behaviour: grown\nlanguage: 1\nlimits: {pass: 1000000000}\n"; // one component
 
 constexpr const char* tree = R"(  Robot_{0}:
     tasks:
@@ -35,7 +35,7 @@ constexpr const char* tree = R"(  Robot_{0}:
   RightHand_{0}: {{}}
 )";
 
-/// Numbered from 1.
+/// The names are numbered from 1.
 std::string rows(std::size_t count, fmt::format_string<std::size_t&> row) {
   std::string out;
   for (std::size_t i = 1; i <= count; ++i) out += fmt::format(row, i);

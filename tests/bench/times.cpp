@@ -22,14 +22,14 @@ double nanoseconds_since(Clock::time_point begin) {
   return std::chrono::duration<double, std::nano>(Clock::now() - begin).count();
 }
 
-/// What it takes to read the clock.
+/// The time of reading the clock.
 double cost_of_clock() {
   double least = endless;
   for (int i = 0; i < 10'000; ++i) least = std::min(least, nanoseconds_since(Clock::now()));
   return least;
 }
 
-/// Of each input.
+/// The time of each input.
 std::vector<double> least_times(const Workload& workload, std::uint64_t seed, double clock) {
   std::vector<double> out(workload.inputs, endless);
   for (int replay = 0; replay < replays; ++replay) {

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What an input of a workload takes.
+// The time of the inputs of a workload.
 
 #include "tests/bench/workload.hpp"
 
@@ -10,11 +10,12 @@ namespace bench {
 struct Times {
   double mean = 0, p50 = 0, p99 = 0, p999 = 0, max = 0;
   double by_hand = 0;        ///< mean
-  double calls = 0;          ///< of providers, an input
-  std::size_t heap_uses = 0; ///< in all
+  double calls = 0;          ///< provider calls for each input
+  std::size_t heap_uses = 0; ///< of all inputs
 };
 
-/// Plays the workload some times, and of each input the least time counts: so what else the machine does falls out.
+/// Plays the workload several times; for each input the least time counts, so that other load of the machine is left
+/// out.
 Times take_times(const Workload& workload);
 
 } // namespace bench

@@ -1,7 +1,7 @@
 // Header: tests/bench/workload.hpp. Test: tests/bench/workload_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// Units with many alternatives, all in vain: the last member of each needs what somebody stronger holds.
+// Units with many alternatives that all fail: the last member of each needs a group that a stronger task holds.
 #include "tests/bench/random_behaviour.hpp"
 #include "tests/bench/table_robot.hpp"
 #include "tests/bench/texts.hpp"
@@ -25,7 +25,7 @@ public:
     }
   }
   void prepare() override { unit_ = random_.below(units_.size()); }
-  /// It is requested, or cancelled.
+  /// Requests or cancels a unit.
   void take() override {
     director::Input input = units_[unit_];
     requested_[unit_] = !requested_[unit_];
@@ -38,7 +38,7 @@ private:
   TableRobot robot_;
   Random random_;
   std::vector<director::Input> units_;
-  std::size_t unit_ = 0; ///< of this input
+  std::size_t unit_ = 0; ///< the unit of this input
   std::vector<bool> requested_;
 };
 

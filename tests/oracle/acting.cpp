@@ -50,7 +50,7 @@ std::set<Reason> Behaviour::news(const Assignment& before, GroupId group) const 
   return reasons;
 }
 
-// A group that is held for a need stays held.
+// A group that is held as a need stays held.
 void Behaviour::stop(GroupId group, std::map<StateId, std::int64_t>& handlers_set) {
   const compiler::Group& words = parts_.model().groups[group];
   for (const StateId state : parts_.model().states.ids()) {

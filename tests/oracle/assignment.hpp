@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// semantics.md, section 2: what changes while a behaviour runs. Assignment is what arbitration decides; Facts is
-// everything else that it looks at.
+// semantics.md, section 2: what changes while a behaviour runs. Assignment is what arbitration decides; Facts is all
+// its other input.
 
 #include "dsl/data.hpp"
 #include "tests/oracle/parts.hpp"
@@ -22,7 +22,7 @@ struct Request {
   std::uint64_t stamp = 0; ///< micro-step in which the edge became requested, or in which its level last changed
 };
 
-/// (u, k, c), k being the key that it is kept under, and the unmet condition that it was made for.
+/// A push (u, k, c) with k as the key, and the unmet condition that it was made for.
 struct Push {
   EdgeId by{};
   ProviderId to{};
@@ -32,13 +32,13 @@ struct Push {
 
 struct Held {
   EdgeId by{};
-  bool granted = false; ///< a unit got it as its target
+  bool granted = false; ///< it was granted as the target of a unit
   bool needed = false;  ///< claimed for a plan
-  bool stale = false;   ///< 4.4; a group in limbo always
+  bool stale = false;   ///< 4.4; always for a group in limbo
   bool operator==(const Held&) const = default;
 };
 
-/// What a push in force serves: its provider, and the condition that it was made for and that does not hold.
+/// What a push in force serves: its provider, and the false condition that it was made for.
 struct Service {
   ProviderId provider{};
   ConditionId unmet{};
@@ -51,7 +51,7 @@ struct Assignment {
   IdTable<GroupId, Plan> plan;                        ///< for the needs of the active provider
   std::map<GroupId, Push> pushes;
   std::set<GroupId> in_force;         ///< 4.3: pushed groups
-  std::map<GroupId, Service> serving; ///< of the pushes in force, those whose condition is still false
+  std::map<GroupId, Service> serving; ///< those pushes in force whose condition is still false
   std::vector<GroupId> order;         ///< the groups that are held, in order
 
   explicit Assignment(const Model& model)
@@ -62,7 +62,7 @@ struct Assignment {
   bool granted(GroupId g) const { return held[g] && held[g]->granted; }
   bool granted_to(EdgeId e, GroupId g) const { return granted(g) && held[g]->by == e; }
   bool held_by(EdgeId e, GroupId g) const { return held[g] && held[g]->by == e; }
-  /// Holders, granted groups, providers and pushes are the same.
+  /// Whether holders, granted groups, providers and pushes are equal.
   bool same_decision(const Assignment& other) const;
 };
 

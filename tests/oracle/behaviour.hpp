@@ -1,8 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // semantics.md, sections 3, 5, 6 and 7: a running behaviour. It takes micro-steps, arbitrates after each, and acts on
-// the difference. What the program's bodies would do is asked of Bodies; what happens is a list of lines as a
-// scenario's `expect` writes them.
+// the difference. Bodies stands for the program; the result is a list of lines as in the `expect` of a scenario.
 
 #include "tests/oracle/pass.hpp"
 
@@ -14,7 +13,7 @@ namespace director::oracle {
 using Time = Microseconds;
 using Settings = std::vector<std::pair<StateId, std::int64_t>>;
 
-/// Section 6: what a provider can see.
+/// Section 6: what a provider can read.
 struct Sight {
   enum class Run { none, queued, running };
   enum class Result { no, done, failed };
@@ -30,7 +29,7 @@ struct Sight {
   std::map<GroupId, Use> uses;
 };
 
-/// Section 3: what a run asks for.
+/// Section 3: the results of a run.
 struct Asked {
   EdgeId edge{};
   std::uint32_t level = 0;
@@ -76,9 +75,9 @@ public:
   void preset(StateId state, std::int64_t value) { facts_.value[state] = value; } ///< before the first step
   void post(Input input) { inbox_.push_back(std::move(input)); }
 
-  /// The inputs that were posted, then what is due, each time to quiescence. An earlier `now` counts as the last one.
+  /// Takes the inputs that were posted, then due timers, each time to rest. An earlier `now` counts as the last one.
   void begin_step(Time now);
-  /// One micro-step of it. False: quiescent.
+  /// Takes one micro-step. False: at rest.
   bool micro_step();
   std::optional<Time> next_due() const;
 

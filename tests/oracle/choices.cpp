@@ -40,7 +40,7 @@ std::vector<Plan> Pass::plans_in_order(const Choice& choice) const {
   return plans;
 }
 
-// All choices for an edge whose groups are available; with_conditions: those whose conditions hold.
+// All choices for an edge whose groups are available; with_conditions: and whose conditions hold.
 std::vector<Choice> Pass::choices(EdgeId edge, bool with_conditions) {
   Choice choice{claimed_chain(edge), parts_.target(edge), {}, {}, {}};
   std::vector<Choice> out;
@@ -83,7 +83,7 @@ bool Pass::plan_available(const Choice& choice) {
   return true;
 }
 
-// Held there on purpose, so its conditions on states that it causes itself do not count.
+// Whether a push in force waives the condition: it is on a state that the provider causes itself.
 bool Pass::waived(ProviderId provider, ConditionId condition, const Chain& edge) const {
   const GroupId group = parts_.group_of(provider);
   const auto push = now_.pushes.find(group);
@@ -137,7 +137,7 @@ bool combine(const std::vector<std::vector<Choice>>& of_each, Combination& so_fa
 
 } // namespace
 
-// Lexicographically over the members, the first in which all claims are compatible.
+// The first combination in lexicographic order of the members in which all claims are compatible.
 std::optional<Combination> Pass::first_combination(const std::vector<EdgeId>& members, bool with_conditions) {
   std::vector<std::vector<Choice>> of_each;
   for (const EdgeId member : members) {

@@ -30,7 +30,7 @@ std::string joined(const std::vector<std::string>& lines) {
   return out;
 }
 
-/// Step by step: what it expects, and what happens.
+/// The expected lines of each step, and the actual ones.
 void check(const std::string& path) {
   dsl::DiskFiles files;
   dsl::Sources sources;
@@ -53,7 +53,7 @@ void check(const std::string& path) {
   }
 }
 
-TEST_CASE("the oracle plays every scenario of the conformance folder as it is expected") {
+TEST_CASE("the oracle plays every scenario of the conformance folder as expected") {
   REQUIRE(scenarios().size() > 60);
   for (const std::string& path : scenarios()) check(path);
 }

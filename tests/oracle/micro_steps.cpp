@@ -168,7 +168,7 @@ void Behaviour::run(GroupId group) {
   commit(group, provider, bodies_.run(seen));
 }
 
-// Everything that the run asked for takes effect together.
+// All results of a run take effect together.
 void Behaviour::commit(GroupId group, ProviderId, const Commit& asked) {
   if (asked.kind == Commit::Kind::fault) return;
   set(asked.set);

@@ -38,8 +38,7 @@ std::uint64_t Order::stamp(EdgeId edge) const {
 }
 
 // Seen from root: the last requester up to which both chains are the same. Chains of one assignment cannot meet again
-// behind it. A claimed chain and a previous one can; then where they meet does not count, because they got there in
-// different ways.
+// behind it. A claimed chain and a previous one can; that does not count, because they arrived there in different ways.
 std::optional<Order::Fork> Order::fork(const Chain& a, const Chain& b) const {
   const auto [at_a, at_b] = std::mismatch(a.edges.rbegin(), a.edges.rend(), b.edges.rbegin(), b.edges.rend());
   if (at_a == a.edges.rend() || at_b == b.edges.rend()) return std::nullopt;
@@ -51,7 +50,7 @@ int Order::compare(const Chain& a, const Chain& b) const {
   const std::optional<Fork> parted = fork(a, b);                                           // 2
   if (!parted) return static_cast<int>(a.edges.size()) - static_cast<int>(b.edges.size()); // 1
   const Fork& at = *parted;
-  if (parts_.is_limbo(at.a) != parts_.is_limbo(at.b)) return parts_.is_limbo(at.a) ? 1 : -1; // limbo edges come last
+  if (parts_.is_limbo(at.a) != parts_.is_limbo(at.b)) return parts_.is_limbo(at.a) ? 1 : -1; // limbo edges are last
   if (at.optional_a != at.optional_b) return at.optional_a ? 1 : -1;                         // 3
   const std::int32_t pa = level(at.a).priority, pb = level(at.b).priority;                   // 4
   return pa > pb ? -1 : pa < pb ? 1 : 0;

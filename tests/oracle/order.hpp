@@ -6,7 +6,7 @@
 
 namespace director::oracle {
 
-/// An edge, the edge that holds its requester, and so on. Complete if it ends at root; what limbo holds does not.
+/// An edge, the edge that holds its requester, and so on. Complete if it ends at root; below limbo it does not.
 struct Chain {
   std::vector<EdgeId> edges;
   bool complete = false;
@@ -25,10 +25,10 @@ class Order {
 public:
   Order(const Parts& parts, const Facts& facts) : parts_(parts), facts_(facts) {}
 
-  /// Rules 1 to 4 only: "before". Neither before the other: equal.
+  /// Rules 1 to 4 only: "before". If neither is before the other, they are equal.
   bool before(const Chain& a, const Chain& b) const;
   bool equal(const Chain& a, const Chain& b) const { return !before(a, b) && !before(b, a); }
-  /// With rule 5: "in order". Total.
+  /// With rule 5: "in order", a total order.
   bool first(const Chain& a, const Chain& b) const;
 
 private:
@@ -37,7 +37,7 @@ private:
     EdgeId a{}, b{};
     bool optional_a = false, optional_b = false;
   };
-  std::optional<Fork> fork(const Chain& a, const Chain& b) const; ///< nothing where one is an ancestor of the other
+  std::optional<Fork> fork(const Chain& a, const Chain& b) const; ///< nothing if one is an ancestor of the other
   Level level(EdgeId edge) const;
   std::uint64_t stamp(EdgeId edge) const;
   int compare(const Chain& a, const Chain& b) const; ///< rules 1 to 4: below 0 if a goes first, 0 if equal

@@ -8,7 +8,7 @@ namespace {
 
 using namespace director::oracle;
 
-/// Everything is requested at its first level, and held by the edge that is named for it.
+/// Every task is requested at its first level, and held by the edge that is named for it.
 class Held {
 public:
   explicit Held(const char* text)
@@ -59,7 +59,7 @@ TEST_CASE("an ancestor goes before what is below it") {
   CHECK(!held.order().before(held.chain("A>C"), held.chain("root>A")));
 }
 
-TEST_CASE("optional work goes behind everything mandatory, whatever its priority") {
+TEST_CASE("optional tasks go after all mandatory ones, with any priority") {
   Held held(family);
   for (const char* name : {"root>A", "root>B", "A>D"}) held.hold(name);
   CHECK(held.order().before(held.chain("B>F"), held.chain("A>C")));

@@ -13,12 +13,12 @@ EdgeId edge_between(const Model& model, GroupId from, GroupId to) {
   return *std::find_if(edges.begin(), edges.end(), [&](EdgeId e) { return model.edges[e].target == to; });
 }
 
-/// A need that is still to be met.
+/// A need that is not met yet.
 struct Open {
   GroupId needer{}, group{};
 };
 
-/// Meets the first open need in every way, and what that way needs before the other open ones.
+/// Meets the first open need in every way, with the needs of that way before the other open ones.
 void meet(const Model& model, GroupId own, const std::vector<Open>& open, const Plan& plan, std::vector<Plan>& out) {
   if (open.empty()) {
     out.push_back(plan);
@@ -28,7 +28,7 @@ void meet(const Model& model, GroupId own, const std::vector<Open>& open, const 
   const bool twice = need.group == own || std::any_of(plan.begin(), plan.end(), [&](const PlanEntry& entry) {
                        return entry.group == need.group;
                      });
-  if (twice) return; // a group cannot be held for two purposes
+  if (twice) return; // a group cannot be held for two needs
   for (const ProviderId provider : model.groups[need.group].providers) {
     Plan longer = plan;
     longer.push_back({need.group, provider, need.needer, edge_between(model, need.needer, need.group)});

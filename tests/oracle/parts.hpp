@@ -1,8 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// semantics.md, section 1, on the Model: what the specification says before anything moves, written out in full. Need
-// plans are enumerated, reachable groups are sets. Slow on purpose; the whole folder is, and shares no code with
-// compiler/lower or runtime.
+// semantics.md, section 1, on the Model: the static part, written out in full. Need plans are enumerated, reachable
+// groups are sets. Slow on purpose, like the whole folder, which shares no code with compiler/lower or runtime.
 
 #include "compiler/model/model.hpp"
 
@@ -23,7 +22,7 @@ using compiler::ProviderId;
 using compiler::StateId;
 using compiler::TriggerId;
 
-/// Group `group` would run `provider`; `needer` needs it, by the edge needer -> group.
+/// Group `group` runs `provider`; `needer` needs it, by the edge needer -> group.
 struct PlanEntry {
   GroupId group{};
   ProviderId provider{};
@@ -32,7 +31,7 @@ struct PlanEntry {
   bool operator==(const PlanEntry&) const = default;
 };
 
-/// Depth first: a group stands right behind the one that needs it and what that one needs before it.
+/// Depth first: a group is right behind the one that needs it and what that one needs before it.
 using Plan = std::vector<PlanEntry>;
 
 class Parts {
@@ -42,17 +41,17 @@ public:
   const Model& model() const { return model_; }
   GroupId group_of(ProviderId provider) const { return model_.providers[provider].group; }
 
-  /// All valid plans for the needs of a provider, in order; one empty plan where it needs nothing.
+  /// All valid plans for the needs of a provider, in order; one empty plan if it needs nothing.
   const std::vector<Plan>& plans(ProviderId provider) const { return plans_[provider]; }
 
   /// Declared tasks and needs, transitively.
   bool may_ask_for(GroupId from, GroupId target) const { return reach_[from].contains(target); }
 
   bool satisfies(ConditionId causing, ConditionId when) const;
-  bool causes(ProviderId provider, ConditionId when) const; ///< some `causing` of it satisfies the condition
+  bool causes(ProviderId provider, ConditionId when) const; ///< whether a `causing` of it serves the condition
   bool causes_state(ProviderId provider, StateId state) const;
 
-  // 4.1 puts limbo behind every declared edge. It counts as an edge of root, one a group, after all that are declared.
+  // 4.1 puts limbo behind every declared edge. It has an edge of root for each group, behind all that are declared.
   EdgeId limbo(GroupId group) const;
   bool is_limbo(EdgeId edge) const { return edge.value >= model_.edges.size(); }
   std::optional<GroupId> requester(EdgeId edge) const; ///< nothing: root

@@ -33,7 +33,7 @@ groups:
   CHECK(plans == std::vector<std::string>{"B.x<A D<B C.y<A", "B.z<A C.x<A D<C", "B.z<A C.y<A"});
 }
 
-TEST_CASE("a group may request what its tasks and needs lead to") {
+TEST_CASE("a group may request all that its tasks and needs lead to, directly or not") {
   const Model model = model_of(R"(
 behaviour: reach
 language: 1

@@ -68,7 +68,7 @@ std::vector<EdgeId> Pass::unit_of(EdgeId first) const {
   return unit;
 }
 
-// Stale. What a group held only as a need does depends on who needs it.
+// Stale. A group that is held only as a need is stale if the group that needs it is.
 bool Pass::stale(GroupId group) const {
   const std::optional<Held>& held = now_.held[group];
   if (!held) return false;
@@ -79,7 +79,7 @@ bool Pass::stale(GroupId group) const {
          !last_.held_by(held->by, group) || last_.active[group] != now_.active[group];
 }
 
-// Nothing new is acquired on behalf of outdated orders, and nothing is dropped.
+// For a stale group nothing new is acquired, and nothing is dropped.
 void Pass::take_below_stale(EdgeId member) {
   if (!granted_before(member)) {
     refused_.insert(member);
@@ -88,10 +88,10 @@ void Pass::take_below_stale(EdgeId member) {
   }
   if (grant_alone(member)) return;
   refused_.insert(member);
-  if (first_combination({member}, false)) keep_pushes({member}); // else it is blocked
+  if (first_combination({member}, false)) keep_pushes({member}); // otherwise it is blocked
 }
 
-// Of what is held only as a need the pack counts while it waits for its orders, and no longer.
+// The pack of a group that is held only as a need counts only while it is stale.
 bool Pass::may_ask(const std::optional<GroupId>& requester) const {
   return !requester || now_.granted(*requester) || stale(*requester);
 }
@@ -143,7 +143,7 @@ Plan plan_below(const Plan& plan, GroupId group) {
 
 } // namespace
 
-// To be granted is to control the whole plan at once.
+// A granted group controls its whole plan.
 void Pass::claim(const Choice& choice, bool granted) {
   std::optional<Held>& target = now_.held[choice.group];
   target = Held{choice.edge(), granted, target && target->needed, false};
@@ -168,7 +168,7 @@ void Pass::follow(GroupId requester) {
   }
 }
 
-// Defer: nothing starts that a decision about to be made above it would stop at once.
+// Defer: nothing starts that a decision above it is about to stop.
 bool Pass::deferred(const Combination& combination) const {
   for (const Choice& choice : combination) {
     if (granted_before(choice.edge())) continue;
@@ -223,7 +223,7 @@ void Pass::keep_serving_pushes(const Combination& combination) {
   now_.pushes.insert(serving.begin(), serving.end());
 }
 
-// Limbo: it goes after everything, owns nothing against anybody, and runs nothing.
+// Limbo: it goes after everything, keeps no group from any edge, and runs nothing.
 void Pass::hand_over() {
   for (const GroupId group : last_.order) {
     if (!last_.active[group] || now_.held[group]) continue;
@@ -243,7 +243,7 @@ Assignment Pass::finish() {
   for (const GroupId group : parts_.model().groups.ids()) {
     if (!now_.held[group]) continue;
     now_.held[group]->stale = stale(group);
-    // Held only as a need, it lives for as long as it waits for its orders.
+    // A group that is held only as a need is live while it is stale.
     if (!now_.active[group] && stale(group)) now_.active[group] = last_.active[group];
     now_.order.push_back(group);
   }
@@ -263,7 +263,7 @@ void Pass::finish_pushes() {
       return facts_.request[edge] && (!requester || now_.active[*requester]);
     });
   });
-  // 4.3: which of them are in force.
+  // 4.3: the pushes in force.
   for (const auto& [group, push] : now_.pushes) {
     if (!now_.held[group] || now_.active[group] != push.to) continue;
     if (!applies(push, claimed_chain(now_.held[group]->by))) continue;

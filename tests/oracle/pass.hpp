@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// semantics.md, section 4: arbitration, from nothing. One Pass object is one pass; arbitrate() repeats it as 4.2 says.
+// semantics.md, section 4: arbitration, from nothing. One Pass object is one pass; arbitrate() repeats it as in 4.2.
 
 #include "tests/oracle/order.hpp"
 
@@ -8,15 +8,15 @@
 
 namespace director::oracle {
 
-/// What one arbitration met, for tests that want to know what they covered.
+/// The cases that one arbitration met, for tests of coverage.
 struct Notes {
-  int denials = 0;          ///< a group was denied to an edge for an equal's sake
-  int repetitions = 0;      ///< passes done again
+  int denials = 0;          ///< a group was denied to an edge because of an equal
+  int repetitions = 0;      ///< repeated passes
   int deferrals = 0;        ///< 4.4, Defer
   int later_plans = 0;      ///< a target was granted with a plan that is not its provider's first
   int ladders = 0;          ///< a push was made whose chain is longer than one
-  int limbo = 0;            ///< hand-overs
-  int most_repetitions = 0; ///< of one arbitration
+  int limbo = 0;            ///< groups put in limbo
+  int most_repetitions = 0; ///< the most repetitions of one arbitration
   int settling = 0;         ///< the most micro-steps in a row that only arbitrated once more
 };
 
@@ -29,24 +29,25 @@ struct Choice {
   GroupId group{};
   ProviderId provider{};
   Plan plan;
-  std::vector<ConditionId> lacking; ///< conditions of the provider and of the plan that are false and count
+  std::vector<ConditionId> lacking; ///< the false conditions of the provider and of the plan that count
   EdgeId edge() const { return chain.edge(); }
 };
 using Combination = std::vector<Choice>; ///< one for each member of a unit
 
 class Pass {
 public:
-  using Denial = std::pair<GroupId, EdgeId>; ///< the group was denied to somebody for the sake of its holder
+  using Denial = std::pair<GroupId, EdgeId>; ///< the group was denied because of this holder
 
   Pass(const Parts& parts, const Facts& facts, const Assignment& last, const std::set<EdgeId>& forgotten, Notes& notes);
 
   void take_candidates();
-  std::optional<EdgeId> wrongly_denied() const; ///< 4.2: the first f that did not claim what was denied for its sake
+  std::optional<EdgeId>
+  wrongly_denied() const; ///< 4.2: the first holder that did not claim what was denied because of it
   void hand_over();
   Assignment finish();
 
 private:
-  // order.cpp's functions with this pass's tables.
+  // The functions of order.cpp with the tables of this pass.
   Chain claimed_chain(EdgeId edge) const { return chain_of(parts_, now_.held, edge); }
   Chain previous_chain(EdgeId edge) const { return chain_of(parts_, last_.held, edge); }
 
@@ -87,10 +88,10 @@ private:
     Chain member;
     ConditionId condition{};
   };
-  /// How a condition could be made true: 4.4's "way".
+  /// A way to make a condition true, 4.4.
   struct Way {
     ProviderId causing{};
-    std::optional<ConditionId> lacking; ///< the first condition that it lacks, or its plan
+    std::optional<ConditionId> lacking; ///< the first condition that it, or its plan, lacks
     int length = 0;
   };
   using Ways = std::map<ConditionId, Way>;

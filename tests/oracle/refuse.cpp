@@ -26,7 +26,7 @@ void Pass::refuse(const std::vector<EdgeId>& unit) {
   }
   const std::vector<Unmet> missing = unmet(*combination);
   const auto hopeless = [&](const Unmet& one) { return !can_be_caused(one.condition); };
-  if (std::any_of(missing.begin(), missing.end(), hopeless)) return; // it waits for the outside
+  if (std::any_of(missing.begin(), missing.end(), hopeless)) return; // no provider can cause it
   keep_pushes(unit);
   push(unit, missing);
 }
@@ -46,7 +46,8 @@ bool Pass::can_be_caused(ConditionId condition) const {
   return false;
 }
 
-// Is its group requested by an edge that the member goes before, not claimed, and not pushed elsewhere by another unit?
+// Whether its group is requested by an edge that the member goes before, not claimed, and not pushed elsewhere by
+// another unit.
 bool Pass::can_be_pushed(ProviderId provider, const Chain& member, const std::vector<EdgeId>& unit) const {
   const GroupId group = parts_.group_of(provider);
   if (!facts_.enabled(provider) || now_.held[group]) return false;
@@ -54,7 +55,7 @@ bool Pass::can_be_pushed(ProviderId provider, const Chain& member, const std::ve
   if (push != now_.pushes.end() && push->second.to != provider && !contains(unit, push->second.by)) return false;
   const std::vector<EdgeId>& edges = parts_.model().groups[group].requesters;
   return std::any_of(edges.begin(), edges.end(), [&](EdgeId edge) {
-    // No edge goes before itself, though the chain that it has now may go before the one that it had.
+    // No edge goes before itself, though its current chain may go before its last one.
     if (!facts_.request[edge] || edge == member.edge()) return false;
     const Chain asking = previous_chain(edge);
     return asking.complete && order_.before(member, asking) && !asking.below(member.edge());
@@ -66,7 +67,7 @@ bool Pass::plan_is_free(const Plan& plan) const {
                      [&](const PlanEntry& entry) { return facts_.enabled(entry.provider) && !now_.held[entry.group]; });
 }
 
-// The shortest way to make a condition true, given the ways that are known for others; then the earliest declaration.
+// The shortest way to make a condition true, with the known ways for others; then the earliest declaration.
 std::optional<Pass::Way> Pass::way(ConditionId condition, const Chain& member, const std::vector<EdgeId>& unit,
                                    const Ways& known) const {
   std::optional<Way> best;
@@ -88,7 +89,7 @@ std::optional<Pass::Way> Pass::way(ConditionId condition, const Chain& member, c
   return best;
 }
 
-// A least fixed point: lengths only ever shrink.
+// A least fixed point: lengths only decrease.
 Pass::Ways Pass::search(const Chain& member, const std::vector<EdgeId>& unit) const {
   Ways known;
   for (bool more = true; more;) {
@@ -125,13 +126,13 @@ void Pass::push(const std::vector<EdgeId>& unit, const std::vector<Unmet>& unmet
     const Push push{one.member.edge(), ways.at(aim).causing, aim};
     const GroupId group = parts_.group_of(push.to);
     const auto standing = now_.pushes.find(group);
-    if (made.contains(group)) continue; // left alone: the one just made serves another unmet condition
+    if (made.contains(group)) continue; // not changed: the one just made serves another unmet condition
     if (standing != now_.pushes.end()) {
       const ProviderId to = standing->second.to;
       const bool serves_another = std::any_of(unmet.begin(), unmet.end(),
                                               [&](const Unmet& other) { return parts_.causes(to, other.condition); });
       if (!ours(standing->second) || serves_another) continue;
-      // The same once more is no other push, but it has this condition to serve.
+      // The same push again is no new one, but serves this condition.
       if (to == push.to) made.emplace(group, standing->second);
     }
     made.emplace(group, push);

@@ -167,7 +167,7 @@ Commit Script::commit(const dsl::CaseSpec& spec, const compiler::Provider& provi
     table = &*named;
     out.pack = all_of(*table);
   }
-  // Asking twice for one edge: the last one counts.
+  // The last request for an edge counts.
   for (const dsl::RequestSpec& request : spec.tasks) out.pack.push_back(asked(table->tasks, request));
   return out;
 }
@@ -189,7 +189,7 @@ Player::Player(const Model& model, const dsl::ScenarioSpec& scenario, bool leap)
     const auto [state, value] = script_.setting(given);
     behaviour_.preset(state, value);
   }
-  behaviour_.begin_step(0); // time begins: what expires counts from here
+  behaviour_.begin_step(0); // time begins: values expire from here on
 }
 
 void Player::begin_step(const dsl::StepSpec& step) {
@@ -201,7 +201,7 @@ void Player::begin_step(const dsl::StepSpec& step) {
 }
 
 bool Player::micro_step() {
-  while (!behaviour_.micro_step()) { // at rest: on to the next due time
+  while (!behaviour_.micro_step()) { // at rest: continue at the next due time
     const std::optional<Time> due = behaviour_.next_due();
     spent_ = 0;
     if (!due || *due > until_) {

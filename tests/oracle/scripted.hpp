@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Plays a scenario file on the oracle: scripted bodies and listed inputs, as the second half of the language page says.
-// It works on the scenario as written; names are looked up when they are met. What a scenario may not say is thrown.
+// Plays a scenario file on the oracle: scripted bodies and listed inputs, as in the second half of the language page.
+// It works on the scenario as written; names are resolved when they are used. Errors in a scenario are thrown.
 
 #include "dsl/scenario_spec.hpp"
 #include "tests/oracle/behaviour.hpp"
@@ -34,8 +34,8 @@ private:
   std::map<std::pair<GroupId, std::string>, std::int64_t> handled_;
 };
 
-/// As `directorc test` runs it: the budget each time that the engine runs, each due time by itself. Or, with `leap`,
-/// all of an `advance` at once.
+/// As `directorc test` runs it: with the budget each time that the engine runs, and each due time by itself. Or, with
+/// `leap`, all of an `advance` at once.
 class Player {
 public:
   static constexpr int budget = 10'000;

@@ -1,6 +1,6 @@
 // Header: tests/oracle/behaviour.hpp. Test: tests/oracle/conformance_test.cpp.
 // SPDX-License-Identifier: MIT
-// semantics.md, section 6: what a provider can see.
+// semantics.md, section 6: what a provider can read.
 #include "tests/oracle/behaviour.hpp"
 
 #include <algorithm>
@@ -12,7 +12,8 @@ Sight Behaviour::sight(GroupId group, ProviderId provider, const std::set<Reason
   for (const auto& use : parts_.model().providers[provider].uses) {
     Sight::Use& seen = out.uses[use.id];
     for (const EdgeId edge : parts_.model().groups[group].edges) {
-      if (parts_.target(edge) != use.id || !facts_.request[edge]) continue; // a need not asked for is none
+      if (parts_.target(edge) != use.id || !facts_.request[edge])
+        continue; // a need that was not requested has no state
       seen.run = now_.granted_to(edge, use.id) ? Sight::Run::running : Sight::Run::queued;
       if (seen.run != Sight::Run::running) continue;
       if (done_[use.id] == Done::done) seen.result = Sight::Result::done;

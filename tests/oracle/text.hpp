@@ -6,7 +6,7 @@
 
 namespace director::oracle {
 
-/// Throws what the reader says of a text with a mistake in it.
+/// Throws the messages of the reader for a text with errors.
 Model model_of(const std::string& text);
 
 } // namespace director::oracle

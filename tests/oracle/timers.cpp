@@ -21,7 +21,7 @@ std::optional<Time> Behaviour::next_due() const {
   return next;
 }
 
-// What is due at one time comes together: states, waits, promises, `every`; each by declaration.
+// Timers due at one time come together: states, waits, promises, `every`; each by declaration.
 void Behaviour::queue_what_is_due(Time due) {
   time_ = due;
   const auto add = [&](Input::Kind kind) -> Input& {
@@ -49,7 +49,7 @@ void Behaviour::queue_what_is_due(Time due) {
   }
 }
 
-// A timer that was cancelled meanwhile, or set anew, causes nothing.
+// A timer that was cancelled meanwhile, or armed again, causes nothing.
 bool Behaviour::take_timer(const Input& input) {
   const auto due = [&](const std::optional<Time>& at) { return at && *at <= time_; };
   if (input.kind == Input::Kind::expire) {
@@ -69,7 +69,7 @@ bool Behaviour::take_timer(const Input& input) {
   if (input.kind == Input::Kind::every) {
     std::optional<Time>& at = every_[input.group];
     if (!due(at)) return false;
-    // Late: it runs once and is next due at the first multiple behind `now`.
+    // Late: it runs once and is next due at the first multiple after `now`.
     const Microseconds period = *parts_.model().providers[*now_.active[input.group]].every;
     while (*at <= until_) *at += period;
     facts_.pending[input.group].insert(Reason::trigger);
@@ -102,7 +102,7 @@ void Behaviour::begin_promises(GroupId group, ProviderId provider) {
   promised_[group] = promised;
 }
 
-// A promise whose state has come true is kept; one whose push is over is nobody's business.
+// A promise whose condition has become true is kept; one whose push is over is dropped.
 void Behaviour::end_promises() {
   std::erase_if(promised_, [&](const auto& pair) {
     if (!now_.in_force.contains(pair.first)) return true;

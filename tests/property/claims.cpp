@@ -81,10 +81,10 @@ private:
   bool is_member(EdgeId edge) const { return units_.is_member(edge); }
   std::vector<EdgeId> unit() const { return units_.of(EdgeId{claim_.edge}); }
 
-  /// Two chains, each with the first member of a unit where they part at another member: a unit stands there.
+  /// Two chains; at the place where they part, each has the first member of its unit, which is the place of the unit.
   struct Rivals {
     Chain ours, theirs;
-    EdgeId our_first{nil}, their_first{nil}; ///< where they part
+    EdgeId our_first{nil}, their_first{nil}; ///< the edges at which they part
   };
   Rivals rivals(EdgeId member, EdgeId holder) const {
     Rivals out{chain(member), chain(holder)};
@@ -119,7 +119,7 @@ private:
     return out;
   }
 
-  /// Somebody holds the group whom a claim by `edge`, below `member`, cannot take it from.
+  /// Whether the group is held by an edge from which a claim by `edge`, below `member`, cannot take it.
   bool in_the_way(GroupId of, EdgeId edge, EdgeId member) const {
     const std::optional<EdgeId> holder = group(of).holder;
     if (!holder || *holder == edge || parts_.is_limbo(*holder)) return false;

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What `why` claims, held against what holds, by means of the oracle's order and plans.
+// Compares the answers of `why` with the state, by means of the oracle's order and plans.
 
 #include "runtime/core/inspect/why.hpp"
 #include "tests/property/compiled.hpp"
@@ -10,7 +10,7 @@ namespace director::property {
 
 inline constexpr std::size_t kinds_of_claims = static_cast<std::size_t>(Because::Kind::limbo) + 1;
 
-/// Of one group: empty, or what is wrong with the claim.
+/// Checks the answer for one group: empty, or what is wrong.
 std::string wrong_claim(const Because& claim, const View& view, const Snapshot& now, const Compiled& compiled,
                         const oracle::Parts& parts, bool at_rest);
 

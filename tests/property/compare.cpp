@@ -15,9 +15,9 @@ namespace director::property {
 
 namespace {
 
-constexpr std::size_t most_micro_steps = 10'000; ///< of one scenario step: far above what bounded bodies take
+constexpr std::size_t most_micro_steps = 10'000; ///< of one scenario step: far more than bounded bodies need
 
-/// Different snapshots in a row: inputs without effect need not be micro-steps of both.
+/// The sequence of different snapshots: inputs without effect need not be micro-steps of both.
 using Course = std::vector<Snapshot>;
 
 void add(Course& course, Snapshot snapshot) {
@@ -103,7 +103,7 @@ private:
     return wrong.empty() && explains(now, at_rest);
   }
 
-  /// What `why` says of each group is true.
+  /// Checks the answers of `why` for each group.
   bool explains(const Snapshot& now, bool at_rest) {
     const View view = view_of(engine_.engine());
     for (const oracle::GroupId g : c_.model.groups.ids()) {
@@ -148,7 +148,7 @@ private:
     if (out_.difference.empty()) out_.difference = std::move(why);
   }
 
-  /// What the scenario shows from one micro-step to the next.
+  /// Notes what the scenario shows from one micro-step to the next.
   void look(const Snapshot& now) {
     for (std::size_t g = 0; g < now.groups.size(); ++g) {
       const auto& before = last_.groups[g].push;
@@ -172,13 +172,13 @@ private:
   const Compiled& c_;
   oracle::Player oracle_;
   EngineRun engine_;
-  std::size_t rounds_; ///< how often the scenario is played
+  std::size_t rounds_; ///< number of times that the scenario is played
   const analysis::Bounds bounds_;
   Snapshot last_;
   Verdict out_;
 };
 
-/// What `directorc simulate` prints, against the oracle's trace.
+/// Compares the output of `directorc simulate` with the oracle's trace.
 std::string compare_simulated(const Compiled& compiled) {
   std::vector<std::string> expected, happened;
   oracle::Player oracle(compiled.model, compiled.spec, false);
@@ -195,7 +195,7 @@ std::string compare_simulated(const Compiled& compiled) {
          (a == expected.end() ? "" : *a) + "`, directorc `" + (b == happened.end() ? "" : *b) + "`";
 }
 
-/// What an observer is told must not depend on how much is decided again.
+/// The events of an observer must not depend on how much is decided again.
 std::string compare_told(const Compiled& compiled, bool leap) {
   EngineRun whole(compiled, leap), followed(compiled, leap);
   whole.decide_whole(true), followed.decide_whole(false);
@@ -208,7 +208,7 @@ std::string compare_told(const Compiled& compiled, bool leap) {
   const auto &wanted = whole.events(), &got = followed.events();
   const auto [a, b] = std::mismatch(wanted.begin(), wanted.end(), got.begin(), got.end());
   if (a == wanted.end() && b == got.end()) return "";
-  return "told otherwise where all is decided again, from event " + std::to_string(a - wanted.begin() + 1) + " on";
+  return "reported otherwise if all is decided again, from event " + std::to_string(a - wanted.begin() + 1) + " on";
 }
 
 } // namespace

@@ -21,7 +21,7 @@ std::string first_error(const std::vector<dsl::Diagnostic>& findings) {
   return at == findings.end() ? "" : at->message;
 }
 
-/// What only checks find, and lower() relies on.
+/// Errors that only checks find, and whose absence lower() relies on.
 std::string cannot_be_lowered(const compiler::Model& model) {
   for (const compiler::Edge& edge : model.edges) {
     if (edge.requester == edge.target) return "a group requests itself";

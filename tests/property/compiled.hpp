@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The whole way from texts to something that runs, in memory: reader, resolve, lower, and the scenario for both sides.
+// All stages from texts to something that runs, in memory: reader, resolve, lower, and the scenario for both sides.
 
 #include "compiler/lower/lowered.hpp"
 #include "compiler/model/model.hpp"
@@ -16,12 +16,12 @@ namespace director::property {
 struct Compiled {
   compiler::Model model;
   compiler::Lowered lowered;
-  dsl::ScenarioSpec spec;      ///< what the oracle plays
-  compiler::Scenario scenario; ///< what the engine plays
+  dsl::ScenarioSpec spec;      ///< for the oracle
+  compiler::Scenario scenario; ///< for the engine
 };
 
 struct CompileResult {
-  std::unique_ptr<Compiled> compiled; ///< nothing where it cannot be run
+  std::unique_ptr<Compiled> compiled; ///< nothing if it cannot be run
   std::string why;
 };
 

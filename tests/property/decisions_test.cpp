@@ -1,4 +1,4 @@
-// What may come of every decision, held against what random small behaviours do: nothing happens that is not among it.
+// Compares the possible results of every decision with those of random small behaviours: nothing else happens.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/decisions/decisions.hpp"
 #include "compiler/analysis/facts/facts.hpp"
@@ -23,7 +23,7 @@ constexpr std::uint64_t usual_cases = 300;
 constexpr std::uint64_t usual_cases = 20;
 #endif
 
-TEST_CASE("whatever is decided is among what may come of it") {
+TEST_CASE("every decision is among its possible results") {
   const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
   const auto cases = from_environment<std::uint64_t>("DIRECTOR_CASES", usual_cases);
   std::size_t decided = 0, explored = 0, moments = 0, passes = 0, states = 0;
@@ -51,29 +51,29 @@ TEST_CASE("whatever is decided is among what may come of it") {
               << found.moments << " moments " << found.passes << " passes\n";
     moments += found.moments, passes += found.passes, states += searched.states;
     std::string wrong;
-    const auto say = [&](const std::string& what) { wrong += "seed " + std::to_string(seed) + ": " + what + "\n"; };
+    const auto report = [&](const std::string& what) { wrong += "seed " + std::to_string(seed) + ": " + what + "\n"; };
     for (const compiler::ProviderId id : model.providers.ids()) {
       const compiler::GroupId group = model.providers[id].group;
       if (!found.decided.contains(group)) continue;
-      if (reached.ran[id.value] && !found.runs.contains(id)) say(model.full_name(id) + " runs");
+      if (reached.ran[id.value] && !found.runs.contains(id)) report(model.full_name(id) + " runs");
     }
     std::size_t all = 0;
     for (const compiler::GroupId id : model.groups.ids()) all += found.decided.contains(id) ? 1 : 0;
     decided += all == model.groups.size() ? 1 : 0;
     for (const compiler::EdgeId id : model.edges.ids()) {
       if (!found.decided.contains(model.edges[id].target)) continue;
-      if (reached.requested[id.value] && !found.requested.contains(id)) say(model.edge_name(id) + " is requested");
-      if (reached.granted[id.value] && !found.granted.contains(id)) say(model.edge_name(id) + " is granted");
+      if (reached.requested[id.value] && !found.requested.contains(id)) report(model.edge_name(id) + " is requested");
+      if (reached.granted[id.value] && !found.granted.contains(id)) report(model.edge_name(id) + " is granted");
     }
     const std::vector<WholePack> packs = whole_packs(model);
     for (std::size_t i = 0; i < packs.size(); ++i) {
       if (reached.whole[i] && found.decided.contains(model.providers[packs[i].provider].group) &&
           !found.whole.contains({packs[i].provider, packs[i].pack}))
-        say("pack of " + model.full_name(packs[i].provider));
+        report("pack of " + model.full_name(packs[i].provider));
     }
     for (const auto& push : reached.pushed) {
       if (found.decided.contains(model.providers[push.first].group) && !found.pushed.contains(push))
-        say(model.full_name(push.first) + " is pushed for " + model.conditions[push.second].text);
+        report(model.full_name(push.first) + " is pushed for " + model.conditions[push.second].text);
     }
     if (!wrong.empty()) std::cout << wrong;
     CHECK(wrong == "");

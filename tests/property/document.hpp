@@ -22,13 +22,13 @@ struct Node {
 
   Node& add(std::string key, Node value);
   Node& add(Node item);
-  /// Where it is not empty.
+  /// Adds an entry if it is not empty.
   void add_some(std::string key, Node value);
   bool empty() const { return kind != Kind::word && items.empty(); }
   Node* find(const std::string& key);
 };
 
-/// Block style down to a depth, flow style below it.
+/// The text, in block style down to a depth, and in flow style below it.
 std::string to_yaml(const Node& node, int block_depth = 4);
 
 } // namespace director::property

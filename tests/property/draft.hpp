@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A behaviour in the making: what the generator knows about it while it writes a scenario for it.
+// A behaviour in construction: what the generator knows about it while it writes a scenario for it.
 
 #include "tests/property/document.hpp"
 
@@ -47,10 +47,10 @@ struct PackDraft {
 };
 
 struct ProviderDraft {
-  std::string name; ///< `default` where the group writes its words directly
+  std::string name; ///< `default` if the group declares it directly
   std::vector<ConditionDraft> when, stay, causing, sets;
   std::vector<std::size_t> needs;
-  std::vector<PackDraft> packs; ///< one without a name, or several with
+  std::vector<PackDraft> packs; ///< one without a name, or several with names
   std::vector<std::string> triggers;
   std::optional<int> every; ///< ms
   std::vector<std::size_t> uses;

@@ -8,8 +8,8 @@ namespace director::property {
 
 namespace {
 
-constexpr std::size_t inbox_cells = 64;  ///< more than the inputs of any step have records
-constexpr std::uint64_t fingerprint = 1; ///< of all behaviours: each test has one
+constexpr std::size_t inbox_cells = 64;  ///< more than the records of the inputs of any step
+constexpr std::uint64_t fingerprint = 1; ///< of all behaviours: each test has only one
 
 director::Input record(director::Input::Kind kind, std::uint32_t thing) {
   director::Input out;
@@ -48,7 +48,7 @@ EngineRun::Robot::Robot(const Tables& tables, const Bodies& bodies, const Observ
 
 std::unique_ptr<EngineRun::Robot> EngineRun::robot() {
   auto out = std::make_unique<Robot>(tables_, bodies_.table(), recorder_.observer());
-  if (!leap_) out->engine.set_most_decided_whole(0); // few cases have components as large as these mostly are
+  if (!leap_) out->engine.set_most_decided_whole(0); // few cases have components as large as these
   return out;
 }
 

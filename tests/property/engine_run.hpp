@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The robot's engine on lowered tables, with the bodies that `directorc simulate` uses, one micro-step at a time. What
-// it decides by can be saved and put into a new engine at any micro-step.
+// The engine on lowered tables, with the bodies of `directorc simulate`, one micro-step at a time. Its state can be
+// saved and loaded into a new engine at any micro-step.
 
 #include "compiler/play/recorder.hpp"
 #include "compiler/play/scripted_bodies.hpp"
@@ -24,25 +24,25 @@ public:
   EngineRun& operator=(const EngineRun&) = delete;
 
   void begin_step(const compiler::ScenarioStep& step);
-  bool micro_step(); ///< false: it rests, the step is over
+  bool micro_step(); ///< false: at rest, the step is over
   Snapshot snapshot() const;
   const std::vector<std::string>& trace() const { return trace_; }
-  /// All that the observer was told, with the times of an engine that was never cut.
+  /// All events of the observer, with the times of an engine that was not interrupted.
   const std::vector<tests::EventNumbers>& events() const { return events_; }
   const Engine& engine() const { return robot_->engine; }
   /// From now on every component is decided whole, or none is.
   void decide_whole(bool whole) { robot_->engine.set_most_decided_whole(whole ? nil : 0); }
-  /// The next micro-step decides everything again.
+  /// Makes the next micro-step decide everything again.
   void forget_trail() { robot_->engine.forget_trail(); }
 
-  /// Goes on with a new engine, which stands at a time that is later by so much and knows only what was saved. If
-  /// nothing could be saved or loaded, all stays as it is. `bytes`: what was saved.
+  /// Continues with a new engine, whose time is later by `shift` and which has only what was saved. If nothing could be
+  /// saved or loaded, all stays as it is. `bytes`: the saved bytes.
   SaveResult cut(Time later, std::vector<std::byte>& bytes);
-  /// What waits in the inbox is lost, and it goes on from these bytes instead; false: they are refused.
+  /// Continues from these bytes, without the inputs that wait in the inbox; false: they are refused.
   LoadResult load(std::span<const std::byte> bytes);
 
 private:
-  /// All that belongs to one engine.
+  /// One engine with its memory.
   struct Robot {
     Robot(const Tables& tables, const Bodies& bodies, const Observer& observer);
     std::vector<Inbox::Cell> cells;
@@ -61,7 +61,7 @@ private:
   compiler::Recorder recorder_;
   bool leap_;
   Time now_ = 0, until_ = 0;
-  Time shift_ = 0; ///< the engine's time is so much later
+  Time shift_ = 0; ///< how much later the engine's time is
   std::vector<tests::EventNumbers> events_;
   std::unique_ptr<Robot> robot_;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// On random behaviours: what the checks call unreachable is reached nowhere, what is proven at once is refuted in no
-// state, what is refuted can be played, and what all states prove happens in no random scenario. And what is foreseen
-// and not taken is not missed.
+// On random behaviours: what the checks call unreachable is never reached, what is proven is refuted in no state, what
+// is refuted can be played, and what all states prove happens in no random scenario. Prefetched states that are not
+// used change nothing.
 //
 //   DIRECTOR_SEED   first seed, instead of 1
 //   DIRECTOR_CASES  how many, instead of as many as take half a minute
@@ -31,7 +31,7 @@ constexpr std::uint64_t usual_cases = 20;
 #endif
 constexpr std::size_t bound = 4'000;
 
-/// Everything that could be asserted of two of its groups.
+/// All possible assertions about two of its groups.
 void assert_all(compiler::Model& model) {
   std::size_t soft = 0;
   for (const GroupId a : model.groups.ids()) {
@@ -67,7 +67,7 @@ Case make(std::uint64_t seed) {
   return out;
 }
 
-/// It does what no exploration tries: providers are disabled, or it begins elsewhere.
+/// Whether a scenario does what no exploration tries: it disables providers, or begins elsewhere.
 bool strays(const compiler::Scenario& scenario, const compiler::Model& model) {
   for (const compiler::Setting& given : scenario.given) {
     if (!model.states[given.state].external) return true;
@@ -80,7 +80,7 @@ bool strays(const compiler::Scenario& scenario, const compiler::Model& model) {
   return false;
 }
 
-/// Of the assertions `never_together`, those that a scenario refutes.
+/// The assertions `never_together` that a scenario refutes.
 std::vector<std::size_t> refuted_by(const Compiled& compiled) {
   std::vector<std::size_t> out;
   EngineRun run(compiled, false);
@@ -100,7 +100,7 @@ std::vector<std::size_t> refuted_by(const Compiled& compiled) {
   return out;
 }
 
-TEST_CASE("explorations agree with the checks, with proofs, and with what is played") {
+TEST_CASE("explorations agree with checks, with proofs, and with scenarios") {
   const auto first = tests::from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
   const std::uint64_t cases = tests::from_environment("DIRECTOR_CASES", usual_cases);
   std::size_t complete = 0, proven = 0, refuted = 0, not_played = 0, states = 0, scenarios = 0;
@@ -133,7 +133,7 @@ TEST_CASE("explorations agree with the checks, with proofs, and with what is pla
         const bool is_refuted = searched.seen[i] && compiler::shows(ground, *searched.seen[i], searched.breadth, i);
         CHECK_FALSE(is_refuted);
       }
-      if (!searched.seen[i] || i % 5 != seed % 5) continue; // each is played; a fifth is enough
+      if (!searched.seen[i] || i % 5 != seed % 5) continue; // each counterexample is played; a fifth is enough
       ++refuted;
       CHECK(compiler::shows(ground, *searched.seen[i], searched.breadth, i));
       const auto way = compiler::follow(ground, *searched.seen[i], searched.breadth);

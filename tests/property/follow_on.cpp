@@ -35,7 +35,7 @@ FollowOn follow_on_of(const compiler::Model& model) {
     if (mended.active.contains(id) && !facts.active.contains(id)) out.idle.push_back(id);
     if (mended.pushed.contains(id) && !facts.pushed.contains(id)) out.unpushed.push_back(id);
   }
-  // What is known of both, and never happens only as things stand.
+  // What is known of both, and never happens only because of the declarations.
   analysis::Budget budget, other_budget;
   const analysis::Decisions as_is = analysis::find_decisions(model, facts, Reported::as_is, budget),
                             as_mended = analysis::find_decisions(model, mended, Reported::mended, other_budget);

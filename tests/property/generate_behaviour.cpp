@@ -10,9 +10,9 @@ namespace director::property {
 
 namespace {
 
-/// Groups that a way to meet the needs of a provider takes, a bit each.
+/// The groups of one way to meet the needs of a provider, a bit each.
 using Taken = std::uint64_t;
-constexpr std::size_t most_plans = 40; ///< of one provider: the oracle writes all of them out
+constexpr std::size_t most_plans = 40; ///< of one provider: the oracle enumerates them
 
 class BehaviourWriter {
 public:
@@ -29,7 +29,7 @@ public:
     std::iota(lower.begin(), lower.end(), draft_.groups.size() - lower.size());
     favourites_ = r_.some(lower, 1, 3);
     upwards_ = r_.chance(0.2);
-    // What a group needs stands behind it, so that how it can be met is known when it is written.
+    // The needs of a group are behind it, so that the ways to meet them are known when it is written.
     for (std::size_t g = draft_.groups.size(); g-- > 0;) write_group(g);
     if (r_.chance(0.3)) write_ladder();
     if (f_.moving_unit) write_moving_unit();
@@ -49,7 +49,7 @@ private:
       const int values = r_.between(2, 4);
       for (int v = 0; v < values; ++v) state.values.push_back((state.is_range ? "" : "v") + std::to_string(v));
       state.first_unordered = !state.is_range && values > 2 && r_.chance(0.15);
-      state.external = i == 0 || r_.chance(0.8); // somebody can always move something
+      state.external = i == 0 || r_.chance(0.8); // the scenario can always change something
       if (!state.external || r_.chance(0.8)) state.initial = r_.below(state.values.size());
       if (state.external && r_.chance(0.07)) {
         state.expires = r_.one_of({20, 50});
@@ -77,7 +77,7 @@ private:
 
   ConditionDraft condition(std::size_t state, bool promise) {
     const StateDraft& of = draft_.states[state];
-    const std::size_t first = of.first_unordered ? 1 : 0; // the first value that has a place in the order
+    const std::size_t first = of.first_unordered ? 1 : 0; // the first ordered value
     const std::size_t last = of.values.size() - 1;
     ConditionDraft out{state, "==", {}, {}};
     const bool sure = promise || r_.chance(0.65);
@@ -155,7 +155,7 @@ private:
     return out;
   }
 
-  /// Wanted groups: mostly any, often the few that everybody wants.
+  /// Groups to request or need: mostly any, often the few shared ones.
   std::vector<std::size_t> wanted(const std::vector<std::size_t>& from, int most) {
     std::vector<std::size_t> shared;
     for (const std::size_t g : favourites_) {
@@ -164,7 +164,7 @@ private:
     return r_.some(!shared.empty() && r_.chance(f_.favourite) ? shared : from, 0, most);
   }
 
-  /// Only needs that can be met, in not too many ways.
+  /// Needs that can be met, in not too many ways.
   void write_needs(std::size_t g, const std::vector<std::size_t>& below, ProviderDraft& out) {
     std::vector<Taken> plans{0};
     if (r_.chance(f_.needs)) {
@@ -230,7 +230,7 @@ private:
     return out;
   }
 
-  /// Most providers of a group ask for another group in the same way.
+  /// Most providers of a group request another group at the same levels.
   TaskDraft task(std::size_t g, std::size_t target, double optional) {
     std::vector<LevelDraft>& habit = habits_[target];
     if (habit.empty() || r_.chance(0.15)) {
@@ -245,7 +245,7 @@ private:
     return {target, habit};
   }
 
-  // Roots, and structures that chance alone builds too seldom
+  // Roots, and structures that are too rare by chance
 
   void write_roots() {
     std::vector<std::size_t> upper(std::max<std::size_t>(2, draft_.groups.size() * 2 / 3));
@@ -285,7 +285,7 @@ private:
     last.when.clear(), last.stay.clear();
   }
 
-  /// A root task that waits for the last value of a state, and providers of the others that take it there one by one.
+  /// A root task that waits for the last value of a state, and providers of the others that set its values one by one.
   void write_rungs(std::size_t waits, std::size_t state) {
     StateDraft& climbed = draft_.states[state];
     climbed.initial = 0;
@@ -323,8 +323,8 @@ private:
     }
   }
 
-  /// A unit is tried where its first member stands, and that one may be asked for at a lower level. In between there is
-  /// a task that is apart, and leads in two steps to what the other member wants.
+  /// A unit is ordered by its first member, which may be requested at a lower level. In between there is a task that is
+  /// apart, and leads in two steps to the group of the other member.
   void write_moving_unit() {
     const std::size_t g = r_.below(draft_.groups.size() - 4);
     std::vector<std::size_t> below(draft_.groups.size() - g - 1);
@@ -344,10 +344,11 @@ private:
   Random& r_;
   const Flavour& f_;
   BehaviourDraft draft_;
-  std::vector<std::vector<Taken>> plans_;       ///< of all providers of a group
-  std::vector<std::vector<LevelDraft>> habits_; ///< of the group in hand: how it asks for each other
+  std::vector<std::vector<Taken>> plans_; ///< of all providers of a group
+  std::vector<std::vector<LevelDraft>>
+      habits_; ///< for the current group: the levels at which it requests each other one
   std::vector<std::size_t> favourites_;
-  bool upwards_ = false; ///< some tasks lead to groups that stand before
+  bool upwards_ = false; ///< some tasks lead to earlier groups
 };
 
 } // namespace

@@ -6,7 +6,7 @@ namespace director::property {
 
 namespace {
 
-/// Its groups.
+/// The groups of the behaviour.
 enum Part : std::size_t { first, middle, wanted, needy, scarce, count };
 
 TaskDraft task(std::size_t target, int priority = 0, bool apart = false) {
@@ -21,8 +21,8 @@ ProviderDraft provider(const char* name, std::vector<std::size_t> needs, std::ve
   return out;
 }
 
-/// `scarce` and `wanted` may be denied to those below `first`, for the sake of equals that have them. `first` looks at
-/// `scarce` before, but has another choice.
+/// `scarce` and `wanted` may be denied to those below `first`, because equals hold them. `first` tries `scarce` before,
+/// but has another choice.
 BehaviourDraft equals(Random& random) {
   BehaviourDraft out;
   StateDraft& state = out.states.emplace_back();

@@ -28,7 +28,7 @@ public:
   }
 
 private:
-  /// Some are the same as one that is there.
+  /// Some states are shared with an earlier part.
   std::size_t place_of(StateDraft state) {
     for (std::size_t s = 0; s < whole_.states.size() && !state.owner; ++s) {
       const StateDraft& other = whole_.states[s];
@@ -61,8 +61,8 @@ private:
 
   Random& r_;
   BehaviourDraft& whole_;
-  std::size_t by_;                  ///< so many groups stand before
-  std::vector<std::size_t> states_; ///< state of the part: which one it is
+  std::size_t by_;                  ///< number of groups before this part
+  std::vector<std::size_t> states_; ///< the state for each state of the part
 };
 
 } // namespace

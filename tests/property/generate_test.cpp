@@ -15,7 +15,7 @@ TEST_CASE("a seed always gives the same documents") {
   CHECK(to_yaml(a.behaviour) != to_yaml(generate(8).behaviour));
 }
 
-TEST_CASE("random behaviours and scenarios have no mistake in them") {
+TEST_CASE("random behaviours and scenarios have no errors") {
   std::size_t largest = 0, smallest = 99;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     const Documents documents = generate(seed);
@@ -29,7 +29,7 @@ TEST_CASE("random behaviours and scenarios have no mistake in them") {
   CHECK(smallest == 3);
 }
 
-TEST_CASE("nor have those that are several in one, which mostly have nothing to do with each other") {
+TEST_CASE("random behaviours of several mostly independent parts have no errors") {
   int several = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     const Documents documents = generate_parts(seed);

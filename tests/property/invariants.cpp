@@ -44,7 +44,7 @@ private:
   const Snapshot::Group& group(GroupId g) const { return now_.groups[g.value]; }
   const std::string& name(GroupId g) const { return model().groups[g].name.value; }
 
-  /// One holder, by an edge that leads here, whose requester is in control itself; and a reason to hold.
+  /// The holder is an edge that leads here, whose requester is in control itself; and it has a reason to hold.
   std::string control(GroupId g) const {
     const Snapshot::Group& it = group(g);
     if (!it.holder) {
@@ -65,7 +65,7 @@ private:
     return "";
   }
 
-  /// To be granted is to control the whole plan: nothing of it is held for another purpose.
+  /// A granted group controls its whole plan: nothing of it is held otherwise.
   std::string needs(GroupId g) const {
     if (!group(g).granted) return "";
     for (const auto& need : model().providers[*group(g).active].needs) {
@@ -76,7 +76,7 @@ private:
     return "";
   }
 
-  /// A pusher ranks before what it pushes.
+  /// A pusher goes before the group that it pushes.
   std::string push(GroupId g) const {
     const Snapshot::Group& it = group(g);
     if (!it.push) return it.in_force ? "has no push, and it is in force" : "";
@@ -90,7 +90,7 @@ private:
     return pushed.below(it.push->by) ? "is pushed by what is above it" : "";
   }
 
-  /// Nothing waits for a run, nothing is in limbo, and units are granted whole.
+  /// No run waits, no group is in limbo, and units are granted whole.
   std::string rest(GroupId g) const {
     const Snapshot::Group& it = group(g);
     if (!it.pending.empty()) return "rests with something pending";

@@ -15,8 +15,8 @@ namespace director::property {
 
 namespace {
 
-constexpr int inputs = 300;             ///< of a game
-constexpr int most_for_one_input = 100; ///< for one input: bodies may start each other without end
+constexpr int inputs = 300;             ///< inputs of a game
+constexpr int most_for_one_input = 100; ///< micro-steps for one input: bodies may run each other without end
 constexpr Time millisecond = 1'000'000;
 
 std::int32_t any_value(const compiler::State& state, Random& random) {
@@ -24,7 +24,7 @@ std::int32_t any_value(const compiler::State& state, Random& random) {
       state.low + static_cast<std::int64_t>(random.below(static_cast<std::size_t>(state.high - state.low + 1))));
 }
 
-/// What the bodies of one game do: a function of the game, of whose body it is and of how often it ran.
+/// The bodies of one game: a function of the game, of the body, and of how often it ran.
 class RandomBodies {
 public:
   RandomBodies(const compiler::Model& model, const Tables& tables, std::uint64_t seed)
@@ -53,7 +53,7 @@ private:
     return model_.groups[compiler::GroupId{handling.group()}];
   }
 
-  /// For one call of this body.
+  /// The random numbers for one call of this body.
   Random random(std::size_t body) { return Random(seed_ * 7'919 + body * 104'729 + ++calls_[body]); }
 
   Outcome run(Run& run) {
@@ -77,7 +77,7 @@ private:
   }
 
   void handle(Handling& handling, const std::optional<compiler::Handler>& handler) {
-    if (!handler) return; // it only has states that return to their initial values
+    if (!handler) return; // it only owns states
     Random random = this->random(tables_.providers.size() + handling.group());
     set_some(handling, handler->sets, random);
   }
@@ -95,10 +95,10 @@ private:
   const compiler::Model& model_;
   const Tables& tables_;
   const std::uint64_t seed_;
-  std::vector<std::uint64_t> calls_; ///< of each provider's body, then of each group's handlers
+  std::vector<std::uint64_t> calls_; ///< for each provider's body, then for each group's handlers
 };
 
-/// One of the two.
+/// One of the two engines.
 class Player {
 public:
   Player(const Compiled& compiled, std::uint64_t seed, Index most_decided_whole)
@@ -122,7 +122,7 @@ public:
   const Engine& engine() const { return engine_; }
   const Tables& tables() const { return tables_; }
 
-  std::vector<tests::EventNumbers> events; ///< of the last micro-step
+  std::vector<tests::EventNumbers> events; ///< events of the last micro-step
 
 private:
   Observer observer() {
@@ -140,7 +140,7 @@ private:
   Engine engine_;
 };
 
-/// Records of one input.
+/// The records of one input.
 std::vector<Input> draw(const compiler::Model& model, const Tables& tables, Random& random) {
   std::vector<Index> externals;
   for (const compiler::StateId id : model.states.ids()) {
@@ -177,7 +177,7 @@ std::vector<Input> draw(const compiler::Model& model, const Tables& tables, Rand
 
 std::string name(Index row) { return row == nil ? "-" : std::to_string(row); }
 
-/// What both have to agree on, line by line.
+/// The state in which both have to agree, line by line.
 std::vector<std::string> lines_of(const Player& player) {
   const State& s = player.engine().memory();
   const Tables& t = player.tables();
@@ -233,7 +233,7 @@ std::string difference(const Player& followed, const Player& whole) {
     const std::string left = i < a.size() ? a[i] : "", right = i < b.size() ? b[i] : "";
     if (left != right) out += "  again: " + left + "\n  whole: " + right + "\n";
   }
-  if (followed.events != whole.events) out += "  observers are told otherwise\n";
+  if (followed.events != whole.events) out += "  observers get other events\n";
   return out;
 }
 
@@ -251,7 +251,7 @@ std::string decided_otherwise(const Compiled& compiled, std::uint64_t seed, std:
     }
     for (int left = most_for_one_input; left > 0; --left) {
       ++micro_steps;
-      if (random.chance(0.03)) followed.forget_trail(); // as where a state is loaded
+      if (random.chance(0.03)) followed.forget_trail(); // as after a state is loaded
       const bool goes_on = followed.micro_step(now);
       if (goes_on != whole.micro_step(now) || !same(followed, whole))
         return "after input " + std::to_string(i + 1) + ", in micro-step " +

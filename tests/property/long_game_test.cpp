@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// That what a change does not reach may stand: a pass decides what one that decides everything again would decide.
+// Incremental passes decide the same as passes that decide everything again.
 //
 //   DIRECTOR_SEED   first seed, instead of 1
 //   DIRECTOR_CASES  how many games, instead of as many as take some seconds
@@ -20,10 +20,10 @@ using director::tests::from_environment;
 #ifdef NDEBUG
 constexpr std::uint64_t usual_games = 600;
 #else
-constexpr std::uint64_t usual_games = 20; // not optimised, or under a sanitizer
+constexpr std::uint64_t usual_games = 20; // without optimisation, or with a sanitizer
 #endif
 
-TEST_CASE("in long games a pass decides what it would if it decided everything again") {
+TEST_CASE("in long games an incremental pass decides the same as a pass from nothing") {
   const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
   const auto games = from_environment("DIRECTOR_CASES", usual_games);
   std::uint64_t micro_steps = 0;

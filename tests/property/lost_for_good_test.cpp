@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// On random behaviours explored whole in which a task waits for what hangs on the task itself: conditions of which a
-// finding says that they never come back, once they are lost together, never do. And mostly they are lost together at
-// some time, so that it is worth saying.
+// On random behaviours, explored completely, in which a task waits for something that depends on the task itself:
+// conditions that a finding calls lost for good never come back once they are lost together. And mostly they are lost
+// together at some time, so that the finding is useful.
 //
 //   DIRECTOR_SEED   first seed, instead of 1
 //   DIRECTOR_CASES  how many behaviours with such a finding
@@ -31,8 +31,8 @@ constexpr std::uint64_t usual_cases = 8, long_cases = 100;
 #endif
 constexpr std::size_t bound = 20'000; ///< states of one behaviour; one with more is left out
 
-/// A small behaviour in which the first root waits for what another group causes, while a state is as the first one
-/// makes it, or below that; and a third group may undo it. The rest is as it comes, and may bring it back.
+/// A small behaviour in which the first root waits for what another group causes, while a state has the value that the
+/// first one sets, or a lower one; and a third group may undo it. The rest is random, and may bring it back.
 BehaviourDraft looped(std::uint64_t seed) {
   BehaviourDraft draft = small_behaviour(seed);
   Random r(seed + 80'000'000);
@@ -75,7 +75,7 @@ BehaviourDraft looped(std::uint64_t seed) {
 }
 
 struct Seen {
-  std::size_t tried = 0, told = 0, lost = 0;
+  std::size_t tried = 0, findings = 0, lost = 0;
   std::vector<std::string> wrong;
 };
 
@@ -86,7 +86,7 @@ void take(Seen& seen, std::uint64_t seed) {
   files.add("looped.yaml", text);
   dsl::Sources sources;
   const compiler::Checked checked = compiler::check("looped.yaml", files, sources);
-  // What errors report is taken for mended, and would have to happen.
+  // Checks take what errors report as corrected, and so as happening.
   if (!checked.lowerable || dsl::has_errors(checked.findings)) return;
   std::vector<NeverBack> claims;
   for (const dsl::Diagnostic& finding : checked.findings) {
@@ -99,7 +99,7 @@ void take(Seen& seen, std::uint64_t seed) {
   Reached reached(ground);
   if (!reached.find_changes(bound)) return;
   for (const NeverBack& claim : claims) {
-    ++seen.told;
+    ++seen.findings;
     const bool is_lost = std::any_of(reached.changes.begin(), reached.changes.end(),
                                      [&](const auto& change) { return are_lost(claim, checked.model, change.second); });
     if (is_lost) ++seen.lost;
@@ -110,16 +110,17 @@ void take(Seen& seen, std::uint64_t seed) {
   }
 }
 
-TEST_CASE("what is said to be lost for good never comes back, and mostly is lost") {
+TEST_CASE("conditions that a finding calls lost for good never come back, and mostly are lost") {
   const auto first = tests::from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
   const auto cases = tests::from_environment("DIRECTOR_CASES", tests::is_long() ? long_cases : usual_cases);
   Seen seen;
-  for (std::uint64_t seed = first; seen.told < cases && seed < first + 100 * cases; ++seed) take(seen, seed);
-  std::cout << seen.tried << " behaviours, " << seen.told << " findings, of which " << seen.lost << " were seen lost\n";
+  for (std::uint64_t seed = first; seen.findings < cases && seed < first + 100 * cases; ++seed) take(seen, seed);
+  std::cout << seen.tried << " behaviours, " << seen.findings << " findings, of which " << seen.lost
+            << " were seen lost\n";
   for (const std::string& each : seen.wrong) UNSCOPED_INFO(each);
   CHECK(seen.wrong.empty());
-  CHECK(seen.told >= cases);
-  CHECK(seen.lost * 10 >= seen.told * 9);
+  CHECK(seen.findings >= cases);
+  CHECK(seen.lost * 10 >= seen.findings * 9);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// On random behaviours explored whole in which packs rank what waits before what could help it, or not: where
-// causer_goes_first says that a task may wait, it is seen to wait there, without a push, while what could help it runs.
+// On random behaviours, explored completely, in which packs rank a waiting task before or behind one that could help
+// it: if causer_goes_first says that a task may wait, it does wait there in some state, without a push, while the other
+// one runs.
 //
 //   DIRECTOR_SEED   first seed, instead of 1
 //   DIRECTOR_CASES  how many behaviours with such a finding
@@ -39,7 +40,7 @@ LevelDraft level(Random& r, double apart) {
   return out;
 }
 
-/// G0 asks for G1, which waits, perhaps by way of G3, and for G2, which could help it.
+/// G0 requests G1, which waits, perhaps through G3, and G2, which could help it.
 BehaviourDraft ranked(std::uint64_t seed) {
   Random r(seed + 60'000'000);
   BehaviourDraft draft;
@@ -116,7 +117,7 @@ bool is_waiting(const Waits& waits, const compiler::Model& model, const compiler
 }
 
 struct Seen {
-  std::size_t tried = 0, told = 0, waits = 0;
+  std::size_t tried = 0, findings = 0, waits = 0;
 };
 
 void take(Seen& seen, std::uint64_t seed) {
@@ -139,22 +140,22 @@ void take(Seen& seen, std::uint64_t seed) {
       is_seen = is_seen || is_waiting(*waits, checked.model, machine);
     };
     if (!compiler::search(ground, how).complete) continue;
-    ++seen.told;
+    ++seen.findings;
     if (is_seen) ++seen.waits;
     if (!is_seen && std::getenv("DIRECTOR_SHOW") != nullptr)
       std::cout << "seed " << seed << ", never waits\n" << text << dsl::render(checked.findings, sources);
   }
 }
 
-TEST_CASE("where a task is said to wait behind what could help it, it is seen to wait") {
+TEST_CASE("a task that may wait behind a provider that could help it does wait in an exploration") {
   const auto first = tests::from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
   const auto cases = tests::from_environment("DIRECTOR_CASES", tests::is_long() ? long_cases : usual_cases);
   Seen seen;
-  for (std::uint64_t seed = first; seen.told < cases && seed < first + 100 * cases; ++seed) take(seen, seed);
-  std::cout << seen.tried << " behaviours, " << seen.told << " findings, of which " << seen.waits
+  for (std::uint64_t seed = first; seen.findings < cases && seed < first + 100 * cases; ++seed) take(seen, seed);
+  std::cout << seen.tried << " behaviours, " << seen.findings << " findings, of which " << seen.waits
             << " were seen to wait\n";
-  CHECK(seen.told >= cases);
-  CHECK(seen.waits == seen.told);
+  CHECK(seen.findings >= cases);
+  CHECK(seen.waits == seen.findings);
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The engine's main property: on random behaviours and scenarios it does what the oracle does, micro-step by
+// The main property of the engine: on random behaviours and scenarios it does what the oracle does, micro-step by
 // micro-step.
 //
 //   DIRECTOR_SEED   first seed, instead of 1
@@ -27,9 +27,9 @@ using director::tests::from_environment;
 #ifdef NDEBUG
 constexpr std::uint64_t usual_cases = 8'000;
 #else
-constexpr std::uint64_t usual_cases = 600; // not optimised, or under a sanitizer
+constexpr std::uint64_t usual_cases = 600; // without optimisation, or with a sanitizer
 #endif
-constexpr int parts = 4; // of the cases: ctest runs them side by side
+constexpr int parts = 4; // of the cases: ctest runs them in parallel
 
 Verdict verdict_of(const Documents& documents, Manner manner) {
   const CompileResult result = compile(to_yaml(documents.behaviour), to_yaml(documents.scenario));
@@ -41,15 +41,15 @@ Verdict verdict_of(const Documents& documents, Manner manner) {
   return compare(*result.compiled, manner);
 }
 
-/// What differs, without where: a case is not made smaller until it fails for another reason.
+/// The kind of a difference, without its place: a case is not reduced to one that fails for another reason.
 std::string kind_of(const std::string& difference) {
-  for (const std::string_view kind : {"told otherwise", "simulated", "does not come to rest"}) {
+  for (const std::string_view kind : {"reported otherwise", "simulated", "does not come to rest"}) {
     if (difference.find(kind) != std::string::npos) return std::string(kind);
   }
   return difference.empty() ? "" : "decided otherwise";
 }
 
-/// The smallest case that still differs in this way: its text, and where it was written.
+/// The smallest case that still differs in this way: its text, and its path.
 std::string minimal(const Documents& documents, std::uint64_t seed, const std::string& difference) {
   const Manner manner = manner_of(seed);
   const Documents small = shrink(documents, [&](const Documents& candidate) {
@@ -100,7 +100,7 @@ struct Shares {
   }
 };
 
-/// `of`: which cases these are, for who reads of one that differs.
+/// `of`: the kind of these cases, for messages.
 Shares compare_cases(std::uint64_t first, std::uint64_t count, Documents (*make)(std::uint64_t), const char* of) {
   Shares shares;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
@@ -122,9 +122,9 @@ void run_part(int part) {
   const std::uint64_t share = (all + parts - 1) / parts;
   const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1) + static_cast<std::uint64_t>(part) * share;
   const Shares shares = compare_cases(first, share, generate, "");
-  if (share < 1'000) return; // too few for shares to be steady: what is built without optimisation only compares
+  if (share < 1'000) return; // too few for stable shares: a build without optimisation only compares
   for (const std::uint64_t each : shares.claimed) CHECK(each > 0);
-  // What the cases must show, so that agreement means something.
+  // The situations that the cases must contain for agreement to mean something.
   CHECK(shares.percent(Show::push) >= 20);
   for (const Show what : {Show::ladder, Show::denial_by_an_equal, Show::limbo, Show::alternative_plan,
                           Show::level_change, Show::dropped_push}) {
@@ -144,14 +144,16 @@ TEST_CASE("the engine does what the oracle does, in the first part of the random
 TEST_CASE("the engine does what the oracle does, in the second part of the random cases") { run_part(1); }
 TEST_CASE("the engine does what the oracle does, in the third part of the random cases") { run_part(2); }
 TEST_CASE("the engine does what the oracle does, in the last part of the random cases") { run_part(3); }
-TEST_CASE("the engine does what the oracle does, in behaviours that are several in one") {
+TEST_CASE("the engine does what the oracle does, in behaviours of several parts") {
   run_special(generate_parts, " of several parts");
 }
-TEST_CASE("the engine does what the oracle does, where a unit is tried now before and now behind another task") {
+TEST_CASE("the engine does what the oracle does, if a unit changes its place in the order") {
   run_special(generate_moving_unit, " of units that move");
 }
-TEST_CASE("the engine does what the oracle does, where most are equals") { run_special(generate_equals, " of equals"); }
-TEST_CASE("the engine does what the oracle does, where bodies go on to request something else") {
+TEST_CASE("the engine does what the oracle does, if most edges are equal") {
+  run_special(generate_equals, " of equals");
+}
+TEST_CASE("the engine does what the oracle does, if bodies change their requests in many runs") {
   run_special(generate_long, " of long games");
 }
 

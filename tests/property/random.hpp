@@ -23,9 +23,9 @@ public:
     z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
     return z ^ (z >> 31);
   }
-  /// From 0 to below `count`, which is above 0.
+  /// A number from 0 to below `count`, which is above 0.
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(next() % count); }
-  /// Both ends included.
+  /// A number in this range, both ends included.
   int between(int low, int high) { return low + static_cast<int>(below(static_cast<std::size_t>(high - low + 1))); }
   bool chance(double share) { return static_cast<double>(next() >> 11) * 0x1p-53 < share; }
 
@@ -37,7 +37,7 @@ public:
   T one_of(std::initializer_list<T> items) {
     return items.begin()[below(items.size())];
   }
-  /// So many different ones as there are, at most `high`, in random order.
+  /// At most `high` different ones, in random order.
   template <class T>
   std::vector<T> some(std::vector<T> items, int low, int high) {
     for (std::size_t i = 0; i + 1 < items.size(); ++i) std::swap(items[i], items[i + below(items.size() - i)]);

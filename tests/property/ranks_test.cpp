@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What pages tell of who goes before whom, held against the engine on random behaviours and scenarios: whatever it
-// refuses because of a rival is told there, with the same requester, tasks and priorities; and where it rests, nobody
-// waits for what is held by one that is told to go behind.
+// Compares the order of tasks on pages with the engine, on random behaviours and scenarios: for each request that is
+// refused because of a rival, the page has the same requester, tasks and priorities; and at rest, no task waits for a
+// group that is held by a task that goes after it on the page.
 //
 //   DIRECTOR_SEED, DIRECTOR_CASES   as in property_test.cpp
 #include "compiler/page/ranks.hpp"
@@ -45,15 +45,15 @@ struct Seen {
   std::set<std::string> wrong; ///< each once
 };
 
-/// Below the closest common requester of two chains: the two edges, and whether something from there down is optional.
+/// Below the closest common requester of two chains: the two edges, and whether an edge from there down is optional.
 struct Fork {
   EdgeId ours{}, theirs{};
   bool our_optional = false, their_optional = false;
 };
 
-class Told {
+class PageOrder {
 public:
-  Told(const Compiled& compiled, Seen& seen)
+  PageOrder(const Compiled& compiled, Seen& seen)
       : model_(compiled.model),
         parts_(compiled.model),
         ranks_(director::compiler::ranks_json(compiled.model)),
@@ -101,15 +101,15 @@ private:
     return Fork{*a, *b, std::any_of(a, ours.edges.rend(), optional), std::any_of(b, theirs.edges.rend(), optional)};
   }
 
-  /// `Kick (priority 20, optional)`, up to what is said of optional ones.
+  /// `Kick (priority 20, optional)`, without the end about optional ones.
   std::string standing(EdgeId edge) const {
     return model_.edges[edge].levels.empty() ? name(target(edge)) + " (needed"
                                              : fmt::format("{} (priority {}", name(target(edge)), level(edge).priority);
   }
 
-  /// Who goes first where these two part, as the decisions of a list tell, more than one where that hangs on the pack;
-  /// with `!` where no rank decides, and with each one that may bring its unit forward. Empty: that is not among them.
-  std::set<std::string> told(const Json& codes, const Fork& at) const {
+  /// The sides that go first at this fork, by the decisions of a list; several if that depends on the pack; with `!` if
+  /// no rank decides, and with each member that may bring its unit forward. Empty: the list does not have the fork.
+  std::set<std::string> sides(const Json& codes, const Fork& at) const {
     const std::string common = name(model_.edges[at.ours].requester);
     const std::string ours = standing(at.ours) + (at.our_optional ? ", " : ")");
     const std::string theirs = standing(at.theirs) + (at.their_optional ? ", " : ")");
@@ -158,7 +158,7 @@ private:
     return out;
   }
 
-  /// What the engine says of why a group does not run.
+  /// Compares the engine's answer why a group does not run.
   void refusal(const Because& claim) {
     if (claim.kind != Because::Kind::lost && claim.kind != Because::Kind::need_held) return;
     const EdgeId member{claim.member}, holder{claim.holder};
@@ -168,51 +168,51 @@ private:
     GroupId theirs = target(holder);
     if (claim.rivalry.won_by == Precedence::above) {
       ++seen_.above;
-      if (ours == theirs) return; // it asks for itself, by way of others
+      if (ours == theirs) return; // it requests itself, through others
       const Json& leads = answer(ours, theirs)["leads"];
       if (leads.as_text() != (theirs < ours ? "second" : "first"))
-        wrong(fmt::format("{} leads to {}, and it is not told", name(theirs), name(ours)));
+        wrong(fmt::format("{} leads to {}, and the page does not have it", name(theirs), name(ours)));
       return;
     }
     const Chain other = chain(holder);
     for (const EdgeId edge : other.edges) {
-      if (target(edge) == ours) theirs = ours; // held for what somebody else asks of the same group
+      if (target(edge) == ours) theirs = ours; // held through another request for the same group
     }
     const std::optional<Fork> at = fork(chain(member), other);
     if (!at) return wrong("no common requester");
-    const std::set<std::string> first = told(answer(ours, theirs)["decisions"], *at);
+    const std::set<std::string> first = sides(answer(ours, theirs)["decisions"], *at);
     const bool equal = claim.rivalry.won_by == Precedence::equal;
     // As a unit it may be equal, and behind by its own rank.
     const bool behind = equal && claim.rivalry.our_first != claim.rivalry.ours && first.count("theirs") != 0;
-    // And the other way round: that their unit goes first where both ask is told of equals.
+    // And vice versa: that their unit goes first if both are requested is on the page of equals.
     const bool beside = !equal && claim.rivalry.their_first != claim.rivalry.theirs &&
                         level(at->ours).priority == level(at->theirs).priority && first.count("theirs") == 0;
     const char* const expected = (equal && !behind) || beside ? "equal" : "theirs";
     const bool no_rank =
         std::any_of(first.begin(), first.end(), [](const auto& each) { return each.starts_with("theirs!"); });
     if (first.count(expected) == 0 && !no_rank)
-      wrong(fmt::format("{} is refused for {} at {} and {}, and it is told: {}", name(ours), name(theirs),
+      wrong(fmt::format("{} is refused for {} at {} and {}, and the page has: {}", name(ours), name(theirs),
                         standing(at->ours), standing(at->theirs), to_text(first)));
   }
 
-  /// What one could have for the request that holds the group, it could have for another one.
+  /// A choice for the request that holds the group is also one for any other request.
   bool is_simple(GroupId g) const {
     return std::all_of(model_.groups[g].providers.begin(), model_.groups[g].providers.end(), [&](const auto id) {
       return model_.providers[id].when.empty() && model_.providers[id].needs.empty();
     });
   }
-  /// What is held as a need came with the unit of its requester, which counts.
+  /// A group that is held as a need was granted with the unit of its requester, which counts.
   bool has_needs(const Chain& chain) const {
     return std::any_of(chain.edges.begin(), chain.edges.end(),
                        [&](EdgeId edge) { return now_->groups[target(edge).value].needed; });
   }
-  /// What the chain begins with is the sibling, or all on the way is held as needs: it was granted with that.
+  /// Whether the chain begins with the sibling, or all up to it is held as needs: it was granted with that.
   bool comes_with(const Chain& chain, EdgeId sibling) const {
     const auto end = std::find(chain.edges.begin(), chain.edges.end(), sibling);
     return std::all_of(chain.edges.begin(), end, [&](EdgeId edge) { return now_->groups[target(edge).value].needed; });
   }
 
-  /// What it asks for is of its provider: that of an earlier one stands until it asks for something else.
+  /// Whether its requests are those of its active provider: those of an earlier one remain until it requests others.
   bool has_own_pack(std::optional<GroupId> requester) const {
     if (!requester || !now_->groups[requester->value].active) return true;
     const auto& packs = model_.providers[*now_->groups[requester->value].active].packs;
@@ -226,20 +226,21 @@ private:
     });
   }
 
-  /// What brings the unit of one of two siblings forward, though it is behind the other one by rank: `! with Lift
-  /// (priority 50)`, of several the first one.
+  /// The member that brings the unit of one of two siblings forward, though it is behind the other one by rank: `! with
+  /// Lift (priority 50)`, of several the first one.
   std::string lead(EdgeId member, EdgeId rival, bool rival_is_optional) const {
     const Units now = units();
     if (!now.is_member(member) || now.is_member(rival) || rival_is_optional ||
         level(member).priority >= level(rival).priority)
       return {};
-    // The member itself is behind the rival, so it is not the first where the first one is before it.
+    // The member itself is behind the rival, so it is not the first of its unit if that is before the rival.
     const EdgeId first = now.first_of(member);
     if (first == member || !now.stands_before(first, rival)) return {};
     return "! with " + standing(first) + (level(first).priority == level(rival).priority ? ", if older)" : ")");
   }
 
-  /// Who goes first at a fork as things are. `ours_with`: our group comes with our sibling; `theirs_with`: likewise.
+  /// The side that goes first at a fork in this state. `ours_with`: our group comes with our sibling; `theirs_with`:
+  /// likewise.
   std::string truth(const Fork& at, bool ours_with, bool theirs_with) {
     const auto needed = [&](EdgeId edge) {
       const Snapshot::Group& it = now_->groups[target(edge).value];
@@ -256,27 +257,27 @@ private:
     const auto ours = level(at.ours).priority, theirs = level(at.theirs).priority;
     return ours == theirs ? "equal" : ours > theirs ? "ours" : "theirs";
   }
-  /// Its requester runs, so that it would be granted if it were its turn.
+  /// Whether its requester runs, so that it could be granted.
   bool is_wanted(EdgeId edge) const {
     const std::optional<GroupId> requester = model_.edges[edge].requester;
     return now_->requests[edge.value] && (!requester || now_->groups[requester->value].granted);
   }
 
-  /// What is told where the group is contended.
+  /// The decisions on the page for the contended group.
   const Json& rivalry(GroupId g, EdgeId ours, EdgeId theirs) const {
     static const Json nothing = Json::list({});
-    const auto asker = [&](EdgeId edge) { return name(model_.edges[edge].requester); };
+    const auto requester_name = [&](EdgeId edge) { return name(model_.edges[edge].requester); };
     for (const Json& contended : ranks_["contended"].items()) {
       if (contended["group"].as_text() != name(g)) continue;
       for (const Json& rival : contended["rivals"].items()) {
         const std::set<std::string> two{rival["first"].as_text(), rival["second"].as_text()};
-        if (two == std::set<std::string>{asker(ours), asker(theirs)}) return rival["decisions"];
+        if (two == std::set<std::string>{requester_name(ours), requester_name(theirs)}) return rival["decisions"];
       }
     }
     return nothing;
   }
 
-  /// Who holds a group, and who else asks for it.
+  /// Compares the holder of a group with the other requests for it.
   void rivals(GroupId g) {
     const Snapshot::Group& it = now_->groups[g.value];
     if (!it.granted || parts_.is_limbo(*it.holder)) return;
@@ -286,20 +287,20 @@ private:
       const std::optional<Fork> at = fork(chain(edge), theirs);
       if (!at) continue;
       ++seen_.rivals;
-      const std::set<std::string> all = told(answer(g, g)["decisions"], *at);
-      const std::set<std::string> here = told(rivalry(g, edge, *it.holder), *at);
+      const std::set<std::string> all = sides(answer(g, g)["decisions"], *at);
+      const std::set<std::string> here = sides(rivalry(g, edge, *it.holder), *at);
       seen_.equal += here.count("equal");
       if (here.empty() || !std::includes(all.begin(), all.end(), here.begin(), here.end()))
-        wrong(fmt::format("{}: of {} and {} is told: `{}`, and where the group is contended: `{}`", name(g),
+        wrong(fmt::format("{}: for {} and {} the page has: `{}`, and where the group is contended: `{}`", name(g),
                           standing(at->ours), standing(at->theirs), to_text(all), to_text(here)));
       const std::string sure = truth(*at, at->ours == edge, comes_with(theirs, at->theirs));
       seen_.ahead += sure.starts_with("ours") ? 1 : 0;
       const bool is_led = sure.starts_with("theirs! with");
-      Fork as_needs = *at; // which is mandatory, whatever is asked for besides
+      Fork as_needs = *at; // which is mandatory, whatever else is requested
       as_needs.their_optional = at->their_optional && !is_led;
-      if (told(rivalry(g, edge, *it.holder), as_needs).count(sure) == 0 &&
+      if (sides(rivalry(g, edge, *it.holder), as_needs).count(sure) == 0 &&
           has_own_pack(model_.edges[at->ours].requester))
-        wrong(fmt::format("{}: of {} and {} is told: `{}`, and it is: {}", name(g), standing(at->ours),
+        wrong(fmt::format("{}: for {} and {} the page has: `{}`, and it is: {}", name(g), standing(at->ours),
                           standing(at->theirs), to_text(here), sure));
       if (sure.starts_with("ours") && is_simple(g) && units().mates(edge).empty() && !has_needs(theirs))
         wrong(fmt::format("{} is held for {}, and {} goes first", name(g), standing(at->theirs), standing(at->ours)));
@@ -324,11 +325,11 @@ void compare_cases(Documents (*make)(std::uint64_t), std::uint64_t cases, Seen& 
     INFO("DIRECTOR_SEED=" << seed << " " << result.why);
     REQUIRE(result.compiled);
     EngineRun run(*result.compiled, false);
-    Told told(*result.compiled, seen);
+    PageOrder page(*result.compiled, seen);
     for (const auto& step : result.compiled->scenario.steps) {
       run.begin_step(step);
       while (run.micro_step()) {}
-      if (told.is_complete()) told.look(director::view_of(run.engine()), run.snapshot());
+      if (page.is_complete()) page.look(director::view_of(run.engine()), run.snapshot());
     }
     stop_watching();
     for (const std::string& each : seen.wrong) FAIL_CHECK(each);
@@ -340,7 +341,7 @@ void compare_cases(Documents (*make)(std::uint64_t), std::uint64_t cases, Seen& 
             << " where its unit stands before it\n";
 }
 
-TEST_CASE("what a page tells of who goes first is what the engine does") {
+TEST_CASE("the order of tasks on a page is that of the engine") {
   const std::uint64_t cases = from_environment("DIRECTOR_CASES", usual_cases);
   Seen seen;
   compare_cases(generate, cases, seen);
@@ -351,8 +352,7 @@ TEST_CASE("what a page tells of who goes first is what the engine does") {
   CHECK(seen.rivals > cases / 10);
 }
 
-TEST_CASE("what a page tells of who goes first is what the engine does where a unit is tried before another task now "
-          "and behind it now") {
+TEST_CASE("the order of tasks on a page is that of the engine if a unit changes its place in the order") {
   const std::uint64_t cases = from_environment("DIRECTOR_CASES", usual_cases / 2);
   Seen seen;
   compare_cases(generate_moving_unit, cases, seen);

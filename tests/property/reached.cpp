@@ -80,7 +80,7 @@ void Reached::look(const compiler::Machine& machine) {
       if (engine.granted(g) && engine.active(g) == push.provider && engine.state(push.edge) == RunState::queued)
         pushed_to_effect.insert(each);
     }
-    // One that is held by a push runs whatever the states are that it causes itself.
+    // A provider that is held by a push runs with any values of the states that it causes itself.
     const bool is_held = push.edge != nil && push.provider == engine.active(g);
     if (engine.granted(g) && !is_held) granted_in.insert({GroupId{g}, all});
   }
@@ -93,7 +93,7 @@ void Reached::look(const compiler::Machine& machine) {
   look_below(engine);
 }
 
-/// Of a micro-step that is foreseen nobody knows from where it comes.
+/// The previous micro-step of a prefetched state is unknown.
 bool Reached::find_changes(std::size_t bound) {
   std::vector<std::int32_t> before;
   compiler::SearchOptions how;

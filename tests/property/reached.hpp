@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What an exploration of everything came to see, finer than what it reports: pushes, packs that were granted whole, the
-// values of states, who ran below which request.
+// What a complete exploration reached, in more detail than it reports: pushes, packs that were granted whole, the
+// values of states, providers that ran below a request.
 
 #include "compiler/explore/search.hpp"
 
@@ -13,16 +13,16 @@
 
 namespace director::property {
 
-/// A pack whose mandatory members, two or more, are granted all or none.
+/// A pack with two or more mandatory members, which are granted all or none.
 struct WholePack {
   compiler::ProviderId provider{};
-  std::size_t pack = 0; ///< of the provider's
+  std::size_t pack = 0; ///< its place among those of the provider
   std::vector<compiler::EdgeId> members;
 };
 
 std::vector<WholePack> whole_packs(const compiler::Model& model);
 
-/// While this provider ran, a task was granted, by the edge `by`, by way of its request `edge`.
+/// While this provider ran, a task was granted, by the edge `by`, through its request `edge`.
 struct GrantedBelow {
   compiler::ProviderId provider{};
   compiler::EdgeId edge{}, by{};
@@ -32,19 +32,20 @@ struct GrantedBelow {
 class Reached {
 public:
   explicit Reached(const compiler::Ground& ground);
-  /// After a micro-step.
+  /// Notes the state after a micro-step.
   void look(const compiler::Machine& machine);
-  /// By a search of its own, with at most so many states; false: it did not see everything.
+  /// Explores by itself, with at most this number of states; false: it is not complete.
   bool find_changes(std::size_t bound);
-  /// What the search has noted itself; false: it did not see everything.
+  /// Takes the notes of the search; false: it is not complete.
   bool take(const compiler::Searched& searched);
 
   std::vector<bool> ran;                ///< provider
   std::vector<bool> requested, granted; ///< edge
   std::vector<bool> whole;              ///< row of whole_packs()
   std::set<std::pair<compiler::ProviderId, compiler::ConditionId>> pushed;
-  std::set<std::pair<compiler::ProviderId, compiler::ConditionId>> pushed_to_effect; ///< it ran while the task waited
-  std::vector<std::set<std::int32_t>> values;                                        ///< state
+  std::set<std::pair<compiler::ProviderId, compiler::ConditionId>>
+      pushed_to_effect;                       ///< the provider ran while the task waited
+  std::vector<std::set<std::int32_t>> values; ///< state
   std::set<GrantedBelow> granted_below;
   /// A group that is granted and not held by a push, and the values of all states then.
   std::set<std::pair<compiler::GroupId, std::vector<std::int32_t>>> granted_in;

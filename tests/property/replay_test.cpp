@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is recorded of random scenarios, played again: the same by the same behaviour. By another one it is decided
-// otherwise just where the scenario played on that one goes another way for the first time.
+// Replays of random scenarios: the same behaviour decides the same. Another one differs at the same place as the
+// scenario played on it.
 //
 //   DIRECTOR_SEED, DIRECTOR_CASES   as in property_test.cpp
 #include "compiler/lower/row_names.hpp"
@@ -64,7 +64,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return out;
 }
 
-/// Each line is read and written again.
+/// Reads each line and writes it again.
 std::string written_again(const std::string& recorded, const Compiled& compiled) {
   const director::compiler::RowNames rows(compiled.model, compiled.lowered);
   const director::Names names = rows.names();
@@ -78,7 +78,7 @@ std::string written_again(const std::string& recorded, const Compiled& compiled)
   return out;
 }
 
-/// One priority is another one.
+/// Changes one priority.
 std::string mutated(std::string behaviour, Random& random) {
   constexpr std::string_view word = "priority: ";
   std::vector<std::size_t> places;
@@ -90,8 +90,8 @@ std::string mutated(std::string behaviour, Random& random) {
   return behaviour.replace(at, end - at, std::to_string(random.below(60)));
 }
 
-TEST_CASE("what was recorded of random scenarios is the same when it is played again, and otherwise where it is "
-          "decided otherwise") {
+TEST_CASE(
+    "a replay of a random scenario is equal to its trace, and differs where another behaviour decides differently") {
   const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
   const std::uint64_t cases = from_environment("DIRECTOR_CASES", usual_cases);
   std::size_t events = 0, others = 0, differing = 0;
@@ -102,7 +102,7 @@ TEST_CASE("what was recorded of random scenarios is the same when it is played a
     const CompileResult result = compile(behaviour, scenario);
     REQUIRE(result.compiled);
     const std::string recorded = record(*result.compiled);
-    CHECK(written_again(recorded, *result.compiled) == recorded); // else it would be taken for damaged
+    CHECK(written_again(recorded, *result.compiled) == recorded); // otherwise it would count as damaged
     const auto replayed = replay(recorded, *result.compiled);
     if (replayed.difference)
       FAIL("line " << replayed.difference->line << "\n"
@@ -125,9 +125,9 @@ TEST_CASE("what was recorded of random scenarios is the same when it is played a
       CHECK(!found.difference);
       continue;
     }
-    // With another priority a task may have a level more or less, and then the script itself asks for another one.
-    const auto asks = [&](const char* word) { return before[place].find(word) != std::string::npos; };
-    if (asks("\"event\":\"ask\"") || asks("\"event\":\"keep\"") || asks("\"event\":\"input\"")) continue;
+    // With another priority a task may have a level more or less, and then the script itself requests another one.
+    const auto has = [&](const char* word) { return before[place].find(word) != std::string::npos; };
+    if (has("\"event\":\"ask\"") || has("\"event\":\"keep\"") || has("\"event\":\"input\"")) continue;
     ++differing;
     REQUIRE(found.difference);
     CHECK(found.difference->line == place + 1);

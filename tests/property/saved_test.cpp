@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A behaviour that is saved and loaded into a new engine goes on as if it had never been cut: random behaviours and
-// scenarios, cut at random micro-steps, at the same time and at others. And bytes that nobody saved do no harm.
+// A behaviour that is saved and loaded into a new engine continues as if it had not been interrupted: random behaviours
+// and scenarios, interrupted at random micro-steps, at the same time and at others. And bytes that were not saved do no
+// harm.
 //
 //   DIRECTOR_SEED   first seed, instead of 1
 //   DIRECTOR_LONG   set: 100,000 cuts, and ten times as many bytes
@@ -29,7 +30,7 @@ using director::tests::is_long;
 #ifdef NDEBUG
 constexpr std::size_t numbers_apart = 1;
 #else
-constexpr std::size_t numbers_apart = 5; ///< slow with sanitizers, and what they find they find in these
+constexpr std::size_t numbers_apart = 5; ///< slow with sanitizers, which find their errors in these
 #endif
 constexpr std::size_t most_micro_steps = 10'000; ///< of one step of a scenario
 
@@ -40,7 +41,7 @@ std::unique_ptr<Compiled> compiled(std::uint64_t seed) {
   return std::move(result.compiled);
 }
 
-/// Calls between(run) after each micro-step, those among them after which it rests.
+/// Calls between(run) after each micro-step, also at rest.
 template <class Between>
 void play(const Compiled& compiled, EngineRun& run, Between between) {
   for (const compiler::ScenarioStep& step : compiled.scenario.steps) {
@@ -62,8 +63,8 @@ struct Cuts {
   std::uint64_t made = 0, with_inputs = 0, in_the_middle = 0;
 };
 
-/// Of the decision state, all that a decision depends on is the same again. What is made anew may lie there otherwise:
-/// edges of root are linked in the order of declaration until the next pass brings them into the right one.
+/// The part of the decision state that a decision depends on is the same. What is computed again may differ: edges of
+/// root are linked in the order of declaration until the next pass sorts them.
 bool same_but_for_links(const Engine& engine, std::vector<std::byte> before) {
   const State& s = engine.memory();
   const Shape n = Shape::of(engine.tables());
@@ -73,12 +74,12 @@ bool same_but_for_links(const Engine& engine, std::vector<std::byte> before) {
                                              reinterpret_cast<const std::byte*>(s.counters));
     for (auto* each : {&before, &after}) std::memset(each->data() + at, 0, count * sizeof *begin);
   };
-  leave_out(&s.counters->quiet_until, 1); // the next step looks for itself whether there is anything to do
+  leave_out(&s.counters->quiet_until, 1); // the next step finds out whether there is anything to do
   leave_out(s.first_root, n.components);
   leave_out(s.next_root, n.edges);
   leave_out(s.component, n.components); // work::reordered
   leave_out(s.handled, n.states);       // in order of declaration
-  leave_out(s.work, n.components);      // rows behind those in use
+  leave_out(s.work, n.components);      // rows not in use
   leave_out(s.order, n.groups);         // likewise
   leave_out(s.place, n.groups);         // of groups that are not held
   leave_out(s.run_queue, n.groups);     // group_flag::waits
@@ -131,7 +132,8 @@ void cut_at_random(std::uint64_t seed, Cuts& cuts) {
   if (const std::string found = difference(whole, cut); !found.empty()) FAIL("DIRECTOR_SEED=" << seed << ": " << found);
 }
 
-TEST_CASE("a behaviour that is cut at random and goes on in a new engine has the trace of one that was never cut") {
+TEST_CASE(
+    "a behaviour that is saved at random and loaded into a new engine has the trace of one that was not interrupted") {
   const std::uint64_t wanted = is_long() ? 100'000 : 3'000;
   Cuts cuts;
   std::uint64_t seed = from_environment<std::uint64_t>("DIRECTOR_SEED", 1), cases = 0;
@@ -146,7 +148,7 @@ TEST_CASE("a behaviour that is cut at random and goes on in a new engine has the
   CHECK(cuts.with_inputs > 0);
 }
 
-/// Why each edge is queued.
+/// The reason why each edge is queued.
 std::vector<Queued> reasons(const Engine& engine) {
   std::vector<Queued> out(engine.tables().edges.size());
   for (Index e = 0; e < out.size(); ++e) out[e] = engine.queued(e);
@@ -176,14 +178,14 @@ TEST_CASE("an engine that decides everything again in each micro-step decides th
   }
 }
 
-/// A number of a kind of row.
+/// A number in a kind of row.
 struct Member {
   const char* kind;
-  std::size_t place; ///< among the members, as they are visited
+  std::size_t place; ///< its place among the members, in the order of `each`
   void (*forget)(std::vector<std::byte>& bytes, const Shape& shape, std::size_t place);
 };
 
-/// In all rows it is what it is where nothing is said.
+/// Gives it its default value in all rows.
 template <class Row, std::size_t saved::Layout::*begin, std::size_t Shape::*count>
 void forget(std::vector<std::byte>& bytes, const Shape& shape, std::size_t place) {
   std::byte* const rows = bytes.data() + saved::Layout(shape).*begin;
@@ -221,7 +223,7 @@ void add_members(std::vector<Member>& out, const char* kind, decltype(Member::fo
 std::vector<Member> members() {
   using namespace saved;
   std::vector<Member> out;
-  add_members<HeadRow>(out, "head", forget_in_head, 4); // behind what says what it is
+  add_members<HeadRow>(out, "head", forget_in_head, 4); // behind version, sum, size and fingerprint
   add_members<EdgeRow>(out, "edge", forget<EdgeRow, &Layout::edges, &Shape::edges>);
   add_members<GroupRow>(out, "group", forget<GroupRow, &Layout::groups, &Shape::groups>);
   add_members<PlanRow>(out, "plan", forget<PlanRow, &Layout::plan, &Shape::plan_slots>);
@@ -233,7 +235,7 @@ std::vector<Member> members() {
   return out;
 }
 
-/// Refused, or the trace is another, where this number is not saved.
+/// Whether the state is refused, or the trace differs, if this number is not saved.
 bool counts(const Member& member, std::uint64_t seed) {
   const auto documents = compiled(seed);
   const bool leap = manner_of(seed) == Manner::in_leaps;
@@ -249,11 +251,11 @@ bool counts(const Member& member, std::uint64_t seed) {
       saved::seal(bytes);
       refused = refused || run.load(bytes) != LoadResult::loaded;
     });
-  } catch (const std::exception&) { return true; } // a script that finds itself where it could not be
+  } catch (const std::exception&) { return true; } // a script in a state that it cannot reach
   return refused || whole.events() != cut.events();
 }
 
-TEST_CASE("each number that is saved counts") {
+TEST_CASE("each saved number is necessary") {
   constexpr std::uint64_t most = 4'000;
   const std::vector<Member> all = members();
   for (std::size_t i = 0; i < all.size(); i += numbers_apart) {
@@ -265,7 +267,7 @@ TEST_CASE("each number that is saved counts") {
   }
 }
 
-/// Something that might be there: a small number, nil, another byte of the state, or a bit flipped.
+/// A possible number: a small one, nil, another byte of the state, or a flipped bit.
 void damage(std::vector<std::byte>& bytes, Random& random) {
   const std::size_t head = saved::bytes_of<saved::HeadRow>();
   const std::size_t from = random.chance(0.1) ? 20 : head; // behind version, sum, size and fingerprint
@@ -280,7 +282,7 @@ void damage(std::vector<std::byte>& bytes, Random& random) {
   }
 }
 
-TEST_CASE("bytes that nobody saved are refused, or are played on from without harm") {
+TEST_CASE("bytes that were not saved are refused, or loaded without harm") {
   const std::uint64_t wanted = is_long() ? 200'000 : 20'000;
   std::uint64_t seed = from_environment<std::uint64_t>("DIRECTOR_SEED", 1), tried = 0, accepted = 0;
   for (; tried < wanted; ++seed) {
@@ -297,7 +299,7 @@ TEST_CASE("bytes that nobody saved are refused, or are played on from without ha
       for (int i = 0; i < 20; ++i, ++tried) {
         bytes = state;
         for (std::size_t changes = 1 + random.below(3); changes > 0; --changes) damage(bytes, random);
-        saved::seal(bytes); // else the check sum would find it
+        saved::seal(bytes); // otherwise the check sum would detect it
         EngineRun other(*documents, false);
         const std::vector<std::byte> before = decision_bytes(other.engine());
         if (other.load(bytes) != LoadResult::loaded) {
@@ -313,7 +315,7 @@ TEST_CASE("bytes that nobody saved are refused, or are played on from without ha
             for (Index g = 0; g < other.engine().tables().groups.size(); ++g) why(view_of(other.engine()), g);
             if (left == 0) break;
           }
-        } catch (const std::exception&) { // a script that finds itself where it could not be
+        } catch (const std::exception&) { // a script in a state that it cannot reach
         }
       }
     }
@@ -324,7 +326,7 @@ TEST_CASE("bytes that nobody saved are refused, or are played on from without ha
   CHECK(accepted < tried);
 }
 
-TEST_CASE("cut off anywhere, or flipped anywhere without a new check sum, bytes are refused") {
+TEST_CASE("truncated bytes, and flipped bits without a new check sum, are refused") {
   const auto documents = compiled(7);
   EngineRun run(*documents, false);
   std::vector<std::byte> bytes;

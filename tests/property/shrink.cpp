@@ -1,10 +1,9 @@
 // Header: tests/property/shrink.hpp. Test: tests/property/shrink_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// Documents are trees, so it needs to know little about what they say: first runs of steps are dropped (halves,
-// quarters,
-// ... as in A. Zeller's ddmin), then names with all that mentions them, then every entry of every mapping and list by
-// itself. Round after round, until a whole round takes nothing away.
+// Documents are trees, so it needs to know little about their contents: first runs of steps are dropped (halves,
+// quarters and so on, as in A. Zeller's ddmin), then names with all that mentions them, then every entry of every
+// mapping and list by itself. This is repeated until a whole round removes nothing.
 #include "tests/property/shrink.hpp"
 
 #include <algorithm>
@@ -13,7 +12,7 @@ namespace director::property {
 
 namespace {
 
-/// `G1`, `G1.p0`, `S0 == v1`: does the text begin with the name?
+/// Whether the text begins with the name: `G1`, `G1.p0`, `S0 == v1`.
 bool mentions(const std::string& text, const std::string& name) {
   if (!text.starts_with(name)) return false;
   return text.size() == name.size() || text[name.size()] == '.' || text[name.size()] == ' ';
@@ -24,7 +23,7 @@ void erase(Node& node, std::size_t at) {
   if (node.kind == Node::Kind::mapping) node.keys.erase(node.keys.begin() + static_cast<std::ptrdiff_t>(at));
 }
 
-/// Entries, words and mappings that are left empty go too.
+/// Removes entries, words and mappings that became empty.
 void forget(Node& node, const std::string& name) {
   for (std::size_t i = node.items.size(); i-- > 0;) {
     Node& item = node.items[i];

@@ -8,7 +8,7 @@ namespace {
 
 using namespace director::property;
 
-TEST_CASE("a failing case is shrunk to what makes it fail, and can still be run") {
+TEST_CASE("a failing case is reduced to the cause of its failure, and can still be run") {
   const auto fails = [](const Documents& documents) {
     const CompileResult result = compile(to_yaml(documents.behaviour), to_yaml(documents.scenario));
     if (!result.compiled) return false;

@@ -26,7 +26,7 @@ public:
     if (r_.chance(0.15)) draft_.triggers = {"T"};
     for (std::size_t g = draft_.groups.size(); g-- > 0;) write_group(g);
     write_roots();
-    for (std::size_t g = 1; g < draft_.groups.size(); ++g) ask_for(g);
+    for (std::size_t g = 1; g < draft_.groups.size(); ++g) request(g);
     if (draft_.roots.size() > 1 && r_.chance(0.35)) write_soft_pair();
     return std::move(draft_);
   }
@@ -70,7 +70,7 @@ private:
     return out;
   }
 
-  /// Now and then two on one state, which may contradict each other.
+  /// Sometimes two on one state, which may contradict each other.
   std::vector<ConditionDraft> conditions(bool sets, const std::vector<std::size_t>& states) {
     std::vector<ConditionDraft> out;
     const int count = r_.one_of({1, 1, 1, 2});
@@ -185,8 +185,8 @@ private:
     }
   }
 
-  /// What nobody wants tells nothing: mostly somebody does.
-  void ask_for(std::size_t g) {
+  /// Groups without a requester are useless here: mostly there is one.
+  void request(std::size_t g) {
     const auto wants = [&](const std::vector<TaskDraft>& tasks) {
       return std::any_of(tasks.begin(), tasks.end(), [&](const TaskDraft& task) { return task.target == g; });
     };
@@ -227,7 +227,8 @@ private:
   BehaviourDraft draft_;
   double needs_ = 0, when_ = 0, causing_ = 0, packs_ = 0;
   std::vector<int> priorities_;
-  std::vector<std::vector<LevelDraft>> habits_; ///< of the group in hand: how it asks for each other
+  std::vector<std::vector<LevelDraft>>
+      habits_; ///< for the current group: the levels at which it requests each other one
 };
 
 } // namespace

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What engine and oracle must agree on after every micro-step.
+// The state in which engine and oracle must agree after every micro-step.
 
 #include "runtime/core/base/tables.hpp"
 #include "tests/oracle/assignment.hpp"
@@ -21,7 +21,7 @@ struct Snapshot {
     std::set<oracle::Reason> pending;
     bool operator==(const Group&) const = default;
   };
-  std::size_t lines = 0; ///< of the trace so far
+  std::size_t lines = 0; ///< lines of the trace so far
   std::vector<Group> groups;
   std::vector<std::optional<std::uint32_t>> requests; ///< edge: level
   std::vector<std::optional<std::int64_t>> values;    ///< state
@@ -32,7 +32,7 @@ struct Snapshot {
 
 Snapshot snapshot_of(const oracle::Behaviour& behaviour, const Tables& tables);
 
-/// For people: one line a group that is held or pushed.
+/// For messages: a line for each group that is held or pushed.
 std::string to_text(const Snapshot& snapshot, const compiler::Model& model);
 
 } // namespace director::property

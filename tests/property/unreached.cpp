@@ -1,9 +1,9 @@
 // Header: tests/property/verdicts.hpp. Test: tests/property/verdicts_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// Something hangs on others where it could not have been without one of them; in circles too. It is told of if a
-// finding claims it, or if all of these are told of; and somewhere at the end of that stands a finding, so that a
-// circle is not told of by itself.
+// Something depends on others if it could not happen without one of them, also in cycles. It is reported if a finding
+// claims it, or if all of these are reported; such a chain must end at a finding, so that a cycle does not report
+// itself.
 #include "compiler/graph/graph.hpp"
 #include "tests/property/verdicts.hpp"
 
@@ -22,9 +22,9 @@ using compiler::ProviderId;
 
 namespace {
 
-class Telling {
+class UnreachedSearch {
 public:
-  Telling(const Model& model, const Reached& reached, const std::vector<dsl::Diagnostic>& findings)
+  UnreachedSearch(const Model& model, const Reached& reached, const std::vector<dsl::Diagnostic>& findings)
       : model_(model),
         reached_(reached),
         packs_(whole_packs(model)) {
@@ -76,16 +76,16 @@ public:
 
 private:
   using Row = std::size_t;
-  using All = std::vector<Row>; ///< one of these would have been enough
+  using All = std::vector<Row>; ///< one of these is enough
 
   Row runs(ProviderId id) const { return id.value; }
   Row can(ProviderId id) const { return begin_[1] + id.value; }
-  /// Values that it never had.
+  /// The row for values that the state never had.
   Row lacks(compiler::StateId id) const { return begin_[5] + id.value; }
   Row granted(EdgeId id) const { return begin_[2] + id.value; }
   bool is_task(EdgeId id) const { return !model_.edges[id].levels.empty(); }
 
-  /// A promise is one thing, however many conditions wait for it: it is pushed where somebody pushes for one of them.
+  /// Whether the promise is pushed for another condition: it counts once, however many conditions wait for it.
   bool is_pushed_otherwise(const std::pair<ProviderId, ConditionId>& push) const {
     const std::vector<ConditionUse>& promises = model_.providers[push.first].causing;
     return std::any_of(promises.begin(), promises.end(), [&](const ConditionUse& promise) {
@@ -119,7 +119,7 @@ private:
     }
   }
 
-  /// Whoever needs the group never requests it, and a finding says so of each of them.
+  /// All groups that need the group never request it, and a finding reports each of them.
   void take_unrequested(const std::vector<dsl::Diagnostic>& findings) {
     for (const GroupId group : model_.groups.ids()) {
       const std::vector<EdgeId>& all = model_.groups[group].requesters;
@@ -154,7 +154,7 @@ private:
     }
   }
 
-  /// Whoever asks for the group there never gets it; whoever needs it never runs.
+  /// Groups that request the group there never get it; providers that need it never run.
   void take_below(const NeverBelow& claim) {
     const GroupId target = model_.edges[claim.edge].target;
     if (target == claim.group || needs(target, claim.group)) claimed_[granted(claim.edge)] = true;
@@ -171,7 +171,7 @@ private:
     }
   }
 
-  /// Some provider of it does.
+  /// Whether a provider of the group needs the other one, directly or not.
   bool needs(GroupId group, GroupId what) const {
     std::set<GroupId> seen{group};
     std::vector<GroupId> open{group};
@@ -188,7 +188,7 @@ private:
     return false;
   }
 
-  // What hangs on what
+  // Dependences
 
   void find_ways() {
     ways_.resize(claimed_.size());
@@ -213,7 +213,7 @@ private:
       if (!reached_.ran[push.first.value]) ways_[row].push_back({runs(push.first)});
       if (std::none_of(waiters.begin(), waiters.end(), [&](ProviderId id) { return reached_.ran[id.value]; }))
         ways_[row].push_back(all_run(waiters));
-      // What it would take first for a need, and then wait for.
+      // The first choice for a need, whose condition it would then wait for.
       for (const ProviderId waiter : waiters) {
         for (const auto& need : model_.providers[waiter].needs) {
           const ProviderId first = model_.groups[need.id].providers.front();
@@ -251,7 +251,7 @@ private:
       All& way = ways_[can(id)].emplace_back();
       for (const ProviderId q : below) way.push_back(can(q));
     }
-    // Earlier ones that would leave it something if the states had values that they never have.
+    // Earlier providers, which would not run if the states had values that they never have.
     for (const ProviderId earlier : model_.groups[provider.group].providers) {
       if (earlier == id) break;
       for (const ConditionUse& use : model_.providers[earlier].when) {
@@ -259,18 +259,18 @@ private:
           ways_[runs(id)].push_back({lacks(model_.conditions[use.id].state)});
       }
     }
-    All asks;
+    All requests;
     for (const EdgeId edge : model_.groups[provider.group].requesters) {
       if (reached_.granted[edge.value]) return;
-      if (is_task(edge)) asks.push_back(granted(edge));
+      if (is_task(edge)) requests.push_back(granted(edge));
     }
-    if (!asks.empty()) ways_[runs(id)].push_back(std::move(asks));
+    if (!requests.empty()) ways_[runs(id)].push_back(std::move(requests));
   }
 
   void find_ways(EdgeId id) {
     const compiler::Edge& edge = model_.edges[id];
     if (!reached_.requested[id.value]) {
-      if (edge.requester) ways_[granted(id)].push_back(all_run(asking(id)));
+      if (edge.requester) ways_[granted(id)].push_back(all_run(requesting(id)));
       return;
     }
     const std::vector<ProviderId>& providers = model_.groups[edge.target].providers;
@@ -290,8 +290,8 @@ private:
                        [&](std::int32_t value) { return value != unset && condition.accepts.contains(value); });
   }
 
-  /// It held whenever what the provider asks of this state did, and would not with every value that the state might
-  /// have.
+  /// Whether it held whenever the conditions of the provider on this state did, and would not with every possible value
+  /// of the state.
   bool held_with(ConditionId id, const compiler::Provider& provider) const {
     const compiler::Condition& condition = model_.conditions[id];
     compiler::ValueSet own = model_.states[condition.state].domain();
@@ -327,7 +327,7 @@ private:
   }
 
   /// Providers with an entry for it.
-  std::vector<ProviderId> asking(EdgeId id) const {
+  std::vector<ProviderId> requesting(EdgeId id) const {
     std::vector<ProviderId> out;
     for (const ProviderId p : model_.groups[*model_.edges[id].requester].providers) {
       for (const compiler::Pack& pack : model_.providers[p].packs) {
@@ -365,7 +365,7 @@ private:
     }
   }
 
-  // What kind it is, so that one sees what is missing
+  // Its kind, for the report.
 
   bool any(GroupId group, const std::vector<bool>& of) const {
     const auto& edges = model_.groups[group].requesters;
@@ -417,18 +417,18 @@ private:
   const Model& model_;
   const Reached& reached_;
   std::vector<WholePack> packs_;
-  std::map<std::pair<ProviderId, ConditionId>, std::vector<ProviderId>> pushes_; ///< with those that wait
-  std::vector<std::set<GroupId>> below_; ///< each group and all that it may lead to
-  std::vector<Row> begin_;               ///< of the providers that run, that can, edges, packs, pushes
+  std::map<std::pair<ProviderId, ConditionId>, std::vector<ProviderId>> pushes_; ///< with the providers that wait
+  std::vector<std::set<GroupId>> below_; ///< each group and all groups that it may lead to
+  std::vector<Row> begin_; ///< first rows of providers that run, providers that can run, edges, packs, pushes
   std::vector<bool> claimed_, told_;
-  std::vector<std::vector<All>> ways_; ///< each of which was missing as a whole
+  std::vector<std::vector<All>> ways_; ///< each was missing completely
 };
 
 } // namespace
 
 std::vector<Unreached> unreached_of(const Model& model, const Reached& reached,
                                     const std::vector<dsl::Diagnostic>& findings) {
-  return Telling(model, reached, findings).run();
+  return UnreachedSearch(model, reached, findings).run();
 }
 
 } // namespace director::property

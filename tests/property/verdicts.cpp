@@ -18,11 +18,11 @@ using dsl::Span;
 
 namespace {
 
-bool says(const dsl::Diagnostic& finding, std::string_view words) {
+bool contains(const dsl::Diagnostic& finding, std::string_view words) {
   return finding.message.find(words) != std::string::npos;
 }
 
-/// What stands at a place.
+/// The text at a place.
 class Places {
 public:
   explicit Places(const Model& model) : model_(model) {}
@@ -85,7 +85,7 @@ private:
   const Model& model_;
 };
 
-/// What stands between backquotes, in order.
+/// The texts in backquotes, in order.
 std::vector<std::string> quoted_in(const std::string& message) {
   std::vector<std::string> out;
   for (std::size_t at = message.find('`'); at != std::string::npos; at = message.find('`', at)) {
@@ -183,7 +183,7 @@ std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model)
     return spans;
   };
   const std::string& id = finding.id;
-  // Why something never happens goes down to what never runs.
+  // Explanations end at providers that never run.
   for (const Span span : notes_with("but never runs itself")) {
     if (const auto entry = places.entry(span); entry && entry->provider) never_runs(*entry->provider);
   }
@@ -200,9 +200,9 @@ std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model)
     never_runs(places.with_causing(finding.span));
   } else if (id == "shadowed_provider" || id == "needs_conflict") {
     for (const ProviderId provider : places.named(finding.span)) {
-      if (id == "shadowed_provider" || says(finding, "can never run")) out.push_back(NeverRuns{provider});
+      if (id == "shadowed_provider" || contains(finding, "can never run")) out.push_back(NeverRuns{provider});
     }
-  } else if (id == "uncovered_state" && says(finding, "only where it cannot")) {
+  } else if (id == "uncovered_state" && contains(finding, "only where it cannot")) {
     if (const auto entry = places.entry(finding.span)) out.push_back(NeverGranted{entry->task->edge});
   } else if (id == "uncovered_state") {
     std::vector<GroupId> groups;
@@ -210,16 +210,16 @@ std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model)
     for (const Span span : notes_with("nor can ")) {
       if (const auto group = places.group(span)) groups.push_back(*group);
     }
-    if (!says(finding, "can ever run")) return gaps_of(finding, model, groups);
+    if (!contains(finding, "can ever run")) return gaps_of(finding, model, groups);
     for (const GroupId group : groups) {
       for (const ProviderId provider : model.groups[group].providers) out.push_back(NeverRuns{provider});
     }
-  } else if (id == "unused_declaration" && says(finding, "nothing requests or needs")) {
+  } else if (id == "unused_declaration" && contains(finding, "nothing requests or needs")) {
     for (const ProviderId provider : places.named(finding.span)) out.push_back(NeverRuns{provider});
   } else if (id == "starved_task" || id == "optional_never_runs" ||
-             (id == "task_cycle" && says(finding, "that one is never granted"))) {
+             (id == "task_cycle" && contains(finding, "that one is never granted"))) {
     if (const auto entry = places.entry(finding.span)) out.push_back(NeverGranted{entry->task->edge});
-  } else if (id == "pack_conflict" || (id == "possible_pack_conflict" && says(finding, "can never"))) {
+  } else if (id == "pack_conflict" || (id == "possible_pack_conflict" && contains(finding, "can never"))) {
     const auto entry = places.entry(finding.span);
     if (!entry || !entry->provider) return out;
     const std::vector<WholePack> packs = whole_packs(model);
@@ -227,12 +227,13 @@ std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model)
       if (packs[i].provider == *entry->provider && packs[i].pack == entry->pack) out.push_back(NeverWhole{i});
     }
   } else if (id == "self_conflict") {
-    // "`Legs` never runs for `Walk` below `KickTo`, which keeps `Legs` for itself": the last one is what it keeps.
+    // "`Legs` never runs for `Walk` below `KickTo`, which keeps `Legs` for itself": the last name is the group that it
+    // keeps.
     const auto entry = places.entry(finding.span);
     const std::vector<std::string> names = quoted_in(finding.message);
     if (!entry || !entry->provider || names.size() < 2) return out;
     if (const auto edge = edge_between(model, names[1], names[0]);
-        edge && names[1].find('.') == std::string::npos && !says(finding, "keeps")) {
+        edge && names[1].find('.') == std::string::npos && !contains(finding, "keeps")) {
       out.push_back(NeverGranted{*edge});
     } else if (const auto kept = model.find_group(names.back())) {
       const auto add = [&](Span span) {
@@ -245,10 +246,10 @@ std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model)
     }
   } else if (id == "sibling_starvation") {
     const std::vector<std::string> names = quoted_in(finding.message);
-    if (!says(finding, "never runs for") || names.size() < 2) return out;
+    if (!contains(finding, "never runs for") || names.size() < 2) return out;
     if (const auto edge = edge_between(model, names.back(), names[names.size() - 2]))
       out.push_back(NeverGranted{*edge});
-  } else if (id == "unused_causing" && says(finding, "no task ever pushes")) {
+  } else if (id == "unused_causing" && contains(finding, "no task ever pushes")) {
     const auto causer = places.with_causing(finding.span);
     if (!causer) return out;
     for (const ConditionUse& promise : model.providers[*causer].causing) {
@@ -257,7 +258,7 @@ std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model)
           out.push_back(NeverPushed{*causer, condition, true});
       }
     }
-  } else if (id == "push_in_vain" && says(finding, " in vain once ")) {
+  } else if (id == "push_in_vain" && contains(finding, " in vain once ")) {
     NeverBack claim;
     for (const std::string& name : quoted_in(finding.message)) {
       for (const compiler::ConditionId condition : model.conditions.ids()) {
@@ -291,7 +292,7 @@ std::vector<EdgeId> losers_of(const dsl::Diagnostic& finding, const Model& model
   for (const dsl::Note& note : finding.notes) {
     const std::vector<std::string> names = quoted_in(note.message);
     if (names.size() != 2 || note.message.find(" requests ") == std::string::npos) continue;
-    if (const auto edge = edge_between(model, names[0], names[1])) out = {*edge}; // the last one is the loser
+    if (const auto edge = edge_between(model, names[0], names[1])) out = {*edge}; // the last name is the loser
   }
   return out;
 }
@@ -301,11 +302,11 @@ std::vector<ProviderId> hints_of(const dsl::Diagnostic& finding, const Model& mo
                                          "imprecise_causing", "causer_not_running", "self_defeating_handler",
                                          "undone_by_stop",    "undone_by_fallback", "causer_goes_first"};
   std::vector<ProviderId> out;
-  if (finding.id == "possible_pack_conflict" && !says(finding, "can never")) {
-    // "can be granted together only by other providers": those that it names have no use there.
+  if (finding.id == "possible_pack_conflict" && !contains(finding, "can never")) {
+    // "can be granted together only by other providers": the providers that it names are not among them.
     for (const ProviderId id : model.providers.ids()) {
       const auto& needs = model.providers[id].needs;
-      if (says(finding, "`" + model.full_name(id) + "`") &&
+      if (contains(finding, "`" + model.full_name(id) + "`") &&
           std::any_of(needs.begin(), needs.end(),
                       [&](const auto& need) { return !note_at(finding, need.span).empty(); }))
         out.push_back(id);

@@ -1,7 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What findings say never happens, in terms of what an exploration can show; and of what was never reached, what it
-// hangs on.
+// What findings say never happens, in terms of an exploration; and for what was never reached, what it depends on.
 
 #include "dsl/diagnostic.hpp"
 #include "tests/property/reached.hpp"
@@ -21,8 +20,8 @@ struct NeverRuns {
 struct NeverGranted {
   compiler::EdgeId edge{};
 };
-/// The provider is never pushed for the condition; `to_effect`: or does not run while the task waits, as where its
-/// group is in one unit with it, so that nothing comes of the push.
+/// The provider is never pushed for the condition; `to_effect`: or does not run while the task waits, as if its group
+/// is in one unit with it, so that the push has no effect.
 struct NeverPushed {
   compiler::ProviderId provider{};
   compiler::ConditionId condition{};
@@ -32,7 +31,7 @@ struct NeverPushed {
 struct NeverWhole {
   std::size_t pack = 0;
 };
-/// While the provider runs and requests `edge`, the task `loser` below that is never granted, for want of the group.
+/// While the provider runs and requests `edge`, the task `loser` below that is never granted, because of the group.
 struct NeverBelow {
   compiler::ProviderId provider{};
   compiler::EdgeId edge{}, loser{};
@@ -56,16 +55,16 @@ struct NeverBack {
 
 using Claim = std::variant<NeverRuns, NeverGranted, NeverPushed, NeverWhole, NeverBelow, NeverWhile, NeverBack>;
 
-/// Each for itself; nothing where the finding claims nothing that could be reached.
+/// The claims of a finding, each by itself; none if it claims nothing that could be reached.
 std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const compiler::Model& model);
 
-/// Providers that it says cannot run as things stand, without saying never.
+/// Providers that it says cannot run with the current declarations, without saying never.
 std::vector<compiler::ProviderId> hints_of(const dsl::Diagnostic& finding, const compiler::Model& model);
 
-/// Tasks of which it says that somebody else keeps from them what they want, without saying never.
+/// Tasks that it says are kept from a group by another requester, without saying never.
 std::vector<compiler::EdgeId> losers_of(const dsl::Diagnostic& finding, const compiler::Model& model);
 
-/// States of which it says that they never have some of their values.
+/// States that it says never have some of their values.
 std::vector<compiler::StateId> lacking_of(const dsl::Diagnostic& finding, const compiler::Model& model);
 
 /// None of them holds.
@@ -74,21 +73,22 @@ bool are_lost(const NeverBack& claim, const compiler::Model& model, const std::v
 bool is_contradicted(const Claim& claim, const compiler::Model& model, const Reached& reached);
 std::string in_words(const Claim& claim, const compiler::Model& model);
 
-/// Conditions that no declaration satisfies, and needs without a plan, are errors that stand where they are made. The
-/// checks take them for mended, and are silent of what could happen then; as things stand it cannot, and hangs on them.
+/// Conditions that no declaration satisfies, and needs without a plan, are errors, reported at their declaration. The
+/// checks take them as corrected, and do not report what follows from them; with the current declarations it cannot
+/// happen, and depends on them.
 struct FollowOn {
   std::vector<compiler::ProviderId> idle, unpushed;
   std::vector<compiler::EdgeId> ungranted;
   std::vector<std::pair<compiler::ProviderId, std::size_t>> unwhole;                ///< packs
-  std::vector<std::pair<compiler::ProviderId, compiler::ConditionId>> unpushed_for; ///< this condition
+  std::vector<std::pair<compiler::ProviderId, compiler::ConditionId>> unpushed_for; ///< for this condition
 };
 FollowOn follow_on_of(const compiler::Model& model);
 
 /// What was never reached.
 struct Unreached {
-  std::string kind;  ///< "provider", "task", "push" or "pack", and in which way
-  std::string what;  ///< its name
-  bool told = false; ///< by a finding of it or of what it hangs on
+  std::string kind;      ///< "provider", "task", "push" or "pack", and its kind
+  std::string what;      ///< its name
+  bool reported = false; ///< by a finding about it or about what it depends on
 };
 std::vector<Unreached> unreached_of(const compiler::Model& model, const Reached& reached,
                                     const std::vector<dsl::Diagnostic>& findings);

@@ -1,29 +1,27 @@
-// What findings are worth, measured: random small behaviours are explored whole, and what was reached is held against
 // SPDX-License-Identifier: MIT
-// what the checks say of them. No finding says never of what was reached; and of nearly all that was never reached,
-// a provider, a task, a pack as a whole or a push, some finding says so, of it or of what it hangs on.
+// The quality of findings: random small behaviours are explored completely, and compared with the findings of the
+// checks. No finding says never of what was reached; and nearly all that was never reached (a provider, a task, a pack
+// as a whole or a push) is reported, by a finding about it or about what it depends on.
 //
-// Bodies are tried that leave optional entries of a pack out, which exploration otherwise keeps: what happens only then
-// is not impossible.
+// Bodies that leave out optional entries of a pack are explored too, which exploration otherwise keeps: what happens
+// only with them is not impossible.
 //
-// What counts:
-// - A provider counts that never ran, a task (an edge with a level) that was never granted, a named pack whose
-// mandatory
+// What counts as never reached, and as reported:
+// - A provider that never ran, a task (an edge with a level) that was never granted, a named pack whose mandatory
 //   members, two or more, were never granted together, and a promise that was never pushed for a condition of another
-//   group. A promise that is pushed for one condition is pushed: it does not count again for the others that it serves.
-// - It is told by a finding that says so of it, at any level, a lint too; or by what it hangs on: something else that
-//   was never reached, without which it could not be, and all of what could have served instead is told too
-//   (unreached.cpp has these ways). A circle of such is told only where a finding stands in it.
-// - What is reported as impossible by declarations alone is taken for mended by the checks, which say nothing of what
-//   could happen then. That hangs on the reported fault where the same analysis, with the fault as it is, has proven
-//   that it never happens (follow_on.cpp).
+//   group. A promise that is pushed for one condition does not count for the others that it serves.
+// - It is reported by a finding about it, at any level, also a lint; or by what it depends on: something else that was
+//   never reached, without which it could not happen, if all alternatives to that are reported too (unreached.cpp has
+//   these ways). A cycle of such is reported only if it has a finding.
+// - The checks take what is reported as impossible by declarations alone as corrected, and do not report what follows.
+//   That depends on the reported fault if the same analysis, with the fault as it is, proves that it never happens
+//   (follow_on.cpp).
 //
 //   DIRECTOR_SEED   first seed, instead of 1
 //   DIRECTOR_CASES  how many behaviours, instead of as many as take half a minute
 //   DIRECTOR_LONG   set: 4,000 behaviours, and without a first seed 300 more in each of four ranges far away
 //   DIRECTOR_SHOW   set: each contradiction and each silence, with its seed; to a seed: its behaviour; to an id or a
-//   kind
-//                   of silence: the smallest behaviours that show the same
+//                   kind of silence: the smallest behaviours that show the same
 #include "compiler/pipeline.hpp"
 #include "dsl/render.hpp"
 #include "tests/property/shrink.hpp"
@@ -48,25 +46,25 @@ using tests::is_long;
 
 #ifdef NDEBUG
 constexpr std::uint64_t usual_cases = 400;
-constexpr double least_told = 99.3; ///< of a hundred things that were never reached
+constexpr double least_reported = 99.3; ///< percent of what was never reached
 #else
 constexpr std::uint64_t usual_cases = 20;
-constexpr double least_told = 98; ///< there are some hundred, so one is much
+constexpr double least_reported = 98; ///< there are some hundred, so one matters
 #endif
 constexpr std::uint64_t long_cases = 4'000;
 constexpr std::size_t bound = 30'000; ///< states of one behaviour; one with more is left out
-constexpr double least_told_long = 99.1;
+constexpr double least_reported_long = 99.1;
 constexpr std::uint64_t far_ranges[] = {70'001, 100'001, 200'001, 300'001};
 constexpr std::uint64_t far_cases = 300;
-constexpr double least_told_far = 99; ///< of some 2,300 things each
-/// Checks that say never of what was reached. None may join them. task_cycle speaks of the request that closes a circle
-/// from where the circle is entered; from another place another one closes it. That is tolerated: the finding is an
-/// error, whichever request it names, and goes away with the circle.
+constexpr double least_reported_far = 99; ///< of some 2,300 each
+/// Checks that say never of what was reached; no other may. task_cycle reports the request that closes a cycle from
+/// where the cycle is entered; from another place another request closes it. That is tolerated: the finding is an
+/// error, whichever request it names, and disappears with the cycle.
 const std::set<std::string> wrong_ids{};
 
 struct Count {
   std::size_t right = 0, wrong = 0;
-  std::uint64_t seed = 0; ///< the first that was wrong
+  std::uint64_t seed = 0; ///< of the first that was wrong
   void add(bool is_right, std::uint64_t at) {
     if (!is_right && wrong++ == 0) seed = at;
     if (is_right) ++right;
@@ -76,7 +74,7 @@ struct Count {
 struct Measure {
   std::size_t tried = 0, explored = 0, states = 0;
   std::map<std::string, Count> findings; ///< by id: confirmed, contradicted
-  std::map<std::string, Count> silences; ///< by kind of what was never reached: told, not told
+  std::map<std::string, Count> silences; ///< by kind of what was never reached: reported, not reported
   std::vector<std::string> contradictions;
 
   Count all(const std::map<std::string, Count>& counts) const {
@@ -90,11 +88,11 @@ struct Measure {
   }
 };
 
-/// One behaviour, explored; nothing where it cannot be run or has too many states.
+/// One behaviour, explored; nothing if it cannot be run or has too many states.
 struct Judged {
   std::size_t states = 0;
   struct Finding {
-    std::string id, message, wrong; ///< wrong: what it claims and was reached
+    std::string id, message, wrong; ///< wrong: what it claims although it was reached
   };
   std::vector<Finding> claiming; ///< those that claim something
   std::vector<Unreached> unreached;
@@ -139,12 +137,12 @@ std::optional<Judged> judge(const std::string& text) {
   return out;
 }
 
-/// It has a finding with this id that says never of what was reached, or is silent of something of this kind.
+/// Whether it has a finding with this id that says never of what was reached, or no finding for something of this kind.
 bool shows(const Judged& judged, std::string_view kind) {
   return std::any_of(judged.claiming.begin(), judged.claiming.end(),
                      [&](const Judged::Finding& each) { return !each.wrong.empty() && each.id == kind; }) ||
          std::any_of(judged.unreached.begin(), judged.unreached.end(),
-                     [&](const Unreached& each) { return !each.told && each.kind == kind; });
+                     [&](const Unreached& each) { return !each.reported && each.kind == kind; });
 }
 
 /// The smallest behaviour found that shows the same.
@@ -163,7 +161,7 @@ void print_small(std::uint64_t seed, const std::string& kind) {
     if (!each.wrong.empty()) std::cout << "reached although " << each.wrong << "\n";
   }
   for (const Unreached& each : judged->unreached) {
-    if (!each.told) std::cout << "silent of " << each.what << ", " << each.kind << "\n";
+    if (!each.reported) std::cout << "silent of " << each.what << ", " << each.kind << "\n";
   }
   std::cout << judged->findings << "\n";
 }
@@ -179,14 +177,14 @@ void take(Measure& measure, std::uint64_t seed) {
   for (const Judged::Finding& each : judged->claiming) {
     measure.findings[each.id].add(each.wrong.empty(), seed);
     if (each.wrong.empty()) continue;
-    const std::string told =
+    const std::string text =
         "seed " + std::to_string(seed) + ": " + each.id + ": " + each.message + " (" + each.wrong + ")";
-    if (show != nullptr) std::cout << told << "\n";
-    if (!wrong_ids.contains(each.id)) measure.contradictions.push_back(told);
+    if (show != nullptr) std::cout << text << "\n";
+    if (!wrong_ids.contains(each.id)) measure.contradictions.push_back(text);
   }
   for (const Unreached& each : judged->unreached) {
-    measure.silences[each.kind].add(each.told, seed);
-    if (show != nullptr && !each.told)
+    measure.silences[each.kind].add(each.reported, seed);
+    if (show != nullptr && !each.reported)
       std::cout << "seed " << seed << ": silent of " << each.what << ", " << each.kind << "\n";
   }
   if (show != nullptr && shows(*judged, show)) print_small(seed, show);
@@ -202,14 +200,14 @@ void print(const Measure& measure) {
     std::cout << "\n";
   }
   const Count all = measure.all(measure.silences);
-  std::cout << "Never reached: told, not told\n";
+  std::cout << "Never reached: reported, not reported\n";
   for (const auto& [kind, count] : measure.silences) {
     std::cout << std::setw(8) << count.right << std::setw(8) << count.wrong << "  " << kind;
     if (count.wrong > 0) std::cout << " (first: seed " << count.seed << ")";
     std::cout << "\n";
   }
   std::cout << std::fixed << std::setprecision(2) << measure.share() << " % of " << all.right + all.wrong
-            << " that were never reached are told\n";
+            << " that were never reached are reported\n";
 }
 
 void take_range(Measure& measure, std::uint64_t first, std::uint64_t cases) {
@@ -218,7 +216,7 @@ void take_range(Measure& measure, std::uint64_t first, std::uint64_t cases) {
     take(measure, seed);
 }
 
-TEST_CASE("what findings call impossible is never reached, and what is never reached is told") {
+TEST_CASE("what findings call impossible is never reached, and what is never reached is reported") {
   const std::uint64_t first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
   const std::uint64_t cases = from_environment("DIRECTOR_CASES", is_long() ? long_cases : usual_cases);
   Measure measure;
@@ -227,11 +225,11 @@ TEST_CASE("what findings call impossible is never reached, and what is never rea
   for (const std::string& each : measure.contradictions) UNSCOPED_INFO(each);
   CHECK(measure.contradictions.empty());
   CHECK(measure.explored == cases);
-  CHECK(measure.share() >= (is_long() ? least_told_long : least_told));
+  CHECK(measure.share() >= (is_long() ? least_reported_long : least_reported));
 }
 
-TEST_CASE("nothing untrue is told of behaviours of which it once was") {
-  if (tests::is_sanitized) return; // it is what is told that counts here
+TEST_CASE("findings are true for behaviours for which one was once false") {
+  if (tests::is_sanitized) return; // findings are the same with sanitizers
   Measure measure;
   for (const std::uint64_t seed : {1'001'288U, 1'001'557U, 1'002'239U, 2'001'694U, 4'000'471U, 4'000'477U})
     take(measure, seed);
@@ -240,7 +238,7 @@ TEST_CASE("nothing untrue is told of behaviours of which it once was") {
   CHECK(measure.explored == 6);
 }
 
-TEST_CASE("so it is with seeds that nobody looked at while the checks were written") {
+TEST_CASE("findings are true and complete for seeds that were not used to write the checks") {
   if (!is_long() || std::getenv("DIRECTOR_SEED") != nullptr) return;
   const std::uint64_t cases = from_environment("DIRECTOR_CASES", far_cases);
   for (const std::uint64_t first : far_ranges) {
@@ -251,7 +249,7 @@ TEST_CASE("so it is with seeds that nobody looked at while the checks were writt
     for (const std::string& each : measure.contradictions) UNSCOPED_INFO(each);
     CHECK(measure.contradictions.empty());
     CHECK(measure.explored == cases);
-    CHECK(measure.share() >= least_told_far);
+    CHECK(measure.share() >= least_reported_far);
   }
 }
 

@@ -1,14 +1,14 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Says which case was in hand when the program dies or hangs: a test that runs thousands must not keep that to itself.
+// Prints the current case when the program dies or hangs, for tests that run thousands of cases.
 
 #include <cstdint>
 
 namespace director::property {
 
-/// From now on this seed is in hand. It is given a minute.
+/// Sets the current seed, for which a minute is allowed.
 void watch(std::uint64_t seed);
-/// No case is in hand any more.
+/// Ends the current case.
 void stop_watching();
 
 } // namespace director::property

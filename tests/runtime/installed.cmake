@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# For tests of what is installed, in files that `cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -P` runs.
+# For tests of an installed Director, in files that `cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -P` runs.
 
 # build_with_installed(<component> <public headers, as a regular expression>): the project builds with an installed Director, of which the folder of this
 # component has no other headers.

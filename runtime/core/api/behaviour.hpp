@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What generated code stands on: include this, and everything that it needs is there.
+// All headers of the runtime that generated code needs.
 
 #include "runtime/core/api/body.hpp"
 #include "runtime/core/api/event_names.hpp"
@@ -18,7 +18,7 @@ struct ModuleAt {
   Module* module;
 };
 
-/// Where a Behaviour's modules are: found by their type, so that no name is made for them.
+/// Pointers to the modules of a Behaviour, found by type, so that they need no names.
 template <class... All>
 class Modules : ModuleAt<All>... {
 public:
@@ -31,6 +31,6 @@ public:
 
 } // namespace director
 
-// A function of the user that may end without its answer does not compile, whatever warnings are asked for: a body that
-// forgets one would be undefined behaviour on a robot. This holds to the end of each file that includes generated code.
+// A function of the user that may end without an answer does not compile, whatever warnings are enabled: such a body
+// would be undefined behaviour on a robot. This holds to the end of each file that includes generated code.
 #pragma GCC diagnostic error "-Wreturn-type"

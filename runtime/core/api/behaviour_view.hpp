@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a program sees of a behaviour, typed: between steps, and from other threads. `Facts`: see program.hpp.
+// Typed reading of a behaviour, between steps and from other threads. `Facts`: see program.hpp.
 
 #include "runtime/core/inspect/snapshot.hpp"
 #include "runtime/core/inspect/view.hpp"
@@ -10,37 +10,36 @@
 
 namespace director {
 
-/// What one may ask between steps.
+/// What a program may read between steps.
 template <class Facts>
 class BehaviourView {
 public:
-  /// By Program and Snapshot.
+  /// Made by Program and Snapshot.
   explicit BehaviourView(const View& view) : view_(view) {}
 
-  /// Of the program's own request for this root task: running, queued or none.
+  /// The state of the program's own request for this root task: running, queued or none.
   template <class Task>
   RunState state() const {
     static_assert(Facts::Roots::template has<Task>, "only tasks that stand in `roots` are requested from outside");
     return view_.state(Facts::Roots::template For<Task>::edge);
   }
 
-  /// Who holds this task's group.
+  /// The requester that holds this task's group, if any.
   template <class Task>
   Holding holding() const {
     return view_.holding(row<Task>);
   }
 
-  /// Why this task does not run. The generated `names::why` puts the answer into words.
+  /// Why this task does not run. The generated `names::why` makes a sentence of it.
   template <class Task>
   Because why() const {
     return director::why(view_, row<Task>);
   }
 
-  /// How many inputs were lost so far: refused, as the inbox was full, or replaced by a later one before the engine
-  /// took them. Counts on from 0 behind 2^32 - 1.
+  /// The number of inputs lost so far: refused by a full inbox, or replaced before they were taken. Modulo 2^32.
   std::uint32_t lost() const { return view_.lost; }
 
-  /// By number.
+  /// The same by number.
   const View& view() const { return view_; }
 
 private:
@@ -53,8 +52,8 @@ private:
   View view_;
 };
 
-/// What other threads see of a behaviour: what held when it was last told to show itself, `behaviour.show(snapshot)`.
-/// Any number of threads may look, at any time; nobody waits. Holds two copies of what can be seen.
+/// What other threads can read of a behaviour: a copy of its state at the last `behaviour.show(snapshot)`. Any number
+/// of threads may read it at any time; no thread waits. It holds two copies.
 template <class Facts>
 class Snapshot {
 public:
@@ -62,8 +61,7 @@ public:
   Snapshot(const Snapshot&) = delete;
   Snapshot& operator=(const Snapshot&) = delete;
 
-  /// A look at the newest moment that was shown, which lasts as long as this object. Short ones are best: from the next
-  /// moment that is shown on it is one at the older copy, which cannot take the moment after that while it lasts.
+  /// Read access to the newest copy. Keep it short: show() cannot overwrite the copy while this object exists.
   class Look {
   public:
     Look(const Look&) = delete;
@@ -72,7 +70,7 @@ public:
       if (buffer_ != nil) of_.buffers_.leave(buffer_);
     }
     explicit operator bool() const { return buffer_ != nil; } ///< false: nothing was shown yet
-    /// What held at that moment; only where the look is true.
+    /// The state at that moment; only if the look is true.
     BehaviourView<Facts> operator*() const { return BehaviourView<Facts>(of_.views_[buffer_]); }
 
   private:
@@ -81,10 +79,10 @@ public:
     const Snapshot& of_;
     Index buffer_;
   };
-  /// From any thread; never waits.
+  /// May be called from any thread, and never waits.
   Look look() const { return Look(*this); }
 
-  /// From the thread that calls step(). False: there is still a look at the older copy; nothing changes.
+  /// To be called from the thread that calls step(). False: a thread still reads the older copy, and nothing changes.
   bool show(const View& view) {
     const Index buffer = buffers_.begin();
     if (buffer == nil) return false;

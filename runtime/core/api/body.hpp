@@ -1,14 +1,13 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // The typed contexts of provider bodies and of start and stop handlers: thin layers over Run and Handling. `Facts` is a
-// generated struct that says what the specification allows this provider or handler; what it does not allow does not
-// compile. Members of Facts:
-//   Behaviour               the facts of the whole: States, Data, places
+// generated struct with what the specification allows here; anything else does not compile. Members of Facts:
+//   Behaviour               the Facts of the Behaviour: States, Data, places
 //   sets                    array of Allowed: the values that `causing` and `sets` name
-//   Task, Module            whose task it serves, and the interface that it is a part of
+//   Task, Module            the task of its group, and the interface that has its body
 //   Uses, Triggers          of providers: Table of the edges in `uses`, of the triggers
 //   Tasks, flat             of providers: Pack of the flat `tasks`; whether there are no named packs
-//   Packs, pack_names       of providers: the named packs, and what they are called
+//   Packs, pack_names       of providers: the named packs, and their names
 
 #include "runtime/core/api/pack.hpp"
 #include "runtime/core/base/duration.hpp"
@@ -21,7 +20,7 @@ struct Setting {
   std::int32_t value = unset;
 };
 
-/// What values a state has, low..high, and who may set it.
+/// The values of a state, low..high, and whether the program may set it.
 struct Domain {
   std::int32_t low = 0, high = 0;
   bool external = false;
@@ -34,7 +33,7 @@ struct Allowed {
   std::int32_t low = 0, high = 0;
 };
 
-/// Base of Facts, for what a provider or handler does not declare.
+/// Base of Facts with defaults for what a provider or handler does not declare.
 struct NothingDeclared {
   static constexpr std::array<Allowed, 0> sets{};
   static constexpr bool flat = true;
@@ -50,22 +49,22 @@ struct NothingDeclared {
 template <class Provider>
 struct Broken {};
 
-/// What a body sees of a task or need that stands in its `uses`.
+/// What a body can read about a task or need in its `uses`.
 class Used {
 public:
-  /// By generated code.
+  /// Made by generated code.
   Used(const Run& run, Index edge) : run_(run), edge_(edge) {}
-  /// Running, queued, or not requested from here.
+  /// Running, queued, or none if this group does not request it.
   RunState state() const { return edge_ == nil ? RunState::none : run_.state(edge_); }
-  bool done() const { return edge_ != nil && run_.done(edge_); }     ///< it said done or failed; only while running
-  bool failed() const { return edge_ != nil && run_.failed(edge_); } ///< it said failed; only while running
+  bool done() const { return edge_ != nil && run_.done(edge_); } ///< its answer was done or fail; only while running
+  bool failed() const { return edge_ != nil && run_.failed(edge_); } ///< its answer was fail; only while running
 
 private:
   const Run& run_;
-  Index edge_; ///< nil: nothing of its group requests or needs it
+  Index edge_; ///< nil: no edge leads from this group to it
 };
 
-/// Never defined: a call of it while compiling is the error that names the mistake.
+/// Never defined: a call of it at compile time is the error whose text names the mistake.
 void this_value_is_not_declared_in_causing_or_sets();
 
 template <class Facts>
@@ -80,16 +79,16 @@ constexpr bool may_set_some(Index state) {
   return any(Facts::sets, [&](const Allowed& allowed) { return allowed.state == state; });
 }
 
-/// A state that `causing` or `sets` of this provider or handler name.
+/// A state that `causing` or `sets` of this provider or handler names.
 template <class Value, class Facts>
 concept DeclaredState = Facts::Behaviour::States::template has<Value>&&
     may_set_some<Facts>(Facts::Behaviour::States::template row<Value>);
 
-/// A constant value of a declared state, checked while compiling.
+/// A constant value of a declared state, checked at compile time.
 template <class Facts>
 class DeclaredValue {
 public:
-  /// From a constant of the state's type; what is not declared does not compile.
+  /// From a constant of the state's type; a value that is not declared does not compile.
   template <class Value>
   consteval DeclaredValue(Value value) {
     static_assert(DeclaredState<Value, Facts>,
@@ -104,13 +103,13 @@ private:
   Setting setting_;
 };
 
-/// What providers and handlers have in common. `Core`: Run or Handling.
+/// The common part of the contexts of providers and handlers. `Core`: Run or Handling.
 template <class Facts, class Core>
 class Context {
   using Data = typename Facts::Behaviour::Data;
 
 public:
-  /// By generated code.
+  /// Made by generated code.
   Context(Core& core, Data& data) : core_(core), data_(data) {}
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
@@ -123,14 +122,14 @@ public:
     return data_.template of<typename Facts::Task>().at(at.slot, place);
   }
 
-  /// Why it is called; several reasons can come together.
+  /// Why it is called; there may be several reasons.
   Reasons reasons() const { return core_.reasons(); }
 
-  /// A constant value of a state that the specification declares here; anything else does not compile. The last call
-  /// for a state counts. Takes effect when the body returns, together with all else that it asks for.
+  /// Sets a constant value of a state that the specification declares here; anything else does not compile. The last
+  /// call for a state counts. It takes effect when the body returns, together with its answer.
   void set(DeclaredValue<Facts> value) { core_.set(value.setting().state, value.setting().value); }
 
-  /// The same for a computed value. False: it is not declared here; nothing is set, and the observer is told.
+  /// The same for a computed value. False: it is not declared here, nothing is set, and the observer is called.
   template <class Value>
   bool try_set(Value value) {
     static_assert(DeclaredState<Value, Facts>,
@@ -146,8 +145,8 @@ public:
   }
 
 protected:
-  Core& core_; ///< what stands behind it, without types
-  Data& data_; ///< of all tasks
+  Core& core_; ///< the untyped context
+  Data& data_; ///< the data of all tasks
 };
 
 /// Base of a start or stop handler's context.
@@ -163,29 +162,28 @@ class Body : public Context<Facts, Run> {
 public:
   using Context<Facts, Run>::Context;
 
-  /// A task or need that stands in `uses`: `run.uses<soccer::Walk>().state()`.
+  /// A task or need in `uses`: `run.uses<soccer::Walk>().state()`.
   template <class Task>
   Used uses() const {
     static_assert(Facts::Uses::template has<Task>, "this group does not stand in the provider's `uses`");
     return {this->core_, Facts::Uses::template row<Task>};
   }
 
-  /// This trigger fired since the last run.
+  /// Whether this trigger fired since the last run.
   template <class Trigger>
   bool triggered() const {
     static_assert(Facts::Triggers::template has<Trigger>, "the provider's `triggers` do not name this trigger");
     return this->core_.triggered(Facts::Triggers::template row<Trigger>);
   }
 
-  /// Run again after this time, `run.wait(50ms)`; at most one wait is pending, the last one asked for. The longest
-  /// duration never ends.
+  /// Requests a run after this time, `run.wait(50ms)`. The last call counts. The longest duration never ends.
   template <Duration T>
   void wait(T duration) {
     const Time time = microseconds(duration);
     this->core_.wait(time > 0 ? time : 1);
   }
 
-  /// Any of the provider's flat `tasks`, or none: these and nothing else are requested from now on.
+  /// Requests any of the provider's flat `tasks`, or none, and withdraws all other requests.
   template <class... Given>
   Outcome request(Given... tasks) {
     static_assert(Facts::flat, "this provider has packs: request one of them by its name");
@@ -196,15 +194,15 @@ public:
     return this->core_.fault();
   }
 
-  /// The task is finished. What was requested before stays so.
+  /// The task is finished. Its requests stay as they are.
   Outcome done() { return this->core_.done(); }
-  /// Likewise, and it came to nothing.
+  /// The task is finished without a result. Its requests stay as they are.
   Outcome fail() { return this->core_.fail(); }
-  /// Everything goes on as it is.
+  /// All requests stay as they are.
   Outcome keep() { return this->core_.keep(); }
 
 protected:
-  /// `number`: which of the named packs it is.
+  /// `number`: the place of the pack among the named packs.
   template <class Pack, std::uint16_t number = 0, class... Given>
   Outcome ask(Given&... tasks) {
     return director::ask<Pack>(this->core_, this->data_, number, tasks...);

@@ -1,7 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What the words of Director are called that stand in events: the same for every behaviour. What its own rows are
-// called is in the namespace `names` of generated code.
+// The names of enumerators in events. Those of a behaviour's rows are in the namespace `names` of generated code.
 
 #include "runtime/core/base/observer.hpp"
 
@@ -12,7 +11,7 @@ namespace director {
 
 namespace detail {
 
-/// In the order in which the enumeration, which ends with `last`, declares them; of what it does not declare, empty.
+/// The name at this place of an enumeration that ends with `last`; empty behind it.
 template <std::size_t last, std::size_t count>
 constexpr const char* name_in(const std::array<const char*, count>& names, std::size_t at) {
   static_assert(count == last + 1);
@@ -29,14 +28,14 @@ constexpr const char* name_of(Event::Kind row) {
   return detail::name_in<std::size_t(Event::Kind::given)>(names, std::size_t(row));
 }
 
-/// As steps of scenarios have it.
+/// The word in the steps of scenarios.
 constexpr const char* name_of(Event::Input row) {
   constexpr std::array names{"none",    "request", "cancel", "set",    "trigger", "enable",
                              "disable", "expire",  "wait",   "within", "every"};
   return detail::name_in<std::size_t(Event::Input::every)>(names, std::size_t(row));
 }
 
-/// In the order of their bits.
+/// The names are in the order of the bits.
 constexpr const char* name_of(Reason reason) {
   constexpr std::array names{"new_task", "pushed", "subtask_done", "wait", "trigger", "started", "stopped"};
   constexpr auto bit_of = [](Reason row) { return std::size_t(std::countr_zero(std::uint8_t(row))); };
@@ -48,13 +47,13 @@ constexpr const char* name_of(Why row) {
   return detail::name_in<std::size_t(Why::deferred)>(names, std::size_t(row));
 }
 
-/// As scripts of scenarios have it.
+/// The word in the scripts of scenarios.
 constexpr const char* name_of(Outcome::Kind row) {
   constexpr std::array names{"pack", "done", "failed", "keep", "fault"};
   return detail::name_in<std::size_t(Outcome::Kind::fault)>(names, std::size_t(row));
 }
 
-/// In the order in which a run lists them.
+/// All reasons, in the order in which a run lists them.
 inline constexpr Reason all_reasons[] = {Reason::new_task, Reason::pushed,  Reason::subtask_done, Reason::wait,
                                          Reason::trigger,  Reason::started, Reason::stopped};
 

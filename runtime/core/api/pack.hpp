@@ -1,16 +1,16 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Which tasks a body, or the program, may ask for, as types: generated code lists them, and what does not fit the list
-// does not compile. Nothing here is kept at run time but the numbers of edges and levels.
+// The tasks that a body, or the program, may request, as types: generated code lists them, and a request that does not
+// fit the list does not compile. At run time only the numbers of edges and levels are left.
 
 #include "runtime/core/api/slots.hpp"
 #include "runtime/core/api/task.hpp"
 
 namespace director {
 
-/// An entry of a pack, of `tasks` or of `roots`. `edge`: from the requester to the task. `place`: that edge's place
-/// among those that lead to the task, for its data. `rows`: of Tables::levels, first that of the entry's first level,
-/// then one for each level that the task has a name for (LevelOf::number), nil where this entry does not have it.
+/// An entry of a pack, of `tasks` or of `roots`. `edge`: from the requester to the task. `place`: the place of that
+/// edge among those that lead to the task, for its data. `rows`: rows of Tables::levels, first that of the entry's
+/// first level, then one for each named level of the task (LevelOf::number), nil if this entry does not have it.
 template <class T, Index edge_row, Index place_at, Index... rows>
 struct Member {
   using Task = T;
@@ -40,7 +40,7 @@ struct Pack : Members... {
   template <class Task>
   static constexpr bool has = (std::is_same_v<Task, typename Members::Task> || ...);
 
-  /// Every task given is one of the pack's.
+  /// Every given task is in the pack.
   template <class... Given>
   static constexpr bool takes = (has<TaskOf<Given>> && ...);
 
@@ -48,7 +48,7 @@ struct Pack : Members... {
   template <class... Given>
   static constexpr bool once = ((detail::times<TaskOf<Given>, Given...> == 1) && ...);
 
-  /// The task that this edge leads to is one of the pack's and carries no data.
+  /// The target of this edge is a task of the pack without data.
   static constexpr bool bare_at(Index edge) {
     return ((Members::edge == edge && !has_data<typename Members::Task>) || ...);
   }
@@ -68,7 +68,7 @@ struct Packs {
 template <class Task, class... Given>
 inline constexpr bool given = detail::times<Task, Given...> > 0;
 
-/// Asks for one task of a pack. False: it has not the level that was named.
+/// Requests one task of a pack. False: the entry does not have this level.
 template <class Pack, class Data, class Task>
 bool ask_for(Run& run, Data& data, Task& request, bool kept = false) {
   using Member = typename Pack::template For<Task>;
@@ -87,8 +87,8 @@ bool ask_for(Run& run, Data& data, Kept<Task>& request) {
   return ask_for<Pack>(run, data, request.task, true);
 }
 
-/// Asks for everything that is given and for nothing else. A level that the requester does not declare for a task is a
-/// fault of the body: nothing is asked for, and the observer and whoever called step() hear of it.
+/// Requests all given tasks and no others. A level that the requester does not declare for a task is a fault of the
+/// body: nothing is requested, the observer is called, and step() returns StepResult::fault.
 template <class Pack, class Data, class... Given>
 Outcome ask(Run& run, Data& data, std::uint16_t number, Given&... requests) {
   const bool declared = (ask_for<Pack>(run, data, requests) && ...);

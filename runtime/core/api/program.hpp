@@ -1,8 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The base of every generated Behaviour, which holds all its memory. `Facts` is the generated struct that says what the
-// specification declares:
-//   shape, tables()   sizes, known while compiling, and the tables
+// The base of every generated Behaviour, which owns all its memory. Members of `Facts`, a generated struct:
+//   shape, tables()   sizes, known at compile time, and the tables
 //   inbox_cells       how many records of inputs can wait
 //   Data, places      the slots of task data; edge -> its place among those that lead to its task
 //   States            Table of the state types; value -> Setting; the Domain of each state
@@ -10,9 +9,9 @@
 //   Triggers          Table of the declared triggers
 //   Providers         Table of the contexts of all providers
 //   Groups            Table of the task types of all groups
-//   fingerprint()     a number that tells the behaviour from others; only who saves it asks
-//   called_from_inside()  fails an assertion, where assertions count: a body, handler or observer called what only
-//                     `post` may do
+//   fingerprint()     a number that differs between behaviours; used only to save and load
+//   called_from_inside()  fails an assertion, if these are compiled: a body, handler or observer called a function
+//                     that only `post` offers it
 
 #include "runtime/core/api/behaviour_view.hpp"
 #include "runtime/core/api/post.hpp"
@@ -26,34 +25,33 @@ class Program {
   static_assert(Facts::shape.edges + Facts::shape.groups < nil, "more rows than an Index can tell apart");
 
 public:
-  using Snapshot = director::Snapshot<Facts>; ///< what other threads may look at; filled by show()
-  using Post = director::Post<Facts>;         ///< what acts on the behaviour from other threads
+  using Snapshot = director::Snapshot<Facts>; ///< what other threads may read; filled by show()
+  using Post = director::Post<Facts>;         ///< posts inputs from other threads
 
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  // The words of Post, for the thread that calls step(). From inside a body, handler or observer an assertion fails;
-  // without assertions they are refused (false).
+  // The functions of Post, for the thread that calls step(). From inside a body, handler or observer an assertion
+  // fails; without assertions the call is refused (false).
 
-  /// Requests root tasks, with their data and levels; several are one input. What is requested already is a new task.
+  /// Requests root tasks, with data and levels; several are one input. A task that is requested already is a new task.
   template <class Task, class... More>
   bool request(Task task, More... more) {
-    return outside() && words().request(std::move(task), std::move(more)...);
+    return outside() && local_post().request(std::move(task), std::move(more)...);
   }
-  /// The same for tasks that have no data, by their types.
+  /// The same by type, for tasks without data.
   template <class Task, class... More>
   bool request() {
-    return outside() && words().template request<Task, More...>();
+    return outside() && local_post().template request<Task, More...>();
   }
-  /// Takes back the request for a root task.
+  /// Withdraws the request for a root task.
   template <class Task>
   bool cancel() {
-    return outside() && words().template cancel<Task>();
+    return outside() && local_post().template cancel<Task>();
   }
-  /// Takes back the requests for all root tasks, as one input.
-  bool cancel_all() { return outside() && words().cancel_all(); }
-  /// Sets external states; several are one input. False: a value is outside of its state's domain, or several find no
-  /// place in the inbox.
+  /// Withdraws the requests for all root tasks, as one input.
+  bool cancel_all() { return outside() && local_post().cancel_all(); }
+  /// Sets external states; several are one input. False: a value is outside of its domain, or no room for several.
   template <class Value, class... More>
   [[nodiscard]] bool set(Value value, More... more) {
     if constexpr (sizeof...(More) == 0 && Post::template external<Value>()) {
@@ -62,31 +60,30 @@ public:
           engine_.take_at_once(setting.state, setting.value))
         return true;
     }
-    return outside() && words().set(value, more...);
+    return outside() && local_post().set(value, more...);
   }
   /// Fires a trigger. False: the inbox is full.
   template <class Trigger>
   [[nodiscard]] bool fire() {
-    return outside() && words().template fire<Trigger>();
+    return outside() && local_post().template fire<Trigger>();
   }
-  /// Lets a provider run, or not any more. False: the inbox is full.
+  /// Enables or disables a provider. False: the inbox is full.
   template <class Provider>
   [[nodiscard]] bool enable(bool enabled) {
-    return outside() && words().template enable<Provider>(enabled);
+    return outside() && local_post().template enable<Provider>(enabled);
   }
 
-  /// The same words for other threads and interrupts, and for bodies. As long as the behaviour lives, a copy may be
-  /// kept.
+  /// The same functions for other threads, interrupts and bodies. A copy may be kept as long as the behaviour lives.
   Post post() { return {inbox_, data_}; }
 
-  // The words of BehaviourView, for the thread that calls step().
+  // The functions of BehaviourView, for the thread that calls step().
 
-  /// Of the program's own request for this root task: running, queued or none.
+  /// The state of the program's own request for this root task: running, queued or none.
   template <class Task>
   RunState state() const {
     return seen().template state<Task>();
   }
-  /// Who holds this task's group.
+  /// The requester that holds this task's group, if any.
   template <class Task>
   Holding holding() const {
     return seen().template holding<Task>();
@@ -96,68 +93,66 @@ public:
   Because why() const {
     return seen().template why<Task>();
   }
-  /// How many inputs were lost so far.
+  /// The number of inputs lost so far.
   std::uint32_t lost() const { return engine_.lost(); }
-  /// All that one may ask between steps, as one value.
+  /// All that can be read between steps, as one value.
   BehaviourView<Facts> seen() const { return BehaviourView<Facts>(view_of(engine_)); }
 
-  /// Lets other threads see what holds now. Between steps; false: somebody is still looking at the moment before the
-  /// last, and there is room for two.
+  /// Copies the state for other threads, between steps. False: a thread still reads the copy before the last one.
   bool show(Snapshot& snapshot) const { return snapshot.show(view_of(engine_)); }
 
-  // The state of the behaviour as bytes: all that it decides by, and the data of its tasks. For simulators, debuggers,
-  // and programs whose bodies keep nothing of their own: members of modules and what hardware does are not saved. The
-  // data of every task must be trivially copyable, else save and load do not compile. For the thread that calls step(),
-  // between steps.
+  // The state of the behaviour as bytes: its decision state, and the data of its tasks. For simulators, debuggers, and
+  // programs whose bodies keep no state: members of modules and the state of hardware are not saved. The data of every
+  // task must be trivially copyable, else save and load do not compile. For the thread that calls step(), between
+  // steps.
 
-  /// Bytes that save() writes.
+  /// The number of bytes that save() writes.
   static constexpr std::size_t saved_bytes() { return saved::bytes_of_behaviour<Facts>; }
 
-  /// Into the first saved_bytes() of these bytes. Not if anything waits in the inbox: to_text(result) says what to do.
+  /// Writes the first saved_bytes() of these bytes, unless an input waits: to_text(result) says what to do.
   [[nodiscard]] SaveResult save(std::span<std::byte> to) {
     return outside() ? saved::save<Facts>(engine_, data_, to) : SaveResult::refused;
   }
 
-  /// Goes on from a state that was saved by the same behaviour, in this program or another. All timers are moved, so
-  /// that what was due in 3 s is due 3 s after `now`, the time (as step() has it) that the state is to stand at. Nobody
-  /// is called: no start handler of what is live then, no stop handler of what was live before. What waits in the inbox
-  /// stays there for the next step. Unless the result is `loaded`, nothing has changed.
+  /// Continues from a state that was saved by the same behaviour, in this program or another. Timers are moved to
+  /// `now`, the time (as for step()) of the state: what was due in 3 s is due 3 s after `now`. No handler is called,
+  /// neither start handlers for what is live then nor stop handlers for what was live before. Inputs in the inbox stay
+  /// for the next step. Unless the result is `loaded`, nothing has changed.
   template <Duration Now>
   [[nodiscard]] LoadResult load(std::span<const std::byte> from, Now now) {
     return outside() ? saved::load<Facts>(engine_, data_, from, microseconds_begun(now)) : LoadResult::refused;
   }
 
-  /// Micro-steps that one step() may take before it answers budget_exhausted.
+  /// Limits the micro-steps of one step(), which then returns budget_exhausted.
   void set_budget(std::uint32_t micro_steps) { engine_.set_budget(micro_steps); }
 
-  /// Work that one step() may do before it answers budget_exhausted: groups placed, tasks decided, choices tried.
-  /// Looked at between micro-steps, so the last one may go beyond by what one micro-step takes at most. 0: any.
+  /// Limits the work of one step(), which then returns budget_exhausted: groups placed, tasks decided, choices tried.
+  /// It is tested between micro-steps, so that the last one may exceed it by the work of one micro-step. 0: no limit.
   void set_work_budget(std::uint64_t work) { engine_.set_work_budget(work); }
 
-  /// For whoever looks deeper: what holds between steps, by number (the generated `names` tell what a number is
-  /// called).
+  /// What holds between steps, by number (the generated `names` are the names of these numbers).
   const Engine& engine() const { return engine_; }
 
 protected:
-  /// By generated code.
+  /// Made by generated code.
   explicit Program(const Bodies& bodies)
-      : inbox_(cells_, words_),
+      : inbox_(cells_, overflow_slots_),
         engine_(Facts::tables(), State::in(memory_.data(), layout), bodies, inbox_) {}
   ~Program() = default;
 
-  /// A step to this time; generated code has the typed one.
+  /// Takes a step to this time; the typed function is in generated code.
   StepResult step_to(Time now) { return checked(engine_.step(now)); }
-  /// A step without another time.
+  /// Takes a step without advancing the time.
   StepResult step_on() { return checked(engine_.step()); }
   /// The slots of all tasks' data.
   typename Facts::Data& data() { return data_; }
-  /// Who is told from now on. Defined where it is called: without an observer nothing that tells is linked.
+  /// Sets the observer. Defined in the header: without an observer, no code that calls it is linked.
   void observe(Observer observer) { engine_.observe(observer); }
-  /// What an observer threw was kept: the step ends.
+  /// Ends the step, after an observer threw; generated code keeps the exception.
   void observer_threw() { engine_.end_with_fault(); }
 
 private:
-  Post words() { return {inbox_, data_, &engine_}; }
+  Post local_post() { return {inbox_, data_, &engine_}; }
 
   static StepResult checked(StepResult result) {
     if (result == StepResult::refused) Facts::called_from_inside();
@@ -170,7 +165,7 @@ private:
 
   typename Facts::Data data_;
   std::array<Inbox::Cell, Facts::inbox_cells> cells_;
-  std::array<OverflowSlot, OverflowSlotOf<Facts>::count> words_;
+  std::array<OverflowSlot, OverflowSlotOf<Facts>::count> overflow_slots_;
   static constexpr std::size_t memory_bytes = State::bytes(Facts::shape);
   static constexpr auto layout = [] {
     constexpr State::Layout wide = State::layout(Facts::shape);
@@ -184,7 +179,7 @@ private:
   Engine engine_;
 };
 
-/// What the generated code's Bodies::data does for one group's task. Slots::of and waiting of `Data` are its bases.
+/// Bodies::data of generated code for the task of one group. Slots::of and waiting are in the bases of `Data`.
 template <class Task, bool root>
 void move_data(auto& data, Bodies::Data what, Index place, Index handle) noexcept {
   auto& slots = data.template of<Task>();

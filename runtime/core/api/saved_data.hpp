@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A behaviour's state as bytes, with the data of its tasks; what behaviour.save() and load() do. What of the engine is
-// written: saved/saved_state.hpp. Behind it, for each task with data, in the order of Facts::Groups: the slot of each
-// way of requesting it, and that of its group, each as a byte that says whether it is full and the bytes of the value.
-// `Facts`: see program.hpp; and fingerprint(), a number that tells the behaviour from others.
+// A behaviour's state as bytes, with the data of its tasks, for behaviour.save() and load(). The state of the engine
+// comes first (saved/saved_state.hpp), then, for each task with data, in the order of Facts::Groups, a slot for each
+// edge that leads to it and that of its group: a byte that says whether it is full, then the bytes of the value.
+// `Facts`: see program.hpp; and fingerprint(), a number that differs between behaviours.
 
 #include "runtime/core/api/slots.hpp"
 #include "runtime/core/engine/engine.hpp"
@@ -20,7 +20,7 @@ constexpr void each_task(Table<Row<Tasks, rows>...>, Visit&& visit) {
   (look.template operator()<Tasks, rows>(), ...);
 }
 
-/// The type of `data` is a parameter here, so that a compiler looks for `of` only where there is a task with data.
+/// `data` is a template parameter, so that `of` is looked up only if there is a task with data.
 template <class Task>
 constexpr auto& slots_of(auto& data) {
   return data.template of<Task>();
@@ -32,7 +32,7 @@ class Data {
   template <class Task>
   using DataOf = typename TaskBase<Task>::data_type;
 
-  /// Of one task.
+  /// The bytes of the slots of one task.
   template <class Task>
   static constexpr std::size_t bytes_of_slots() {
     static_assert(
@@ -44,7 +44,7 @@ class Data {
     return Slots::lasting * Slot<DataOf<Task>>::saved_bytes;
   }
 
-  /// Calls visit(slot, its bytes) for each slot of the data that last, of all tasks.
+  /// Calls visit(slot, its bytes) for each slot that lasts between steps, of all tasks.
   static void each_slot(auto& data, auto* place, auto visit) {
     each_task(Groups(), [&]<class Task, Index row>() {
       slots_of<Task>(data).each_lasting([&](auto& slot) {
@@ -77,8 +77,7 @@ public:
     each_slot(data, from, [](auto& slot, const std::byte* at) { slot.load(at); });
   }
 
-  /// Every body that reads its task's data finds some: of what is live, and of what is requested. `from`: a whole state
-  /// whose other numbers are possible.
+  /// Whether each live group and each request has data. `from`: a whole state whose other numbers are possible.
   static bool is_possible(const Tables& tables, const std::byte* from) {
     const Layout at(Shape::of(tables));
     const std::byte* slots = from + at.data;
@@ -99,7 +98,7 @@ public:
   }
 };
 
-/// Every value is one that its state declares, or none where it may have none.
+/// Whether every value is declared by its state, or unset if the state may be unset.
 template <class Facts>
 bool values_are_declared(const Tables& tables, const std::byte* from) {
   const Layout at(Shape::of(tables));
@@ -114,7 +113,7 @@ bool values_are_declared(const Tables& tables, const std::byte* from) {
   return true;
 }
 
-/// How many bytes a state of the behaviour takes.
+/// The size of a saved state of the behaviour.
 template <class Facts>
 inline constexpr std::size_t bytes_of_behaviour = saved_bytes(Facts::shape) + Data<Facts>::bytes;
 

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Where the data of tasks lie: in slots inside the Behaviour, without heap. Each way of requesting a task has a slot
-// and a staging slot, its group one more for the data of a request that has been replaced while the group lives on it.
-// Root requests wait in slots of their own until the engine takes them.
+// The memory for the data of tasks: slots inside the Behaviour, without heap. Each edge that leads to a task has a slot
+// and a staging slot, its group one more for the data of a request that was replaced while the group still uses them.
+// Root requests have slots of their own until the engine takes them.
 
 #include "runtime/core/api/task.hpp"
 #include "runtime/core/engine/inbox.hpp"
@@ -18,7 +18,7 @@
 
 namespace director {
 
-/// Room for one value, which may be there or not.
+/// Memory for at most one value.
 template <class T>
 class Slot {
 public:
@@ -42,7 +42,7 @@ public:
     full_ = false;
   }
 
-  /// Whether it is full, and the bytes of the value, zero where there is none. Of types that are trivially copyable.
+  /// A byte that says whether it is full, then the value, or zeros. For trivially copyable types.
   static constexpr std::size_t saved_bytes = 1 + sizeof(T);
   void save(std::byte* to) const {
     *to++ = full_ ? std::byte{1} : std::byte{0};
@@ -50,7 +50,7 @@ public:
   }
   void load(const std::byte* from) {
     full_ = *from++ != std::byte{0};
-    for (std::byte& each : room_) each = *from++; // which makes a value of them
+    for (std::byte& each : room_) each = *from++; // the bytes become a value
   }
 
   T& value() { return *std::launder(reinterpret_cast<T*>(room_)); }
@@ -61,7 +61,7 @@ private:
   bool full_ = false;
 };
 
-/// The data of one group's task. `places`: the number of edges by which it can be requested; a place is such an edge.
+/// The data of one group's task. `places`: the number of edges that lead to it; a place is one of them.
 template <TaskType Task, std::size_t places>
 class Slots {
   static_assert(has_data<Task>, "`data: void`: a task without data has no `data`");
@@ -73,7 +73,7 @@ public:
   void retain(Index place) noexcept { retained_.take_from(settled_[place]); }
 
   static constexpr std::size_t lasting = places + 1;
-  /// Calls visit(slot) for those that hold data between steps: of each place, then of the group.
+  /// Calls visit(slot) for each slot that holds data between steps: of each place, then of the group.
   template <class Visit>
   void each_lasting(Visit&& visit) {
     for (auto& slot : settled_) visit(slot);
@@ -90,14 +90,14 @@ private:
   Slot<Data> retained_;
 };
 
-/// The data of requests of one root task that the engine has not taken yet. Many writers, one reader; needs what Inbox
-/// needs. First the places of those that wait in the inbox, then one for each place of the task's overflow slot.
+/// The data of requests of one root task that the engine has not taken yet. Many writers, one reader; needs the same
+/// atomics as Inbox. First the places for requests in the inbox, then one for each place of the overflow slot.
 template <TaskType Task>
 class Waiting {
   using Data = typename TaskBase<Task>::data_type;
 
 public:
-  /// From any thread: a place for the data of a request that is to go into the inbox, or nil if all are taken.
+  /// From any thread: stores the data of a request to be posted; returns the place, or nil if all are taken.
   Index put(Data&& data) noexcept {
     std::uint32_t taken = taken_.load(std::memory_order_relaxed);
     for (;;) {
@@ -108,10 +108,10 @@ public:
       return place;
     }
   }
-  /// The same for a record of an overflow slot: the caller has this handle for itself.
+  /// The same for a record in an overflow slot, whose handle only the caller has.
   void put_at(Index handle, Data&& data) noexcept { slots_[handle].put(std::move(data)); }
   Data& value(Index handle) { return slots_[handle].value(); }
-  /// The handle of such a record is free again when its place is.
+  /// Frees the slot; the handle of an overflow record becomes free with its place.
   void free(Index handle) noexcept {
     slots_[handle].clear();
     if (handle >= waiting_requests) return;

@@ -1,8 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a request is in C++: a task type that generated code derives from Task, with its data and its level. Generated
-// types may be called what the specification calls them, so everything here is found through Task itself, never by name
-// in the derived type.
+// Requests in C++: a task type, derived from Task by generated code, with its data and its level. It may have members
+// with any name of the specification, so everything here is found through Task itself, never by name.
 
 #include "runtime/core/base/tables.hpp"
 
@@ -12,11 +11,11 @@
 
 namespace director {
 
-/// One of the named levels at which a task is requested. Made without a number it is the first that the requester has.
+/// One of the named levels of a task; without a number, the first level that the requester declares for it.
 template <class Task>
 struct LevelOf {
   static constexpr std::uint8_t first = 255; ///< the first level that the requester has
-  std::uint8_t number = first;               ///< of the names that levels of this task have, or `first`
+  std::uint8_t number = first;               ///< the place of its name among those of the task's levels, or `first`
 };
 
 /// Base of a task type with data: `soccer::Walk{command}`, `soccer::Kick{command, soccer::Kick::urgent}`. The data move
@@ -29,32 +28,32 @@ struct Task {
       requires { sizeof(Data); },
       "the data of a task are stored by value: the headers that `cpp` lists must define this type whole");
   static_assert(!std::is_abstract_v<Data>, "the data of a task are stored by value, and this class is abstract");
-  // First, as what throws in its destructor counts as throwing when it moves.
+  // First, because a type whose destructor throws also counts as one whose move throws.
   static_assert(std::is_nothrow_destructible_v<Data>,
                 "the data of a task are kept without heap: their destructor must be public and noexcept");
   static_assert(std::is_nothrow_move_constructible_v<Data>,
                 "the data of a task are kept without heap: their move constructor must be noexcept");
-  using data_type = Data; ///< what `data` of the group names
+  using data_type = Data; ///< the type named by `data` of the group
   /// The data of the request, and its level.
   explicit Task(Data given, LevelOf<Self> at = {}) : data(std::move(given)), level(at) {}
-  Data data;           ///< moved when it is requested
+  Data data;           ///< moved by the request
   LevelOf<Self> level; ///< one that the requester declares
 };
 
 /// Base of a task type without data: `soccer::Look{}`, `soccer::Look{soccer::Look::urgent}`.
 template <class Self>
 struct Task<Self, void> {
-  using data_type = void; ///< it has none
+  using data_type = void; ///< no data
   constexpr Task() = default;
-  /// At this level.
+  /// A request at this level.
   constexpr explicit Task(LevelOf<Self> at) : level(at) {}
   LevelOf<Self> level{}; ///< one that the requester declares
 };
 
-/// A request that leaves one of the same level as it is; made by keep().
+/// A request that keeps one of the same level as it is; made by keep().
 template <class T>
 struct Kept {
-  T task; ///< what is requested where there is nothing to keep
+  T task; ///< requested if there is nothing to keep
 };
 
 namespace detail {
@@ -81,17 +80,17 @@ using TaskBase = decltype(detail::base_of(std::declval<const T&>()));
 template <TaskType T>
 inline constexpr bool has_data = !std::is_void_v<typename TaskBase<T>::data_type>;
 
-/// The task type of what a body hands to a request: `T`, or `Kept<T>`.
+/// The task type of an argument of request(): `T`, or `Kept<T>`.
 template <class Given>
 using TaskOf = decltype(detail::task_in(std::declval<const Given&>()));
 
-/// In a request: if the task is requested already, at the same level, it stays as it is and is no new task.
+/// In a request: if the task is requested already at the same level, that stays as it is, and is no new task.
 template <TaskType T>
 Kept<T> keep(T task) {
   return {std::move(task)};
 }
 
-/// A type and the row that it stands for.
+/// A type and its row.
 template <class T, Index at>
 struct Row {};
 

@@ -15,7 +15,7 @@ namespace director::arbitration {
 
 namespace {
 
-/// Requested or needed by its requester's active provider, whose own chain is alive up to root.
+/// Whether the edge is requested, or needed in the last pass, and so is each edge of its chain up to root.
 bool alive(const Context& x, Index edge) {
   for (;;) {
     if (is_limbo(x, edge)) return false;
@@ -29,8 +29,8 @@ bool alive(const Context& x, Index edge) {
   }
 }
 
-/// All that the sweep over the whole component decided is undone; only which denials are forgotten stays.
-void take_back(Context& x) {
+/// Undoes the sweep over the whole component; only which denials are forgotten remains.
+void undo_sweep(Context& x) {
   for (const Index g : opened(x)) {
     x.s.group_marks[g] &= mark::forgotten | mark::listed;
     clear(x, g);
@@ -41,8 +41,7 @@ void take_back(Context& x) {
 
 } // namespace
 
-/// The last holder of the group, another edge, is an equal of this one and would go on: equals never take from each
-/// other.
+/// Whether an equal of this edge holds the group and may keep it: equals never take from each other.
 bool kept_by_equal(Context& x, Index group, Index edge, bool record) {
   const Index holder = x.s.last[group].holder;
   if (injected(Fault::equals_take) || x.s.edge_marks[holder].has(mark::refused) || !alive(x, holder) ||
@@ -58,16 +57,16 @@ bool kept_by_equal(Context& x, Index group, Index edge, bool record) {
   return true;
 }
 
-/// 4.2: the first holder for whose sake a group was denied that does not claim it in the end is forgotten. Which one is
-/// the first is known only where all units were decided: those that stood may have been denied something too, for which
-/// they have another choice. True: the sweep has to be repeated.
+/// Finds the first holder for which a group was denied and that does not claim it in the end; its denial is forgotten
+/// (4.2). It is known only after a pass that decides all units: units that were not decided again may have been denied
+/// something too, and have made another choice. True: the sweep has to be repeated.
 bool denied_in_vain(Context& x) {
   for (const Index group : std::span<const Index>{x.s.denied, x.denied_count}) {
     if (x.s.now[group].holder == x.s.last[group].holder || injected(Fault::denials_are_final)) continue;
-    if (x.whole || injected(Fault::denials_of_who_stands_are_overlooked)) {
+    if (x.whole || injected(Fault::denials_of_unchanged_units_are_overlooked)) {
       x.s.group_marks[group] |= mark::forgotten;
-      x.s.group_trail[group] |= trail::disturbed; // its last holder counts again in the next pass
-      take_back(x);
+      x.s.group_trail[group] |= trail::disturbed; // the next pass takes its last holder into account again
+      undo_sweep(x);
     } else {
       x.s.news_count[x.component] = nil;
       begin(x);

@@ -9,12 +9,12 @@
 
 namespace director::arbitration {
 
-/// The first (`fresh`) or next choice of a member of the unit: its provider and its plan's entries. False: no more, and
-/// nothing of it is marked.
+/// Finds the first (`fresh`) or next choice of a member of the unit: its provider and the entries of its plan. False:
+/// there is no other, and none of its groups is marked in `trial`.
 bool next_choice(Context& x, Index at, bool fresh, bool with_conditions, bool record) {
   TriedMember& member = x.s.member[at];
   const Index edge = member.edge, group = target(x, edge);
-  const bool as_it_is = stale_requester(x, edge); // also no other provider or plan
+  const bool as_it_is = stale_requester(x, edge); // it must not get another provider or plan
   if (fresh) {
     if (x.s.trial[group] != nil || !available(x, group, edge, record)) return false;
     x.s.trial[group] = edge;
@@ -27,7 +27,7 @@ bool next_choice(Context& x, Index at, bool fresh, bool with_conditions, bool re
       if (x.s.enabled[member.provider] == 0 && !injected(Fault::disabled_providers_run)) continue;
       if (with_conditions && first_false(x, member.provider, edge) != nil) continue;
       if (as_it_is && member.provider != x.s.last[group].active) {
-        x.depends_on_orders = true;
+        x.depends_on_requester = true;
         continue;
       }
       member.entries_end = entries_begin(x, at);
@@ -40,7 +40,7 @@ bool next_choice(Context& x, Index at, bool fresh, bool with_conditions, bool re
   return false;
 }
 
-/// The first combination of choices in which all claims are compatible. True: it is in hand until leave_combination.
+/// Finds the first combination of choices that are available together, the current one until leave_combination.
 bool combine(Context& x, Index count, bool with_conditions) {
   const Group& group = x.t.groups[target(x, x.s.member[0].edge)];
   const bool first_counts = count == 1 && (!group.deniable || group.single_choice());

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A choice is a way to grant a group to an edge: a provider, and a plan for what that needs. The combination in hand
-// has one for each member of a unit. It lies in State::member, State::entry (the plans, one behind the other) and
-// State::trial (what it would claim) until leave_combination. docs/semantics.md, sections 4.3 and 4.4, Grant.
+// A choice is a way to grant a group to an edge: a provider, and a plan for its needs. The current combination has one
+// for each member of a unit. It is in State::member, State::entry (the plans, one behind the other) and State::trial
+// (what it would claim) until leave_combination. docs/semantics.md, sections 4.3 and 4.4, Grant.
 
 #include "runtime/core/arbitration/context.hpp"
 #include "runtime/core/base/inline.hpp"
@@ -18,7 +18,7 @@ inline void drop_entries(Context& x, Index begin, Index end) {
   for (Index i = end; i-- > begin;) x.s.trial[x.s.entry[i].group] = nil;
 }
 
-/// Where the plan of `owner` keeps the provider picked for `group`; nil where it has only one.
+/// The slot of the plan of `owner` that has the provider picked for `group`; nil if the group has only one.
 inline Index slot_of(const Context& x, Index owner, Index group) {
   for (const Index slot : x.t.groups[owner].slots.rows()) {
     if (x.t.plan_groups[slot] == group) return slot;
@@ -26,24 +26,23 @@ inline Index slot_of(const Context& x, Index owner, Index group) {
   return nil;
 }
 
-/// The members in hand.
+/// The current members.
 inline std::span<TriedMember> members(const Context& x, Index count) { return {x.s.member, count}; }
 
-/// Where the entries of a member's plan begin.
+/// The first entry of a member's plan.
 inline Index entries_begin(const Context& x, Index at) { return at == 0 ? Index{0} : x.s.member[at - 1].entries_end; }
 
-/// A member's plan.
 DIRECTOR_ONE_COPY inline std::span<const PlanEntry> plan_of(const Context& x, Index at) {
   return {x.s.entry + entries_begin(x, at), x.s.entry + x.s.member[at].entries_end};
 }
 
-/// A plan of some group may pick one provider or another.
+/// Whether a plan in the component can pick one provider or another.
 inline bool alternatives(const Context& x, Index component) { return x.t.components[component].alternatives; }
 
 bool stays(const Context& x, Index provider);
 DIRECTOR_PART Index find_false(const Context& x, Index provider, Index edge);
 
-/// The first condition that keeps the provider from running for an edge, or nil.
+/// The first condition that prevents the provider from running for an edge, or nil.
 inline Index first_false(const Context& x, Index provider, Index edge) {
   return x.t.conditions.empty() ? nil : find_false(x, provider, edge);
 }

@@ -1,5 +1,5 @@
-// docs/semantics.md, section 4.4, Grant: the first combination of choices of several members, or of one that equals
-// stand in the way of. SPDX-License-Identifier: MIT
+// docs/semantics.md, section 4.4, Grant: the first combination of choices of several members, or of one with equals.
+// SPDX-License-Identifier: MIT
 
 #include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/order.hpp"
@@ -11,8 +11,8 @@ namespace director::arbitration {
 
 namespace {
 
-/// What can claim the same group stands together, so that its choices are combined with each other and no others. The
-/// first combination is the same: that of one cluster does not depend on another.
+/// Sorts members that can claim the same group next to each other, so that only their choices are combined. The first
+/// combination is the same: that of one cluster does not depend on another.
 void sort_by_cluster(Context& x, Index count) {
   for (Index i = 1; i < count; ++i) {
     const Index edge = x.s.member[i].edge, cluster = x.t.cluster(edge);
@@ -23,11 +23,10 @@ void sort_by_cluster(Context& x, Index count) {
   }
 }
 
-/// Of the members in order, up to the first one that has none. `record`: all choices of each, for whose sake they are
-/// denied.
+/// Whether each member by itself has a choice. `record`: tries all choices, to record denials.
 bool each_has_choice(Context& x, Index from, Index count, bool with_conditions, bool record) {
   for (Index at = from; at < count; ++at) {
-    // Alone on the stack: entries_begin(x) of a later member is where the earlier one ends.
+    // Its entries begin at 0: entries_begin(x) of a member is where the one before it ends.
     if (at > 0) x.s.member[at - 1].entries_end = 0;
     bool any = false;
     for (bool fresh = true; next_choice(x, at, fresh, with_conditions, record); fresh = false) {
@@ -44,15 +43,15 @@ bool each_has_choice(Context& x, Index from, Index count, bool with_conditions, 
 
 } // namespace
 
-/// Lexicographically over the members. For whose sake a choice was denied counts over all choices of each member, also
-/// those that are never needed: so, where one can be denied, each member's are looked at once, and then combined.
+/// Searches in lexicographic order of the members. A denial counts for all choices of each member, also those that the
+/// search never tries: so, if one can be denied, the choices of each member are gone through once before the search.
 bool search_combination(Context& x, Index count, bool with_conditions) {
   for (Index i = 0; count > 1 && i < count; ++i) x.s.member[i].edge = x.s.unit[i];
   const bool deniable =
       any(members(x, count), [&](const TriedMember& member) { return x.t.groups[target(x, member.edge)].deniable; });
   if (deniable && !each_has_choice(x, 0, count, with_conditions, true)) return false;
   Index at = 0;
-  bool fresh = true, known = deniable; // that each has a choice for itself
+  bool fresh = true, known = deniable; // that each member has a choice by itself
   bool sorted = false;                 // by cluster
   for (;;) {
     if (next_choice(x, at, fresh, with_conditions, false)) {
@@ -63,15 +62,15 @@ bool search_combination(Context& x, Index count, bool with_conditions) {
       return false;
     } else if (sorted) {
       if (x.t.cluster(x.s.member[at - 1].edge) !=
-          x.t.cluster(x.s.member[at].edge)) { // no choice of another cluster helps
+          x.t.cluster(x.s.member[at].edge)) { // choices of another cluster make no difference
         leave_combination(x, at);
         return false;
       }
       --at;
       fresh = false;
-    } else { // before all choices of those before it are tried with one that has none: a sum and no product
+    } else { // tested before its predecessors' choices are combined with it: the cost is a sum, not a product
       leave_combination(x, at);
-      if (!known && !each_has_choice(x, at, count, with_conditions, false)) return false; // those before it have one
+      if (!known && !each_has_choice(x, at, count, with_conditions, false)) return false; // its predecessors have one
       sort_by_cluster(x, count);
       sorted = true;
       at = 0;

@@ -11,29 +11,29 @@
 
 namespace director::arbitration {
 
-/// A unit of one edge, or one member of a stale requester.
-void decide_alone(Context& x, Index edge, bool outdated) {
+/// Decides a unit of one edge, or one member of a stale requester.
+void decide_alone(Context& x, Index edge, bool below_stale) {
   x.s.member[0].edge = edge;
-  try_members(x, 1, outdated);
+  try_members(x, 1, below_stale);
 }
 
-/// The members in hand get what they ask for together, or not at all.
-void try_members(Context& x, Index count, bool outdated) {
-  if (outdated && any_not_running(x, count) && !injected(Fault::outdated_orders_acquire))
-    return wait_for_orders(x, count);
+/// Grants the current members all together, or refuses them.
+void try_members(Context& x, Index count, bool below_stale) {
+  if (below_stale && any_not_running(x, count) && !injected(Fault::stale_groups_acquire))
+    return wait_for_requester(x, count);
   if (count == 1 && taken(x, x.s.member[0].edge)) return block(x, 1);
   if (!combine(x, count, true)) return x.t.conditions.empty() ? block(x, count) : refuse(x, count);
   if (!premature(x, count)) return grant(x, count);
   x.depends_on_stale = true;
   leave_combination(x, count);
-  defer(x, count); // the requester is not stale, so the members in hand are the whole unit
+  defer(x, count); // the requester is not stale, so the current members are the whole unit
 }
 
 void grant(Context& x, Index count) {
   for (Index at = 0; at < count; ++at) {
     const Index edge = x.s.member[at].edge, group = x.t.edges[edge].target;
     claim(x, group, edge);
-    now_granted(x, edge, x.s.member[at].provider);
+    grant_target(x, edge, x.s.member[at].provider);
     const Index begin = entries_begin(x, at), end = x.s.member[at].entries_end;
     if (begin != end) claim_plan(x, group, x.s.member[at].provider, begin, end);
   }
@@ -41,18 +41,18 @@ void grant(Context& x, Index count) {
   leave_combination(x, count);
 }
 
-/// No combination is available, with conditions or without.
+/// Refuses the current members: no combination is available, even without regard to conditions.
 void block(Context& x, Index count) {
   for (const TriedMember& member : members(x, count)) x.s.edge_marks[member.edge] |= mark::refused;
   if (injected(Fault::blocked_units_push_on)) keep_pushes(x, count);
   explain(x, count, Why::blocked);
 }
 
-/// An edge before it has claimed its target, and it had nothing before: its decision depends on nothing else.
+/// Refuses an edge that held nothing, and whose target is claimed: its decision depends on nothing else.
 void block_alone(Context& x, Index edge) {
   x.s.edge_marks[edge] |= mark::visited | mark::refused;
   x.s.queued[edge] = {Why::blocked, nil};
-  if (is_followed(x)) note_dependence(x, edge, trail::behind);
+  if (is_followed(x)) note_dependence(x, edge, trail::in_line);
 }
 
 void explain(Context& x, Index count, Why why, Index condition) {

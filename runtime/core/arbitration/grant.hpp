@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What becomes of a unit, whether it gets what it asks for or not. docs/semantics.md, section 4.4, Grant and Refuse.
+// Whether a unit is granted or refused. docs/semantics.md, section 4.4, Grant and Refuse.
 
 #include "runtime/core/arbitration/context.hpp"
 #include "runtime/core/arbitration/order.hpp"
@@ -9,37 +9,37 @@
 
 namespace director::arbitration {
 
-void decide_alone(Context& x, Index edge, bool outdated);
-DIRECTOR_PART void try_unit(Context& x, Index edge, bool outdated);
-void try_members(Context& x, Index count, bool outdated);
+void decide_alone(Context& x, Index edge, bool below_stale);
+DIRECTOR_PART void try_unit(Context& x, Index edge, bool below_stale);
+void try_members(Context& x, Index count, bool below_stale);
 void grant(Context& x, Index count);
 DIRECTOR_PART void claim_plan(Context& x, Index owner, Index provider, Index begin, Index end);
-DIRECTOR_PART void repeat(Context& x, Index edge);
+DIRECTOR_PART void claim_again(Context& x, Index edge);
 void block(Context& x, Index count);
 void block_alone(Context& x, Index edge);
 DIRECTOR_PART void refuse(Context& x, Index count);
 void explain(Context& x, Index count, Why why, Index condition = nil);
 
-/// For this very edge, or for the first time.
+/// Claims a group that is free, or that this edge has claimed already.
 DIRECTOR_ONE_COPY inline void claim(Context& x, Index group, Index edge) {
   if (!is_opened(x, group)) open(x, group);
   GroupAssignment& now = x.s.now[group];
-  now.holder = edge; // it is free, or held by this very edge
+  now.holder = edge;
 }
 
-/// The target of an edge, which is claimed, runs in the provider chosen.
-DIRECTOR_ONE_COPY inline void now_granted(Context& x, Index edge, Index provider) {
+/// Marks the target of an edge, which is claimed, as granted with this provider.
+DIRECTOR_ONE_COPY inline void grant_target(Context& x, Index edge, Index provider) {
   const Index group = x.t.edges[edge].target;
   GroupAssignment& now = x.s.now[group];
   const GroupAssignment& last = x.s.last[group];
   now.active = now.planned = provider;
   now.flags |= flag::granted;
   x.s.queued[edge] = Queued{};
-  if (x.t.groups[group].edges.empty()) return; // whether its orders are outdated matters to nobody
-  if (!x.s.run_queue[group].pending.has(reason::outdating) && x.s.anew[edge] == 0 && edge == last.holder &&
+  if (x.t.groups[group].edges.empty()) return; // no decision depends on whether it is stale
+  if (!x.s.run_queue[group].pending.has(reason::makes_stale) && x.s.anew[edge] == 0 && edge == last.holder &&
       provider == last.active)
     return;
-  x.s.group_marks[group] |= mark::outdated;
+  x.s.group_marks[group] |= mark::stale;
   ++x.stale_granted;
 }
 

@@ -1,4 +1,4 @@
-// docs/semantics.md, section 4.4, Hand-over: what nobody claims any more is kept for an heir that is about to run.
+// docs/semantics.md, section 4.4, Limbo: unclaimed groups that are kept for a stale group that may still request them.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/arbitration/availability.hpp"
@@ -30,12 +30,12 @@ void keep_in_limbo(Context& x, Index group) {
   sweep_below(x, group);
 }
 
-/// What was in limbo has its place by declaration from now on. So what is below it, and is queued or has more than one
-/// choice, may find other groups claimed than in the last pass.
+/// A group that was in limbo is ordered by declaration from now on. So what is below it, and is queued or has several
+/// choices, may find other groups claimed than in the last pass.
 void reach_below_limbo(Context& x) {
-  for (Index i = x.s.order_count[x.component]; i-- != 0;) { // limbo comes last
+  for (Index i = x.s.order_count[x.component]; i-- != 0;) { // limbo is last in the order
     const Index group = x.s.order[x.row.order + i];
-    if (!lies_in_limbo(x, group)) return;
+    if (!was_in_limbo(x, group)) return;
     if (x.s.now[group].holder != nil) continue;
     for (const Index e : x.t.groups[group].edges.rows()) {
       if (x.s.queued[e].why != Why::none || !x.t.groups[target(x, e)].simple) reach_edge(x, e);
@@ -45,9 +45,9 @@ void reach_below_limbo(Context& x) {
 
 } // namespace
 
-/// Hand-over: live groups that nobody claims are kept for an heir that is about to run.
-void keep_for_heirs(Context& x) {
-  if (injected(Fault::nobody_inherits)) return;
+/// Keeps each unclaimed live group that a granted stale group may still request.
+void keep_unclaimed(Context& x) {
+  if (injected(Fault::limbo_keeps_nothing)) return;
   if (!x.whole && x.had_limbo) reach_below_limbo(x);
   for (Index i = 0; i < x.s.order_count[x.component]; ++i) {
     const Index group = x.s.order[x.row.order + i];

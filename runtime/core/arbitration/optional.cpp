@@ -1,4 +1,4 @@
-// docs/semantics.md, 4.1, rule 3: what is optional waits, in order, until all else was tried.
+// docs/semantics.md, section 4.1, rule 3: optional candidates wait, in order, until all others were tried.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/arbitration/order.hpp"
@@ -11,7 +11,7 @@ namespace director::arbitration {
 
 namespace {
 
-/// The one that goes first lies last. What stands ahead in the walk begins at the other end of the same rows.
+/// A waiting candidate; the first in order is the last. The stack of the walk is at the other end of the same rows.
 inline Index& waiting(Context& x, Index at) { return x.s.candidate[x.t.edges.size() - 1 - at]; }
 
 } // namespace

@@ -52,7 +52,7 @@ void sort_by_holders(const Context& x, std::span<Index> groups, Chains along) {
   heap_sort(groups, [&](Index a, Index b) { return before_in_order(x, a, b, along); });
 }
 
-/// In the order of all: the groups of one component know their places.
+/// Sorts groups of any components; those of one component by their places.
 DIRECTOR_FLATTEN void sort_by_place(const Context& x, std::span<Index> groups, Chains along) {
   heap_sort(groups, [&](Index a, Index b) {
     if (x.s.run_queue[a].component == x.s.run_queue[b].component) return x.s.place[a] < x.s.place[b];
@@ -60,7 +60,7 @@ DIRECTOR_FLATTEN void sort_by_place(const Context& x, std::span<Index> groups, C
   });
 }
 
-/// Edges of root stay linked in order from pass to pass: few are in another place than before, and mostly none is.
+/// Sorts the edges of root of the component, a linked list that stays from pass to pass: few move, mostly none.
 void sort_roots(Context& x) {
   const auto comes_first = [&](Index a, Index b) { return compare_siblings(x, a, b) < 0; };
   const auto may_have_moved = [&](Index e) { return x.whole || x.s.edge_trail[e].has(trail::reached); };

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The order between two edges, each with the chain of its holders up to root: by the claims of the pass in hand, or by
-// the last assignment. Rules 1 to 4 compare static ranks along these chains: the priority table of each requester
+// The order between two edges, each with the chain of its holders up to root: by the claims of the current pass, or by
+// the last assignment. Rules 1 to 4 compare static ranks along these chains, of the priority table of each requester
 // (Level::urgency, Level::optional). docs/semantics.md, section 4.1.
 
 #include "runtime/core/arbitration/context.hpp"
@@ -11,7 +11,7 @@
 
 namespace director::arbitration {
 
-/// Which holders a chain is read along: those of this pass (and of the combination in hand), or of the last one.
+/// The holders that a chain follows: those of this pass (and of the current combination), or of the last one.
 enum class Chains : std::uint8_t { current, previous };
 
 struct Place {
@@ -21,29 +21,28 @@ struct Place {
 
 struct Chain {
   Index length = 0;
-  Index top = nil; ///< its edge of root or limbo; nil where the chain does not reach that far
+  Index top = nil; ///< its edge of root or limbo; nil if the chain does not reach so far
 };
 
 /// One of two siblings below the closest common requester.
 struct Side {
   Index edge = nil;
-  bool optional = false; ///< it, or something below it
+  bool optional = false; ///< it, or an edge below it
 };
 
-/// Where two chains part. Nil: one is a part of the other.
+/// The edges at which two chains part; nil: one chain is a part of the other.
 struct Parting {
   Side a, b;
 };
 
-/// Which goes first of two edges, and by which rule. `order`: negative, the first one; 0: they are equal, or the same.
+/// The edge that goes first of two, and the rule. `order`: negative, the first one; 0: they are equal, or the same.
 struct Verdict {
   Precedence by;
   int order;
 };
 
-/// Along both chains from the bottom up at equal height, the pair of different places nearest to root is where they
-/// part: all below it belongs to one side only. Cost: the length of the longer chain. `above(place)`: the next one of
-/// its chain; its edge is nil behind the last.
+/// Climbs both chains at equal height; the last pair of different edges is where they part: all below it belongs to one
+/// side only. Cost: the longer chain. `above(place)`: the next edge of its chain; nil behind the last.
 template <class Above, class Optional>
 Parting parting(Place a, Place b, Index length_a, Index length_b, const Above& above, const Optional& optional) {
   bool optional_a = false, optional_b = false;
@@ -56,7 +55,7 @@ Parting parting(Place a, Place b, Index length_a, Index length_b, const Above& a
   Parting out;
   while (a.edge != nil) {
     const Index at_a = a.edge, at_b = b.edge;
-    if (at_a == at_b && a.along == b.along) break; // and so is all above
+    if (at_a == at_b && a.along == b.along) break; // and all above is the same
     climb(a, optional_a);
     climb(b, optional_b);
     if (at_a != at_b) out = {{at_a, optional_a}, {at_b, optional_b}};
@@ -78,7 +77,7 @@ inline Verdict compare_ranks(Side a, Side b, Index urgency_a, Index urgency_b) {
   return {Precedence::priority, (urgency_a < urgency_b) != injected(Fault::priorities_are_reversed) ? -1 : 1};
 }
 
-/// Of an edge that is requested at this level; nil: it holds without a request.
+/// The urgency of an edge that is requested at this level; nil: that holds its target without a request.
 inline Index urgency(const Tables& t, Index edge, Index level) {
   return level == nil ? t.edges[edge].need_urgency : t.levels[level].urgency;
 }
@@ -93,14 +92,14 @@ DIRECTOR_PART void sort_roots(Context& x);
 
 inline bool is_limbo(const Context& x, Index edge) { return edge >= x.t.edges.size(); }
 
-/// Of an edge that is not limbo.
+/// The edge must not be limbo.
 inline Index target(const Context& x, Index edge) { return x.t.edges[edge].target; }
 
 inline Index requester(const Context& x, Index edge) { return is_limbo(x, edge) ? nil : x.t.edges[edge].requester; }
 
 inline bool requested(const Context& x, Index edge) { return !is_limbo(x, edge) && x.s.request[edge].level != nil; }
 
-/// Of an edge that is not limbo.
+/// The edge must not be limbo.
 inline bool optional(const Context& x, Index edge) {
   const Index level = x.s.request[edge].level;
   return level != nil && x.t.levels[level].optional;
@@ -114,38 +113,36 @@ inline Index requester_of_holder(const Context& x, const GroupAssignment& assign
   return assignment.holder == nil ? nil : requester(x, assignment.holder);
 }
 
-/// In the last assignment the group, which is held, is kept for an heir, or lies below such a one.
-inline bool lies_in_limbo(const Context& x, Index group) {
+/// Whether the group, which is held, is in limbo in the last assignment, or below such a group.
+inline bool was_in_limbo(const Context& x, Index group) {
   return is_limbo(x, chain(x, {x.s.last[group].holder, Chains::previous}).top);
 }
 
-/// Whether the condition is true.
 inline bool holds(const Context& x, Index condition) { return x.s.truth[condition] != 0; }
 
-/// This pass looks at the group; otherwise it stands as in the last one.
+/// Whether this pass has opened the group; otherwise it keeps the assignment of the last one.
 inline bool is_opened(const Context& x, Index group) { return x.s.group_trail[group].has(trail::opened); }
 
-/// The edge that has claimed the group so far. One that the pass in hand has not opened stands as in the last pass, and
-/// counts from where the walk passes it.
+/// The edge that has claimed the group so far. The holder of a group that is not opened counts once it is passed by.
 inline Index holder_now(const Context& x, Index group) {
   const Index holder = x.s.now[group].holder;
   return holder == nil || !x.walking || is_opened(x, group) || is_passed(x, group) ? holder : nil;
 }
 
-/// An edge before it has its target; neither this nor the next is asked of limbo.
+/// Whether another edge has claimed the target. The edge must not be limbo, nor in was_granted.
 inline bool taken(const Context& x, Index edge) {
   const Index holder = holder_now(x, target(x, edge));
   return holder != nil && holder != edge;
 }
 
-/// Its target was granted to it before this pass.
-inline bool runs_for_now(const Context& x, Index edge) {
+/// Whether the last pass granted the target to this edge.
+inline bool was_granted(const Context& x, Index edge) {
   const GroupAssignment& last = x.s.last[target(x, edge)];
   return last.holder == edge && last.granted();
 }
 
-/// The edge that controls the requester of this one. A claim counts before a trial: a plan in hand may name a group
-/// that is claimed already, even one above it; it cannot be chosen, but it must not bend the chains.
+/// The edge that controls the requester of this one. A claim counts before a trial: the current plan may name a group
+/// that is claimed already, even one above it; that plan is refused, but the chain must not follow it.
 inline Index above(const Context& x, Place place) {
   const Index group = requester(x, place.edge);
   if (group == nil) return nil;
@@ -154,7 +151,7 @@ inline Index above(const Context& x, Place place) {
   return holder != nil ? holder : x.s.trial[group];
 }
 
-/// Rules 3 to 5 for two edges of one requester and what lies below them.
+/// Compares two edges of one requester, with what is below them, by rules 3 to 5.
 DIRECTOR_ONE_COPY inline int compare_siblings(const Context& x, Side a, Side b, bool in_order) {
   const int by_rank = compare_ranks(a, b, urgency(x, a.edge), urgency(x, b.edge)).order;
   if (by_rank != 0 || !in_order) return by_rank;
@@ -164,12 +161,12 @@ DIRECTOR_ONE_COPY inline int compare_siblings(const Context& x, Side a, Side b, 
   return a.edge < b.edge ? -1 : 1;
 }
 
-/// Of two edges of one requester alone.
+/// Compares two edges of one requester alone.
 inline int compare_siblings(const Context& x, Index a, Index b) {
   return compare_siblings(x, {a, optional(x, a)}, {b, optional(x, b)}, true);
 }
 
-/// Negative: `a` goes first; 0: equal (by rules 1 to 4), or the same. `in_order`: with rule 5, total.
+/// Negative: `a` goes first; 0: they are equal (by rules 1 to 4), or the same. `in_order`: with rule 5, a total order.
 DIRECTOR_ONE_COPY inline int compare(const Context& x, Place a, Place b, bool in_order) {
   if (a.along != b.along || is_limbo(x, a.edge) || is_limbo(x, b.edge) ||
       x.t.edges[a.edge].requester != x.t.edges[b.edge].requester)
@@ -180,15 +177,16 @@ DIRECTOR_ONE_COPY inline int compare(const Context& x, Place a, Place b, bool in
 
 inline bool before(const Context& x, Place a, Place b) { return compare(x, a, b, false) < 0; }
 
-/// The edge that holds group `a` goes before the one that holds `b`, in order.
+/// Whether the holder of group `a` goes before that of `b`, in order.
 inline bool before_in_order(const Context& x, Index a, Index b, Chains along) {
   const Assignment& held = along == Chains::current ? x.s.now : x.s.last;
-  if (requester(x, held[b].holder) == a && !is_limbo(x, held[b].holder)) return true; // its own requester
+  if (requester(x, held[b].holder) == a && !is_limbo(x, held[b].holder))
+    return true; // `a` is the requester of the holder of `b`
   if (requester(x, held[a].holder) == b && !is_limbo(x, held[a].holder)) return false;
   return compare(x, {held[a].holder, along}, {held[b].holder, along}, true) < 0;
 }
 
-/// Of two candidates.
+/// Compares two candidates.
 inline bool goes_first(const Context& x, Index a, Index b) {
   return compare(x, {a, Chains::current}, {b, Chains::current}, true) < 0;
 }

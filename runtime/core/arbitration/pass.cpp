@@ -34,7 +34,7 @@ void open_all(Context& x) {
   if (x.pushed_count != 0) mark_pushers(x);
 }
 
-/// The last result stands.
+/// Keeps the last result.
 void keep_all(Context& x) {
   x.walking = false;
   x.rest = x.s.first_root[x.component];
@@ -48,12 +48,12 @@ void sweep_all(Context& x) {
   }
   x.walking = false;
   x.limbo_begin = x.placed;
-  if (x.stale_granted != 0 && x.inherited != x.s.order_count[x.component]) keep_for_heirs(x);
+  if (x.stale_granted != 0 && x.inherited != x.s.order_count[x.component]) keep_unclaimed(x);
 }
 
-/// What follows from the claims: who stays live for a need, which pushes are left and in force, and the order.
+/// Derives from the claims which groups stay live as needs, which pushes remain and are in force, and the order.
 void finish(Context& x) {
-  if (is_followed(x)) leave_to(x, nil);
+  if (is_followed(x)) close_extents(x, nil);
   for (const Index g : opened(x)) {
     if (x.s.now[g].holder == nil || x.s.now[g].active != nil || x.s.last[g].active == nil) continue;
     x.depends_on_last = true;
@@ -66,7 +66,7 @@ void finish(Context& x) {
 
 } // namespace
 
-/// Opens what has to be looked at: all of it, if what the last pass did is not known.
+/// Opens the groups that have to be examined: all of them if the trail of the last pass is not known.
 void begin(Context& x) {
   x.had_pushes = x.s.pushed_count[x.component] != 0;
   x.whole = x.s.news_count[x.component] == nil;
@@ -93,14 +93,12 @@ void decide(Context& x, Index component) {
   finish(x);
 }
 
-/// Notes for the next pass what this one found.
 void end(Context& x) {
   for (const Index e : x.whole ? x.t.list(x.row.edges) : std::span<const TableIndex>{}) leave_unvisited(x, e);
   x.s.news_count[x.component] = nil;
   if (is_followed(x)) end_trail(x);
 }
 
-/// The next pass over each component begins from nothing: the last assignment is not that of its last pass.
 void forget_trail(Context& x) {
   x.flipped_count = x.rerequested_count = 0;
   for (Index c = 0; c < x.t.components.size(); ++c) x.s.news_count[c] = nil;

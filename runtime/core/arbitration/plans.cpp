@@ -1,9 +1,8 @@
-// docs/semantics.md, section 4.3: plans: what a provider needs, and what that needs, each with a provider of its own.
+// docs/semantics.md, section 4.3, plans: a provider for each group that a provider needs, directly or not.
 // SPDX-License-Identifier: MIT
 //
-// A plan is searched, not enumerated: it is a stack of entries (group, provider, who needs it), extended depth first;
-// the next plan changes the last entry that has another provider. The plans of all members of a unit lie on one stack,
-// one behind the other.
+// A plan is searched, not enumerated: it is a stack of entries (group, provider, need), extended depth first; the next
+// plan changes the last entry that has another provider. The plans of a unit are on one stack, one behind the other.
 
 #include "runtime/core/arbitration/availability.hpp"
 #include "runtime/core/arbitration/choices.hpp"
@@ -18,8 +17,7 @@ namespace director::arbitration {
 
 namespace {
 
-/// Writes behind the entries of a plan for a provider the first need that they do not meet, depth first; false: they
-/// meet all.
+/// Adds the first need that the entries of a plan for a provider do not meet, depth first. False: they meet all.
 bool next_need(const Context& x, Index provider, Index begin, Index end) {
   Index parent = end == begin ? nil : static_cast<Index>(end - 1), place = 0;
   for (;;) {
@@ -41,7 +39,7 @@ void pick(Context& x, PlanEntry& entry, bool by_declaration) {
                                   : preferred(x, entry.group, entry.choice, entry.need);
 }
 
-/// Changes the last entry that has another provider, and drops those behind it.
+/// Changes the last entry that has another provider, and drops those behind it. False: none has.
 bool change_last(Context& x, Index begin, Index& end, bool by_declaration) {
   for (; end != begin; --end) {
     PlanEntry& last = x.s.entry[end - 1];
@@ -56,8 +54,8 @@ bool change_last(Context& x, Index begin, Index& end, bool by_declaration) {
 
 } // namespace
 
-/// The first plan (`fresh`) or the next one of a provider whose group is marked in `trial`, as entries [begin, end). An
-/// entry is added for each need that is still open, depth first; a group cannot be held for two purposes.
+/// Finds the first plan (`fresh`) or the next one of a provider whose group is marked in `trial`, as entries [begin,
+/// end). An entry is added for each need that is still open, depth first; a group cannot be held for two needs.
 bool search_plan(Context& x, Index provider, Index begin, Index& end, bool fresh, bool by_declaration) {
   if (fresh) {
     end = begin;
@@ -72,7 +70,7 @@ bool search_plan(Context& x, Index provider, Index begin, Index& end, bool fresh
       pick(x, added, by_declaration);
       ++end;
     } else {
-      ++x.work; // no plan that begins like this can be claimed
+      ++x.work; // no plan with this beginning can be claimed
       if (!change_last(x, begin, end, by_declaration)) return false;
     }
   }
@@ -81,7 +79,7 @@ bool search_plan(Context& x, Index provider, Index begin, Index& end, bool fresh
 
 namespace {
 
-/// The plan in hand is the one that the member's target has.
+/// Whether the current plan is the one that the member's target has.
 bool plan_as_it_is(const Context& x, Index at) {
   const Index owner = target(x, x.s.member[at].edge);
   return !any(plan_of(x, at), [&](const PlanEntry& entry) {
@@ -90,8 +88,7 @@ bool plan_as_it_is(const Context& x, Index at) {
   });
 }
 
-/// Can the plan in hand be claimed, and do its conditions hold? `keep`: how many entries the next plan to try may
-/// share.
+/// Whether the current plan can be claimed, and its conditions hold. `keep`: how many entries the next plan may share.
 bool plan_fits(Context& x, Index at, bool with_conditions, bool record, Index& keep) {
   const Index begin = entries_begin(x, at), end = x.s.member[at].entries_end;
   keep = end;
@@ -108,8 +105,7 @@ bool plan_fits(Context& x, Index at, bool with_conditions, bool record, Index& k
 
 } // namespace
 
-/// The first (`first`) or next plan of the provider in hand that can be claimed, and whose conditions hold. `as_it_is`:
-/// no other than the last one.
+/// Finds the first or next plan of the provider that can be claimed, with conditions. `as_it_is`: only the last.
 bool find_plan(Context& x, Index at, bool first, bool as_it_is, bool with_conditions, bool record) {
   const Index provider = x.s.member[at].provider, begin = entries_begin(x, at);
   Index& end = x.s.member[at].entries_end;
@@ -118,7 +114,7 @@ bool find_plan(Context& x, Index at, bool first, bool as_it_is, bool with_condit
     ++x.work;
     Index keep = end;
     const bool other = as_it_is && !plan_as_it_is(x, at);
-    x.depends_on_orders = x.depends_on_orders || other;
+    x.depends_on_requester = x.depends_on_requester || other;
     if (!other && plan_fits(x, at, with_conditions, record, keep)) return true;
     drop_entries(x, keep, end);
     end = keep;
@@ -128,7 +124,7 @@ bool find_plan(Context& x, Index at, bool first, bool as_it_is, bool with_condit
 
 namespace {
 
-/// The plan of `owner` for its provider is entries [begin, end).
+/// Makes entries [begin, end) the plan of `owner` for its provider.
 void plan_for(Context& x, Index owner, Index provider, Index begin, Index end) {
   const Range slots = x.t.groups[owner].slots;
   x.s.now[owner].planned = provider;
@@ -142,8 +138,7 @@ void plan_for(Context& x, Index owner, Index provider, Index begin, Index end) {
 
 } // namespace
 
-/// The plan of `owner`, as plan_for. Every group of it is claimed and needed from now on; one that is not granted has
-/// the part of the plan that it needs.
+/// As plan_for, and claims every group of the plan as needed. One that is not granted gets its own part of the plan.
 void claim_plan(Context& x, Index owner, Index provider, Index begin, Index end) {
   plan_for(x, owner, provider, begin, end);
   for (Index i = begin; i < end; ++i) {
@@ -151,13 +146,13 @@ void claim_plan(Context& x, Index owner, Index provider, Index begin, Index end)
     claim(x, group, x.s.entry[i].need);
     x.s.now[group].flags |= flag::needed;
     if (x.s.now[group].granted()) continue;
-    auto below = static_cast<Index>(i + 1); // depth first: what an entry needs stands right behind it
+    auto below = static_cast<Index>(i + 1); // the needs of an entry are right behind it
     while (below < end && x.s.entry[below].parent != nil && x.s.entry[below].parent >= i) ++below;
     plan_for(x, group, x.s.entry[i].provider, static_cast<Index>(i + 1), below);
   }
 }
 
-/// Writes the plan that a group has as entries from 0 on; returns how many.
+/// Writes the plan of a group as entries from 0 on; returns their number.
 Index entries_of(Context& x, Index group, const Assignment& of) {
   const Index planned = of[group].planned;
   Index end = 0;

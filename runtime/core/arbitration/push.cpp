@@ -1,9 +1,9 @@
-// docs/semantics.md, sections 4.3 and 4.4: the life of a push: made, kept, in force, dropped.
+// docs/semantics.md, sections 4.3 and 4.4: pushes: made, kept, in force, dropped.
 // SPDX-License-Identifier: MIT
 //
-// For each condition that a unit waits for, the shortest chain of causing providers is searched: the length of a chain
-// is 1 for its last provider plus the lengths for all that this one lacks, a least fixed point over conditions, found
-// by relaxing every causing provider until nothing gets shorter.
+// For each condition that a unit waits for, the shortest chain of causing providers is searched: 1 for its last
+// provider, plus the lengths for all conditions that this one lacks; a least fixed point, found by relaxing every
+// provider.
 
 #include "runtime/core/arbitration/push.hpp"
 
@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint64_t endless = ~std::uint64_t{0};
 
-/// A member in hand has made a push before.
+/// Whether a current member had made a push in the last assignment.
 bool pushes(const Context& x, Index count) {
   return any(members(x, count), [&](const TriedMember& m) { return x.s.edge_marks[m.edge].has(mark::pushes); });
 }
@@ -33,19 +33,17 @@ bool satisfies(const Context& x, Index provider, Index condition) {
   return any(x.t.list(x.t.providers[provider].effects), [&](Index effect) { return effect == condition; });
 }
 
-/// One of these conditions.
 bool satisfies_any(const Context& x, Index provider, Range conditions) {
   return any(x.t.list(conditions), [&](Index condition) { return satisfies(x, provider, condition); });
 }
 
-/// Of a group that is listed.
+/// The group must be listed (list_push).
 void set_push(Context& x, Index group, const Push& push) {
   x.s.now[group].push = push;
   x.pushing = true;
 }
 
-/// The unit is granted: of its pushes those stay whose provider satisfies a condition of the choices in hand, or of a
-/// push that stays.
+/// Keeps those pushes of a granted unit whose provider satisfies a condition of a choice, or of a push that stays.
 void keep_serving_pushes(Context& x, Index count) {
   const auto is_busy = [&](Index g) { return x.s.group_marks[g].has(mark::busy); };
   const auto serves = [&](Index provider) {
@@ -74,12 +72,12 @@ void keep_serving_pushes(Context& x, Index count) {
   }
 }
 
-/// Does this provider, with one of its plans, make a chain shorter (or as short, and declared earlier)?
+/// Whether this provider, with one of its plans, makes a chain shorter (or as short, and declared earlier).
 bool relax(Context& x, Index provider) {
   const Provider& row = x.t.providers[provider];
   bool changed = false;
   Index end = 0, number = 0;
-  x.s.trial[row.group] = 0; // its own group counts as used
+  x.s.trial[row.group] = 0; // no plan may use its own group
   for (bool more = search_plan(x, provider, 0, end, true, true); more;
        more = search_plan(x, provider, 0, end, false, true)) {
     const Index plan = number++;
@@ -122,7 +120,7 @@ bool relax(Context& x, Index provider) {
   return changed;
 }
 
-/// The edge's last chain reaches root, `member` goes before it, and it is not below `member`.
+/// Whether the last chain of the edge reaches root, `member` goes before it, and it is not below `member`.
 bool goes_before(const Context& x, Index member, Index edge) {
   const Index top = chain(x, {edge, Chains::previous}).top;
   return top != nil && !is_limbo(x, top) && !in_chain(x, member, {edge, Chains::previous}) &&
@@ -138,8 +136,8 @@ bool can_be_pushed(const Context& x, Index provider, Index member) {
              [&](Index edge) { return requested(x, edge) && goes_before(x, member, edge); });
 }
 
-/// The first push of the shortest chain that makes a condition of `member` true. What can lead to it is found
-/// backwards: who causes it, what these lack, who causes that, and so on.
+/// Finds the first push of the shortest chain that makes a condition of `member` true. Candidates are found backwards:
+/// providers that cause it, those that cause what these lack, and so on.
 bool find_chain(Context& x, Index condition, Index member, Push& out) {
   Index lacking = 0, causers = 0;
   const auto lack = [&](Index c) {
@@ -151,8 +149,8 @@ bool find_chain(Context& x, Index condition, Index member, Push& out) {
   lack(condition);
   for (Index i = 0; i < lacking; ++i) {
     for (const Index provider : x.t.list(x.t.conditions[x.s.lacked[i]].causers)) {
-      if (x.s.provider_marks[provider].has(mark::looked_at)) continue;
-      x.s.provider_marks[provider] |= mark::looked_at;
+      if (x.s.provider_marks[provider].has(mark::causer)) continue;
+      x.s.provider_marks[provider] |= mark::causer;
       x.s.causers[causers++] = provider;
       if (!can_be_pushed(x, provider, member)) continue;
       x.s.provider_marks[provider] |= mark::pushable;
@@ -177,8 +175,8 @@ bool find_chain(Context& x, Index condition, Index member, Push& out) {
   return found;
 }
 
-/// By root or a live group.
-bool asked_for(const Context& x, Index group) {
+/// Whether root or a live group requests the group.
+bool is_requested(const Context& x, Index group) {
   return any(x.t.list(x.t.groups[group].requesters), [&](Index edge) {
     const Index from = x.t.edges[edge].requester;
     return requested(x, edge) && (from == nil || x.s.now[from].active != nil);
@@ -187,7 +185,7 @@ bool asked_for(const Context& x, Index group) {
 
 } // namespace
 
-/// There is a push on the group.
+/// As preferred(), for a group with a push.
 Index preferred_by_push(const Context& x, Index group, Index place, Index edge) {
   const Index begin = x.t.groups[group].providers.begin;
   const Index first = pushed_first(x, group, edge);
@@ -197,16 +195,16 @@ Index preferred_by_push(const Context& x, Index group, Index place, Index edge) 
   return usual < first ? usual : static_cast<Index>(usual + 1);
 }
 
-/// The unit is granted.
+/// Keeps the pushes of a unit that is granted.
 void keep_own_pushes(Context& x, Index count) {
   if (!pushes(x, count)) return;
   if (!injected(Fault::served_pushes_end)) keep_serving_pushes(x, count);
-  // What serves one member of a unit serves all; below a stale group each member has only its own.
+  // A push that serves one member of a unit serves all; below a stale group each member has only its own.
   x.depends_on_stale = x.depends_on_stale || count > 1;
   x.depends_on_all_stale = x.depends_on_all_stale || count > 1;
 }
 
-/// The group has a push, in the last assignment or in this one.
+/// Lists a group that has a push, in the last assignment or in this one.
 void list_push(Context& x, Index group) {
   if (x.s.group_marks[group].has(mark::listed)) return;
   if (x.walking) open(x, group);
@@ -222,7 +220,7 @@ void keep_last_pushes(Context& x, Index count) {
   }
 }
 
-/// Pushes made before stay; new ones are made only if every condition is served.
+/// Keeps the pushes that the unit made before, and makes new ones if every condition is served.
 void push_for(Context& x, Index count, Index unmet) {
   const auto theirs = [&](Index g) -> const Push& { return x.s.now[g].push; }; // made by units before this one
   const Index* const pushed = x.s.pushed + x.row.order;
@@ -246,7 +244,7 @@ void push_for(Context& x, Index count, Index unmet) {
     }
     Push push;
     if (served) continue;
-    // The search looks at the requests, claims and pushes of many.
+    // The search depends on the requests, claims and pushes of many groups.
     for (const TriedMember& member : members(x, count)) x.s.edge_trail[member.edge] |= trail::waits;
     if (!find_chain(x, x.s.unmet[i].condition, x.s.unmet[i].member, push)) {
       all_served = false;
@@ -256,7 +254,7 @@ void push_for(Context& x, Index count, Index unmet) {
     if (!x.s.group_marks[group].has(mark::listed)) list_push(x, group), begin(static_cast<Index>(x.pushed_count - 1));
     Index at = 0;
     while (pushed[at] != group) ++at;
-    if (x.s.first[at].edge == nil) x.s.first[at] = push; // one group serves one condition after the other
+    if (x.s.first[at].edge == nil) x.s.first[at] = push; // one group serves one condition at a time
   }
   for (Index at = 0; at < x.pushed_count; ++at) {
     const Index g = pushed[at];
@@ -273,8 +271,8 @@ void finish_pushes(Context& x) {
     if (push.edge == nil) continue;
     x.depends_on_last = true;
     if (x.s.now[g].holder == nil) {
-      if (asked_for(x, g) || injected(Fault::pushes_outlive_requests)) continue;
-      x.s.edge_trail[push.edge] |= trail::on_stale; // whoever makes it again has to be asked again
+      if (is_requested(x, g) || injected(Fault::pushes_outlive_requests)) continue;
+      x.s.edge_trail[push.edge] |= trail::on_stale; // the unit that may make it again has to be decided again
       push = Push{};
       continue;
     }
@@ -287,7 +285,7 @@ void finish_pushes(Context& x) {
   }
 }
 
-/// Who made a push in the last assignment is asked what becomes of it.
+/// Marks the edges that made a push in the last assignment, so that their units are decided.
 void mark_pushers(Context& x) {
   for (const Index g : pushed_groups(x)) {
     const Index pusher = x.s.last[g].push.edge;

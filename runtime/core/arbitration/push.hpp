@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Pushes, from the one that is made to the one that is dropped. docs/semantics.md, sections 4.3 and 4.4.
+// Pushes: made, kept, applied and dropped. docs/semantics.md, sections 4.3 and 4.4.
 
 #include "runtime/core/arbitration/context.hpp"
 #include "runtime/core/arbitration/order.hpp"
@@ -19,17 +19,17 @@ DIRECTOR_PART void mark_pushers(Context& x);
 DIRECTOR_PART void reach_pushes(Context& x, Index edge);
 DIRECTOR_PART Index preferred_by_push(const Context& x, Index group, Index place, Index edge);
 
-/// The pushes that the unit made before stay.
+/// Keeps the pushes that the unit made before.
 inline void keep_pushes(Context& x, Index count) {
   if (x.had_pushes) keep_last_pushes(x, count);
 }
 
-/// Of this edge.
+/// Reaches the groups that this edge pushes.
 inline void reach_pushes_of(Context& x, Index edge) {
   if (x.s.edge_marks[edge].has(mark::pushes)) reach_pushes(x, edge);
 }
 
-/// The provider at a place in the order of preference that holds for `edge`.
+/// The provider at a place in the order of preference for `edge`.
 inline Index preferred(const Context& x, Index group, Index place, Index edge) {
   return x.s.now[group].push.edge == nil ? static_cast<Index>(x.t.groups[group].providers.begin + place)
                                          : preferred_by_push(x, group, place, edge);
@@ -37,13 +37,13 @@ inline Index preferred(const Context& x, Index group, Index place, Index edge) {
 
 inline std::span<const Index> pushed_groups(const Context& x) { return {x.s.pushed + x.row.order, x.pushed_count}; }
 
-/// The pusher goes before `edge`, and `edge` is not below it.
+/// Whether the push applies to `edge`: its edge goes before `edge`, which is not below it.
 DIRECTOR_ONE_COPY inline bool applies(const Context& x, const Push& push, Index edge) {
   return push.edge != nil && before(x, {push.edge, Chains::current}, {edge, Chains::current}) &&
          !in_chain(x, push.edge, {edge, Chains::current});
 }
 
-/// The provider that a push moves to the front for an edge that controls the group, or nil.
+/// The provider that a push puts first for an edge that controls the group, or nil.
 inline Index pushed_first(const Context& x, Index group, Index edge) {
   const Push& push = x.s.now[group].push;
   if (injected(Fault::pushes_move_nothing)) return nil;

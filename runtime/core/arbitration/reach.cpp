@@ -1,8 +1,8 @@
-// docs/semantics.md, section 4.4: which units a change reaches, so that they are decided again.
+// docs/semantics.md, section 4.4: the units that a change reaches, so that they are decided again.
 // SPDX-License-Identifier: MIT
 //
-// A change is an input, or a group whose claim, push or place in the order differs from the last pass. What it reaches
-// is found along the tables: each group knows in whose plans it may stand (Group::users).
+// A change is an input, or a group whose claim, push or place in the order differs from the last pass. The units that
+// it reaches are found through the tables: each group lists the groups whose plans may contain it (Group::users).
 
 #include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/order.hpp"
@@ -14,12 +14,11 @@ namespace director::arbitration {
 
 namespace {
 
-/// Where the member claims another group than in the last pass, or one no longer, this reaches others. With which
-/// provider it has what it claims is of no concern to them.
+/// Compares the claims of a member with the last pass, to reach others if they differ. Providers make no difference.
 void compare_claims(Context& x, Index edge) {
   const Index group = target(x, edge);
   const GroupAssignment& now = x.s.now[group];
-  const bool runs = is_opened(x, group) && now.holder == edge && now.granted(), ran = runs_for_now(x, edge);
+  const bool runs = is_opened(x, group) && now.holder == edge && now.granted(), ran = was_granted(x, edge);
   if (!runs && !ran) return;
   compare_claim(x, group);
   if (x.t.groups[group].simple) return;
@@ -31,12 +30,12 @@ void compare_claims(Context& x, Index edge) {
   if (runs) compare_plan(x.s.now);
 }
 
-/// Units whose decision may depend on the group. A group that is not held asks for none, and when it becomes held, all
-/// that it asks for is decided anyway.
+/// Calls take(edge) for the units whose decision may depend on the group. A group that is not held requests nothing,
+/// and when it becomes held, all its requests are decided anyway.
 template <class Take>
 void each_user_edge(Context& x, Index group, Take&& take) {
   for (const Index user : x.t.list(x.t.groups[group].users)) {
-    if (user != group && injected(Fault::who_uses_it_is_overlooked)) continue;
+    if (user != group && injected(Fault::users_are_overlooked)) continue;
     for (const Index e : x.t.list(x.t.groups[user].requesters)) {
       const Index from = x.t.edges[e].requester;
       if (x.s.request[e].level != nil && (from == nil || x.s.last[from].holder != nil)) take(e);
@@ -46,9 +45,8 @@ void each_user_edge(Context& x, Index group, Take&& take) {
   if (pusher != nil) reach_edge(x, pusher);
 }
 
-/// Members of a unit are tried where the first of them stands among its siblings, and that may be another place now.
-/// What lies below siblings that are apart, and so between the old place and the new one, may find free what a member
-/// holds.
+/// Members of a unit are tried at the place of the first of them among its siblings, which may be another place now.
+/// What is below siblings that are apart, between the old place and the new one, may find what a member holds free.
 void reach_unit(Context& x, Index requester) {
   const Range edges = x.t.groups[requester].edges;
   const auto apart = [&](Index e) { return requested(x, e) && x.t.levels[x.s.request[e].level].apart; };
@@ -58,27 +56,27 @@ void reach_unit(Context& x, Index requester) {
   }
 }
 
-bool stands_behind(const Context& x, Index edge) { return x.s.edge_trail[edge].has(trail::behind); }
+bool is_in_line(const Context& x, Index edge) { return x.s.edge_trail[edge].has(trail::in_line); }
 
-/// Blocked requests for the group, of requesters that are not opened: take(edge, place of the requester in the last
-/// order).
+/// Calls take(edge, place of its requester in the last order) for requests in line whose requesters are not opened.
 template <class Take>
 void each_in_line(Context& x, Index group, Take&& take) {
   for (const Index e : x.t.list(x.t.groups[group].requesters)) {
     const Index from = x.t.edges[e].requester;
-    if (stands_behind(x, e) && from != nil && x.s.last[from].holder != nil && !is_opened(x, from))
+    if (is_in_line(x, e) && from != nil && x.s.last[from].holder != nil && !is_opened(x, from))
       take(e, x.s.place[from]);
   }
 }
 
 } // namespace
 
-/// The walk is about to pass by this group. Where a group with a waiting line is free by now, the requests in line that
-/// lie below this group are reached; and as soon as one was, all others.
-void look_at_lines(Context& x, Index group) {
+/// Called before the walk passes by this group: if a group with a waiting line is free by now, the requests in line
+/// that are below this group are reached; and once one is reached, all others.
+void check_lines(Context& x, Index group) {
   const auto end = static_cast<Index>(x.s.place[group] + x.s.extent[group]);
   for (WaitingLine& line : std::span(x.lines).first(x.line_count)) {
-    if (line.first >= end || holder_now(x, line.group) != nil || injected(Fault::who_is_behind_is_overlooked)) continue;
+    if (line.first >= end || holder_now(x, line.group) != nil || injected(Fault::waiting_lines_are_overlooked))
+      continue;
     line.first = nil;
     bool found = false;
     each_in_line(x, line.group, [&](Index e, Index place) {
@@ -93,7 +91,7 @@ void look_at_lines(Context& x, Index group) {
   }
 }
 
-/// What the decision about an edge depends on, as bits of trail::kept; those that there were are forgotten.
+/// Replaces what the decision about an edge depends on, bits of trail::kept.
 void note_dependence(Context& x, Index edge, std::uint8_t bits) {
   Bits& trail = x.s.edge_trail[edge];
   const bool was = trail.has(trail::on_last), is = (bits & trail::on_last) != 0;
@@ -102,7 +100,7 @@ void note_dependence(Context& x, Index edge, std::uint8_t bits) {
   trail = static_cast<std::uint8_t>((trail & ~trail::kept) | bits);
 }
 
-/// Opens what the unit held, as it may lose it, and forgets what its last decision depended on.
+/// Opens the groups that the unit held, since it may lose them, and forgets what its last decision depended on.
 void begin_followed(Context& x, Index count) {
   x.on_last = x.depends_on_last;
   x.depends_on_last = x.depends_on_stale = false;
@@ -111,17 +109,17 @@ void begin_followed(Context& x, Index count) {
     note_dependence(x, edge, 0);
     if (x.s.last[group].holder != edge) continue;
     open(x, group);
-    if (!runs_for_now(x, edge) || x.t.groups[group].simple) continue;
+    if (!was_granted(x, edge) || x.t.groups[group].simple) continue;
     const Index end = entries_of(x, group, x.s.last);
     for (Index i = 0; i < end; ++i) open(x, x.s.entry[i].group);
   }
 }
 
-/// Notes what the decision depends on; where it differs from that of the last pass, it reaches others.
+/// Notes what the decision depends on, and reaches other units if it differs from that of the last pass.
 void compare_with_last(Context& x, Index count) {
   const auto bits =
       static_cast<std::uint8_t>((x.depends_on_last ? trail::on_last : 0) | (x.depends_on_stale ? trail::on_stale : 0) |
-                                (x.depends_on_orders ? trail::on_orders : 0));
+                                (x.depends_on_requester ? trail::on_requester : 0));
   x.depends_on_last = x.depends_on_last || x.on_last;
   bool pushing = false;
   for (Index at = 0; at < count; ++at) {
@@ -141,11 +139,11 @@ void compare_with_last(Context& x, Index count) {
     lost = lost || was_ours;
     if (was_ours || ours(now.edge)) reach(x, g);
   }
-  // Pushes that serve another push stay: what becomes of the rest is decided in the next pass.
+  // Pushes that serve another push stay: the next pass decides about the others.
   for (Index at = 0; lost && at < count; ++at) x.s.edge_trail[x.s.unit[at]] |= trail::on_stale;
 }
 
-/// Its unit is decided again in this pass.
+/// Makes this pass decide the unit of the edge again.
 void reach_edge(Context& x, Index edge) {
   if (x.whole || x.s.edge_trail[edge].has(trail::reached)) return;
   x.s.edge_trail[edge] |= trail::reached;
@@ -154,8 +152,8 @@ void reach_edge(Context& x, Index edge) {
   if (from != nil) open(x, from);
 }
 
-/// The edge is requested at another level than before, or not any more; and with it its unit has another member. Others
-/// are reached once it claims something else, but for searches for pushes, which look at requests.
+/// Reaches the unit of an edge that is requested at another level, or no longer, and with its siblings the unit with
+/// another member. Others are reached once its claims differ, except searches for pushes.
 void reach_by_request(Context& x, Index edge, bool with_siblings) {
   const Index group = target(x, edge), from = x.t.edges[edge].requester;
   reach_edge(x, edge);
@@ -168,12 +166,12 @@ void reach_by_request(Context& x, Index edge, bool with_siblings) {
   if (x.s.last[group].holder == edge) reach_all_below(x, group);
 }
 
-/// The last pass changed what is assigned to the group: units that depend on the last assignment are decided again.
+/// Reaches the units that depend on the last assignment of the group, which the last pass changed.
 void reach_by_last_result(Context& x, Index group) {
   disturb(x);
   if (injected(Fault::the_last_result_is_overlooked)) return;
   each_user_edge(x, group, [&](Index e) {
-    if (stands_behind(x, e)) return;
+    if (is_in_line(x, e)) return;
     if (x.s.edge_trail[e].has(trail::on_last)) reach_edge(x, e);
   });
 }
@@ -185,15 +183,15 @@ void reach_users(Context& x, Index group) {
   open(x, group);
   bool line = false;
   const bool has_room = x.line_count < x.lines.size();
-  each_user_edge(x, group, [&](Index e) { // a blocked request depends on its target alone
+  each_user_edge(x, group, [&](Index e) { // a request in line depends on its target alone
     const bool is_target = x.t.edges[e].target == group;
-    if (!stands_behind(x, e) || (is_target && !has_room)) return reach_edge(x, e);
+    if (!is_in_line(x, e) || (is_target && !has_room)) return reach_edge(x, e);
     line = line || is_target;
   });
   if (line) x.lines[x.line_count++] = {group, 0, false};
 }
 
-/// The group has another holder, or that has another place in the order: so have all groups below it.
+/// Reaches the group and all groups below it: its holder differs, or has another place in the order.
 void reach_all_below(Context& x, Index group) {
   Index found = 0;
   const auto add = [&](Index g) {
@@ -203,7 +201,7 @@ void reach_all_below(Context& x, Index group) {
     x.s.reach[found++] = g;
   };
   add(group);
-  for (Index i = 0; i < found && !injected(Fault::what_is_below_is_overlooked); ++i) {
+  for (Index i = 0; i < found && !injected(Fault::groups_below_are_overlooked); ++i) {
     for (const Index e : x.t.groups[x.s.reach[i]].edges.rows()) {
       reach_edge(x, e);
       reach_pushes_of(x, e);

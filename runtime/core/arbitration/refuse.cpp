@@ -1,4 +1,4 @@
-// docs/semantics.md, sections 4.3 and 4.4, Refuse: the conditions of a provider, and what becomes of who waits for one.
+// docs/semantics.md, sections 4.3 and 4.4, Refuse: the conditions of a provider, and units that wait for one.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/arbitration/choices.hpp"
@@ -15,7 +15,7 @@ namespace director::arbitration {
 
 namespace {
 
-/// Held in this provider on purpose: conditions on states that it causes itself do not count.
+/// Whether a push in force waives the condition: it is on a state that the pushed provider causes itself.
 bool waived(const Context& x, Index provider, Index condition, Index edge) {
   const Index group = x.t.providers[provider].group;
   const Push& push = x.s.now[group].push;
@@ -28,7 +28,7 @@ bool waived(const Context& x, Index provider, Index condition, Index edge) {
          applies(x, push, edge);
 }
 
-/// Of the conditions that keep the provider from running for an edge, is one so?
+/// Whether `is` holds for one of the conditions that prevent the provider from running for an edge.
 template <class Is>
 bool any_false(const Context& x, Index provider, Index edge, const Is& is) {
   return !stays(x, provider) && any(x.t.list(x.t.providers[provider].when), [&](Index condition) {
@@ -36,10 +36,10 @@ bool any_false(const Context& x, Index provider, Index edge, const Is& is) {
   });
 }
 
-/// The false conditions of the combination in hand, member by member: its provider's, then its plan's.
+/// Collects the false conditions of the current combination, member by member: its provider's, then its plan's.
 Index collect_unmet(Context& x, Index count) {
   Index found = 0;
-  for (Index place = 0; place < count; ++place) { // in order of the unit, also where the search had another one
+  for (Index place = 0; place < count; ++place) { // in the order of the unit, which the search may have changed
     Index at = place;
     for (Index other = 0; count > 1 && x.s.member[at].edge != x.s.unit[place]; ++other) at = other;
     const TriedMember& member = x.s.member[at];
@@ -53,14 +53,13 @@ Index collect_unmet(Context& x, Index count) {
   return found;
 }
 
-bool somebody_satisfies(const Context& x, Index condition) {
+bool any_enabled_causer(const Context& x, Index condition) {
   return any(x.t.list(x.t.conditions[condition].causers), [&](Index provider) { return x.s.enabled[provider] != 0; });
 }
 
 } // namespace
 
-/// It was active for its granted group after the last pass, and all of its `stay` holds: then its `when` does not
-/// count.
+/// Whether `stay` replaces `when`: all of it holds, and the provider was active for its granted group.
 bool stays(const Context& x, Index provider) {
   const Provider& row = x.t.providers[provider];
   if (row.stay.empty() || injected(Fault::stay_is_ignored)) return false;
@@ -78,22 +77,22 @@ Index find_false(const Context& x, Index provider, Index edge) {
   return first;
 }
 
-/// No combination is available with its conditions true.
+/// Refuses the current members: no combination is available with all its conditions true.
 void refuse(Context& x, Index count) {
   for (const TriedMember& member : members(x, count)) x.s.edge_marks[member.edge] |= mark::refused;
   if (!combine(x, count, false)) return block(x, count);
   x.depends_on_last = true;
   const Index unmet = collect_unmet(x, count);
-  const bool outdated = stale_requester(x, x.s.member[0].edge);
-  x.depends_on_orders = x.depends_on_orders || outdated;
-  const bool early = outdated || premature(x, count);
+  const bool below_stale = stale_requester(x, x.s.member[0].edge);
+  x.depends_on_requester = x.depends_on_requester || below_stale;
+  const bool early = below_stale || premature(x, count);
   x.depends_on_stale = x.depends_on_stale || early;
   leave_combination(x, count);
   explain(x, count, Why::waiting, x.s.unmet[0].condition);
   if (early) return keep_pushes(x, count);
   for (Index i = 0; i < unmet; ++i) {
-    if (somebody_satisfies(x, x.s.unmet[i].condition) || injected(Fault::pushes_though_the_outside_decides)) continue;
-    return; // it waits for the outside, and holds nobody back
+    if (any_enabled_causer(x, x.s.unmet[i].condition) || injected(Fault::pushes_without_a_causer)) continue;
+    return; // no provider can cause it, so the unit pushes nothing
   }
   push_for(x, count, unmet);
 }

@@ -1,4 +1,4 @@
-// docs/semantics.md, section 4.4, Stale and Defer: whose orders are outdated, and who waits for them.
+// docs/semantics.md, section 4.4, Stale and Defer: which groups are stale, and which requests wait for them.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/arbitration/staleness.hpp"
@@ -14,27 +14,25 @@ const char director::part::staleness = 0;
 
 namespace director::arbitration {
 
-/// A group's orders are outdated because of which granted group's; nil: because it is in limbo; `up_to_date`: they are
-/// not.
+/// The granted group because of which a group is stale; nil: it is in limbo; `up_to_date`: it is not stale.
 Index stale_source(const Context& x, Index group) {
   for (;;) {
     const GroupAssignment& now = x.s.now[group];
-    if (now.granted()) return x.s.group_marks[group].has(mark::outdated) ? group : up_to_date;
+    if (now.granted()) return x.s.group_marks[group].has(mark::stale) ? group : up_to_date;
     if (is_limbo(x, now.holder)) return nil;
-    group = requester(x, now.holder); // held only as a need: while its requester is stale
+    group = requester(x, now.holder); // held only as a need: stale if its requester is
     if (group == nil) return up_to_date;
   }
 }
 
-/// One of the members in hand does not run yet.
+/// Whether one of the current members was not granted before.
 bool any_not_running(const Context& x, Index count) {
-  return any(members(x, count), [&](const TriedMember& member) { return !runs_for_now(x, member.edge); });
+  return any(members(x, count), [&](const TriedMember& member) { return !was_granted(x, member.edge); });
 }
 
-/// The members in hand, of a stale requester, are not tried. Why they were queued before stays, unless their target is
-/// held by them from now on, for a need.
-void wait_for_orders(Context& x, Index count) {
-  x.depends_on_orders = true;
+/// Leaves members of a stale requester queued as before, unless they hold their target as a need from now on.
+void wait_for_requester(Context& x, Index count) {
+  x.depends_on_requester = true;
   for (Index at = 0; at < count; ++at) {
     const Index edge = x.s.member[at].edge, group = target(x, edge);
     x.s.edge_marks[edge] |= mark::refused;
@@ -44,14 +42,14 @@ void wait_for_orders(Context& x, Index count) {
   keep_pushes(x, count);
 }
 
-/// The unit in hand was decided otherwise than it may be when its requester has run.
-void note_outdated_orders(Context& x) { note_if_stale(x, x.t.edges[x.s.unit[0]].requester); }
+/// Notes that the current unit may be decided otherwise once its requester has run.
+void note_stale_requester(Context& x) { note_if_stale(x, x.t.edges[x.s.unit[0]].requester); }
 
-/// What runs already stays, and the others wait until the stale groups before them have run.
+/// Grants again the members that were granted, and defers the others until the stale groups before them have run.
 void defer(Context& x, Index count) {
   for (Index i = 0; i < count; ++i) {
     x.s.member[0].edge = x.s.unit[i];
-    if (runs_for_now(x, x.s.member[0].edge) && combine(x, 1, true)) {
+    if (was_granted(x, x.s.member[0].edge) && combine(x, 1, true)) {
       grant(x, 1);
     } else {
       x.s.edge_marks[x.s.member[0].edge] |= mark::refused;
@@ -61,12 +59,12 @@ void defer(Context& x, Index count) {
   }
 }
 
-/// As premature(), where some group is stale.
+/// As premature(), if any group is stale.
 bool takes_from_stale(Context& x, Index count) {
   if (injected(Fault::nothing_is_deferred)) return false;
   for (Index at = 0; at < count; ++at) {
     const Index edge = x.s.member[at].edge;
-    if (runs_for_now(x, edge)) continue;
+    if (was_granted(x, edge)) continue;
     Index found = 0;
     x.s.reach[found++] = target(x, edge);
     for (const PlanEntry& entry : plan_of(x, at)) x.s.reach[found++] = entry.group;
@@ -75,16 +73,16 @@ bool takes_from_stale(Context& x, Index count) {
   return false;
 }
 
-/// Upwards from the groups in `reach`: may a granted stale group ask for one of them, transitively? With an edge: only
-/// one that goes before it and is not above it.
+/// Whether a granted stale group may request a group in `reach`, directly or not. With an edge: only a stale group that
+/// goes before it and is not above it.
 bool reached_from_stale(Context& x, Index found, Index edge) {
-  const auto counts = [&](Index group) {
-    if (!x.s.now[group].granted() || !is_outdated(x, group) || holder_now(x, group) == nil) return false;
+  const auto is_such = [&](Index group) {
+    if (!x.s.now[group].granted() || !is_marked_stale(x, group) || holder_now(x, group) == nil) return false;
     const Index holder = x.s.now[group].holder;
     return edge == nil || (!in_chain(x, holder, {edge, Chains::current}) &&
                            before(x, {holder, Chains::current}, {edge, Chains::current}));
   };
-  for (Index i = 0; i < found; ++i) x.s.group_marks[x.s.reach[i]] |= mark::reached; // nobody holds them: none counts
+  for (Index i = 0; i < found; ++i) x.s.group_marks[x.s.reach[i]] |= mark::reached; // they are not held, so not stale
   bool yes = false;
   for (Index i = 0; i < found && !yes; ++i) {
     for (const Index up : x.t.list(x.t.groups[x.s.reach[i]].requesters)) {
@@ -92,8 +90,8 @@ bool reached_from_stale(Context& x, Index found, Index edge) {
       if (group == nil || x.s.group_marks[group].has(mark::reached)) continue;
       x.s.group_marks[group] |= mark::reached;
       x.s.reach[found++] = group;
-      if (!counts(group)) continue;
-      x.s.run_queue[group].counts = 1; // its run
+      if (!is_such(group)) continue;
+      x.s.run_queue[group].stale_matters = 1;
       yes = true;
       break;
     }
@@ -102,10 +100,10 @@ bool reached_from_stale(Context& x, Index found, Index edge) {
   return yes;
 }
 
-/// If the group is granted, its orders are outdated: it has a reason to run that may change what it asks for.
-bool outdates(const Context& x, Index group) {
+/// Whether the group, if it is granted, becomes stale: it has a reason to run that may change its requests.
+bool becomes_stale(const Context& x, Index group) {
   const Index holder = x.s.last[group].holder;
-  return x.s.run_queue[group].pending.has(reason::outdating) ||
+  return x.s.run_queue[group].pending.has(reason::makes_stale) ||
          (holder != nil && !is_limbo(x, holder) && x.s.anew[holder] != 0);
 }
 

@@ -1,13 +1,13 @@
-// docs/semantics.md, section 4.4: which groups a pass opens; all others stand as in the last assignment.
+// docs/semantics.md, section 4.4: the groups that a pass opens; all others keep their last assignment.
 // SPDX-License-Identifier: MIT
 //
 // A unit's decision depends on what units before it claimed, pushed and were denied, on its conditions and requests, on
-// whose orders are outdated, and on the last result. So a pass goes along the order as the last one did, and decides
-// only units that something different reaches (reach.cpp).
+// stale groups, and on the last result. So a pass follows the last order, and decides only units that a difference
+// reaches.
 //
-// Between passes State::now is what State::last is. A pass opens the groups that it has to look at, each with all above
-// it, and clears what is now of these alone. A group that is not opened stands with all below it: the walk passes it in
-// one step, and from then on what they have is claimed.
+// Between passes State::now equals State::last. A pass opens the groups that it has to examine, each with all above it,
+// and clears only these in `now`. A group that is not opened is passed by in one step, with all below it; from then on,
+// what these hold counts as claimed.
 
 #include "runtime/core/arbitration/trail.hpp"
 
@@ -25,7 +25,7 @@ namespace director::arbitration {
 
 namespace {
 
-/// Takes the rows that are about this component out of a list for all components.
+/// Takes the rows of this component out of a list for all components.
 template <class ComponentOf, class Take>
 void take_own(Context& x, Index* list, Index& count, ComponentOf&& component_of, Take&& take) {
   Index left = 0;
@@ -58,25 +58,24 @@ bool any_edge(const Context& x, Index group, const Is& is) {
   return any(x.t.groups[group].edges.rows(), is);
 }
 
-/// It searched for providers to push: so it depends on much, and is decided again whenever anything differs.
+/// Whether the edge searched for a provider to push: it is decided again whenever anything differs.
 bool waits(const Context& x, Index edge) { return x.s.edge_trail[edge].has(trail::waits); }
 
-/// In every pass, or in every pass in which anything differs.
+/// Whether the edge is decided in every pass, or in every pass in which anything differs.
 bool is_decided_again(const Context& x, Index edge) {
   return waits(x, edge) || x.s.edge_trail[edge].has(trail::on_stale);
 }
 
-/// The group, noted by the last pass, need not be opened yet: what it is noted for counts only once it has run, or once
-/// something differs.
-bool can_stand(const Context& x, Index group) {
-  if (x.had_limbo && lies_in_limbo(x, group)) return false;
-  if (is_outdated(x, group) && !outdates(x, group)) return false;
-  return !any_edge(x, group, [&](Index e) { // what is optional has its place behind all else
+/// Whether a group noted by the last pass need not be opened before it has run, or something differs.
+bool need_not_be_opened(const Context& x, Index group) {
+  if (x.had_limbo && was_in_limbo(x, group)) return false;
+  if (is_marked_stale(x, group) && !becomes_stale(x, group)) return false;
+  return !any_edge(x, group, [&](Index e) { // optional edges are behind all others in the order
     return x.s.edge_trail[e].has(trail::on_stale) || optional(x, e);
   });
 }
 
-/// Something differs: what depends on much is decided again.
+/// Opens the groups with an edge that is decided again as soon as anything differs.
 void open_waiting(Context& x) {
   for (Index i = 0; i < x.kept_count; ++i) {
     const Index g = x.s.news[x.row.order + i];
@@ -84,14 +83,14 @@ void open_waiting(Context& x) {
   }
 }
 
-/// Its request ended when its requester stopped, but it holds on as a need, and so in another place of the order.
+/// Whether the request ended because its requester stopped, but the edge still holds the group as a need.
 bool became_a_need(const Context& x, Index edge) {
   const Index group = x.s.request[edge].target;
   if (injected(Fault::ended_requests_are_overlooked)) return false;
   return x.s.last[group].holder == edge && x.s.run_queue[group].component == x.component;
 }
 
-/// The pass is made only because the last one changed the assignment, and nothing depends on that: it stands.
+/// Whether the pass follows only from a change of the assignment by the last one, on which no decision depends.
 bool is_settled(const Context& x) {
   if (x.s.component[x.component].has(work::changed)) return false;
   if (injected(Fault::the_last_result_is_always_settled)) return true;
@@ -102,20 +101,20 @@ bool is_settled(const Context& x) {
   }
   for (Index i = 0; i < x.kept_count; ++i) {
     const Index g = x.s.news[x.row.order + i];
-    if (is_outdated(x, g) && !outdates(x, g) && x.s.run_queue[g].counts != 0) return false;
+    if (is_marked_stale(x, g) && !becomes_stale(x, g) && x.s.run_queue[g].stale_matters != 0) return false;
     if (any_edge(x, g, [&](Index e) { return is_decided_again(x, e); })) return false;
   }
   return true;
 }
 
-/// It is noted for the next pass: something of it has to be decided again, or stands elsewhere in the order than below
-/// it.
-bool has_to_be_looked_at(const Context& x, Index group) {
-  if (injected(Fault::what_is_always_decided_is_overlooked)) return false;
-  return is_outdated(x, group) || any_edge(x, group, [&](Index e) { return is_decided_again(x, e) || optional(x, e); });
+/// Whether the next pass may have to open the group: an edge is decided again, or is optional and so ordered elsewhere.
+bool may_be_opened_next(const Context& x, Index group) {
+  if (injected(Fault::permanent_decisions_are_overlooked)) return false;
+  return is_marked_stale(x, group) ||
+         any_edge(x, group, [&](Index e) { return is_decided_again(x, e) || optional(x, e); });
 }
 
-/// Those of edges that the walk may have visited, and of groups that it may have passed.
+/// Clears the marks of edges that the walk may have visited, and of groups that it may have passed by.
 void clear_marks(Context& x) {
   const auto clear_edge = [&](Index e) {
     x.s.edge_marks[e] = 0;
@@ -129,18 +128,18 @@ void clear_marks(Context& x) {
 
 } // namespace
 
-/// Opens what changed since the last pass, and finds the units that this reaches.
+/// Opens the groups that changed since the last pass, and finds the units that this reaches.
 void begin_trail(Context& x) {
   const Index news = x.s.news_count[x.component];
   const Index held = x.s.order_count[x.component];
-  x.had_limbo = held != 0 && lies_in_limbo(x, x.s.order[x.row.order + held - 1]); // it comes last
+  x.had_limbo = held != 0 && was_in_limbo(x, x.s.order[x.row.order + held - 1]); // limbo is last in the order
   x.pushed_count = x.s.pushed_count[x.component];
   for (const Index g : pushed_groups(x)) {
     open(x, g);
     x.s.group_marks[g] |= mark::listed;
   }
   if (x.pushed_count != 0) mark_pushers(x);
-  // The last result first: what is reached now belongs to the next one.
+  // The last result first: bits that are set from here on are notes for the next pass.
   Index* const rows = x.s.news + x.row.order;
   for (Index i = 0; i < news; ++i) {
     const Index g = rows[i];
@@ -154,9 +153,9 @@ void begin_trail(Context& x) {
   Index kept = 0;
   for (Index i = 0; i < x.kept_count; ++i) {
     const Index g = rows[i];
-    if (can_stand(x, g)) {
+    if (need_not_be_opened(x, g)) {
       rows[kept++] = g;
-      if (is_outdated(x, g)) ++x.stale_kept;
+      if (is_marked_stale(x, g)) ++x.stale_kept;
     } else {
       open(x, g);
     }
@@ -172,17 +171,17 @@ void begin_trail(Context& x) {
     reach_by_request(x, e, x.t.edges[e].requester != from);
     from = x.t.edges[e].requester;
   });
-  // Whose orders may be outdated: who is to run, and who was asked just now.
+  // Groups that may have become stale: those in the run queue, and those requested in this micro-step.
   const Counters& c = *x.s.counters;
-  const auto look = [&](Index g) {
+  const auto open_if_stale = [&](Index g) {
     if (x.s.run_queue[g].component != x.component || x.t.groups[g].edges.empty()) return;
-    if (!is_outdated(x, g) && outdates(x, g)) open(x, g);
+    if (!is_marked_stale(x, g) && becomes_stale(x, g)) open(x, g);
   };
-  for (Index g = c.queue_first; g != nil; g = x.s.run_queue[g].runs_before) look(g);
-  for (Index i = 0; i < c.touched_count; ++i) look(x.s.touched[i]);
+  for (Index g = c.queue_first; g != nil; g = x.s.run_queue[g].runs_before) open_if_stale(g);
+  for (Index i = 0; i < c.touched_count; ++i) open_if_stale(x.s.touched[i]);
 }
 
-/// The walk has passed it by, or a group above it, and so it counts as claimed.
+/// Whether the walk has passed by the group, or one above it, so that it counts as claimed.
 bool is_passed(const Context& x, Index group) {
   for (; group != nil && !is_opened(x, group); group = requester_of_holder(x, x.s.last[group])) {
     if (x.s.group_trail[group].has(trail::passed)) return true;
@@ -190,7 +189,7 @@ bool is_passed(const Context& x, Index group) {
   return false;
 }
 
-/// Something differs from the last pass, or may.
+/// Notes that something differs from the last pass, or may.
 void disturb(Context& x) {
   if (x.disturbed) return;
   x.disturbed = true;
@@ -198,11 +197,11 @@ void disturb(Context& x) {
 }
 
 void open_with_above(Context& x, Index group) {
-  const bool walk_began = x.placed != 0; // before it, nobody was passed
+  const bool walk_began = x.placed != 0; // before, no group was passed by
   if (walk_began && x.s.last[group].holder != nil && is_passed(x, group)) return;
   for (;;) {
     x.s.group_trail[group] |= trail::opened;
-    x.s.group_marks[group].remove(mark::outdated);
+    x.s.group_marks[group].remove(mark::stale);
     x.s.opened[x.row.order + x.opened_count++] = static_cast<TableIndex>(group);
     if (x.s.last[group].holder != nil && x.s.place[group] >= x.opened_end)
       x.opened_end = static_cast<Index>(x.s.place[group] + 1);
@@ -212,7 +211,7 @@ void open_with_above(Context& x, Index group) {
   }
 }
 
-/// All of the component is decided: nobody needs what was noted.
+/// Drops the notes of this component, all of which is decided.
 void drop_noted(Context& x) {
   take_flipped(x, [](Index) {});
   take_rerequested(x, [](Index) {});
@@ -223,7 +222,7 @@ void end_trail(Context& x) {
   Index& news = x.s.news_count[x.component];
   for (Index i = 0; i < x.reached_count; ++i) {
     const Index e = x.s.reached[i], from = x.t.edges[e].requester;
-    // Others stand: also edges of root behind the place where the walk ended.
+    // Other edges keep their decision, also those of root behind the place where the walk ended.
     if (!x.whole && (from == nil ? x.s.request[e].level == nil : is_opened(x, from))) leave_unvisited(x, e);
     x.s.edge_trail[e] &= trail::kept;
   }
@@ -240,26 +239,26 @@ void end_trail(Context& x) {
   }
   clear_marks(x);
   for (Index at = x.limbo_begin; at < x.placed; ++at) x.s.group_trail[x.s.next_order[x.row.order + at]] |= trail::again;
-  // Where all is decided nobody notes whose place moves, with a holder above them.
+  // A pass over the whole component does not note places that move.
   const bool any_moved = x.whole && any(opened(x), [&](Index g) { return x.s.group_marks[g].has(mark::differs); });
   for (const Index g : opened(x)) {
     const GroupAssignment& now = x.s.now[g];
     Bits& bits = x.s.group_trail[g];
     if (any_moved) bits |= trail::disturbed;
-    if (now.holder != nil && has_to_be_looked_at(x, g)) bits |= trail::again;
+    if (now.holder != nil && may_be_opened_next(x, g)) bits |= trail::again;
     if (now.holder == nil && x.s.last[g].holder != nil && !x.whole) {
       for (const Index e : x.t.groups[g].edges.rows()) leave_unvisited(x, e);
     }
     if ((bits & (trail::disturbed | trail::again)) != 0) x.s.news[x.row.order + news++] = g;
     bits.remove(trail::opened | trail::moved);
-    x.s.group_marks[g] &= mark::differs | mark::outdated;
+    x.s.group_marks[g] &= mark::differs | mark::stale;
   }
 }
 
 namespace {
 
-/// The next groups of the new order are so many of the last one, from this place on.
-DIRECTOR_INLINE void put_again(Context& x, Index from, Index count) {
+/// Copies `count` groups of the last order, from this place on, to the new one.
+DIRECTOR_INLINE void copy_order(Context& x, Index from, Index count) {
   if (from != x.placed) {
     for (Index i = 0; i < count; ++i) put(x, x.s.order[x.row.order + from + i], static_cast<Index>(x.placed + i));
   }
@@ -269,27 +268,27 @@ DIRECTOR_INLINE void put_again(Context& x, Index from, Index count) {
 
 } // namespace
 
-/// The group was not opened: it and all below it keep what they have, and their places.
+/// Leaves a group that was not opened, with all below it, at its place with its assignment.
 void pass_by(Context& x, Index group) {
-  leave_to(x, requester_of_holder(x, x.s.last[group]));
+  close_extents(x, requester_of_holder(x, x.s.last[group]));
   x.s.group_trail[group] |= trail::passed;
-  put_again(x, x.s.place[group], x.s.extent[group]);
+  copy_order(x, x.s.place[group], x.s.extent[group]);
 }
 
-/// Of an edge that searched for pushes, or whose target was taken: it need not be decided again.
-bool waits_on(const Context& x, Index edge) {
+/// Whether an edge that searched for pushes, or whose target was claimed, need not be decided again.
+bool keeps_waiting(const Context& x, Index edge) {
   const std::uint8_t bits = x.s.edge_trail[edge];
-  const bool searches = (bits & trail::waits) != 0 && x.disturbed && !injected(Fault::who_waits_is_overlooked);
-  const bool is_free = (bits & trail::behind) != 0 && !taken(x, edge) && !injected(Fault::who_is_behind_is_overlooked);
+  const bool searches = (bits & trail::waits) != 0 && x.disturbed && !injected(Fault::waiting_units_are_overlooked);
+  const bool is_free =
+      (bits & trail::in_line) != 0 && !taken(x, edge) && !injected(Fault::waiting_lines_are_overlooked);
   return !searches && !is_free;
 }
 
-/// Neither this edge of root nor one behind it has anything below it that was opened or reached: all of it stands, and
-/// is put into the new order at once.
-bool rest_stands(Context& x, Index root) {
+/// Copies the rest of the order if nothing below this edge of root and those behind it was opened or reached.
+bool copy_unchanged_rest(Context& x, Index root) {
   if (x.had_pushes || x.postponed != 0 || x.row.groups.size() <= 4 * x.most_decided_whole) {
     x.undecided =
-        static_cast<Index>(x.t.edges.size()); // no edge: it is not asked again, which costs more than it helps
+        static_cast<Index>(x.t.edges.size()); // no edge: it is not called again, which costs more than it saves
     return false;
   }
   for (const WaitingLine& line : std::span(x.lines).first(x.line_count)) {
@@ -300,35 +299,34 @@ bool rest_stands(Context& x, Index root) {
     if (x.s.request[e].level == nil) continue;
     const Index group = x.t.edges[e].target;
     const bool was_held = x.s.last[group].holder == e;
-    const bool looked_at = !stands(x, e) || (was_held && x.s.place[group] < x.opened_end);
-    if (looked_at && !injected(Fault::the_rest_stands_always)) {
+    const bool affected = !stands(x, e) || (was_held && x.s.place[group] < x.opened_end);
+    if (affected && !injected(Fault::the_rest_is_always_unchanged)) {
       x.undecided = e;
       return false;
     }
     if (was_held && x.s.place[group] < from) from = x.s.place[group];
   }
-  leave_to(x, nil);
-  put_again(x, from, static_cast<Index>(x.s.order_count[x.component] - from));
+  close_extents(x, nil);
+  copy_order(x, from, static_cast<Index>(x.s.order_count[x.component] - from));
   x.rest = root;
   return true;
 }
 
-/// The next group to be placed is below this one (nil: below root). Of what was placed last, up to there, the extent is
-/// known now.
-void leave_to(Context& x, Index group) {
+/// Sets the extents of the groups placed last, up to this group, below which the next one is placed (nil: below root).
+void close_extents(Context& x, Index group) {
   while (x.top != group && x.top != nil) {
     x.s.extent[x.top] = static_cast<Index>(x.placed - x.s.place[x.top]);
     x.top = requester_of_holder(x, x.s.now[x.top]);
   }
 }
 
-/// The decision about this edge stands, in a group that was opened: it claims again what it had.
-void repeat(Context& x, Index edge) {
+/// Repeats the last decision about an edge of a group that was opened: it claims again what it had.
+void claim_again(Context& x, Index edge) {
   x.s.edge_marks[edge] |= mark::visited;
-  if (runs_for_now(x, edge)) {
+  if (was_granted(x, edge)) {
     const Index group = target(x, edge), provider = x.s.last[group].active;
     claim(x, group, edge);
-    now_granted(x, edge, provider);
+    grant_target(x, edge, provider);
     const Index end = x.t.providers[provider].needs.empty() ? Index{0} : entries_of(x, group, x.s.last);
     if (end != 0) claim_plan(x, group, provider, 0, end);
   } else {

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Incremental passes: which groups a pass opens, that is, looks at, and which units it decides again, because what
-// their decision depends on differs from the last pass (reach.cpp). docs/semantics.md, section 4.4.
+// Incremental passes: the groups that a pass opens, that is, examines, and the units that it decides again, because
+// something on which their decision depends differs from the last pass (reach.cpp). docs/semantics.md, section 4.4.
 
 #include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/context.hpp"
@@ -22,72 +22,72 @@ DIRECTOR_PART void begin_followed(Context& x, Index count);
 DIRECTOR_PART void compare_with_last(Context& x, Index count);
 DIRECTOR_PART void reach_users(Context& x, Index group);
 DIRECTOR_PART void reach_edge(Context& x, Index edge);
-DIRECTOR_PART void look_at_lines(Context& x, Index group);
-DIRECTOR_PART bool waits_on(const Context& x, Index edge);
-DIRECTOR_PART bool rest_stands(Context& x, Index root);
+DIRECTOR_PART void check_lines(Context& x, Index group);
+DIRECTOR_PART bool keeps_waiting(const Context& x, Index edge);
+DIRECTOR_PART bool copy_unchanged_rest(Context& x, Index root);
 DIRECTOR_PART void reach_all_below(Context& x, Index group);
 void disturb(Context& x);
 void reach_by_request(Context& x, Index edge, bool with_siblings);
 void reach_by_last_result(Context& x, Index group);
 
-/// This pass looks at the group, and so at all above it.
+/// Makes this pass examine the group, and all above it.
 inline void open(Context& x, Index group) {
   if (!is_opened(x, group)) open_with_above(x, group);
 }
 
-/// Who may look at the group is decided again.
+/// Makes this pass decide again the units whose decision may depend on the group.
 inline void reach(Context& x, Index group) {
   if (!x.whole) reach_users(x, group);
 }
 
-/// What is needed is claimed together with what needs it, and what is only requested when its turn comes.
+/// Reaches all below the group if its claim differs. A need is claimed with the group that has it, a request in turn.
 inline void compare_claim(Context& x, Index group) {
   const GroupAssignment &now = x.s.now[group], &last = x.s.last[group];
   if (!x.whole && (now.holder != last.holder || now.needed() != last.needed())) reach_all_below(x, group);
 }
 
-/// What is decided about the group in this pass: nothing yet.
+/// Clears the assignment of the group in this pass.
 DIRECTOR_ONE_COPY inline void clear(Context& x, Index group) {
   x.s.now[group] = GroupAssignment{};
-  x.s.run_queue[group].counts = 0;
+  x.s.run_queue[group].stale_matters = 0;
   if (!alternatives(x, x.component)) return;
   for (const Index slot : x.t.groups[group].slots.rows()) x.s.now.plan[slot] = nil;
 }
 
-/// A component of few groups is decided whole in every pass: there, to find out what a change reaches costs more.
+/// Whether passes over the component are incremental: in one of few groups, finding what a change reaches costs more.
 inline bool is_followed(const Context& x) { return x.row.groups.size() > x.most_decided_whole; }
 
-/// Its decision of the last pass stands: nothing that it depends on differs.
+/// Whether the last decision about the edge remains: nothing that it depends on differs.
 inline bool stands(const Context& x, Index edge) {
   if (x.whole) return false;
   const std::uint8_t bits = x.s.edge_trail[edge];
   if ((bits & (trail::reached | trail::on_stale)) != 0) return false;
-  return (bits & (trail::waits | trail::behind)) == 0 || waits_on(x, edge);
+  return (bits & (trail::waits | trail::in_line)) == 0 || keeps_waiting(x, edge);
 }
 
-/// The groups that the pass has opened: all others stand as in the last assignment.
+/// The groups that the pass has opened; all others keep their last assignment.
 inline std::span<const TableIndex> opened(const Context& x) {
   return x.whole ? x.t.list(x.row.groups) : std::span<const TableIndex>{x.s.opened + x.row.order, x.opened_count};
 }
 
-/// What changes about the group is noted for the next pass.
+/// Whether changes of the group are noted for the next pass.
 inline bool is_noted(const Context& x, Index group) { return x.s.run_queue[group].flags.has(group_flag::followed); }
 
-/// For the next pass: a condition of one of its providers flipped, or it has to be decided again as if one had.
+/// Notes for the next pass that a condition of a provider flipped, or to decide the group as if one had.
 inline void touch_group(Context& x, Index group) {
   if (!is_noted(x, group) || x.s.group_trail[group].has(trail::touched)) return;
   x.s.group_trail[group] |= trail::touched;
   x.s.flipped[x.flipped_count++] = group;
 }
 
-/// For the next pass: the edge is requested at another level, or not any more.
+/// Notes for the next pass that the edge is requested at another level, or no longer.
 inline void note_rerequest(Context& x, Index edge) {
   if (!is_noted(x, x.s.request[edge].target) || x.s.edge_trail[edge].has(trail::changed)) return;
   x.s.edge_trail[edge] |= trail::changed;
   x.s.rerequested[x.rerequested_count++] = edge;
 }
 
-/// An edge that the walk did not come to is not queued.
+/// An edge that the walk did not reach is not queued.
 inline void leave_unvisited(Context& x, Index edge) {
   if (!x.s.edge_marks[edge].has(mark::visited)) x.s.queued[edge] = Queued{};
 }
@@ -95,13 +95,13 @@ inline void leave_unvisited(Context& x, Index edge) {
 inline void begin_decision(Context& x, Index count) {
   ++x.decided;
   ++x.work;
-  x.depends_on_orders = false;
+  x.depends_on_requester = false;
   for (Index at = 0; at < count; ++at) x.s.edge_marks[x.s.unit[at]] |= mark::visited;
   if (is_followed(x)) begin_followed(x, count);
 }
 
 inline void end_decision(Context& x, Index count) {
-  if (x.depends_on_orders) note_outdated_orders(x);
+  if (x.depends_on_requester) note_stale_requester(x);
   if (is_followed(x)) compare_with_last(x, count);
 }
 

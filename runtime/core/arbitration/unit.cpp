@@ -1,5 +1,5 @@
-// docs/semantics.md, section 4.4: units. What a group that is claimed asks for and needs stands ahead in the walk; the
-// members of a unit get what they ask for together or not at all. SPDX-License-Identifier: MIT
+// docs/semantics.md, section 4.4: units. The requests and needs of a claimed group come next in the walk.
+// SPDX-License-Identifier: MIT
 
 #include "runtime/core/arbitration/availability.hpp"
 #include "runtime/core/arbitration/choices.hpp"
@@ -18,8 +18,8 @@ namespace director::arbitration {
 
 namespace {
 
-/// Puts the edge before its siblings on the stack. False: it does not go before the sibling that was put there last.
-bool look_ahead_to(Context& x, Index edge, Index base) {
+/// Puts the edge on the stack of the walk. False: it does not go before the sibling that was put there last.
+bool add_candidate(Context& x, Index edge, Index base) {
   const bool in_order =
       x.ahead == base || compare_siblings(x, {edge, false}, {x.s.candidate[x.ahead - 1], false}, true) < 0;
   x.s.candidate[x.ahead++] = edge;
@@ -28,33 +28,32 @@ bool look_ahead_to(Context& x, Index edge, Index base) {
 
 } // namespace
 
-/// Puts the edges of a group that was placed on the stack of the walk. A group that is held for a need only asks for
-/// its pack while it is stale, and no longer.
-void look_ahead(Context& x, Index group) {
+/// Puts the edges of a placed group on the stack of the walk; requests of one that is only needed, while it is stale.
+void add_candidates(Context& x, Index group) {
   const Index source = stale_source(x, group);
-  const bool is_stale = source != up_to_date, asks = is_stale || x.s.now[group].granted();
-  std::uint8_t marks = asks ? std::uint8_t{0} : mark::tried;
+  const bool is_stale = source != up_to_date, requests = is_stale || x.s.now[group].granted();
+  std::uint8_t marks = requests ? std::uint8_t{0} : mark::tried;
   if (is_stale) marks |= mark::below_stale;
-  const auto known = static_cast<std::uint8_t>((is_stale ? trail::stale : 0) | (asks ? trail::asks : 0));
-  const auto differs = static_cast<std::uint8_t>((x.s.group_trail[group] & (trail::stale | trail::asks)) ^ known);
-  x.s.group_trail[group].remove(trail::stale | trail::asks);
+  const auto known = static_cast<std::uint8_t>((is_stale ? trail::stale : 0) | (requests ? trail::requests : 0));
+  const auto differs = static_cast<std::uint8_t>((x.s.group_trail[group] & (trail::stale | trail::requests)) ^ known);
+  x.s.group_trail[group].remove(trail::stale | trail::requests);
   x.s.group_trail[group] |= known;
   const Index base = x.ahead;
   Index together = 0, member = nil;
-  bool in_order = true, counts = false; // that the orders are outdated
+  bool in_order = true, stale_matters = false;
   const Range edges = x.t.groups[group].edges;
   for (Index e = edges.end; e != edges.begin;) {
     --e;
     const Index level = x.s.request[e].level;
-    if (!x.whole && level != nil && !injected(Fault::outdated_orders_are_overlooked)) {
-      const bool on_orders = x.s.edge_trail[e].has(trail::on_orders);
-      counts = counts || on_orders;
-      if ((differs & (on_orders ? trail::asks | trail::stale : trail::asks)) != 0) {
+    if (!x.whole && level != nil && !injected(Fault::stale_requesters_are_overlooked)) {
+      const bool on_requester = x.s.edge_trail[e].has(trail::on_requester);
+      stale_matters = stale_matters || on_requester;
+      if ((differs & (on_requester ? trail::requests | trail::stale : trail::requests)) != 0) {
         reach_edge(x, e);
-        if (!asks) reach_pushes_of(x, e);
+        if (!requests) reach_pushes_of(x, e);
       }
     }
-    if (level == nil || !asks) {
+    if (level == nil || !requests) {
       if (holder_now(x, x.t.edges[e].target) != e) {
         if (differs != 0 && !x.whole && x.s.last[x.t.edges[e].target].holder == e &&
             !injected(Fault::lost_needs_are_overlooked))
@@ -62,14 +61,14 @@ void look_ahead(Context& x, Index group) {
         continue;
       }
       if (level == nil) {
-        in_order = look_ahead_to(x, e, base) && in_order;
+        in_order = add_candidate(x, e, base) && in_order;
         continue;
       }
     }
-    counts = counts || !x.s.now[group].granted(); // it asks for this no longer than it is stale
+    stale_matters = stale_matters || !x.s.now[group].granted(); // this request counts only while it is stale
     const Level& row = x.t.levels[level];
     std::uint8_t all = marks;
-    if (row.optional || row.apart || injected(Fault::members_for_themselves)) {
+    if (row.optional || row.apart || injected(Fault::members_are_granted_alone)) {
       all |= mark::alone;
     } else {
       ++together;
@@ -79,20 +78,19 @@ void look_ahead(Context& x, Index group) {
     if (row.optional) {
       postpone(x, e);
     } else {
-      in_order = look_ahead_to(x, e, base) && in_order;
+      in_order = add_candidate(x, e, base) && in_order;
     }
   }
   if (together == 1) x.s.edge_marks[member] |= mark::alone;
-  if (counts && is_stale && source != nil) x.s.run_queue[source].counts = 1;
+  if (stale_matters && is_stale && source != nil) x.s.run_queue[source].stale_matters = 1;
   if (in_order) return;
   heap_sort({x.s.candidate + base, static_cast<std::size_t>(x.ahead - base)}, [&](Index a, Index b) {
     return compare_siblings(x, {b, false}, {a, false}, true) < 0;
   });
 }
 
-/// The members of a unit, in order, the first of which is this one; the others stand ahead. Below a stale group each is
-/// tried for itself.
-void try_unit(Context& x, Index edge, bool outdated) {
+/// Tries the unit whose first member is this edge; others are on the stack. Below a stale group each is a unit.
+void try_unit(Context& x, Index edge, bool below_stale) {
   Index count = 0;
   x.s.unit[count++] = edge;
   const Index from = x.t.edges[edge].requester;
@@ -105,13 +103,13 @@ void try_unit(Context& x, Index edge, bool outdated) {
   }
   const std::span<const Index> unit{x.s.unit, count};
   if (!any(unit, [&](Index e) { return !stands(x, e); })) {
-    for (const Index e : unit) repeat(x, e);
+    for (const Index e : unit) claim_again(x, e);
     return;
   }
   begin_decision(x, count);
-  x.depends_on_orders = outdated && count > 1;
-  if (outdated || count == 1) {
-    for (Index i = 0; i < count; ++i) decide_alone(x, x.s.unit[i], outdated);
+  x.depends_on_requester = below_stale && count > 1;
+  if (below_stale || count == 1) {
+    for (Index i = 0; i < count; ++i) decide_alone(x, x.s.unit[i], below_stale);
   } else {
     for (Index i = 0; i < count; ++i) x.s.member[i].edge = x.s.unit[i];
     try_members(x, count, false);

@@ -1,4 +1,4 @@
-// docs/semantics.md, section 4.4: which candidate is tried next.
+// docs/semantics.md, section 4.4: the candidate that is tried next.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/arbitration/walk.hpp"
@@ -13,27 +13,26 @@ namespace director::arbitration {
 
 namespace {
 
-/// It was granted, and is granted again without a search: it has one provider, without conditions and needs, and its
-/// target is free.
-inline bool runs_on(const Context& x, Index edge) {
+/// Whether the edge is granted again without a search: the only provider of its free target has no conditions or needs.
+inline bool is_granted_again(const Context& x, Index edge) {
   const Index group = x.t.edges[edge].target;
-  return is_opened(x, group) && x.t.groups[group].simple && !x.t.groups[group].conditional && runs_for_now(x, edge) &&
+  return is_opened(x, group) && x.t.groups[group].simple && !x.t.groups[group].conditional && was_granted(x, edge) &&
          !taken(x, edge) && !x.s.edge_marks[edge].has(mark::pushes) &&
          x.s.enabled[x.t.groups[group].providers.begin] != 0;
 }
 
-inline void try_alone(Context& x, Index edge, bool outdated) {
+inline void try_alone(Context& x, Index edge, bool below_stale) {
   begin_decision(x, 1);
-  decide_alone(x, edge, outdated);
+  decide_alone(x, edge, below_stale);
   end_decision(x, 1);
 }
 
-/// The group is the next one of the new order, and what it asks for or needs comes next in the walk.
+/// Puts the group next in the new order; its requests and needs come next in the walk.
 inline void place(Context& x, Index group) {
   ++x.work;
   if (x.s.last[group].holder != nil) ++x.inherited;
   if (is_followed(x)) {
-    leave_to(x, requester_of_holder(x, x.s.now[group]));
+    close_extents(x, requester_of_holder(x, x.s.now[group]));
     x.top = group;
   }
   Index at = x.placed;
@@ -44,7 +43,7 @@ inline void place(Context& x, Index group) {
   }
   put(x, group, at);
   ++x.placed;
-  if (!x.t.groups[group].edges.empty()) look_ahead(x, group);
+  if (!x.t.groups[group].edges.empty()) add_candidates(x, group);
 }
 
 } // namespace
@@ -54,22 +53,22 @@ void visit(Context& x, Index edge, std::uint8_t marks) {
   if ((marks & mark::tried) == 0 && x.s.request[edge].level != nil) {
     if ((marks & mark::alone) == 0) {
       try_unit(x, edge, (marks & mark::below_stale) != 0);
-    } else if (runs_on(x, edge)) {
+    } else if (is_granted_again(x, edge)) {
       x.s.edge_marks[edge] |= mark::visited;
       claim(x, group, edge);
-      now_granted(x, edge, x.t.groups[group].providers.begin);
+      grant_target(x, edge, x.t.groups[group].providers.begin);
     } else if (stands(x, edge)) {
       const bool was_held = x.s.last[group].holder == edge;
-      if (was_held && x.line_count != 0 && !is_opened(x, group)) look_at_lines(x, group);
+      if (was_held && x.line_count != 0 && !is_opened(x, group)) check_lines(x, group);
       if ((marks & mark::pushes) != 0 || (was_held && is_opened(x, group))) {
-        repeat(x, edge);
+        claim_again(x, edge);
       } else if (was_held) {
         x.s.edge_marks[edge] |= mark::visited;
         return pass_by(x, group);
       } else {
         x.s.edge_marks[edge] |= mark::visited | mark::refused;
       }
-    } else if ((marks & (mark::below_stale | mark::pushes)) == 0 && taken(x, edge) && !runs_for_now(x, edge)) {
+    } else if ((marks & (mark::below_stale | mark::pushes)) == 0 && taken(x, edge) && !was_granted(x, edge)) {
       block_alone(x, edge);
     } else {
       x.s.unit[0] = edge;
@@ -90,14 +89,13 @@ void visit_root(Context& x, Index edge) {
   visit(x, edge, static_cast<std::uint8_t>(x.s.edge_marks[edge] | mark::alone));
 }
 
-/// Tries candidates, the first in order first, until none is left, and puts down who is claimed in the order in which
-/// the edges stand. Below a mandatory edge that order is the tree's: an edge, all that is below it, its next sibling.
-/// What is optional waits until all else was tried.
+/// Tries candidates in order until none is left, and puts the claimed groups into the new order. Below a mandatory edge
+/// this is an edge, all below it, its next sibling. Optional candidates wait until all others were tried.
 void sweep(Context& x) {
   Index root = x.s.first_root[x.component];
   for (; root != nil && !optional(x, root); root = x.s.next_root[root]) {
     if (x.s.request[root].level == nil) continue;
-    if (!x.whole && x.undecided == nil && rest_stands(x, root)) return;
+    if (!x.whole && x.undecided == nil && copy_unchanged_rest(x, root)) return;
     visit_root(x, root);
     if (x.undecided == root) x.undecided = nil;
     walk_on(x);
@@ -105,7 +103,7 @@ void sweep(Context& x) {
   if (root != nil || x.postponed != 0) sweep_optional(x, root);
 }
 
-/// What is in limbo, after all else.
+/// Tries the candidates below a group in limbo, after all others.
 void sweep_below(Context& x, Index group) {
   place(x, group);
   walk_on(x);

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Candidates in order. docs/semantics.md, section 4.4.
+// Tries candidates in order. docs/semantics.md, section 4.4.
 
 #include "runtime/core/arbitration/context.hpp"
 #include "runtime/core/base/parts.hpp"
@@ -12,13 +12,13 @@ void sweep_below(Context& x, Index group);
 void visit(Context& x, Index edge, std::uint8_t marks);
 void visit_root(Context& x, Index edge);
 void walk_on(Context& x);
-DIRECTOR_PART void look_ahead(Context& x, Index group);
+DIRECTOR_PART void add_candidates(Context& x, Index group);
 DIRECTOR_PART void postpone(Context& x, Index edge);
 DIRECTOR_PART void sweep_optional(Context& x, Index root);
 DIRECTOR_PART void pass_by(Context& x, Index group);
-DIRECTOR_PART void leave_to(Context& x, Index group);
+DIRECTOR_PART void close_extents(Context& x, Index group);
 
-/// In the new order.
+/// Puts a group at this place of the new order.
 inline void put(Context& x, Index group, Index at) {
   if (at < x.first_moved && (at >= x.s.order_count[x.component] || x.s.order[x.row.order + at] != group))
     x.first_moved = at;

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Durations in 64 bits: those of std::chrono, of any rep and period, become microseconds here, without its header. What
-// is beyond the range of Time becomes its end, in a conversion and in a sum: the longest duration is `never`.
+// Durations in 64 bits: those of std::chrono, of any rep and period, are converted to microseconds, without its header.
+// A result beyond the range of Time is its end, in a conversion and in a sum: the longest duration is `never`.
 
 #include "runtime/core/base/tables.hpp"
 
@@ -19,7 +19,7 @@ concept Duration = requires(const T& duration) {
   T::period::den;
 };
 
-/// The time that is so much later. Nothing is later than `never`.
+/// The time after a duration. Nothing is later than `never`.
 constexpr Time later(Time time, Time duration) { return time > never - duration ? never : time + duration; }
 
 namespace detail {
@@ -32,7 +32,8 @@ struct Tick {
   static constexpr Time second = 1'000'000;
   static constexpr Time common = greatest_divisor(second, Period::den);
   static constexpr Time den = Period::den / common;
-  static constexpr bool endless = Period::num > never / (second / common); ///< one tick is more than Time holds
+  static constexpr bool endless = Period::num >
+                                  never / (second / common); ///< one tick is longer than the range of Time
   static constexpr Time num = endless ? 1 : Period::num * (second / common);
   static_assert(num <= never / den, "microseconds cannot be made of this unit in 64 bits");
 };
@@ -65,7 +66,7 @@ constexpr Time whole_microseconds(Count count, bool up) {
   return up && rest % Tick::den > 0 ? later(whole, 1) : whole;
 }
 
-/// What is no number is the first time.
+/// Returns the first time for NaN.
 template <class Tick, class Count>
 constexpr Time microseconds_of_fraction(Count count, bool up) {
   using Wide = std::common_type_t<Count, double>;
@@ -91,13 +92,13 @@ constexpr Time to_microseconds(const T& duration, bool up) {
 
 } // namespace detail
 
-/// Whole microseconds in a duration; what begins another one is left out.
+/// Microseconds in a duration, rounded down.
 template <Duration T>
 constexpr Time microseconds_begun(const T& duration) {
   return detail::to_microseconds(duration, false);
 }
 
-/// The same, what begins another one counting as a whole: no wait is shorter than it was asked for.
+/// The same, rounded up, so that no wait is shorter than requested.
 template <Duration T>
 constexpr Time microseconds(const T& duration) {
   return detail::to_microseconds(duration, true);

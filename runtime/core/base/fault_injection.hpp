@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Faults that can be planted in the engine, to see that the random tests of tests/property find every one of them. In a
-// product injected() is false while compiling, and nothing of it is left. tests/planted builds the engine with
+// Faults that can be planted in the engine, to test that the random tests of tests/property find each of them. In a
+// product injected() is false at compile time, and no code of a fault is left. tests/planted builds the engine with
 // DIRECTOR_FAULT_INJECTION and chooses one at a time.
 
 namespace director {
@@ -16,7 +16,7 @@ enum class Fault : unsigned char {
   // 4.2
   equals_take,
   denials_are_final,
-  denials_of_who_stands_are_overlooked,
+  denials_of_unchanged_units_are_overlooked,
   // 4.3
   only_the_first_plan,
   disabled_providers_run,
@@ -24,47 +24,47 @@ enum class Fault : unsigned char {
   pushes_move_nothing,
   nothing_is_waived,
   // 4.4
-  members_for_themselves,
-  outdated_orders_acquire,
+  members_are_granted_alone,
+  stale_groups_acquire,
   nothing_is_deferred,
   served_pushes_end,
   blocked_units_push_on,
-  pushes_though_the_outside_decides,
+  pushes_without_a_causer,
   the_later_provider_is_pushed,
-  nobody_inherits,
+  limbo_keeps_nothing,
   pushes_outlive_requests,
   // 5
-  stopped_requests_stand,
+  stopped_requests_stay,
   owned_states_stay,
-  a_new_holder_is_no_news,
+  a_new_holder_gives_no_reason,
   unwanted_needs_live_on,
-  a_lost_state_is_nobodys_concern,
+  a_lost_state_gives_no_reason,
   done_outlives_a_new_task,
-  // What has to be decided again (act.cpp): of the changes this is overlooked
-  who_is_stale_is_overlooked,
+  // A change that should cause a new decision is overlooked (act.cpp).
+  staleness_is_overlooked,
   conditions_are_overlooked,
   enabling_is_overlooked,
-  // and of what reaches units (trail.cpp): a pass overlooks this
+  // A pass overlooks a dependence of units (trail.cpp).
   other_members_are_overlooked,
   units_stay_in_place,
-  what_is_below_is_overlooked,
-  who_uses_it_is_overlooked,
-  who_waits_is_overlooked,
-  who_is_behind_is_overlooked,
-  the_rest_stands_always,
+  groups_below_are_overlooked,
+  users_are_overlooked,
+  waiting_units_are_overlooked,
+  waiting_lines_are_overlooked,
+  the_rest_is_always_unchanged,
   the_last_result_is_always_settled,
   ended_requests_are_overlooked,
-  outdated_orders_are_overlooked,
+  stale_requesters_are_overlooked,
   the_last_result_is_overlooked,
   lost_needs_are_overlooked,
-  what_is_always_decided_is_overlooked,
-  // and of what follows from a decision (act.cpp)
+  permanent_decisions_are_overlooked,
+  // A consequence of a decision is overlooked (act.cpp).
   handlers_are_overlooked,
   the_order_stays,
-  who_stands_as_before_is_overlooked,
-  others_are_overlooked,
-  who_leaves_stays_queued,
-  what_stops_is_ordered_anew,
+  unchanged_groups_are_overlooked,
+  other_components_are_overlooked,
+  lost_groups_stay_queued,
+  stops_use_the_new_order,
   count
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Sorting in place without memory, library or recursion. What comes nearly sorted, as most does here, costs little more
-// than one comparison a row: rows are put into those before them, and only where that moves many it is a heap's turn.
+// Sorting in place, without memory, library or recursion. Nearly sorted rows, which most are here, cost little more
+// than one comparison a row: it is an insertion sort that changes to a heap sort after many moves.
 
 #include "runtime/core/base/tables.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Bits that passes note on edges, groups, conditions and providers.
+// Bits that passes set on edges, groups, conditions and providers.
 
 #include "runtime/core/base/state.hpp"
 #include "runtime/core/base/tables.hpp"
@@ -9,59 +9,59 @@ namespace director {
 
 namespace mark {
 // On edges.
-inline constexpr std::uint8_t tried = 1; ///< or may not be tried
+inline constexpr std::uint8_t tried = 1; ///< it was tried, or must not be
 inline constexpr std::uint8_t refused = 2;
-inline constexpr std::uint8_t alone = 4;       ///< it is tried for itself
-inline constexpr std::uint8_t below_stale = 8; ///< its requester's orders are outdated
-inline constexpr std::uint8_t pushes = 16;     ///< there is a push of it in the last assignment
-inline constexpr std::uint8_t visited = 32;    ///< it was decided, or stands as before
+inline constexpr std::uint8_t alone = 4;       ///< it is a unit by itself
+inline constexpr std::uint8_t below_stale = 8; ///< its requester is stale
+inline constexpr std::uint8_t pushes = 16;     ///< it made a push in the last assignment
+inline constexpr std::uint8_t visited = 32;    ///< it was decided, or keeps its last decision
 // On groups.
-inline constexpr std::uint8_t forgotten = 1; ///< its last holder no longer stands in an equal's way
+inline constexpr std::uint8_t forgotten = 1; ///< its last holder, an equal, no longer counts
 inline constexpr std::uint8_t denied = 2;    ///< it was denied to an equal of its last holder
 inline constexpr std::uint8_t reached = 4;
-inline constexpr std::uint8_t busy = 8;      ///< its push serves a condition of the unit in hand
-inline constexpr std::uint8_t outdated = 16; ///< it is granted, may ask for others, and its orders are outdated
-inline constexpr std::uint8_t differs = 32;  ///< it stands elsewhere than after the last pass
-inline constexpr std::uint8_t listed = 64;   ///< it stands in State::pushed
+inline constexpr std::uint8_t busy = 8;     ///< its push serves a condition of the current unit
+inline constexpr std::uint8_t stale = 16;   ///< it is granted, has edges, and its pack may be out of date
+inline constexpr std::uint8_t differs = 32; ///< its assignment differs from that of the last pass
+inline constexpr std::uint8_t listed = 64;  ///< it is listed in State::pushed
 // On conditions.
-inline constexpr std::uint8_t lacked = 1; ///< the chain in search may have to make it true
+inline constexpr std::uint8_t lacked = 1; ///< the searched chain may have to make it true
 // On providers.
 inline constexpr std::uint8_t pushable = 1;
-inline constexpr std::uint8_t looked_at = 2; ///< it is among those that cause what the chain in search lacks
+inline constexpr std::uint8_t causer = 2; ///< it is listed in State::causers
 } // namespace mark
 
-/// What is known of the last pass, from pass to pass.
+/// What remains of the last pass for the next one.
 namespace trail {
 // Bits of State::edge_trail.
-inline constexpr std::uint8_t reached = 1;  ///< something that its decision looks at may be another than last time
-inline constexpr std::uint8_t changed = 2;  ///< since the last pass it is requested at another level, or not any more
-inline constexpr std::uint8_t on_last = 4;  ///< its decision may be another one when the last result is its own
-inline constexpr std::uint8_t on_stale = 8; ///< or when the orders of others are outdated: it is decided in every pass
-inline constexpr std::uint8_t waits = 16;   ///< it waits for somebody who is pushed, or searched for one
-inline constexpr std::uint8_t behind = 32; ///< all that its decision looked at is that an edge before it has its target
-inline constexpr std::uint8_t on_orders = 64; ///< or when its requester's orders are not outdated any more
-inline constexpr std::uint8_t altered = 128;  ///< its request before this micro-step stands in State::before
-inline constexpr std::uint8_t kept = on_last | on_stale | waits | behind | on_orders;
+inline constexpr std::uint8_t reached = 1;       ///< something on which its decision depends may have changed
+inline constexpr std::uint8_t changed = 2;       ///< since the last pass it is requested at another level, or no longer
+inline constexpr std::uint8_t on_last = 4;       ///< its decision may differ if the last result is its own
+inline constexpr std::uint8_t on_stale = 8;      ///< or if other groups are stale: it is decided in every pass
+inline constexpr std::uint8_t waits = 16;        ///< it waits for a group that is pushed, or searched for one
+inline constexpr std::uint8_t in_line = 32;      ///< it is blocked only because an earlier edge has claimed its target
+inline constexpr std::uint8_t on_requester = 64; ///< its decision may differ once its requester is not stale
+inline constexpr std::uint8_t altered = 128;     ///< its request before this micro-step is in State::before
+inline constexpr std::uint8_t kept = on_last | on_stale | waits | in_line | on_requester;
 // Bits of State::group_trail.
-inline constexpr std::uint8_t disturbed = 1; ///< its holder, provider, plan or push may be another than last time
-inline constexpr std::uint8_t moved = 2;     ///< its place in the order may be another than last time
+inline constexpr std::uint8_t disturbed = 1; ///< its holder, provider, plan or push may have changed
+inline constexpr std::uint8_t moved = 2;     ///< its place in the order may have changed
 inline constexpr std::uint8_t touched = 4;   ///< since the last pass a condition of a provider flipped
-inline constexpr std::uint8_t stale = 8;     ///< its orders were outdated in the last pass
-inline constexpr std::uint8_t asks = 16;     ///< what it requests was looked at in the last pass
-inline constexpr std::uint8_t opened = 32;   ///< this pass looks at it; otherwise it stands as it stood
-inline constexpr std::uint8_t passed =
-    64; ///< it, and all below it, stands as it stood and goes before the edge in hand
-inline constexpr std::uint8_t again = 128; ///< the next pass has to look at it, whatever happens
+inline constexpr std::uint8_t stale = 8;     ///< it was stale in the last pass
+inline constexpr std::uint8_t requests = 16; ///< its requests were candidates in the last pass
+inline constexpr std::uint8_t opened = 32;   ///< this pass examines it
+inline constexpr std::uint8_t passed = 64;   ///< it was passed by, with all below it
+inline constexpr std::uint8_t again = 128;   ///< the next pass has to open it in any case
 } // namespace trail
 
-/// Bits of RunQueueEntry::flags. What else there is to tell of the group stands there too.
+/// Bits of RunQueueEntry::flags.
 namespace group_flag {
-inline constexpr std::uint8_t queue = 1;     ///< it is to run
-inline constexpr std::uint8_t touched = 2;   ///< it stands in State::touched
-inline constexpr std::uint8_t waits = 4;     ///< its wait may be on
-inline constexpr std::uint8_t listens = 8;   ///< to some trigger
-inline constexpr std::uint8_t followed = 32; ///< its component is not decided whole (arbitration/trail.hpp)
-inline constexpr std::uint8_t ends = 16;     ///< it has what begins or ends with it: states, a handler, a period
+inline constexpr std::uint8_t queue = 1;   ///< it is in the run queue
+inline constexpr std::uint8_t touched = 2; ///< it is listed in State::touched
+inline constexpr std::uint8_t waits = 4;   ///< it may have a wait that is pending
+inline constexpr std::uint8_t listens = 8; ///< a provider listens to a trigger
+inline constexpr std::uint8_t followed =
+    32; ///< changes are noted: its component is not decided whole (arbitration/trail.hpp)
+inline constexpr std::uint8_t lifecycle = 16; ///< it owns states, or has a handler or a period
 } // namespace group_flag
 
 } // namespace director

@@ -1,9 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a behaviour may do without. A part of the engine is a source of its own, which the rest calls by weak
-// references: the linker takes it from the library only where something else names it. Generated code names the parts
-// that its tables use; where a part is missing nothing gets as far as a call of it. Only ELF has such references:
-// elsewhere all parts are linked.
+// Optional parts of the engine. A part is a source of its own, which the others call by weak references: the linker
+// takes it from the library only if something else names it. Generated code names the parts that its tables use;
+// without a part, no call of it is reached. Only ELF has such references: elsewhere all parts are linked.
 
 #include "runtime/core/base/tables.hpp"
 
@@ -17,24 +16,25 @@
 
 namespace director {
 
-/// A name for each part, in its source. Timers are also taken where a body calls Run::wait(), and inputs of several
-/// records only where link() makes one: these functions stand in their sources.
+/// A name for each part, defined in its source. Timers are also linked if a body calls Run::wait(), and inputs of
+/// several records only if link() makes one: these functions are in the sources of the parts.
 namespace part {
 extern const char units, staleness, plans, limbo, order, conditions, pushes, equals, search, optional,
     trail;                                                                     // arbitration
 extern const char timers, together, several, states, handlers, promises, data; // engine
 } // namespace part
 
-/// A component of at most so many groups is decided whole: to find out what a change reaches costs more there. It is
-/// more on a 32-bit machine, as what finds that out is code of its own: 5 kB, for an eighth of the time at 24 groups.
+/// Components of at most this many groups are decided whole: there, finding what a change reaches costs more. The limit
+/// is higher on a 32-bit machine, because that code takes 5 kB, and saves only an eighth of the time at 24 groups.
 inline constexpr Index most_decided_whole = sizeof(void*) < 8 ? 32 : 16;
 
 using Parts = std::array<const char*, 17>;
 
-/// What these tables use. `data`: some task has data. `all`: whatever the tables are.
+/// The parts that these tables use. `data`: some task has data. `all`: all parts.
 constexpr Parts parts_of(const Tables& t, bool data, bool all = false) {
   const bool requests = t.edges.size() > t.root_edges;
-  const bool shared = any(t.components, [](const Component& row) { return row.groups.size() > 1; }); // by groups
+  const bool shared =
+      any(t.components, [](const Component& row) { return row.groups.size() > 1; }); // by several groups
   const bool pushes = any(t.conditions, [](const Condition& row) { return !row.causers.empty(); });
   const bool equals = any(t.groups, [](const Group& row) { return row.equals; });
   const bool search = t.most_edges > 1 || equals;

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// All memory of the engine that changes: one block of bytes, owned by the caller, whose size follows from the tables.
-// It begins with the decision state: everything that the next decision depends on, trivially copyable, so that two
-// blocks with equal decision bytes behave alike. Behind it lies what one pass needs and forgets.
+// All mutable memory of the engine: one block of bytes, owned by the caller, whose size follows from the tables. It
+// begins with the decision state: everything that the next decision depends on, trivially copyable, so that two blocks
+// with equal decision bytes behave alike. Behind it is the scratch memory of passes.
 
 #include "runtime/core/base/tables.hpp"
 #include "runtime/core/base/words.hpp"
@@ -14,13 +14,13 @@
 
 namespace director {
 
-/// How many rows of everything; what the size of the memory depends on.
+/// The numbers of rows, from which the size of the memory follows.
 struct Shape {
   std::size_t groups = 0, providers = 0, edges = 0, conditions = 0, states = 0, promises = 0;
   std::size_t plan_slots = 0, listen_slots = 0, most_edges = 0, components = 0;
-  std::size_t lacking = 0;  ///< the most conditions that one combination of choices can lack
-  std::size_t pushable = 0; ///< groups that have a provider which causes something
-  /// Where there are several components: the most requests that can become others in one micro-step.
+  std::size_t lacking = 0;  ///< the most conditions that may be false in one combination of choices
+  std::size_t pushable = 0; ///< groups with a provider that has `causing`
+  /// If there are several components: the most requests that can change in one micro-step.
   std::size_t altered = 0;
 
   constexpr std::size_t timers() const { return states + 2 * groups + promises; }
@@ -43,29 +43,29 @@ struct Shape {
 
 /// Bits of Assignment::flags.
 namespace flag {
-inline constexpr Index granted = 1;  ///< a unit got it as its target in the last pass
+inline constexpr Index granted = 1;  ///< it was granted as the target of a unit in the last pass
 inline constexpr Index needed = 2;   ///< its holder claimed it for a plan
-inline constexpr Index in_force = 4; ///< its active provider runs because of the push on it
-inline constexpr Index serving = 8;  ///< and the condition that the push was made for is false
+inline constexpr Index in_force = 4; ///< its provider is active because of the push on it
+inline constexpr Index serving = 8;  ///< and the condition of the push is false
 } // namespace flag
 
-/// Bits of State::component: what the next arbitration has to know about it.
+/// Bits of State::component, for the next arbitration.
 namespace work {
-inline constexpr std::uint8_t changed = 1;      ///< a request, value or flag that it depends on is another one
-inline constexpr std::uint8_t unsettled = 2;    ///< the last pass may decide differently on its own result
-inline constexpr std::uint8_t stale_counts = 4; ///< whose orders are outdated made a difference in the last pass
-inline constexpr std::uint8_t listed = 8;       ///< it stands in State::work
-inline constexpr std::uint8_t passed = 16;      ///< it was decided again in this micro-step
-inline constexpr std::uint8_t reordered = 32;   ///< an edge of root may be in another place among its like
-inline constexpr std::uint8_t pushes = 64;      ///< with `passed`: there are pushes, or were before
-inline constexpr std::uint8_t kept = stale_counts | reordered; ///< also where nothing is to be decided
+inline constexpr std::uint8_t changed = 1;       ///< a request, value or flag that it depends on has changed
+inline constexpr std::uint8_t unsettled = 2;     ///< a pass over the last result may decide differently
+inline constexpr std::uint8_t stale_matters = 4; ///< decisions of the last pass depended on which groups are stale
+inline constexpr std::uint8_t listed = 8;        ///< it is listed in State::work
+inline constexpr std::uint8_t passed = 16;       ///< it was decided in this micro-step
+inline constexpr std::uint8_t reordered = 32;    ///< the order of its edges of root may have changed
+inline constexpr std::uint8_t pushes = 64;       ///< with `passed`: it has pushes, or had them before
+inline constexpr std::uint8_t kept = stale_matters | reordered; ///< bits that stay when it need not be decided
 } // namespace work
 
 /// Bits of RunQueueEntry::pending, as Reason.
 namespace reason {
 inline constexpr auto new_task = static_cast<std::uint8_t>(Reason::new_task);
 inline constexpr auto pushed = static_cast<std::uint8_t>(Reason::pushed);
-inline constexpr auto outdating = static_cast<std::uint8_t>(new_task | pushed); ///< the orders that a group gave
+inline constexpr auto makes_stale = static_cast<std::uint8_t>(new_task | pushed); ///< of a granted group
 } // namespace reason
 
 /// Bits of RunQueueEntry::done.
@@ -74,8 +74,7 @@ inline constexpr std::uint8_t done = 1;
 inline constexpr std::uint8_t failed = 2; ///< with `done`
 } // namespace result
 
-/// A byte of bits. It is no `char`, which may stand for anything: after writing one, the compiler would read every
-/// pointer to an array again.
+/// A byte of bits. It is no `char`, which may alias anything: after a write, all pointers would be read again.
 class Bits {
 public:
   constexpr operator std::uint8_t() const { return static_cast<std::uint8_t>(raw_); }
@@ -86,218 +85,215 @@ public:
   constexpr Bits& operator|=(std::uint8_t bits) { return *this = static_cast<std::uint8_t>(*this | bits); }
   constexpr Bits& operator&=(std::uint8_t bits) { return *this = static_cast<std::uint8_t>(*this & bits); }
   constexpr void remove(std::uint8_t bits) { *this &= static_cast<std::uint8_t>(~bits); }
-  constexpr bool has(std::uint8_t bits) const { return (*this & bits) != 0; } ///< one of them
+  constexpr bool has(std::uint8_t bits) const { return (*this & bits) != 0; } ///< whether any of them is set
 
 private:
   enum class Raw : std::uint8_t {};
   Raw raw_{};
 };
 
-/// A push (u, k, c), k being the row, and the unmet condition that it was made for. No push: edge == nil.
+/// A push of the group in this row, and the unmet condition that it was made for. No push: edge == nil.
 struct Push {
   Index edge = nil, provider = nil, condition = nil;
   constexpr bool operator==(const Push&) const = default;
 };
 
-/// Why an edge is queued; the first false condition where it waits for one.
+/// Why an edge is queued, and the first false condition if it waits for one.
 struct Queued {
   Why why = Why::none;
   Index condition = nil;
   constexpr bool operator==(const Queued&) const = default;
 };
 
-/// Where a group stands: what a pass decides about it. All of one group lies together, because a pass, and what
-/// compares and adopts its result, goes from group to group.
+/// The assignment of one group, stored together, because passes and comparisons go from group to group.
 struct GroupAssignment {
-  Index holder = nil;  ///< edge that controls it, limbo edges are edges.size() + group; nil: nobody
-  Index active = nil;  ///< provider that runs for it; nil: it is not live
-  Index planned = nil; ///< provider whose needs its plan meets; nil: it has no plan
+  Index holder = nil;  ///< edge that controls it; edges.size() + group: limbo; nil: none
+  Index active = nil;  ///< active provider; nil: it is not live
+  Index planned = nil; ///< provider of its plan; nil: it has no plan
   Index flags = 0;     ///< bits of `flag`
   Push push{};
   constexpr bool granted() const { return (flags & flag::granted) != 0; }
   constexpr bool needed() const { return (flags & flag::needed) != 0; }
   constexpr bool in_force() const { return (flags & flag::in_force) != 0; }
   constexpr bool serving() const { return (flags & flag::serving) != 0; }
-  /// In one comparison, as mostly all is equal.
+  /// One comparison, because mostly all members are equal.
   constexpr bool operator==(const GroupAssignment& other) const {
     return ((holder ^ other.holder) | (active ^ other.active) | (planned ^ other.planned) | (flags ^ other.flags) |
             (push.edge ^ other.push.edge) | (push.provider ^ other.push.provider) |
             (push.condition ^ other.push.condition)) == 0;
   }
-  /// What the page calls a change: after it, it is arbitrated once more at rest.
+  /// Whether it differs in what semantics.md calls a change, after which arbitration is repeated at rest.
   constexpr bool decides_otherwise_than(const GroupAssignment& last) const {
     return holder != last.holder || active != last.active || granted() != last.granted() || push != last.push;
   }
   constexpr bool stops_after(const GroupAssignment& last) const { return last.active != nil && active == nil; }
 };
 
-/// What is asked of an edge.
+/// The request through an edge.
 struct Requested {
   std::uint64_t stamp = 0; ///< micro-step in which it became requested or changed its level
-  Index level = nil;       ///< of Tables::levels, at which it is requested; nil
+  Index level = nil;       ///< of Tables::levels; nil: it is not requested
   Index target = 0;        ///< as Edge::target
 };
 
-/// Where a group stands in the run queue, and why. Behind GroupAssignment, what most micro-steps look at; so with it
-/// lies which component it is of.
+/// The place of a group in the run queue, its reasons to run, and its component, used by most micro-steps.
 struct RunQueueEntry {
-  Index runs_after = nil;  ///< group that is to run: the one before it in the queue; nil
-  Index runs_before = nil; ///< and the one behind it
+  Index runs_after = nil;  ///< the group before it in the queue; nil
+  Index runs_before = nil; ///< the group behind it; nil
   Index component = 0;     ///< as Group::component
-  Bits counts{};           ///< 1: that its orders were outdated made a difference in the last pass
+  Bits stale_matters{};    ///< 1: a decision of the last pass depends on whether it is stale
   Bits flags{};            ///< bits of `group_flag`
   Bits pending{};          ///< bits of Reason
   Bits done{};             ///< bits of `result`
 };
 
-/// The push for which promises were taken.
+/// The push because of which the promises of a provider run.
 struct Promised {
   Index edge = nil;     ///< the pusher
-  Index provider = nil; ///< nil: no promise
+  Index provider = nil; ///< nil: no promise runs
 };
 
-/// One assignment: what a pass decides. The committed one is a part of the decision state; a pass writes another.
+/// An assignment: the result of a pass. The last one is a part of the decision state; a pass builds another.
 struct Assignment {
   GroupAssignment* group = nullptr;
-  Index* plan = nullptr; ///< slot: provider picked in the plan of the slot's owner; nil: not in it
+  Index* plan = nullptr; ///< slot: provider picked in the plan of the slot's owner; nil: the group is not in the plan
   GroupAssignment& operator[](Index g) const { return group[g]; }
 };
 
-/// The values around that of a state at which none of its conditions flips.
+/// The interval of values around that of a state in which none of its conditions flips.
 struct UnchangedInterval {
   std::int32_t low = 0, high = -1;
   constexpr bool has(std::int32_t value) const { return low <= value && value <= high; }
 };
 
-/// What a state is worth.
+/// The value of a state.
 struct StateValue {
   std::int32_t value = unset;
   UnchangedInterval unchanged{};
-  std::int32_t staged = unset; ///< what the running body set; unset: nothing
+  std::int32_t staged = unset; ///< set by the running body; unset: not set
 };
 
-/// A group of a plan that is being put together.
+/// An entry of a plan in construction: a group.
 struct PlanEntry {
   Index group;
   Index need;     ///< the edge by which it is needed
-  Index choice;   ///< its provider, as a place in the order of preference
+  Index choice;   ///< place of its provider in the order of preference
   Index provider; ///< its provider
-  Index parent;   ///< entry that needs it; nil: the provider that the plan is for
-  Index place;    ///< place of the need in its needer's list
+  Index parent;   ///< entry that needs it; nil: the provider of the plan
+  Index place;    ///< place of the need in the list of the provider that needs it
 };
 
-/// An edge of the unit in hand, and what is chosen for its target.
+/// An edge of the current unit, and the choice for its target.
 struct TriedMember {
   Index edge;
-  Index choice;      ///< provider, as a place in the order of preference
+  Index choice;      ///< place of the provider in the order of preference
   Index provider;    ///< that provider
   Index entries_end; ///< one past the last entry of its plan
 };
 
-/// A false condition, and whose it is.
+/// A false condition, and the member of the unit that waits for it.
 struct UnmetCondition {
   Index member, condition;
 };
 
-/// What the running body asks of an edge.
+/// The request of the running body through an edge.
 struct Staged {
-  Index level = nil; ///< nil: nothing
-  bool keep = false; ///< a request of that level stays as it is
+  Index level = nil; ///< nil: no request
+  bool keep = false; ///< a request of that level is kept
 };
 
 struct Counters {
   Time now = 0;                  ///< the engine's time: that of the input or timer being served
   Time until = 0;                ///< the time that `step` was given last
-  Time next_due = never;         ///< when the first timer is due
-  Time quiet_until = first_time; ///< a step before it has nothing to do without an input; first_time: any step has
-  std::uint64_t micro_step = 0;  ///< how many were taken
-  Index queue_first = nil;       ///< the group that is to run next; nil: nobody
-  Index queue_last = nil;        ///< the one that is to run last
+  Time next_due = never;         ///< time of the first timer that is due
+  Time quiet_until = first_time; ///< a step before this time has nothing to do without an input; first_time: unknown
+  std::uint64_t micro_step = 0;  ///< micro-steps taken
+  Index queue_first = nil;       ///< the group that runs next; nil: none
+  Index queue_last = nil;        ///< the last group in the queue
   Index work_count = 0;          ///< rows of State::work in use
   Index touched_count = 0;       ///< rows of State::touched in use; 0 between micro-steps
   Index staged_count = 0;        ///< rows of State::staged in use; 0 between micro-steps
-  Index asked_count = 0;         ///< rows of State::asked in use; 0 between micro-steps
+  Index anew_count = 0;          ///< rows of State::renewed in use; 0 between micro-steps
   Index handled_count = 0;       ///< rows of State::handled in use
   bool begun = false;            ///< the first step was taken
   bool unsettled = false;        ///< the last arbitration changed something
-  bool handlers_set = false;     ///< State::handler_values holds an input
-  bool serving = false;          ///< what is due at `now` is being served
+  bool handlers_set = false;     ///< State::handler_values has an input
+  bool serving = false;          ///< timers that are due at `now` are being served
 };
 
 struct State {
   // The decision state.
   Counters* counters = nullptr;
   Requested* request = nullptr;           ///< edge
-  Time* due = nullptr;                    ///< timer (Timers): when; never
-  Index* soonest = nullptr;               ///< a tree over them: which one is due first
+  Time* due = nullptr;                    ///< timer (Timers): when it is due; never
+  Index* soonest = nullptr;               ///< a tree over timers: the one that is due first
   StateValue* values = nullptr;           ///< state
-  std::int32_t* handler_values = nullptr; ///< state: what handlers set during the last act; unset: nothing
-  Index* handled = nullptr;               ///< states with such a value
-  Assignment last;                        ///< what the last pass decided
-  Index* order = nullptr;                 ///< component after component, its groups that are held, in order
-  Index* order_count = nullptr;           ///< component: how many these are
-  Index* place = nullptr;                 ///< group that is held: where it stands in that order
+  std::int32_t* handler_values = nullptr; ///< state: value set by handlers during the last act; unset: not set
+  Index* handled = nullptr;               ///< states with a value set by handlers
+  Assignment last;                        ///< the last assignment
+  Index* order = nullptr;                 ///< component after component: its groups that are held, in order
+  Index* order_count = nullptr;           ///< component: the number of these
+  Index* place = nullptr;                 ///< group that is held: its place in that order
   Index* first_root = nullptr;            ///< component: its first edge of root, in order; nil
   Index* next_root = nullptr;             ///< edge of root: the next one of its component; nil
   RunQueueEntry* run_queue = nullptr;     ///< group
-  Index* data_from = nullptr;             ///< group: edge whose slot holds its data; nil: its own slot
-  Promised* promised = nullptr;           ///< group; no rows where nobody promises anything
-  Index* work = nullptr;                  ///< components that have something of work::needed or work::listed
+  Index* data_from = nullptr;             ///< group: edge whose slot has its data; nil: its own slot
+  Promised* promised = nullptr;           ///< group; no rows if there are no promises
+  Index* work = nullptr;                  ///< components with a bit of work::changed, work::unsettled or work::listed
   Bits* component = nullptr;              ///< component: bits of `work`
   Bits* enabled = nullptr;                ///< provider
-  Bits* truth = nullptr;                  ///< condition: it holds
-  Bits* fired = nullptr;                  ///< listening slot (Group::listens): the trigger fired since the last run
+  Bits* truth = nullptr;                  ///< condition: whether it holds
+  Bits* fired = nullptr;                  ///< listening slot (Group::listens): whether the trigger fired
 
-  // What one pass, commit or act needs and forgets.
+  // Scratch memory of one pass, commit or act.
   std::uint64_t* cost = nullptr;    ///< condition: length of the shortest chain of pushes that makes it true
   Index* cost_at = nullptr;         ///< condition: first provider of that chain
   Index* cost_plan = nullptr;       ///< condition: number of its plan
-  Index* cost_next = nullptr;       ///< condition: the first condition that it lacks; nil: nothing
-  Assignment now;                   ///< what this pass decides
-  Push* own = nullptr;              ///< row of State::pushed of the component: the pushes of the unit in hand
-  Push* first = nullptr;            ///< likewise: new pushes of the unit in hand
-  Index* touched = nullptr;         ///< groups that gained a reason to run since the last act
+  Index* cost_next = nullptr;       ///< condition: the first condition that the chain lacks; nil: none
+  Assignment now;                   ///< the assignment of this pass
+  Push* own = nullptr;              ///< row of State::pushed of the component: pushes of the current unit
+  Push* first = nullptr;            ///< likewise: new pushes of the current unit
+  Index* touched = nullptr;         ///< groups that got a reason to run since the last act
   Index* staged = nullptr;          ///< states that the running body set
-  Requested* before = nullptr;      ///< requests as they were before this micro-step altered them; target: the edge
+  Requested* before = nullptr;      ///< requests before this micro-step changed them; target: the edge
   Bits* anew = nullptr;             ///< edge: 1: it was requested anew in this micro-step
-  Index* asked = nullptr;           ///< edges of which that is so
+  Index* renewed = nullptr;         ///< edges that were requested anew
   Index* next_order = nullptr;      ///< as `order`
   Index* next_count = nullptr;      ///< as `order_count`
-  Index* first_moved = nullptr;     ///< component: where that order begins to be another one
-  Index* extent = nullptr;          ///< group that is claimed: how many it and all below it are, which stand together
-  Index* differing = nullptr;       ///< groups that stand elsewhere than before
-  Index* trial = nullptr;           ///< group: edge that would claim it in the combination in hand
-  PlanEntry* entry = nullptr;       ///< plans of the members in hand, as stacks of entries; there are as many as groups
+  Index* first_moved = nullptr;     ///< component: the first place at which that order differs
+  Index* extent = nullptr;          ///< claimed group: the number of groups that it and all below it are
+  Index* differing = nullptr;       ///< groups whose assignment differs
+  Index* trial = nullptr;           ///< group: edge that would claim it in the current combination
+  PlanEntry* entry = nullptr;       ///< plans of the current members; at most one entry for each group
   Index* unit = nullptr;            ///< most_edges + 1: edges that are tried together
-  TriedMember* member = nullptr;    ///< those of them that are in hand
-  Index* candidate = nullptr;       ///< edges ahead in the walk, the next one last; from the end, those that wait
-  Index* reach = nullptr;           ///< groups: work list of a search, or those that the act goes through
-  Index* denied = nullptr;          ///< groups in the order in which they were denied for their holder's sake
-  Staged* staged_request = nullptr; ///< place among the running group's edges
-  UnmetCondition* unmet = nullptr;  ///< of the combination in hand
-  Queued* queued = nullptr;         ///< edge: why it does not run, by the last pass; see View::queued
-  Queued* last_queued = nullptr;    ///< edge: why it did not run before this pass, for an observer
+  TriedMember* member = nullptr;    ///< the current members
+  Index* candidate = nullptr;       ///< stack of the walk, the next edge last; optional edges at the end
+  Index* reach = nullptr;           ///< groups: work list of a search, or of the act
+  Index* denied = nullptr;          ///< groups in the order in which they were denied because of their holder
+  Staged* staged_request = nullptr; ///< edge of the running group, by its place among them
+  UnmetCondition* unmet = nullptr;  ///< false conditions of the current combination
+  Queued* queued = nullptr;         ///< edge: why it is queued, by the last pass; see View::queued
+  Queued* last_queued = nullptr;    ///< edge: why it was queued before this pass, for an observer
   Bits* edge_marks = nullptr;       ///< edge: bits of `mark`
   Bits* group_marks = nullptr;      ///< group: bits of `mark`
   Bits* condition_marks = nullptr;  ///< condition: bits of `mark`
   Bits* edge_trail = nullptr;       ///< edge: bits of `trail`, from pass to pass
   Bits* group_trail = nullptr;      ///< group: likewise
-  Index* reached = nullptr;         ///< edges that are marked as reached
-  Index* rerequested = nullptr;     ///< edges that are marked as changed
-  Index* flipped = nullptr;         ///< groups that are marked as touched
-  TableIndex* opened = nullptr;     ///< as `order`: groups that this pass looks at
-  Index* news = nullptr;            ///< as `order`: groups that the next pass has to look at, whatever happens
-  Index* news_count = nullptr;      ///< component: how many these are; nil: what the last pass did is not known
+  Index* reached = nullptr;         ///< edges with trail::reached
+  Index* rerequested = nullptr;     ///< edges with trail::changed
+  Index* flipped = nullptr;         ///< groups with trail::touched
+  TableIndex* opened = nullptr;     ///< as `order`: groups that this pass has opened
+  Index* news = nullptr;            ///< as `order`: groups that the next pass has to examine
+  Index* news_count = nullptr;      ///< component: the number of these; nil: the last pass is unknown
   Index* on_last = nullptr;         ///< component: how many edges have trail::on_last
-  Index* pushed = nullptr;          ///< as `order`: groups that have a push, in the last assignment or in this one
-  Index* pushed_count = nullptr;    ///< component: how many these are
-  Index* lacked = nullptr;          ///< conditions that the chain in search may have to make true
-  Index* causers = nullptr;         ///< providers that cause one of them
+  Index* pushed = nullptr;          ///< as `order`: groups with a push, in the last assignment or in this one
+  Index* pushed_count = nullptr;    ///< component: the number of these
+  Index* lacked = nullptr;          ///< conditions that the searched chain may have to make true
+  Index* causers = nullptr;         ///< providers that cause one of these conditions
   Bits* provider_marks = nullptr;   ///< provider: bits of `mark`
-  std::byte* end = nullptr;         ///< of the block
+  std::byte* end = nullptr;         ///< end of the block
 
-  /// Calls visit(pointer to member, count) for every array, in the order in which they are declared above; `scratch()`
-  /// between the decision state and the rest.
+  /// Calls visit(pointer to member, count) for every array in order; `scratch()` behind the decision state.
   template <class Self, class Visit, class Scratch>
   static constexpr void each(Self& s, const Shape& n, Visit&& visit, Scratch&& scratch) {
     const auto rows = [&](std::size_t count, auto&... pointers) { (visit(pointers, count), ...); };
@@ -313,7 +309,7 @@ struct State {
     scratch();
     rows(n.conditions, s.cost, s.cost_at, s.cost_plan, s.cost_next);
     rows(n.groups, s.now.group), rows(n.plan_slots, s.now.plan), rows(n.pushable, s.own, s.first);
-    rows(n.groups, s.touched), rows(n.states, s.staged), rows(n.altered, s.before), rows(n.edges, s.anew, s.asked);
+    rows(n.groups, s.touched), rows(n.states, s.staged), rows(n.altered, s.before), rows(n.edges, s.anew, s.renewed);
     rows(n.groups, s.next_order), rows(n.components, s.next_count, s.first_moved);
     rows(n.groups, s.extent, s.differing, s.trial, s.entry);
     rows(n.most_edges + 1, s.unit, s.member), rows(n.edges, s.candidate), rows(n.groups, s.reach, s.denied);
@@ -327,10 +323,10 @@ struct State {
 
   static constexpr std::size_t arrays = 68;
 
-  /// What the block should be aligned to, a line of the cache; it must be to 8. Small machines have none.
+  /// The best alignment of the block, a cache line; it must be aligned to 8. Small machines have no cache.
   static constexpr std::size_t alignment = sizeof(Index) < 4 ? 8 : 64;
 
-  /// Where each array begins, and at last where the block ends.
+  /// The offset of each array, and of the end of the block.
   struct Layout {
     std::array<std::uint32_t, arrays + 1> begin{};
     std::size_t decision = 0; ///< bytes of the decision state
@@ -340,9 +336,9 @@ struct State {
   static constexpr std::size_t decision_bytes(const Shape& shape) { return layout(shape).decision; }
   static constexpr std::size_t bytes(const Shape& shape) { return layout(shape).bytes(); }
 
-  /// The arrays of a block of so many bytes. Nothing is written.
+  /// The arrays of a block with this layout. Nothing is written.
   static State in(std::byte* memory, const Layout& layout) { return in(memory, layout.begin); }
-  /// The same; a small block's layout in numbers that are as small.
+  /// The same; the offsets of a small block are small numbers.
   template <class Offset>
   static State in(std::byte* memory, const std::array<Offset, arrays + 1>& begin);
 
@@ -357,7 +353,7 @@ constexpr State::Layout State::layout(const Shape& shape) {
   each(
       none, shape,
       [&]<class T>(T*&, std::size_t count) {
-        constexpr std::size_t even = sizeof(T) & (~sizeof(T) + 1); // the largest power of 2 that divides it
+        constexpr std::size_t even = sizeof(T) & (~sizeof(T) + 1); // the largest power of 2 that divides the size
         at = aligned(at, even < alignment ? even : alignment);
         out.begin[row++] = static_cast<std::uint32_t>(at);
         at += count * sizeof(T);
@@ -367,7 +363,7 @@ constexpr State::Layout State::layout(const Shape& shape) {
   return out;
 }
 
-/// A State is nothing but pointers, in the order of the layout.
+/// A State consists of pointers only, in the order of the layout.
 template <class Offset>
 State State::in(std::byte* memory, const std::array<Offset, arrays + 1>& begin) {
   std::array<std::byte*, arrays + 1> out;

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The tables that a specification is compiled to. They never change while a behaviour runs and may lie in read-only
-// memory; all of what changes is in State (state.hpp). Written by compiler/lower, printed by compiler/emit, read by the
-// engine. Terms: semantics.md, section 1.
+// The tables that a specification is compiled to. They are constant and may be in read-only memory; all that changes is
+// in State (state.hpp). Written by compiler/lower, printed by compiler/emit, read by the engine. Terms: semantics.md,
+// section 1.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,8 +16,7 @@ using Index = std::uint16_t; ///< for small targets: up to 65,534 rows a table
 using Index = std::uint32_t;
 #endif
 
-/// A row where it stands in a table: no microcontroller has room for more rows than this counts. In registers and in
-/// what changes an Index takes less code.
+/// A row number in a table: no microcontroller has room for more. In registers and in State an Index takes less code.
 #if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
 using TableIndex = std::uint16_t;
 #else
@@ -26,16 +25,16 @@ using TableIndex = Index;
 
 inline constexpr Index nil = static_cast<Index>(-1);
 
-/// The value of a state without a value. No declared value is that small.
+/// The value of an unset state. No declared value is so low.
 inline constexpr std::int32_t unset = -2147483647 - 1;
 
-/// Microseconds since any start that the caller chose.
+/// Microseconds since any start chosen by the caller.
 using Time = std::int64_t;
-inline constexpr Time never = 9223372036854775807; ///< no step goes so far
-inline constexpr Time last_time = never - 1;       ///< what a step to a later time stands for
+inline constexpr Time never = 9223372036854775807; ///< later than any step
+inline constexpr Time last_time = never - 1;       ///< a step to a later time is one to this time
 inline constexpr Time first_time = -never - 1;
 
-/// To go from row to row.
+/// An iterator over rows.
 struct RowIterator {
   Index row;
   constexpr Index operator*() const { return row; }
@@ -56,7 +55,7 @@ struct Range {
   constexpr Rows rows() const { return {{begin}, {end}}; }
 };
 
-/// One of them is so; they are looked at up to the first that is.
+/// Whether `is` returns true for any element; stops at the first.
 template <class All, class Is>
 constexpr bool any(const All& all, const Is& is) {
   for (const auto& each : all) {
@@ -65,24 +64,23 @@ constexpr bool any(const All& all, const Is& is) {
   return false;
 }
 
-/// One static way in which an edge is requested.
+/// A level at which an edge may be requested.
 struct Level {
   std::int32_t priority = 0;
-  /// The static priority table: the place of the priority among those of the requester, 0 the highest. Rules 3 and 4 of
-  /// semantics.md 4.1 compare `optional` and this.
+  /// The place of the priority among those of the requester, 0 for the highest (semantics.md 4.1, rules 3 and 4).
   TableIndex urgency = 0;
   bool optional = false;
   bool apart = false;
 };
 
-/// requester -> target. Edges of root come first, then those of each group; among siblings in order of declaration.
+/// From requester to target. Edges of root come first, then those of each group; siblings in order of declaration.
 struct Edge {
-  Index requester = nil;         ///< group, or nil for root
-  TableIndex target = 0;         ///< group
-  Range levels{};                ///< of Tables::levels; empty where it is needed only
-  TableIndex need_urgency = 0;   ///< as Level::urgency: of an edge that holds without a request
-  TableIndex cluster_offset = 0; ///< its cluster begins so many edges before it; edges of two clusters never claim the
-                                 ///< same group
+  Index requester = nil;       ///< group, or nil for root
+  TableIndex target = 0;       ///< group
+  Range levels{};              ///< of Tables::levels; empty if it is only needed
+  TableIndex need_urgency = 0; ///< as Level::urgency, for an edge that holds its target without a request
+  TableIndex cluster_offset =
+      0; ///< its cluster begins this many edges before it; edges of different clusters never claim the same group
 };
 
 struct Provider {
@@ -91,11 +89,12 @@ struct Provider {
   Range stay{};     ///< lists: conditions
   Range needs{};    ///< lists: edges from its group to the groups needed
   Range triggers{}; ///< lists: triggers that it listens to
-  Range effects{};  ///< lists: conditions that its `causing` satisfies, ascending
-  Range causing{};  ///< lists: states that its `causing` is about
-  Range aims{}; ///< lists: conditions in `when` or `stay` of it and of every provider in one of its plans; if it causes
+  Range effects{};  ///< lists: conditions that its `causing` serves, ascending
+  Range causing{};  ///< lists: states in its `causing`
+  Range aims{}; ///< lists: if it causes, the conditions in `when` or `stay` of it and of every provider in one of its
+                ///< plans
   Range promises{}; ///< of Tables::promises
-  Time every = 0;   ///< 0: it does not ask for that
+  Time every = 0;   ///< 0: it has no period
 };
 
 struct Group {
@@ -104,58 +103,57 @@ struct Group {
   Range requesters{}; ///< lists: edges that lead to it, ascending
   Range slots{};   ///< of Tables::plan_groups and of Assignment::plan: a plan is the provider picked for each of these
   Range listens{}; ///< of Tables::listened and of State::fired
-  Range owned{};   ///< lists: states that belong to it
-  Range users{};   ///< lists: it and all groups one of whose plans may contain it, ascending
-  bool start : 1 = false; ///< has such a handler
+  Range owned{};   ///< lists: states that it owns
+  Range users{};   ///< lists: it, and all groups with a plan that may contain it, ascending
+  bool start : 1 = false; ///< it has a start handler
   bool stop : 1 = false;
-  bool simple : 1 = false;      ///< it has one provider, which needs nothing
+  bool simple : 1 = false;      ///< it has one provider, without needs
   bool conditional : 1 = false; ///< a provider has `when` or `stay`
   bool equals : 1 = false;      ///< two edges that lead to it may be equal
   bool deniable : 1 = false;    ///< it, or a group in one of its plans, has `equals`
   TableIndex component = 0;     ///< of Tables::components
 
-  /// It and all that it needs, transitively, have one provider each.
+  /// Whether it and all that it needs, transitively, have one provider each.
   constexpr bool single_choice() const { return providers.size() == 1 && slots.empty(); }
 };
 
-/// Groups that can have to do with each other: what happens in one component never changes a decision in another. Two
-/// groups are in one if one requests or needs the other, or if a provider of one may be pushed for a condition of the
-/// other.
+/// A component: no decision in it depends on another component. Two groups are in one if one requests or needs the
+/// other, or if a provider of one may be pushed for a condition of the other.
 struct Component {
   Range groups{};            ///< lists: ascending
-  Range edges{};             ///< lists: that lead to its groups, ascending; those of root come first
-  Index order = 0;           ///< where its rows of State::order begin; there are as many as it has groups
+  Range edges{};             ///< lists: edges that lead to its groups, ascending; those of root come first
+  Index order = 0;           ///< the first of its rows of State::order, one for each of its groups
   bool alternatives = false; ///< a group has slots
 };
 
-/// Values that satisfy: any of these closed intervals.
+/// A closed interval of values.
 struct Interval {
   std::int32_t low = 0, high = 0;
 };
 
 struct Condition {
   TableIndex state = 0;
-  Range accepts{};    ///< of Tables::intervals
-  Range causers{};    ///< lists: providers whose `causing` satisfies it, ascending
-  Range components{}; ///< lists: components in which it counts, in `when`, `stay` or a promise, ascending
-  Range groups{};     ///< lists: groups in whose `when` or `stay` it stands, ascending
+  Range accepts{};    ///< of Tables::intervals: the values that satisfy it
+  Range causers{};    ///< lists: providers whose `causing` serves it, ascending
+  Range components{}; ///< lists: components with it in `when`, `stay` or a promise, ascending
+  Range groups{};     ///< lists: groups with it in `when` or `stay`, ascending
 };
 
 struct StateVariable {
   std::int32_t initial = unset;
   Time expires = 0; ///< 0: never
   std::int32_t expires_to = unset;
-  Index owner = nil; ///< the group that it belongs to
+  Index owner = nil; ///< the group that owns it
   bool external = false;
   Range conditions{}; ///< lists: conditions on it, ascending
 };
 
-/// A `causing` with `within`.
+/// A promise with a time, `within`.
 struct Promise {
   Index provider = 0;
   Index condition = 0;
   Time within = 0;
-  Index trigger = nil; ///< fired when it is broken; nil where nobody listens
+  Index trigger = nil; ///< fired when it is broken; nil if no provider listens to it
 };
 
 struct Trigger {
@@ -174,13 +172,13 @@ struct Tables {
   std::span<const Promise> promises;
   std::span<const TableIndex> lists;
   std::span<const Component> components;
-  std::span<const TableIndex> plan_groups; ///< group after group, the groups with more than one provider among all that
-                                           ///< it needs, transitively
-  std::span<const TableIndex> listened;    ///< group after group, the triggers that any of its providers listens to
-  Index root_edges = 0;                    ///< how many edges are of root
-  Index most_edges = 0;                    ///< the most edges of one group
+  std::span<const TableIndex>
+      plan_groups; ///< group after group: the groups with several providers among all that it needs, transitively
+  std::span<const TableIndex> listened; ///< group after group: the triggers that its providers listen to
+  Index root_edges = 0;                 ///< the number of edges of root
+  Index most_edges = 0;                 ///< the highest number of edges of one group
 
-  /// The first edge of its requester that may claim a group that this one may claim, directly or by way of others.
+  /// The first edge of its requester that may claim a group that this one may also claim, directly or through others.
   constexpr Index cluster(Index edge) const { return static_cast<Index>(edge - edges[edge].cluster_offset); }
 
   constexpr std::span<const TableIndex> list(Range range) const { return {lists.data() + range.begin, range.size()}; }

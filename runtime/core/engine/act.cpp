@@ -1,10 +1,9 @@
 // docs/semantics.md, sections 3 and 5: after every micro-step, arbitrate and act on the difference.
 // SPDX-License-Identifier: MIT
 //
-// Arbitration is a pass, but only over the components whose result can be another one than the last: those with a
-// changed input, those whose last pass may decide differently on its own result, and those in which it counts whose
-// orders are outdated, when that has changed (pass.hpp). Everything else stays as it is, and only groups that gained a
-// reason to run have to be looked at.
+// Arbitration is a pass over the components whose result may differ: those with a changed input, those whose last pass
+// may decide differently on its own result, and those that depend on which groups are stale, when that has changed
+// (pass.hpp). Others keep their assignment, and only groups that got a reason to run are examined.
 
 #include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/engine/notes.hpp"
@@ -25,7 +24,7 @@ void Engine::arbitrate() {
     arbitration::decide(x_, component);
     const bool other = changed(component, stops);
     arbitration::end(x_);
-    std::uint8_t left = x_.depends_on_all_stale ? work::stale_counts : 0;
+    std::uint8_t left = x_.depends_on_all_stale ? work::stale_matters : 0;
     if (other && x_.depends_on_last) left |= work::unsettled;
     if (x_.pushed_count != 0) left |= work::pushes;
     x_.s.component[component] = left | work::listed | work::passed;
@@ -35,8 +34,8 @@ void Engine::arbitrate() {
   forget_work();
 }
 
-/// Does the new assignment differ from the last one? Where holders, providers, grants or pushes do, there is one more
-/// arbitration when nothing else is left to do. `stops`: a group is not live any more.
+/// Whether the new assignment of the component differs from the last one. If holders, providers, grants or pushes do,
+/// arbitration is repeated at rest. `stops`: a group is not live any more.
 bool Engine::changed(Index component, bool& stops) {
   const Index before = differing_;
   const bool plans = arbitration::alternatives(x_, component);
@@ -54,8 +53,8 @@ bool Engine::changed(Index component, bool& stops) {
   return differing_ != before;
 }
 
-/// First stops, in the old order, so that a group is cleaned up before others begin; then, in the new one, starts and
-/// reasons to run. The new assignment becomes the last one.
+/// Acts on the difference: first stops, in the old order, so that groups clean up before others start; then, in the new
+/// order, starts and reasons to run. The new assignment becomes the last one.
 void Engine::act(Index passes, bool stops) {
   Counters& c = *x_.s.counters;
   for (Index i = 0; i < passes && observed(); ++i) report_decisions(x_.s.work[i]);
@@ -74,14 +73,14 @@ void Engine::act(Index passes, bool stops) {
   }
 }
 
-/// Nothing was arbitrated, so nothing starts, stops or changes hands: only what is granted can gain a reason to run.
+/// Acts without arbitration: nothing starts, stops or changes hands; granted groups can get a reason to run.
 void Engine::act_on_touched() {
   Counters& c = *x_.s.counters;
   if (c.touched_count != 1) return act_on_all_touched();
   c.touched_count = 0;
   const Index group = x_.s.touched[0];
   untouch(group);
-  if (granted(group)) give_again(group, x_.s.anew[x_.s.last[group].holder] != 0);
+  if (granted(group)) queue_run(group, x_.s.anew[x_.s.last[group].holder] != 0);
 }
 
 /// Granted groups that may have a new reason to run, in the new order: their assignment differs, or they were touched.
@@ -96,9 +95,9 @@ std::span<const Index> Engine::with_reasons() {
   for (Index i = 0; i < c.touched_count; ++i) {
     const Index group = x_.s.touched[i];
     if (!decided(group)) {
-      if (!granted(group) || injected(Fault::others_are_overlooked)) continue;
+      if (!granted(group) || injected(Fault::other_components_are_overlooked)) continue;
     } else if (x_.s.group_marks[group].has(mark::differs) || !x_.s.now[group].granted() ||
-               injected(Fault::who_stands_as_before_is_overlooked)) {
+               injected(Fault::unchanged_groups_are_overlooked)) {
       continue;
     }
     x_.s.reach[count++] = group;
@@ -109,44 +108,44 @@ std::span<const Index> Engine::with_reasons() {
 
 void Engine::stop_group(Index group) {
   RunQueueEntry& entry = x_.s.run_queue[group];
-  if (entry.flags.has(group_flag::ends)) end_what_it_has(group);
+  if (entry.flags.has(group_flag::lifecycle)) end_lifecycle(group);
   entry.pending = entry.done = 0;
   end_wait(group);
-  live_on(group, nil);
+  use_data_of(group, nil);
   forget_triggers(group);
   for (const Index e : x_.t.groups[group].edges.rows()) {
-    if (x_.s.request[e].level == nil || injected(Fault::stopped_requests_stand)) continue;
+    if (x_.s.request[e].level == nil || injected(Fault::stopped_requests_stay)) continue;
     x_.s.request[e].level = nil;
     arbitration::note_rerequest(x_, e);
   }
 }
 
-/// Why a group that is granted is to run, but for what is asked for anew.
+/// The reasons to run of a granted group that follow from its assignment.
 std::uint8_t Engine::reasons(const GroupAssignment& last, const GroupAssignment& now) {
   std::uint8_t bits = 0;
-  const bool handed_on = last.holder != now.holder && !injected(Fault::a_new_holder_is_no_news);
+  const bool handed_on = last.holder != now.holder && !injected(Fault::a_new_holder_gives_no_reason);
   if (last.active == nil || !last.granted() || handed_on) bits |= reason::new_task;
   if (last.active != now.active) bits |= now.in_force() ? reason::pushed : reason::new_task;
   const bool served =
       last.serving() && now.push.provider == last.push.provider && now.push.condition == last.push.condition;
-  if (now.serving() && !served && !injected(Fault::a_lost_state_is_nobodys_concern)) bits |= reason::pushed;
+  if (now.serving() && !served && !injected(Fault::a_lost_state_gives_no_reason)) bits |= reason::pushed;
   return bits;
 }
 
-/// To one of these groups.
+/// Adds the reasons of one of these groups, and calls its start handler if it became live.
 void Engine::give_reasons(Index group) {
   const GroupAssignment &now = x_.s.now[group], &last = x_.s.last[group];
-  if (x_.s.run_queue[group].flags.has(group_flag::ends)) begin_what_it_has(group);
-  live_on(group, now.holder);
+  if (x_.s.run_queue[group].flags.has(group_flag::lifecycle)) begin_lifecycle(group);
+  use_data_of(group, now.holder);
   std::uint8_t bits = reasons(last, now);
   if (x_.s.anew[now.holder] != 0) bits |= reason::new_task;
   if (bits != 0) note_reasons(group, bits);
   queue().enter(group);
 }
 
-/// Runs of groups that are not granted leave the queue; what is pending stays.
+/// Adopts the new assignment. A group that is not granted leaves the run queue; its pending reasons stay.
 inline void Engine::adopt(Index group) {
-  if (!x_.s.now[group].granted() && !injected(Fault::who_leaves_stays_queued)) queue().leave(group);
+  if (!x_.s.now[group].granted() && !injected(Fault::lost_groups_stay_queued)) queue().leave(group);
   x_.s.group_marks[group].remove(mark::differs);
   x_.s.last[group] = x_.s.now[group];
   for (const Index slot : x_.t.groups[group].slots.rows()) x_.s.last.plan[slot] = x_.s.now.plan[slot];

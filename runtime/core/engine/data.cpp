@@ -1,4 +1,4 @@
-// docs/bounds.md: what becomes of the data of tasks when they are requested.
+// docs/bounds.md: moves the data of tasks when they are requested.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/engine/notes.hpp"
@@ -8,20 +8,20 @@ namespace director {
 const char part::data = 0;
 
 bool Engine::take_request_with_data(const Input& record) {
-  if (record.more || !asks_again(record.thing, record.level())) return take_requests(record);
+  if (record.more || !repeats_request(record.thing, record.level())) return take_requests(record);
   bodies_.data(bodies_.self, Bodies::Data::accept, record.thing, record.handle);
-  give_what_is_asked_again(record.thing);
+  run_for_repeated_request(record.thing);
   settle_data(record.thing);
   return false;
 }
 
-/// The data of a new request take their slot. What was there is kept for a group that still lives on it.
+/// Moves the data of a new request to the slot of its edge. Data there that a group still uses are retained.
 void Engine::settle_data(Index edge) {
   const Index group = x_.t.edges[edge].target;
   const bool given = granted(group) && x_.s.last[group].holder == edge;
   if (!given && x_.s.last[group].active != nil && x_.s.data_from[group] == edge) {
     bodies_.data(bodies_.self, Bodies::Data::retain, edge, nil);
-    live_on(group, nil);
+    use_data_of(group, nil);
   }
   bodies_.data(bodies_.self, Bodies::Data::settle, edge, nil);
 }

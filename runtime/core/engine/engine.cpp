@@ -1,4 +1,4 @@
-// docs/semantics.md, section 6: what is asked from outside a micro-step, and what bodies and handlers see and ask for.
+// docs/semantics.md, section 6: the state between micro-steps, and the contexts of bodies and handlers.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/engine/engine.hpp"
@@ -19,13 +19,14 @@ Engine::Engine(const Tables& tables, const State& memory, const Bodies& bodies, 
 void Engine::reset() {
   passes_ = 0;
   const State& s = x_.s;
-  for (auto* at = reinterpret_cast<std::byte*>(s.counters); at != s.end; ++at) *at = {}; // below, what is not 0
+  for (auto* at = reinterpret_cast<std::byte*>(s.counters); at != s.end; ++at)
+    *at = {}; // members that are not 0 follow
   *s.counters = {};
   timers_.clear();
   for (Index i = 0; i < x_.t.states.size(); ++i) {
     s.values[i].value = x_.t.states[i].initial;
     s.values[i].staged = s.handler_values[i] = unset;
-    look_at_conditions(i);
+    update_conditions(i);
   }
   for (Index p = 0; p < x_.t.providers.size(); ++p) s.enabled[p] = 1;
   for (Index e = 0; e < x_.t.edges.size(); ++e) {
@@ -45,7 +46,7 @@ void Engine::reset() {
     if (!row.listens.empty()) entry.flags |= group_flag::listens;
     if (row.start || row.stop || !row.owned.empty() ||
         any(row.providers.rows(), [&](Index p) { return x_.t.providers[p].every != 0; }))
-      entry.flags |= group_flag::ends;
+      entry.flags |= group_flag::lifecycle;
   }
   for (Index c = 0; c < x_.t.components.size(); ++c) {
     Index* link = &s.first_root[c];
@@ -68,12 +69,12 @@ RunState Engine::state(Index edge) const {
   return x_.s.request[edge].level != nil ? RunState::queued : RunState::none;
 }
 
-bool Engine::said(Index edge, std::uint8_t answer) const {
+bool Engine::answered(Index edge, std::uint8_t answer) const {
   return x_.s.run_queue[x_.t.edges[edge].target].done.has(answer) && state(edge) == RunState::running;
 }
 
-/// Where the data of the task are that the group was given last. A start handler may be called for a request of this
-/// very micro-step, whose data are settled after the act.
+/// The place of the group's data. A start handler may run for a request of this micro-step, whose data are still
+/// staged.
 DataPlace Engine::data_of(Index group) const {
   const Index edge = x_.s.data_from[group];
   if (edge == nil) return {DataPlace::Slot::group, group};
@@ -81,12 +82,12 @@ DataPlace Engine::data_of(Index group) const {
   return {DataPlace::Slot::edge, edge};
 }
 
-// What a body sees and asks for.
+// The functions of a body's context.
 
 Time Run::now() const { return engine_.now(); }
 RunState Run::state(Index edge) const { return engine_.state(edge); }
-bool Run::done(Index edge) const { return engine_.said(edge, result::done); }
-bool Run::failed(Index edge) const { return engine_.said(edge, result::failed); }
+bool Run::done(Index edge) const { return engine_.answered(edge, result::done); }
+bool Run::failed(Index edge) const { return engine_.answered(edge, result::failed); }
 DataPlace Run::data() const { return engine_.data_of(group_); }
 
 void Run::set(Index state, std::int32_t value) {

@@ -22,50 +22,49 @@ public:
   static constexpr std::uint32_t default_budget = 10'000; ///< micro-steps in one step
 
   /// `memory`: State::bytes(Shape::of(tables)) bytes, aligned to 8, better to State::alignment. Begins as after
-  /// reset(). Whatever the tables are: all parts (base/parts.hpp) are linked.
+  /// reset(). Links all parts (base/parts.hpp), for any tables.
   Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer = {});
   /// The same for generated code, which names the parts that its tables use.
   Engine(const Tables& tables, const State& memory, const Bodies& bodies, Inbox& inbox);
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
-  /// Back to the start: initial values, every provider enabled, nothing requested. What waits in the inbox stays.
+  /// Resets: initial values, every provider enabled, nothing requested. What waits in the inbox stays.
   void reset();
 
-  /// Sets a state before the first step; not an input, and nobody is told.
+  /// Sets a state before the first step; this is no input, and is not reported.
   void preset(Index state, std::int32_t value);
 
-  /// From now on it is told. Where nobody calls this, what tells is not linked.
+  /// Sets the observer. If a program does not call this, reports are not linked.
   void observe(Observer observer);
 
   void set_budget(std::uint32_t micro_steps) { budget_ = micro_steps; }
-  /// So much of work() may be done in one step; looked at between micro-steps, so the last one may go beyond. 0: any.
+  /// Limits the work() of one step; tested between micro-steps, so that the last one may exceed it. 0: no limit.
   void set_work_budget(std::uint64_t work) { work_budget_ = work; }
 
-  /// The step that runs ends with this micro-step, with StepResult::fault. For who calls an observer that throws.
+  /// Ends the running step with this micro-step, with StepResult::fault, for callers of an observer that throws.
   void end_with_fault() {
     faulted_ = true;
     left_ = 1;
   }
 
-  /// Micro-steps until quiescence: the inputs that are in the inbox now (at time `now`), then what is due, each due
-  /// time to quiescence before the next. An earlier `now` counts as the last one, `never` as last_time.
+  /// Takes micro-steps until nothing is left to do: the inputs in the inbox (at time `now`), then due timers, each time
+  /// up to rest before the next. An earlier `now` counts as the last one, `never` as last_time.
   StepResult step(Time now) {
     Counters& c = *x_.s.counters;
     if (now >= c.quiet_until || !inbox_.empty()) return take_step(now);
     if (now > c.until) c.until = c.now = now;
     return StepResult::quiescent;
   }
-  /// The same without another time.
+  /// The same without advancing the time.
   StepResult step() {
-    const Counters& c = *x_.s.counters; // what is due later than `now` stays so
+    const Counters& c = *x_.s.counters; // timers due later than `now` stay pending
     return c.quiet_until == first_time || !inbox_.empty() ? take_step(c.now) : StepResult::quiescent;
   }
 
   // For the thread that calls step().
 
-  /// Takes an input that sets a state at once, if the next step would take it first and nothing but the value would
-  /// change. False: post it.
+  /// Sets a state at once, if the next step would take that input first and only its value would change. Else: post.
   bool take_at_once(Index state, std::int32_t value) {
     Counters& c = *x_.s.counters;
     if (c.quiet_until == first_time || observed() || inside_ || !x_.s.values[state].unchanged.has(value) ||
@@ -76,23 +75,22 @@ public:
     return true;
   }
 
-  /// An input of one record, which the next step takes before all that is posted from now on. False: something waits
-  /// already, so post it.
+  /// Adds an input of one record, to be taken before all later ones. False: another waits already, so post it.
   bool take_first(const Input& input) {
     if (inside_ || !inbox_.put_first(input)) return false;
     x_.s.counters->quiet_until = first_time;
     return true;
   }
 
-  /// An input for the next step, by as short a way as there is. False: the inbox is full.
+  /// Posts an input for the next step, by the shortest way. False: the inbox is full.
   bool post(std::span<const Input> records) {
     return (records.size() == 1 && take_first(records[0])) || inbox_.post(records);
   }
 
-  /// The next time at which a step would have something to do without an input; `never` if there is none.
+  /// The next time at which a step has something to do without an input; `never` if there is none.
   Time next_due() const { return x_.s.counters->next_due; }
 
-  // What holds between steps.
+  // The state between steps.
   std::int32_t value(Index state) const { return x_.s.values[state].value; }
   bool enabled(Index provider) const { return x_.s.enabled[provider] != 0; }
   RunState state(Index edge) const;                                   ///< of a request: running, queued or none
@@ -100,19 +98,19 @@ public:
   Index active(Index group) const { return x_.s.last[group].active; } ///< provider, or nil
   bool granted(Index group) const { return x_.s.last[group].granted(); }
   bool in_force(Index group) const { return x_.s.last[group].in_force(); }
-  Queued queued(Index edge) const { return x_.s.queued[edge]; } ///< why it does not run
+  Queued queued(Index edge) const { return x_.s.queued[edge]; } ///< why it is queued
   Time now() const { return x_.s.counters->now; }
-  std::uint64_t micro_steps() const { return x_.s.counters->micro_step; } ///< so far
-  std::uint64_t passes() const { return passes_; }                        ///< of arbitration over a component, so far
+  std::uint64_t micro_steps() const { return x_.s.counters->micro_step; } ///< micro-steps so far
+  std::uint64_t passes() const { return passes_; }                        ///< passes over a component so far
   bool inside() const { return inside_; } ///< a body, handler or observer is running; for the thread that calls step()
-  bool inputs_wait() const { return inbox_.waits(); }  ///< for that thread too
-  std::uint32_t lost() const { return inbox_.lost(); } ///< inputs so far; from any thread
+  bool inputs_wait() const { return inbox_.waits(); }  ///< for that thread as well
+  std::uint32_t lost() const { return inbox_.lost(); } ///< inputs lost so far; from any thread
   std::uint64_t decided() const { return x_.decided; } ///< units of arbitration so far, again where a pass is repeated
-  /// So far: groups placed, units decided, and choices and plans tried, those of searches for pushes among them.
+  /// Groups placed, units decided, and choices and plans tried so far, including those of searches for pushes.
   std::uint64_t work() const { return x_.work; }
-  /// For tests of what is decided again. The next pass over each component begins from nothing.
+  /// Makes the next pass over each component begin from nothing, for tests.
   void forget_trail() { arbitration::forget_trail(x_); }
-  /// The same; a component of at most so many groups is decided whole.
+  /// The same; sets up to how many groups a component is decided whole.
   void set_most_decided_whole(Index groups) {
     x_.most_decided_whole = groups;
     forget_trail();
@@ -125,7 +123,7 @@ private:
   friend class Handling;
   friend class LoadedState; // saved/saved_state.cpp
 
-  /// What a micro-step found to do.
+  /// What a micro-step took, and whether that may change the assignment.
   enum class Taken : std::uint8_t { nothing, no_change, change };
 
   // step.cpp: section 3
@@ -137,7 +135,7 @@ private:
   void answer(Index group, bool failed);
   StepResult come_to_rest();
 
-  // inputs.cpp: what takes one is true where that changes anything
+  // inputs.cpp: true if the input changes anything
   bool take_input(const Input& record);
   bool take_requests(const Input& first);
   bool take_cancel(Index edge);
@@ -157,7 +155,7 @@ private:
   DIRECTOR_PART void begin_to_expire();
   DIRECTOR_PART bool take_states(const Input& first);
   DIRECTOR_PART bool expire(Index state);
-  DIRECTOR_PART void look_at_conditions(Index state);
+  DIRECTOR_PART void update_conditions(Index state);
   DIRECTOR_PART void commit_states(bool fault);
 
   // promises.cpp: section 7
@@ -168,8 +166,8 @@ private:
   DIRECTOR_PART void keep_promises_in(Index component);
 
   // handlers.cpp
-  DIRECTOR_PART void begin_what_it_has(Index group);
-  DIRECTOR_PART void end_what_it_has(Index group);
+  DIRECTOR_PART void begin_lifecycle(Index group);
+  DIRECTOR_PART void end_lifecycle(Index group);
   DIRECTOR_PART void end_period(Index group, Time when);
   DIRECTOR_PART bool take_handlers_input();
   void set_by_handler(Index state, std::int32_t value);
@@ -182,9 +180,9 @@ private:
   void touch(Index group);
   void untouch(Index group);
   bool note_reasons(Index group, std::uint8_t bits);
-  void live_on(Index group, Index edge);
+  void use_data_of(Index group, Index edge);
   void add_reason(Index group, Reason reason);
-  void give_again(Index group, bool anew);
+  void queue_run(Index group, bool anew);
   void forget_triggers(Index group);
   void mark_request(Index edge);
   void request(Index edge, Index level);
@@ -192,8 +190,8 @@ private:
   const Input* take_more(const Input& record);
   bool set_value(Index state, std::int32_t value);
   bool assign(Index state, std::int32_t value);
-  bool asks_again(Index edge, Index level) const;
-  void give_what_is_asked_again(Index edge);
+  bool repeats_request(Index edge, Index level) const;
+  void run_for_repeated_request(Index edge);
 
   // several.cpp
   DIRECTOR_PART void commit_pack(Range edges);
@@ -220,7 +218,7 @@ private:
   void adopt(Index group);
   void adopt_order(Index component);
 
-  bool said(Index edge, std::uint8_t answer) const;
+  bool answered(Index edge, std::uint8_t answer) const;
   RunQueue queue() const { return RunQueue(x_.s); }
 
   // reports.cpp: section 6. All but the first only if observed().
@@ -239,11 +237,11 @@ private:
   DIRECTOR_PART void report_value(Event::Kind kind, Index group, Index provider, Index state, std::int32_t value) const;
   DIRECTOR_PART void remember_queued(Index component);
   DIRECTOR_PART void report_decisions(Index component) const;
-  void tell(Event&& event) const; ///< with the time, which is the same for all
+  void notify(Event&& event) const; ///< adds the time
   bool observed() const { return observable && observer_.tell != nullptr; }
   DataPlace data_of(Index group) const;
 
-  arbitration::Context x_; ///< the tables, the memory, and what arbitration knows
+  arbitration::Context x_; ///< the tables, the memory, and the state of arbitration
   Timers timers_;
   Bodies bodies_;
   Inbox& inbox_;
@@ -251,11 +249,11 @@ private:
   std::uint64_t passes_ = 0;
   std::uint32_t budget_ = default_budget;
   std::uint64_t work_budget_ = 0;
-  std::uint32_t left_ = 0;      ///< micro-steps that may still be taken
-  Index differing_ = 0;         ///< rows of State::differing in use
-  Index starting_ = nil;        ///< the group whose start handler runs: its data may still be staged
-  std::uint32_t told_lost_ = 0; ///< inputs that were lost, as far as the observer knows
-  mutable bool inside_ = false; ///< a body, handler or observer is running
+  std::uint32_t left_ = 0;          ///< micro-steps that may still be taken
+  Index differing_ = 0;             ///< rows of State::differing in use
+  Index starting_ = nil;            ///< the group whose start handler runs; its data may still be staged
+  std::uint32_t reported_lost_ = 0; ///< lost inputs that were reported
+  mutable bool inside_ = false;     ///< a body, handler or observer is running
   bool faulted_ = false;
 };
 

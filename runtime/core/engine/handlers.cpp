@@ -1,4 +1,4 @@
-// docs/semantics.md, section 5: states of a group's own, handlers, periods: what few groups have.
+// docs/semantics.md, section 5: owned states, handlers and periods.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/base/heap_sort.hpp"
@@ -8,7 +8,7 @@ namespace director {
 
 const char part::handlers = 0;
 
-void Engine::end_what_it_has(Index group) {
+void Engine::end_lifecycle(Index group) {
   for (const Index state : x_.t.list(x_.t.groups[group].owned)) {
     if (!injected(Fault::owned_states_stay)) set_by_handler(state, x_.t.states[state].initial);
   }
@@ -29,12 +29,12 @@ void Engine::handle(Index group, Reason reason) {
   end_with_fault();
 }
 
-/// The start handler is called where the group becomes live, and the period begins when its provider becomes active.
-void Engine::begin_what_it_has(Index group) {
+/// Calls the start handler when the group becomes live, and begins the period when its provider becomes active.
+void Engine::begin_lifecycle(Index group) {
   const GroupAssignment &now = x_.s.now[group], &last = x_.s.last[group];
   if (last.active == now.active || injected(Fault::handlers_are_overlooked)) return;
   if (last.active == nil) {
-    live_on(group, now.holder);
+    use_data_of(group, now.holder);
     starting_ = group;
     handle(group, Reason::started);
     starting_ = nil;
@@ -44,12 +44,11 @@ void Engine::begin_what_it_has(Index group) {
   if (every != 0) timers_.arm({Timers::Kind::every, group}, later(x_.s.counters->now, every));
 }
 
-/// One that is late runs once, and is due again at the first multiple after it. Two times may be further apart than a
-/// Time can say.
+/// Runs once for a late period; the next is the first multiple after `until`. A difference of times may exceed Time.
 void Engine::end_period(Index group, Time when) {
   const auto period = static_cast<std::uint64_t>(x_.t.providers[x_.s.last[group].active].every);
   auto late = static_cast<std::uint64_t>(x_.s.counters->until) - static_cast<std::uint64_t>(when);
-  // What is left of it is the remainder; a division of 64 bits is a large function on a small machine.
+  // The remainder of `late`; a 64-bit division would be a large function on a small machine.
   std::uint64_t some = period;
   while (some <= late / 2) some *= 2;
   for (; some >= period; some /= 2) {
@@ -60,7 +59,7 @@ void Engine::end_period(Index group, Time when) {
   add_reason(group, Reason::trigger);
 }
 
-/// What start and stop handlers set during one act, merged into one input.
+/// Takes the values that start and stop handlers set during one act as one input.
 bool Engine::take_handlers_input() {
   Counters& c = *x_.s.counters;
   ++c.micro_step;
@@ -87,7 +86,7 @@ void Engine::set_by_handler(Index state, std::int32_t value) {
   merged = value;
 }
 
-// What a handler sees and asks for.
+// The functions of a handler's context.
 
 DataPlace Handling::data() const { return engine_.data_of(group_); }
 

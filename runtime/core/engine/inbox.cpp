@@ -1,10 +1,9 @@
 // docs/semantics.md, section 7: the queue of posted inputs.
 // SPDX-License-Identifier: MIT
 //
-// A cell's sequence number says who may use it: equal to a writer's position, it is free for that writer; one more, it
-// is full for the reader of that position. The reader frees cells in order, so the last cell of a claim being free
-// means that all of the claim are. A writer publishes its records from the last to the first: who sees the first sees
-// the whole input.
+// The sequence number of a cell says who may use it: if it equals a writer's position, that writer; one more, the
+// reader of that position. The reader frees cells in order, so if the last cell of a claim is free, all are. A writer
+// publishes its records from the last to the first: a reader that sees the first sees the whole input.
 
 #include "runtime/core/engine/inbox.hpp"
 
@@ -20,7 +19,7 @@ bool Inbox::post(std::span<const Input> records) {
   return false;
 }
 
-/// False: there is no room.
+/// Writes the records of one input. False: there is no room.
 bool Inbox::claim(std::span<const Input> records) {
   const auto count = static_cast<std::uint32_t>(records.size());
   const auto mask = static_cast<std::uint32_t>(cells_.size() - 1);
@@ -46,7 +45,7 @@ bool Inbox::claim(std::span<const Input> records) {
 
 bool Inbox::put(const Input& record, Index slot) {
   if (slot >= slots_.size()) return post({&record, 1});
-  if (!waits_outside(slot) && claim({&record, 1})) return true;
+  if (!is_pending(slot) && claim({&record, 1})) return true;
   OverflowSlot::Note note{.input = record, .leader = slot};
   note.input.handle = reserve(slot);
   if (note.input.handle == nil) return true;
@@ -57,7 +56,7 @@ bool Inbox::put(const Input& record, Index slot) {
 }
 
 const Input* Inbox::take_posted() {
-  by_slot_ = in_hand_ != 0 && take_slot();
+  by_slot_ = held_count_ != 0 && take_slot();
   closed_ = !by_slot_ && (head_ == limit_ || !take_cell());
   return closed_ ? nullptr : &record_;
 }

@@ -1,19 +1,19 @@
-// docs/semantics.md, section 3, Inputs: what the outside asks for, sets and fires.
+// docs/semantics.md, section 3, Inputs.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/engine/notes.hpp"
 
 namespace director {
 
-/// What is long is a function of its own, and is called last: so the short ways stay short.
+/// Long cases are functions of their own, called last, so that the short cases stay short.
 bool Engine::take_input(const Input& record) {
   ++x_.s.counters->micro_step;
   if (observed()) report_input(record);
   switch (record.kind) {
   case Input::Kind::request:
     if (bodies_.data != nullptr) return take_request_with_data(record);
-    if (record.more || !asks_again(record.thing, record.level())) return take_requests(record);
-    give_what_is_asked_again(record.thing);
+    if (record.more || !repeats_request(record.thing, record.level())) return take_requests(record);
+    run_for_repeated_request(record.thing);
     return false;
   case Input::Kind::set: return take_states(record);
   case Input::Kind::cancel: return take_cancel(record.thing);
@@ -32,7 +32,7 @@ bool Engine::take_input(const Input& record) {
   return true;
 }
 
-/// Nil: of all root tasks.
+/// Withdraws the request on an edge of root; nil: all requests of root.
 [[gnu::noinline]] bool Engine::take_cancel(Index edge) {
   const Index end = edge == nil ? x_.t.root_edges : static_cast<Index>(edge + 1);
   bool changes = false;
@@ -46,7 +46,7 @@ bool Engine::take_input(const Input& record) {
   if (injected(Fault::enabling_is_overlooked)) return true;
   const Index component = x_.t.groups[x_.t.providers[provider].group].component;
   mark(component, work::changed);
-  x_.s.news_count[component] = nil; // who may push it is not noted, and this is rare
+  x_.s.news_count[component] = nil; // which units may push it is not noted, and this is rare
   return true;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a micro-step notes on its way: components to be decided again, and groups with a new reason to run. These
-// functions are small and called from all of the engine, so they are inline. Only its own sources include this header.
+// What a micro-step notes: components to be decided again, and groups with a new reason to run. These functions are
+// small and called from all of the engine, so they are inline. Only sources of the engine include this header.
 
 #include "runtime/core/base/fault_injection.hpp"
 #include "runtime/core/base/inline.hpp"
@@ -18,11 +18,11 @@ DIRECTOR_ONE_COPY inline void Engine::mark(Index component, std::uint8_t bits) {
   x_.s.work[x_.s.counters->work_count++] = component;
 }
 
-/// The group becomes stale, or ceases to be, which matters only where a decision of the last pass depended on it.
+/// Notes that the group becomes stale, or stale no longer, if a decision of the last pass depended on it.
 DIRECTOR_ONE_COPY inline void Engine::mark_stale(Index group) {
-  if (injected(Fault::who_is_stale_is_overlooked)) return;
+  if (injected(Fault::staleness_is_overlooked)) return;
   const RunQueueEntry& entry = x_.s.run_queue[group];
-  if (entry.counts != 0 || x_.s.component[entry.component].has(work::stale_counts))
+  if (entry.stale_matters != 0 || x_.s.component[entry.component].has(work::stale_matters))
     mark(entry.component, work::changed);
 }
 
@@ -35,18 +35,18 @@ DIRECTOR_ONE_COPY inline void Engine::touch(Index group) {
 
 inline void Engine::untouch(Index group) { x_.s.run_queue[group].flags.remove(group_flag::touched); }
 
-/// Bits of Reason. True if one of them is news.
+/// Adds bits of Reason. True if one of them is new.
 inline bool Engine::note_reasons(Index group, std::uint8_t bits) {
   RunQueueEntry& entry = x_.s.run_queue[group];
   if ((bits & reason::new_task) != 0 && !injected(Fault::done_outlives_a_new_task)) entry.done = 0;
   const auto news = static_cast<std::uint8_t>(bits & ~entry.pending);
   entry.pending |= news;
-  if ((news & reason::outdating) != 0) mark_stale(group);
+  if ((news & reason::makes_stale) != 0) mark_stale(group);
   return news != 0;
 }
 
-/// The group works on the data of this request from now on; nil: on a copy of its own.
-inline void Engine::live_on(Index group, Index edge) {
+/// Makes the group use the data of this request from now on; nil: its own copy.
+inline void Engine::use_data_of(Index group, Index edge) {
   if (bodies_.data != nullptr) x_.s.data_from[group] = edge;
 }
 
@@ -54,10 +54,9 @@ inline void Engine::add_reason(Index group, Reason reason) {
   if (note_reasons(group, static_cast<std::uint8_t>(reason))) touch(group);
 }
 
-/// Nothing was decided, and the group is granted as before: it runs for what it was asked anew. `anew`: by the request
-/// that holds it. request() has noted already that it is stale.
-DIRECTOR_INLINE void Engine::give_again(Index group, bool anew) {
-  live_on(group, x_.s.last[group].holder);
+/// Queues a run of a group that stays granted. `anew`: for a new request of its holder, noted as making it stale.
+DIRECTOR_INLINE void Engine::queue_run(Index group, bool anew) {
+  use_data_of(group, x_.s.last[group].holder);
   RunQueueEntry& entry = x_.s.run_queue[group];
   if (anew) {
     entry.pending |= reason::new_task;
@@ -66,9 +65,9 @@ DIRECTOR_INLINE void Engine::give_again(Index group, bool anew) {
   queue().enter(group);
 }
 
-// What the next arbitration has to look at.
+// Work for the next arbitration.
 
-/// Leaves in State::work what has to be decided by the next arbitration, and forgets the rest.
+/// Removes from State::work all components that need not be decided by the next arbitration.
 DIRECTOR_INLINE void Engine::forget_work() {
   Counters& c = *x_.s.counters;
   const Index before = c.work_count;
@@ -86,16 +85,16 @@ DIRECTOR_INLINE void Engine::forget_work() {
   c.work_count = left;
 }
 
-// What inputs and runs ask for.
+// Requests and values of inputs and runs.
 
-/// The next record of the same input.
+/// Takes the next record of the same input.
 inline const Input* Engine::take_more(const Input& record) {
   const Input* const next = record.more ? inbox_.take_more() : nullptr;
   if (next != nullptr && observed()) report_input(*next);
   return next;
 }
 
-/// Of an edge that is about to be requested at another level than before, or not any more.
+/// Notes that an edge is about to be requested at another level, or no longer.
 DIRECTOR_INLINE void Engine::mark_request(Index edge) {
   const Index component = x_.s.run_queue[x_.s.request[edge].target].component;
   if (x_.t.components.size() > 1) remember_request(edge);
@@ -106,8 +105,8 @@ DIRECTOR_INLINE void Engine::mark_request(Index edge) {
 DIRECTOR_ONE_COPY DIRECTOR_INLINE void Engine::request(Index edge, Index level) {
   Requested& request = x_.s.request[edge];
   if (Bits& anew = x_.s.anew[edge]; anew == 0) {
-    anew = 1; // the same task requested again is a new task
-    x_.s.asked[x_.s.counters->asked_count++] = edge;
+    anew = 1; // a task that is requested again is a new task
+    x_.s.renewed[x_.s.counters->anew_count++] = edge;
   }
   if (request.level != level) {
     mark_request(edge);
@@ -118,7 +117,7 @@ DIRECTOR_ONE_COPY DIRECTOR_INLINE void Engine::request(Index edge, Index level) 
   touch(request.target);
 }
 
-/// True if it was requested.
+/// Withdraws the request. True if there was one.
 DIRECTOR_INLINE bool Engine::withdraw(Index edge) {
   if (x_.s.request[edge].level == nil) return false;
   mark_request(edge);
@@ -126,46 +125,46 @@ DIRECTOR_INLINE bool Engine::withdraw(Index edge) {
   return true;
 }
 
-/// True if the value changes. What expires counts anew, also where it does not.
+/// Sets the value and restarts its expiry. True if the value changes.
 DIRECTOR_ONE_COPY inline bool Engine::set_value(Index state, std::int32_t value) {
   const Time expires = x_.t.states[state].expires;
   if (expires != 0) timers_.arm({Timers::Kind::expiry, state}, later(x_.s.counters->now, expires));
   return assign(state, value);
 }
 
-/// As long as a value stays where no condition flips, nobody has to look at the conditions.
+/// Sets the value. While it stays in an interval where no condition flips, no condition is evaluated.
 inline bool Engine::assign(Index state, std::int32_t value) {
   if (x_.s.values[state].value == value) return false;
   x_.s.values[state].value = value;
-  if (!x_.s.values[state].unchanged.has(value)) look_at_conditions(state);
+  if (!x_.s.values[state].unchanged.has(value)) update_conditions(state);
   return true;
 }
 
-/// A micro-step that asks for this task, and for nothing else, asks for what it has, and no decision depends on whether
-/// the target is stale. All that can come of it is a run.
-DIRECTOR_INLINE bool Engine::asks_again(Index edge, Index level) const {
+/// Whether a micro-step that only makes this request changes no input of arbitration: the level is the same, and no
+/// decision depends on whether the target is stale. It can only cause a run.
+DIRECTOR_INLINE bool Engine::repeats_request(Index edge, Index level) const {
   const Counters& c = *x_.s.counters;
   const Requested& request = x_.s.request[edge];
   if (request.level != level || (c.work_count | c.touched_count) != 0) return false;
   const RunQueueEntry& entry = x_.s.run_queue[request.target];
-  return entry.counts == 0 && !x_.s.component[entry.component].has(work::stale_counts);
+  return entry.stale_matters == 0 && !x_.s.component[entry.component].has(work::stale_matters);
 }
 
-/// That run; the caller settles the data.
-DIRECTOR_INLINE void Engine::give_what_is_asked_again(Index edge) {
+/// Queues the run that such a request causes; the caller settles the data.
+DIRECTOR_INLINE void Engine::run_for_repeated_request(Index edge) {
   const Index group = x_.s.request[edge].target;
   const GroupAssignment& last = x_.s.last[group];
   x_.s.counters->unsettled = false;
-  if (last.granted()) give_again(group, last.holder == edge);
+  if (last.granted()) queue_run(group, last.holder == edge);
 }
 
-/// Those that fired since its last run. Mostly it listens to none.
+/// Forgets the triggers that fired since the last run of the group, which mostly listens to none.
 inline void Engine::forget_triggers(Index group) {
   if (!x_.s.run_queue[group].flags.has(group_flag::listens)) return;
   for (const Index slot : x_.t.groups[group].listens.rows()) x_.s.fired[slot] = 0;
 }
 
-/// Mostly it does not wait, and then its timer is not looked at.
+/// Ends the wait of the group; mostly there is none, and its timer is not accessed.
 inline void Engine::end_wait(Index group) {
   if (x_.s.run_queue[group].flags.has(group_flag::waits)) stop_waiting(group);
 }

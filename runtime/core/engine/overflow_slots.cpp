@@ -1,4 +1,4 @@
-// docs/semantics.md, section 7: what a full inbox does not refuse.
+// docs/semantics.md, section 7: inputs that a full inbox does not refuse.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/engine/inbox.hpp"
@@ -9,30 +9,30 @@ namespace {
 
 using PlaceState = OverflowSlot::PlaceState;
 
-/// Is `a` before `b`? Both count round and round, and are never far apart.
+/// Whether `a` is before `b`. Both wrap around, and are never far apart.
 bool precedes(std::uint32_t a, std::uint32_t b) { return static_cast<std::int32_t>(a - b) < 0; }
 
 } // namespace
 
-/// The newest record in this slot was not seen by the reader yet.
-bool Inbox::waits_outside(Index slot) const {
+/// Whether the newest record in this slot was not seen by the reader yet.
+bool Inbox::is_pending(Index slot) const {
   return slot < slots_.size() && OverflowSlot::any_published(slots_[slot].states.load(std::memory_order_acquire));
 }
 
-/// A handle for a record in this slot and its data, which only the caller has until it publishes. Nil: so many others
-/// are writing right now that no place is left; theirs count as the later ones, and there is nothing to do.
+/// Reserves a handle for a record in this slot and its data, which only the caller has until it publishes. Nil: no
+/// place is left, because other writers are active; their records count as the later ones.
 Index Inbox::reserve(Index slot) {
   Index place = nil;
   const std::uint32_t before = change(slots_[slot].states, [&](std::uint32_t now) {
     place = OverflowSlot::find(now, PlaceState::free);
-    if (place == nil) place = OverflowSlot::find(now, PlaceState::published); // it is about to be replaced anyway
+    if (place == nil) place = OverflowSlot::find(now, PlaceState::published); // it is about to be replaced
     return place == nil ? now : OverflowSlot::with(now, place, PlaceState::filling);
   });
   if (place == nil || OverflowSlot::state_of(before, place) == PlaceState::published) count_lost();
   return place == nil ? nil : static_cast<Index>(waiting_requests + place);
 }
 
-/// Into the place that was reserved, which is the newest record from then on.
+/// Publishes a record in the reserved place, as the newest one of the slot.
 void Inbox::publish(Index slot, const OverflowSlot::Note& note) {
   const auto place = static_cast<Index>(note.input.handle - waiting_requests);
   slots_[slot].notes[place] = note;
@@ -42,23 +42,23 @@ void Inbox::publish(Index slot, const OverflowSlot::Note& note) {
     return OverflowSlot::with(now, place, PlaceState::published);
   });
   if (OverflowSlot::any_published(before)) count_lost();
-  spoken_.store(1, std::memory_order_release);
+  unseen_.store(1, std::memory_order_release);
 }
 
-/// One more input was lost; from here on the reader has something to see.
+/// Counts a lost input, for the reader to see.
 void Inbox::count_lost() {
   count(lost_);
-  spoken_.store(1, std::memory_order_release);
+  unseen_.store(1, std::memory_order_release);
 }
 
-/// Takes the newest record of every slot in hand; what is published later waits for the next time.
+/// Holds the newest record of every slot; a record published later waits for the next call.
 void Inbox::open_slots() {
-  std::uint32_t spoken = 1;
-  if (!spoken_.compare_exchange_strong(spoken, 0, std::memory_order_acquire, std::memory_order_relaxed)) return;
-  // Again until nothing is new: what was published before a record that was seen must be seen with it.
+  std::uint32_t unseen = 1;
+  if (!unseen_.compare_exchange_strong(unseen, 0, std::memory_order_acquire, std::memory_order_relaxed)) return;
+  // Repeated until no record is new: a record published before one that was seen must be seen with it.
   for (std::size_t i = 0; i <= slots_.size() && sweep(); ++i) {}
   for (OverflowSlot& slot : slots_) {
-    if (slot.held != nil && &slot != given_ && slot.in_hand().input.more) wait_for_leader(slot);
+    if (slot.held != nil && &slot != taken_ && slot.held_note().input.more) wait_for_leader(slot);
   }
 }
 
@@ -66,7 +66,7 @@ bool Inbox::sweep() {
   bool found = false;
   for (OverflowSlot& slot : slots_) {
     if (!OverflowSlot::any_published(slot.states.load(std::memory_order_acquire))) continue;
-    if (given_ == &slot) given_ = nullptr, let_go(slot);
+    if (taken_ == &slot) taken_ = nullptr, release(slot);
     Index place = nil;
     change(slot.states, [&](std::uint32_t now) {
       place = OverflowSlot::find(now, PlaceState::published);
@@ -76,7 +76,7 @@ bool Inbox::sweep() {
     });
     if (place == nil) continue;
     if (slot.held == nil) {
-      ++in_hand_;
+      ++held_count_;
     } else {
       count_lost();
     }
@@ -86,27 +86,27 @@ bool Inbox::sweep() {
   return found;
 }
 
-/// Of those in hand that are not behind the next record of the queue, the one that was published first.
+/// Takes, of the held records that are not behind the next record of the queue, the one published first.
 bool Inbox::take_slot() {
   OverflowSlot* first = nullptr;
   for (OverflowSlot& slot : slots_) {
-    if (slot.held == nil || &slot == given_ || precedes(head_, slot.in_hand().position)) continue;
-    if (first == nullptr || precedes(slot.in_hand().ticket, first->in_hand().ticket)) first = &slot;
+    if (slot.held == nil || &slot == taken_ || precedes(head_, slot.held_note().position)) continue;
+    if (first == nullptr || precedes(slot.held_note().ticket, first->held_note().ticket)) first = &slot;
   }
-  if (first != nullptr) give(*first);
+  if (first != nullptr) deliver(*first);
   return first != nullptr;
 }
 
-/// The place stays held until the next one is given, so that the data that belong to it can be moved.
-void Inbox::give(OverflowSlot& slot) {
-  if (given_ != nullptr) let_go(*given_);
-  given_ = &slot;
-  --in_hand_;
-  record_ = slot.in_hand().input;
-  if (record_.more) record_.more = first_of(slot.in_hand().ticket) != nullptr;
+/// Takes the record of the slot. Its place stays held until the next one is taken, so that its data can be moved.
+void Inbox::deliver(OverflowSlot& slot) {
+  if (taken_ != nullptr) release(*taken_);
+  taken_ = &slot;
+  --held_count_;
+  record_ = slot.held_note().input;
+  if (record_.more) record_.more = first_of(slot.held_note().ticket) != nullptr;
 }
 
-void Inbox::let_go(OverflowSlot& slot) {
+void Inbox::release(OverflowSlot& slot) {
   change(slot.states, [&](std::uint32_t now) { return OverflowSlot::with(now, slot.held, PlaceState::free); });
   slot.held = nil;
 }

@@ -7,7 +7,7 @@ namespace director {
 
 const char part::promises = 0;
 
-/// With its first run on a push its promises begin.
+/// Starts the promises of a provider with its first run because of a push.
 void Engine::take_promises(Index group) {
   Promised& promised = x_.s.promised[group];
   if (promised.provider != nil) return;
@@ -22,7 +22,7 @@ void Engine::keep_promises_in(Index component) {
   }
 }
 
-/// A promise ends with its push, and when its condition has come true.
+/// Ends promises whose push is over, or whose condition has become true.
 void Engine::keep_promises(Index group) {
   Promised& promised = x_.s.promised[group];
   const Index provider = promised.provider;
@@ -35,7 +35,7 @@ void Engine::keep_promises(Index group) {
   if (!stands) promised = {};
 }
 
-/// True if somebody listens.
+/// Fires a trigger. True if an active provider listens to it.
 bool Engine::fire(Index trigger) {
   bool heard = false;
   for (const Index provider : x_.t.list(x_.t.triggers[trigger].listeners)) {
@@ -50,7 +50,7 @@ bool Engine::fire(Index trigger) {
   return heard;
 }
 
-/// Once for a push: the other promises of this run of it are over too. True if somebody listens.
+/// Breaks a promise, and ends all of its provider. True if an active provider listens to its trigger.
 bool Engine::break_promise(Index promise) {
   const Index provider = x_.t.promises[promise].provider;
   for (const Index i : x_.t.providers[provider].promises.rows()) timers_.disarm({Timers::Kind::promise, i});

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a provider body, and a start or stop handler, gets from the engine: typed contexts of generated code are thin
-// layers over these. Everything that a body asks for is staged and takes effect together when it returns.
+// The untyped contexts of provider bodies and of start and stop handlers; the typed ones of generated code are thin
+// layers over these. Requests and values of a body are staged and take effect together when it returns.
 
 #include "runtime/core/base/state.hpp"
 #include "runtime/core/base/words.hpp"
@@ -13,7 +13,7 @@ namespace testing {
 struct Access;
 }
 
-/// Where the data of a group's task are (docs/bounds.md: each edge has a slot and a staging slot, each group one slot).
+/// The place of a task's data (docs/bounds.md): an edge has a slot and a staging slot, a group has one slot.
 struct DataPlace {
   enum class Slot : std::uint8_t { edge, staging, group };
   Slot slot = Slot::group;
@@ -28,30 +28,30 @@ public:
   Time now() const;
   bool triggered(Index trigger) const; ///< this trigger fired since the last run
   RunState state(Index edge) const;    ///< of the target of an edge of this group
-  bool done(Index edge) const;         ///< it said done or failed; only while running
-  bool failed(Index edge) const;       ///< it said failed; only while running
+  bool done(Index edge) const;         ///< its answer was done or fail; only while running
+  bool failed(Index edge) const;       ///< its answer was fail; only while running
   DataPlace data() const;              ///< of the task that this run is for
 
-  void set(Index state, std::int32_t value);    ///< the last one counts; the caller checks that it is declared
-  void refuse(Index state, std::int32_t value); ///< tells the observer of a value that is not declared
-  void wait(Time duration);                     ///< above 0; the last one counts
-  /// Asks for an edge of this group at a level (of Tables::levels). Asked twice, the last one counts. True if this is a
-  /// new task for the target; false if `keep` leaves a request of that level as it is.
+  void set(Index state, std::int32_t value);    ///< the last value counts; the caller checks that it is declared
+  void refuse(Index state, std::int32_t value); ///< reports a value that is not declared
+  void wait(Time duration);                     ///< above 0; the last call counts
+  /// Requests the target of an edge of this group at a level (of Tables::levels); the last call for an edge counts.
+  /// True: this is a new task for the target; false: `keep` leaves a request of that level as it is.
   bool request(Index edge, Index level, bool keep = false) {
     const bool leave = keep && request_[edge].level == level;
     staged_[edge - first_edge_] = {level, leave};
     return !leave;
   }
 
-  /// What was requested, and nothing else. `number`: which of the provider's packs that is; only tests of bodies ask.
+  /// The answer that requests these tasks, and no others. `number`: place of the pack, for tests of bodies.
   Outcome pack(std::uint16_t number = 0) {
     pack_ = number;
     return Outcome{Outcome::Kind::pack};
   }
   Outcome done() const { return Outcome{Outcome::Kind::done}; }
   Outcome fail() const { return Outcome{Outcome::Kind::failed}; }
-  Outcome keep() const { return Outcome{Outcome::Kind::keep}; }   ///< Continue
-  Outcome fault() const { return Outcome{Outcome::Kind::fault}; } ///< it threw: counts as Continue, nothing was set
+  Outcome keep() const { return Outcome{Outcome::Kind::keep}; }   ///< all requests stay
+  Outcome fault() const { return Outcome{Outcome::Kind::fault}; } ///< the body threw: all requests stay, nothing is set
 
 private:
   friend class Engine;
@@ -67,19 +67,19 @@ private:
   Engine& engine_;
   const Requested* request_;
   Staged* staged_;
-  Index first_edge_; ///< of its group
+  Index first_edge_; ///< the first edge of its group
   Index group_, provider_;
   Reasons reasons_;
   std::uint16_t pack_ = 0;
   Time wait_ = 0;
 };
 
-/// A start or stop handler's context.
+/// The context of a start or stop handler.
 class Handling {
 public:
   Index group() const { return group_; }
   Reasons reasons() const { return reasons_; } ///< started or stopped
-  DataPlace data() const;                      ///< of the task that the group was given last
+  DataPlace data() const;                      ///< of the task that the group got last
   void set(Index state, std::int32_t value);
   void refuse(Index state, std::int32_t value);
   void fault() { faulted_ = true; } ///< the handler threw
@@ -94,14 +94,14 @@ private:
   bool faulted_ = false;
 };
 
-/// What the engine calls. `self` is given back to each function; what the others get says whose body is meant.
+/// The functions that the engine calls. `self` is the first argument of each; the others name the body.
 struct Bodies {
-  /// What happens to task data; the engine itself moves none. Null where no task has data.
+  /// Moves of task data; the engine itself moves none. Null if no task has data.
   enum class Data : std::uint8_t {
-    accept, ///< of root edge `edge`: from slot `handle` of the program's inputs (nil: no data) to the edge's staging
-            ///< slot; the slot of the inputs is free again
+    accept, ///< of an edge of root: from slot `handle` of the program's inputs (nil: no data), which becomes free, to
+            ///< its staging slot
     settle, ///< from the staging slot of `edge` to its slot
-    retain, ///< from the slot of `edge` to the slot of its target group: a new request is about to take its place
+    retain, ///< from the slot of `edge` to the slot of its target group, because a new request is about to replace it
   };
   void* self = nullptr;
   Outcome (*run)(void* self, Run& run) = nullptr;          ///< the body of `run.provider()`

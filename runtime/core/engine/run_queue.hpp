@@ -7,15 +7,15 @@
 
 namespace director {
 
-/// The groups that have a reason to run, in the order in which they came to have it. They are linked in
-/// State::run_queue, so one that is not granted any more leaves without a look at the others.
+/// The granted groups that have a reason to run, in the order in which they got it. They are linked in
+/// State::run_queue, so that a group can leave without a search.
 class RunQueue {
 public:
   explicit RunQueue(const State& memory) : counters_(memory.counters), entries_(memory.run_queue) {}
 
   bool empty() const { return counters_->queue_first == nil; }
 
-  /// If it has a reason, and is not there yet.
+  /// Adds the group if it has a reason to run and is not in the queue yet.
   DIRECTOR_INLINE void enter(Index group) {
     RunQueueEntry& entry = entries_[group];
     if (entry.pending == 0 || entry.flags.has(group_flag::queue)) return;
@@ -26,7 +26,7 @@ public:
     counters_->queue_last = group;
   }
 
-  /// Takes away the group that is to run next; there is one.
+  /// Removes and returns the first group; the queue must not be empty.
   Index take_first() {
     const Index group = counters_->queue_first;
     RunQueueEntry& entry = entries_[group];

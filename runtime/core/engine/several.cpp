@@ -1,4 +1,4 @@
-// docs/semantics.md, sections 3 and 5: what only behaviours of several groups have to do.
+// docs/semantics.md, sections 3 and 5: code that only behaviours of several groups need.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/base/heap_sort.hpp"
@@ -10,7 +10,7 @@ namespace director {
 
 const char part::several = 0;
 
-/// What a run asks of other groups takes effect.
+/// Carries out the requests and withdrawals of a run.
 void Engine::commit_pack(Range edges) {
   Staged* staged = x_.s.staged_request;
   for (Index e = edges.begin; e != edges.end; ++e, ++staged) {
@@ -23,11 +23,11 @@ void Engine::commit_pack(Range edges) {
     staged->level = nil;
     if (observed()) report_request(staged->keep ? Event::Kind::keep : Event::Kind::ask, e, level);
     if (staged->keep) continue;
-    if (edges.size() != 1 || !asks_again(e, level)) {
+    if (edges.size() != 1 || !repeats_request(e, level)) {
       request(e, level);
       continue;
     }
-    give_what_is_asked_again(e);
+    run_for_repeated_request(e);
     if (bodies_.data != nullptr) settle_data(e);
   }
 }
@@ -41,7 +41,7 @@ void Engine::act_on_all_touched() {
   const Index touched = c.touched_count;
   c.touched_count = 0;
   Index count = 0, last = nil; // component
-  bool sorted = true;          // as what one pack asks for mostly comes
+  bool sorted = true;          // the requests of one pack mostly are
   for (Index i = 0; i < touched; ++i) {
     const Index group = x_.s.touched[i];
     untouch(group);
@@ -52,10 +52,10 @@ void Engine::act_on_all_touched() {
     x_.s.touched[count++] = group;
   }
   if (!sorted) arbitration::sort_by_place(x_, {x_.s.touched, count}, arbitration::Chains::previous);
-  for (Index i = 0; i < count; ++i) give_again(x_.s.touched[i], x_.s.anew[x_.s.last[x_.s.touched[i]].holder] != 0);
+  for (Index i = 0; i < count; ++i) queue_run(x_.s.touched[i], x_.s.anew[x_.s.last[x_.s.touched[i]].holder] != 0);
 }
 
-/// Tasks of the program can be altered more than once in a micro-step.
+/// Remembers a request before its first change in this micro-step.
 void Engine::remember_request(Index edge) {
   Bits& bits = x_.s.edge_trail[edge];
   if (bits.has(trail::altered)) return;
@@ -65,9 +65,9 @@ void Engine::remember_request(Index edge) {
   row.target = edge;
 }
 
-/// Requests are as they were before this micro-step; or, the second time, as they are.
+/// Swaps requests with those before this micro-step; the second call swaps them back.
 void Engine::swap_altered() {
-  if (injected(Fault::what_stops_is_ordered_anew)) return;
+  if (injected(Fault::stops_use_the_new_order)) return;
   for (Requested& row : std::span(x_.s.before, x_.before_count)) {
     Requested& request = x_.s.request[row.target];
     std::swap(request.level, row.level);
@@ -81,12 +81,12 @@ void Engine::forget_altered() {
   x_.before_count = 0;
 }
 
-/// In which order components were noted depends on how much was decided again; what an observer is told must not.
+/// Sorts the components, so that the order of events does not depend on how much was decided again.
 void Engine::sort_work() {
   heap_sort({x_.s.work, x_.s.counters->work_count}, [](Index a, Index b) { return a < b; });
 }
 
-/// In the old order, which follows from the requests as they were before this micro-step.
+/// The held groups of these components in the old order, that of the requests before this micro-step.
 std::span<const Index> Engine::held_in_all(Index passes) {
   swap_altered();
   Index count = 0;

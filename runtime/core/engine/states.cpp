@@ -9,10 +9,10 @@ const char part::states = 0;
 
 void Engine::preset(Index state, std::int32_t value) {
   x_.s.values[state].value = value;
-  look_at_conditions(state);
+  update_conditions(state);
 }
 
-/// With the first step.
+/// Starts the expiry of values with the first step.
 void Engine::begin_to_expire() {
   for (Index i = 0; i < x_.t.states.size(); ++i) {
     if (x_.t.states[i].expires != 0 && x_.s.values[i].value != unset)
@@ -35,8 +35,7 @@ bool Engine::expire(Index state) {
 
 namespace {
 
-/// Whether the condition holds at the value; the interval around the value becomes smaller, so that none of the
-/// condition's bounds cuts it.
+/// Whether the condition holds at the value; narrows the interval so that no bound of the condition is inside.
 bool narrow(UnchangedInterval& unchanged, std::span<const Interval> accepted, std::int32_t value) {
   bool holds = false;
   for (const Interval& row : accepted) {
@@ -55,9 +54,9 @@ bool narrow(UnchangedInterval& unchanged, std::span<const Interval> accepted, st
 
 } // namespace
 
-/// The state has another value. Components in which a condition flips have to be decided again, unless the first step
-/// is still to come. While a state is unset none of its conditions holds, and any value may change that.
-void Engine::look_at_conditions(Index state) {
+/// Evaluates the conditions on a state with a new value. Components in which a condition flips are decided again,
+/// except before the first step. While a state is unset, none of its conditions holds, and any value may change that.
+void Engine::update_conditions(Index state) {
   const std::int32_t value = x_.s.values[state].value;
   UnchangedInterval unchanged{unset + 1, 2147483647};
   if (value == unset) unchanged = {unset, unset};

@@ -1,7 +1,7 @@
 // docs/semantics.md, section 3: micro-steps, and runs.
 // SPDX-License-Identifier: MIT
 //
-// What most micro-steps are made of, a run, is a part of the loop, without a call.
+// Most micro-steps are runs, so a run is inlined in the loop.
 
 #include "runtime/core/engine/notes.hpp"
 
@@ -9,7 +9,7 @@
 
 namespace director {
 
-/// Everything that a run asked for, together.
+/// Carries out all results of a run together.
 DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outcome::Kind kind) {
   RunQueueEntry& entry = x_.s.run_queue[group];
   forget_triggers(group);
@@ -31,8 +31,7 @@ DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outc
   if (wait > 0) begin_wait(group, wait);
 }
 
-/// The oldest run calls its provider, and everything that it asked for takes effect together. The group that ran; nil:
-/// none did.
+/// Runs the first group of the queue, and carries out its results together. Returns the group; nil: none ran.
 DIRECTOR_INLINE Index Engine::run_next() {
   Counters& c = *x_.s.counters;
   ++c.micro_step;
@@ -43,7 +42,7 @@ DIRECTOR_INLINE Index Engine::run_next() {
   const bool pushed = in_force(group);
   const Index provider = x_.s.last[group].active;
   if (!pushed) reasons &= static_cast<std::uint8_t>(~reason::pushed);
-  if (reasons == 0) return nil; // nobody pushes it any more
+  if (reasons == 0) return nil; // it is not pushed any more
 
   if (pushed && !x_.t.promises.empty()) take_promises(group);
   Run run(*this, x_.s, x_.t.groups[group].edges.begin, group, provider, Reasons{reasons});
@@ -56,7 +55,7 @@ DIRECTOR_INLINE Index Engine::run_next() {
   return group;
 }
 
-/// The first of what there is to do, without what follows from it. `ran`: the group that ran, if one did.
+/// Takes the first of what there is to do, without its consequences. `ran`: the group that ran, or nil.
 DIRECTOR_INLINE Engine::Taken Engine::take_next(Index& ran) {
   Counters& c = *x_.s.counters;
   const auto taken = [](bool changes) { return changes ? Taken::change : Taken::no_change; };
@@ -81,7 +80,7 @@ DIRECTOR_INLINE Engine::Taken Engine::take_next(Index& ran) {
   }
 }
 
-/// False: nothing is left to do up to the time given to `step`.
+/// Takes a micro-step. False: nothing is left to do up to the time given to `step`.
 DIRECTOR_INLINE bool Engine::micro_step() {
   Index ran = nil;
   const Taken taken = take_next(ran);
@@ -90,14 +89,14 @@ DIRECTOR_INLINE bool Engine::micro_step() {
   c.unsettled = false;
   if (c.work_count != 0) {
     arbitrate();
-  } else if (c.touched_count != 0) { // as is what was asked for
+  } else if (c.touched_count != 0) { // requests repeat what is granted
     act_on_touched();
   }
   if (bodies_.data != nullptr) {
-    for (Index i = 0; i < c.asked_count; ++i) settle_data(x_.s.asked[i]);
+    for (Index i = 0; i < c.anew_count; ++i) settle_data(x_.s.renewed[i]);
   }
-  for (Index i = 0; i < c.asked_count; ++i) x_.s.anew[x_.s.asked[i]] = 0; // new for one micro-step
-  c.asked_count = 0;
+  for (Index i = 0; i < c.anew_count; ++i) x_.s.anew[x_.s.renewed[i]] = 0; // new for one micro-step
+  c.anew_count = 0;
   if (!x_.t.promises.empty() && ran != nil) keep_promises(ran);
   return true;
 }
@@ -113,14 +112,14 @@ DIRECTOR_INLINE bool Engine::micro_step() {
     if (!x_.t.states.empty()) begin_to_expire();
   }
   c.quiet_until = first_time;
-  // Called again for the same time because the budget ran out: what was begun goes on at its own time.
+  // A call for the same time, because the budget was used up, continues at the time reached.
   const bool further = now > c.until;
   if (further) c.until = now;
   if (c.now != c.until && !c.serving && (further || !(c.handlers_set || !queue().empty() || c.unsettled)))
     c.now = c.until;
   inbox_.open();
   if (observed()) {
-    if (inbox_.lost() != told_lost_) report_lost();
+    if (inbox_.lost() != reported_lost_) report_lost();
     if (std::exchange(faulted_, false)) return StepResult::fault; // the observer threw
   }
   const std::uint64_t before = work();
@@ -130,7 +129,7 @@ DIRECTOR_INLINE bool Engine::micro_step() {
   }
   if (!faulted_) {
     const bool left = c.handlers_set || !queue().empty() || c.unsettled || inbox_.due() || c.next_due <= c.until;
-    if (!left) return come_to_rest(); // the budget ended together with what is due
+    if (!left) return come_to_rest(); // the budget was used up by the last micro-step that was due
     report(Event::Kind::exhausted);
   }
   return std::exchange(faulted_, false) ? StepResult::fault : StepResult::budget_exhausted;

@@ -1,4 +1,4 @@
-// docs/semantics.md, section 3, Time: timers, and what is due by them.
+// docs/semantics.md, section 3, Time: timers, and what follows when they are due.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/engine/notes.hpp"
@@ -45,8 +45,7 @@ void Engine::stop_waiting(Index group) {
   timers_.disarm({Timers::Kind::wait, group});
 }
 
-/// The next of what is due together, an input of its own: what one of them cancels is not due any more. True if it has
-/// an effect.
+/// Takes the next due timer, as an input of its own, which may cancel others that are due. True if it has an effect.
 bool Engine::take_timer() {
   const Time when = x_.s.counters->next_due;
   const Timers::Timer timer = timers_.take_first();

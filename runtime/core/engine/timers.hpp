@@ -1,17 +1,16 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// docs/semantics.md, section 3, Time. A part (base/parts.hpp), which a body that waits names as well as the tables:
-// where nobody has it, no timer is ever armed.
+// docs/semantics.md, section 3, Time. A part (base/parts.hpp): unless the tables or a body name it, no timer is armed.
 
 #include "runtime/core/base/parts.hpp"
 #include "runtime/core/base/state.hpp"
 
 namespace director {
 
-/// When each timer is due, and which one is due first.
+/// The times of all timers, and the timer that is due first.
 class Timers {
 public:
-  /// In the order in which those that are due together are served.
+  /// In the order in which timers that are due together are served.
   enum class Kind : std::uint8_t { expiry, wait, promise, every };
 
   struct Timer {
@@ -27,7 +26,7 @@ public:
                static_cast<Index>(begin_[2] + t.promises.size())},
         count_(static_cast<Index>(begin_[3] + t.groups.size())) {}
 
-  /// None is due, and of each two the first one counts as sooner.
+  /// Disarms all timers; of each two the first one counts as sooner.
   void clear() {
     for (Index i = 0; i < count_; ++i) due_[i] = never;
     for (std::size_t node = count_; node-- > 1;) {
@@ -41,8 +40,7 @@ public:
     if (due_[number(timer)] != never) set(number(timer), never);
   }
   Time due(Timer timer) const { return due_[number(timer)]; } ///< never: it is not armed
-  /// Takes away the one that is due first; there is one. The root of a tree is read, a change climbs as far as it
-  /// counts.
+  /// Disarms and returns the timer that is due first; one must be armed.
   DIRECTOR_PART Timer take_first();
 
 private:
@@ -55,9 +53,8 @@ private:
 
   Counters* counters_;
   Time* due_;      ///< timers, kind by kind, by declaration
-  Index* soonest_; ///< node n of a tree, 2n and 2n+1 being the nodes below it and the timers its leaves: which one is
-                   ///< due first
-  Index begin_[4]; ///< of each kind
+  Index* soonest_; ///< node n of a tree, with nodes 2n and 2n+1 below it and the timers as leaves: the timer due first
+  Index begin_[4]; ///< the first timer of each kind
   Index count_;
 };
 

@@ -1,8 +1,8 @@
 // docs/semantics.md, section 7: inputs of several records, which are taken together.
 // SPDX-License-Identifier: MIT
 //
-// In overflow slots the records of one input are published from the last to the first, the leader, and all places are
-// reserved before: who sees a record whose leader is still to come leaves it where it is.
+// In overflow slots the records of one input are published from the last to the first, the leader, after all places are
+// reserved: a reader that sees a record whose leader is still missing leaves it in its slot.
 
 #include "runtime/core/engine/inbox.hpp"
 
@@ -14,21 +14,21 @@ void link(std::span<Input> records) {
   for (std::size_t i = 0; i + 1 < records.size(); ++i) records[i].more = true;
 }
 
-/// The writer published it before the first one.
+/// The next record is there: the writer published it before the first one.
 const Input* Inbox::take_more() {
   if (!by_slot_) return take_cell() ? &record_ : nullptr;
-  OverflowSlot* const next = first_of(given_->in_hand().ticket);
-  if (next != nullptr) give(*next);
+  OverflowSlot* const next = first_of(taken_->held_note().ticket);
+  if (next != nullptr) deliver(*next);
   return next != nullptr ? &record_ : nullptr;
 }
 
 bool Inbox::post_in_turn(std::span<const Input> records) {
-  return !any(records, [&](const Input& record) { return waits_outside(record.thing); }) && claim(records);
+  return !any(records, [&](const Input& record) { return is_pending(record.thing); }) && claim(records);
 }
 
 void Inbox::reserve(std::span<Input> records) {
   for (std::size_t i = 0; i < records.size(); ++i) {
-    const Index slot = records[i].thing; // asked twice, the last one counts
+    const Index slot = records[i].thing; // of two requests for one task, the last one counts
     const bool again = any(records.subspan(i + 1), [&](const Input& later) { return later.thing == slot; });
     records[i].handle = !again && slot < slots_.size() ? reserve(slot) : nil;
   }
@@ -48,13 +48,12 @@ void Inbox::publish(std::span<const Input> records) {
   }
 }
 
-/// Back into its slot, if the rest of its input is about to be published. A later record may have come meanwhile; then
-/// this one is forgotten.
+/// Puts a record back if the rest of its input is about to be published. If a later one has come, this one is lost.
 void Inbox::wait_for_leader(OverflowSlot& slot) {
   using PlaceState = OverflowSlot::PlaceState;
-  const OverflowSlot::Note& note = slot.in_hand();
+  const OverflowSlot::Note& note = slot.held_note();
   const OverflowSlot& first = slots_[note.leader];
-  if (first.held != nil && &first != given_ && first.in_hand().ticket == note.ticket) return;
+  if (first.held != nil && &first != taken_ && first.held_note().ticket == note.ticket) return;
   const std::uint32_t leading = first.states.load(std::memory_order_acquire);
   if (OverflowSlot::find(leading, PlaceState::filling) == nil && !OverflowSlot::any_published(leading)) return;
   const std::uint32_t before = change(slot.states, [&](std::uint32_t now) {
@@ -63,13 +62,13 @@ void Inbox::wait_for_leader(OverflowSlot& slot) {
   });
   if (OverflowSlot::any_published(before)) count_lost();
   slot.held = nil;
-  --in_hand_;
-  spoken_.store(1, std::memory_order_relaxed);
+  --held_count_;
+  unseen_.store(1, std::memory_order_relaxed);
 }
 
 OverflowSlot* Inbox::first_of(std::uint32_t ticket) {
   for (OverflowSlot& slot : slots_) {
-    if (slot.held != nil && &slot != given_ && slot.in_hand().ticket == ticket) return &slot;
+    if (slot.held != nil && &slot != taken_ && slot.held_note().ticket == ticket) return &slot;
   }
   return nullptr;
 }

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // Two buffers between one writer and any number of readers, in any threads: the writer fills one while readers may be
-// in the other. Nobody waits for anybody: readers only enter the buffer that was finished last, so the other one
-// becomes empty by itself. Needs what the inbox needs.
+// in the other. No thread waits: readers only enter the buffer that was finished last, so the other one becomes empty
+// by itself. Needs the same atomics as the inbox.
 
 #include "runtime/core/base/tables.hpp"
 
@@ -13,23 +13,23 @@ namespace director {
 
 class DoubleBuffer {
 public:
-  // The writer's.
+  // For the writer.
 
-  /// A buffer to write into; nil: somebody is still in the older one, and this time is left out.
+  /// A buffer to write into; nil: a reader is still in the older one, and nothing can be written this time.
   Index begin() const {
     const std::uint32_t now = state_.load(std::memory_order_acquire);
     const Index spare = last(now) == 1 ? 1 : 0;
     return readers(now, spare) == 0 ? spare : nil;
   }
-  /// From now on readers enter this one.
+  /// Makes readers enter this buffer from now on.
   void finish(Index buffer) {
     std::uint32_t now = state_.load(std::memory_order_relaxed);
     while (!replace(now, (now & ~3U) | (buffer + 1U))) {}
   }
 
-  // The readers'.
+  // For readers.
 
-  /// The buffer that was finished last; nil: none was, or 255 readers are in it.
+  /// Enters the buffer that was finished last; nil: there is none, or 255 readers are in it.
   Index enter() {
     std::uint32_t now = state_.load(std::memory_order_relaxed);
     while (last(now) != 0) {
@@ -52,7 +52,7 @@ private:
     return state_.compare_exchange_weak(now, next, std::memory_order_acq_rel, std::memory_order_relaxed);
   }
 
-  /// Bits 0-1: 0, or one more than the buffer to enter; then a byte for each buffer's readers.
+  /// Bits 0-1: 0, or one more than the buffer to enter; then a byte for the number of readers of each buffer.
   std::atomic<std::uint32_t> state_{0};
 };
 

@@ -1,4 +1,4 @@
-// docs/semantics.md, section 2, as one may see it from outside.
+// docs/semantics.md, section 2: the state as it can be read from outside.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/inspect/view.hpp"
@@ -41,7 +41,7 @@ Holding View::holding(Index group) const {
 View View::copy(std::byte* buffer) const {
   View out = *this;
   out.each(Shape::of(*tables), [&]<class T>(const T*& array, std::size_t count) {
-    T* const to = reinterpret_cast<T*>(buffer); // the buffer's bytes become these arrays
+    T* const to = reinterpret_cast<T*>(buffer); // the arrays are created in the bytes of the buffer
     for (std::size_t i = 0; i < count; ++i) to[i] = array[i];
     array = to;
     buffer += count * sizeof(T);

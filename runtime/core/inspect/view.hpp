@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What holds at one moment between micro-steps, as far as one may ask from outside: who holds what, who asks for what,
-// the values. A view looks at the memory of an engine, or at a copy of it (snapshot.hpp).
+// The state between two micro-steps, as it can be read from outside: holders, requests, values. A view reads the memory
+// of an engine, or a copy of it (snapshot.hpp).
 
 #include "runtime/core/base/state.hpp"
 
@@ -9,32 +9,32 @@ namespace director {
 
 class Engine;
 
-/// Who holds a group.
+/// The holder of a group.
 struct Holding {
   enum class By : std::uint8_t {
     nobody,
     program, ///< requested as a root task
     group,   ///< requested or needed by `group`
-    limbo,   ///< nobody any more, but it is kept alive for who is about to ask for it
+    limbo,   ///< in limbo: kept for a stale group that may still request it
   };
   By by = By::nobody;
   Index group = nil;
   Index edge = nil;
-  bool granted = false; ///< false: it is only held for a need and was not asked for yet
+  bool granted = false; ///< false: it is held only as a need, and was not requested yet
   constexpr bool operator==(const Holding&) const = default;
 };
 
 struct View {
   const Tables* tables = nullptr;
   Time now = 0;                 ///< the engine's time
-  std::uint64_t micro_step = 0; ///< how many were taken
-  std::uint32_t lost = 0;       ///< inputs so far that were refused, as the inbox was full, or replaced by a later one
+  std::uint64_t micro_step = 0; ///< micro-steps taken
+  std::uint32_t lost = 0; ///< inputs that were refused so far, because the inbox was full, or replaced by a later one
 
   // One row for each group, edge, provider or state; see State.
   const Requested* request = nullptr;
   const StateValue* values = nullptr;
   const GroupAssignment* assignment = nullptr;
-  const Queued* queued_edge = nullptr; ///< by the last pass
+  const Queued* queued_edge = nullptr; ///< why it is queued, by the last pass
   const RunQueueEntry* run_queue = nullptr;
   const Bits* enabled = nullptr;
 
@@ -43,12 +43,11 @@ struct View {
   bool granted(Index group) const { return assignment[group].granted(); }
   bool requested(Index edge) const { return request[edge].level != nil; }
   RunState state(Index edge) const;                             ///< of a request: running, queued or none
-  Queued queued(Index edge) const { return queued_edge[edge]; } ///< why it does not run
+  Queued queued(Index edge) const { return queued_edge[edge]; } ///< why it is queued
   Holding holding(Index group) const;
 
 private:
-  /// Calls visit(array, count) for every array; none is to be aligned to more than the one before. Stands before who
-  /// needs it while compiling: clang++ asks for that.
+  /// Calls visit(array, count) for every array, in decreasing alignment. clang++ needs it before its uses.
   template <class Visit>
   constexpr void each(const Shape& n, Visit&& visit) {
     visit(request, n.edges), visit(values, n.states), visit(assignment, n.groups);
@@ -56,18 +55,18 @@ private:
   }
 
 public:
-  /// Bytes that a copy takes, aligned to 8.
+  /// The size of a copy, in bytes; it is aligned to 8.
   static constexpr std::size_t bytes(const Shape& shape) {
     View view;
     std::size_t size = 0;
     view.each(shape, [&]<class T>(const T*, std::size_t count) { size += count * sizeof(T); });
     return (size + 7) / 8 * 8;
   }
-  /// A view of a copy in a buffer of that many bytes.
+  /// Copies the arrays to a buffer of that size; returns a view of the copy.
   View copy(std::byte* buffer) const;
 };
 
-/// Looks at the memory of the engine.
+/// A view of the memory of the engine.
 View view_of(const Engine& engine);
 
 } // namespace director

@@ -1,9 +1,9 @@
-// docs/semantics.md, section 4, for people: why a group runs or does not.
+// docs/semantics.md, section 4: explains why a group runs or does not.
 // SPDX-License-Identifier: MIT
 //
-// The last pass has noted for each request why it was refused; what is looked for here is the whom and the where. Who
-// holds what is read after the pass, so somebody weaker may have got what was left over: a holder counts as in the way
-// only if it goes before the request or is its equal.
+// The last pass has noted for each request why it was refused; here the group and the edge in the way are found.
+// Holders are read after the pass, when a weaker request may have got what was left: a holder is in the way only if it
+// goes before the request or is its equal.
 
 #include "runtime/core/inspect/why.hpp"
 
@@ -15,9 +15,9 @@ namespace {
 
 using Kind = Because::Kind;
 
-class Asking {
+class Explainer {
 public:
-  explicit Asking(const View& view) : v_(view), t_(*view.tables) {}
+  explicit Explainer(const View& view) : v_(view), t_(*view.tables) {}
 
   Because about(Index group) {
     Because out;
@@ -46,9 +46,9 @@ public:
   }
 
 private:
-  /// One group of a choice in the making: the target, then what is needed, depth first.
+  /// One group of a choice in construction: the target, then needs, depth first.
   struct Entry {
-    Index edge = nil; ///< that would claim it
+    Index edge = nil; ///< edge that would claim it
     Index provider = nil;
     const Entry* needer = nullptr; ///< null: it is the target
     Index place = 0;               ///< of the need among those of its needer
@@ -77,7 +77,7 @@ private:
   }
   Index urgency(Index edge) const { return arbitration::urgency(t_, edge, v_.request[edge].level); }
 
-  /// By rules 1 to 4 of the order, or equal and there before.
+  /// Whether `theirs` goes before `ours` by rules 1 to 4 of the order, or is its equal and was there first.
   bool goes_first(Index theirs, Index ours, Rivalry& out) const {
     using arbitration::Chains, arbitration::Parting, arbitration::Place, arbitration::Verdict;
     out = {};
@@ -92,7 +92,7 @@ private:
     }
     out.ours = at_ours.edge, out.theirs = at_theirs.edge;
     out.common = requester(out.ours);
-    if (v_.is_limbo(out.ours) || v_.is_limbo(out.theirs)) { // limbo goes after everything, and nobody is told of it
+    if (v_.is_limbo(out.ours) || v_.is_limbo(out.theirs)) { // limbo goes after everything, and no message mentions it
       out.won_by = Precedence::optional;
       return v_.is_limbo(out.ours);
     }
@@ -106,14 +106,14 @@ private:
     return verdict.order >= 0;
   }
 
-  /// Rule 5. What is held without a request is younger than every request.
+  /// Rule 5. An edge that holds its target without a request is younger than every request.
   bool is_older(Index ours, Index theirs) const {
     if (v_.requested(ours) != v_.requested(theirs)) return v_.requested(ours);
     if (v_.request[ours].stamp != v_.request[theirs].stamp) return v_.request[ours].stamp < v_.request[theirs].stamp;
     return ours < theirs;
   }
 
-  /// Of the requests for a group, the one that goes first.
+  /// The request for a group that goes first.
   Index first_request(Index group) const {
     Index first = nil;
     for (const Index edge : t_.list(t_.groups[group].requesters)) {
@@ -133,8 +133,7 @@ private:
 
   bool in_unit(Index edge) const { return v_.requested(edge) && !alone(edge); }
 
-  /// A unit stands where the first of its members does, which is this one for a member and a rival outside; for others
-  /// the sibling itself.
+  /// The edge that orders the sibling: the first member of its unit if the rival is outside of it, else the sibling.
   Index first_of_unit(Index sibling, Index rival) const {
     if (!in_unit(sibling) || in_unit(rival)) return sibling;
     Index first = nil;
@@ -146,15 +145,15 @@ private:
     return first;
   }
 
-  /// A holder is the sibling, or all from it up to the sibling is held as a need of that: it was granted with it. So it
-  /// is with a request that holds nothing only where it is the sibling.
+  /// Whether the holder was granted together with the sibling: it is the sibling, or every edge from it up to the
+  /// sibling is held as a need. A request that holds nothing must be the sibling.
   bool came_with(Index holder, Index sibling) const {
     while (holder != sibling && v_.holder(target(holder)) == holder && v_.assignment[target(holder)].needed())
       holder = above(holder);
     return holder == sibling;
   }
 
-  /// Calls found(member) for the request and then for the others of its unit, until it says true: that is the member.
+  /// Calls found(member) for the request, then the others of its unit, until it returns true: `out.member`.
   template <class Found>
   bool any_member(Because& out, Found found) const {
     if (found(out.edge)) return true;
@@ -167,15 +166,14 @@ private:
     return false;
   }
 
-  /// The group, or the first one above it that is granted, is about to run for a task that is new, or nobody asks for
-  /// it any more, or somewhere above one is only kept for an heir: what stands below limbo is compared by no rule that
-  /// would say anything to people.
-  bool orders_change(Index group) const {
+  /// Whether the requests of the group may change: it, or the first one above it that is granted, is about to run for a
+  /// new task or is not held, or a group above it is in limbo, below which no rule of the order is worth explaining.
+  bool requests_may_change(Index group) const {
     for (bool granted = false; group != nil; group = requester(v_.holder(group))) {
       const Index holder = v_.holder(group);
       if (holder == nil) return !granted;
       if (v_.is_limbo(holder)) return true;
-      if (!granted && v_.granted(group) && v_.run_queue[group].pending.has(reason::outdating)) return true;
+      if (!granted && v_.granted(group) && v_.run_queue[group].pending.has(reason::makes_stale)) return true;
       granted = granted || v_.granted(group);
     }
     return false;
@@ -184,7 +182,7 @@ private:
   void explain(Because& out) {
     const Queued queued = v_.queued(out.edge);
     out.kind = Kind::outdated;
-    if (orders_change(requester(out.edge))) return;
+    if (requests_may_change(requester(out.edge))) return;
     switch (queued.why) {
     case Why::waiting: return waits(out, queued.condition);
     case Why::deferred: out.kind = Kind::deferred; return;
@@ -207,7 +205,7 @@ private:
     }
   }
 
-  /// Which provider of a choice has the condition.
+  /// Finds the provider of a choice that has the condition.
   bool has_condition(Index member, Index condition, Index& provider) const {
     const auto has = [&](const Entry& last) {
       for (const Entry* entry = &last; entry != nullptr; entry = entry->before) {
@@ -235,9 +233,9 @@ private:
     goes_first(out.holder, out.member, out.rivalry);
   }
 
-  /// Goes through the choices for the target of a member, its entry, whose providers are enabled, in order; what is not
-  /// accepted is not gone into. True as soon as found(last entry) says so of a whole one. Calls itself once for each
-  /// group of a choice: the entries lie on the stack.
+  /// Tries the choices for the target of a member, with enabled providers only, in order; an entry that is not accepted
+  /// is not extended. True as soon as found(last entry) is true for a complete one. Recursive, once for each group of a
+  /// choice: the entries are on the stack.
   template <class Accept, class Found>
   bool any_choice(Entry entry, const Accept& accept, const Found& found) const {
     const Range providers = t_.groups[target(entry.edge)].providers;
@@ -257,12 +255,12 @@ private:
     }
     next.edge = t_.list(t_.providers[next.needer->provider].needs)[next.place];
     for (const Entry* entry = &last; entry != nullptr; entry = entry->before) {
-      if (target(entry->edge) == target(next.edge)) return false; // it cannot be held for two purposes
+      if (target(entry->edge) == target(next.edge)) return false; // it cannot be held for two needs
     }
     return any_choice(next, accept, found);
   }
 
-  /// Else `lacks` is the first group found without an enabled provider, or the target.
+  /// Whether the member has a choice. If not, `lacks` is the first group without an enabled provider, or the target.
   bool has_choice(Index member, Index& lacks) const {
     lacks = target(member);
     const auto accept = [&](const Entry& entry) {
@@ -275,7 +273,7 @@ private:
     return any_choice({.edge = member}, accept, all);
   }
 
-  /// In every choice something is: what it is in the first one, and which provider needs it (nil: it is the target).
+  /// Whether every choice has a held group: that of the first choice, and the provider that needs it (nil: the target).
   bool is_held(Index member, Index& group, Index& provider) const {
     group = provider = nil;
     const auto held = [&](const Entry& entry) {
@@ -302,10 +300,10 @@ private:
 
 } // namespace
 
-Because why(const View& view, Index group) { return Asking(view).about(group); }
+Because why(const View& view, Index group) { return Explainer(view).about(group); }
 
 bool stands_in_the_way(const View& view, Index holder, Index edge) {
-  return Asking(view).stands_in_the_way(holder, edge);
+  return Explainer(view).stands_in_the_way(holder, edge);
 }
 
 } // namespace director

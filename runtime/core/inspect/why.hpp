@@ -1,20 +1,20 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Why does this group not run? Found from the tables and from what holds, without memory of its own. It tells of the
-// request that would be granted first, and of the first thing that keeps it: where there are alternatives, there may be
-// more in the way than what is told. In words for people, where names are compiled in: why_text.cpp.
+// Explains why a group does not run, from the tables and the state, without memory of its own. The explanation is about
+// the request that would be granted first, and the first thing in its way; if there are alternatives, there may be
+// more. As a sentence, if names are compiled in: why_text.cpp.
 
 #include "runtime/core/inspect/view.hpp"
 
 namespace director {
 
-/// Where the chains of requesters of two rivals part.
+/// The place at which the chains of two rival edges part.
 struct Rivalry {
   Precedence won_by = Precedence::equal; ///< the rule that decided
   Index common = nil;                    ///< the closest common requester, a group; nil: the program
   Index ours = nil;                ///< the edges of that requester that lead to the two; nil with Precedence::above
-  Index theirs = nil;              ///< likewise, of the rival
-  Index our_first = nil;           ///< by whose priority `ours` goes: its own, or that of the first member of its unit
+  Index theirs = nil;              ///< likewise, for the rival
+  Index our_first = nil;           ///< the edge that gives `ours` its priority: itself, or the first member of its unit
   Index their_first = nil;         ///< likewise
   std::int32_t our_priority = 0;   ///< of `our_first`
   std::int32_t their_priority = 0; ///< of `their_first`
@@ -22,33 +22,34 @@ struct Rivalry {
   constexpr bool operator==(const Rivalry&) const = default;
 };
 
-/// Why a group does not run. Which members count depends on `kind`; the others are `nil`.
+/// Why a group does not run. The members that count depend on `kind`; the others are `nil`.
 struct Because {
-  /// What keeps it.
+  /// The cause.
   enum class Kind : std::uint8_t {
-    running,       ///< it does run: for `edge`, in `provider`
-    not_requested, ///< neither the program nor a group that is live asks for it
-    no_provider,   ///< no provider of `group` is enabled (or what all of its providers need has none)
+    running,       ///< it runs: for `edge`, in `provider`
+    not_requested, ///< neither the program nor a live group requests it
+    no_provider,   ///< no provider of `group` is enabled (or none of a group that all of them need)
     lost,          ///< `group`, the target of `member`, is held by `holder`, which goes first: `rivalry`
-    need_held,     ///< likewise, where `group` is something that `provider` of that target needs
-    together,      ///< what one unit asks for cannot be had together: its members need the same
-    condition, ///< `condition` is false; `causer` could make it true, by a push or else (nil: nobody who is enabled)
-    outdated,  ///< its requester, or one above, has not run yet since its own task changed, or is only kept for an heir
-    deferred,  ///< somebody stronger is about to run, and may ask for what it needs
-    reserved,  ///< it is held for `holder`, whose requester needs it and did not ask for it yet
-    limbo,     ///< its requester is gone; it is kept for who is about to ask for it
+    need_held,     ///< likewise, but `group` is needed by `provider`, a provider of that target
+    together,      ///< the members of one unit need the same group
+    condition,     ///< `condition` is false; `causer` promises it (nil: no enabled provider does)
+    outdated,      ///< its requester, or a group above, is stale, or in limbo
+    deferred,      ///< a stronger stale group is about to run, and may request what it needs
+    reserved,      ///< it is held as a need, by `holder`, and was not requested yet
+    limbo,         ///< it is kept for a stale group that may still request it
   };
-  Kind kind = Kind::not_requested; ///< says which of the others count
-  Index asked = nil;               ///< the group that this is about
-  Index edge = nil;                ///< the request that it is about; nil: there is none
-  Index member = nil;    ///< of that request's unit (all or nothing), the edge that cannot be granted; often `edge`
-  Index group = nil;     ///< what is in the way, or lacks
-  Index provider = nil;  ///< running: the active one; need_held: that which has the need; condition: that which waits
-  Index holder = nil;    ///< edge that holds `group`
-  Index condition = nil; ///< the first that is false
-  Index causer = nil;    ///< the first enabled provider that promises it
-  Index causer_group = nil; ///< of `causer`
-  Rivalry rivalry{};        ///< who goes first of the request and `holder`, and why
+  Kind kind = Kind::not_requested; ///< the other members that count depend on it
+  Index asked = nil;               ///< the group in question
+  Index edge = nil;                ///< the request in question; nil: there is none
+  Index member = nil;              ///< the member of that request's unit that cannot be granted; often `edge`
+  Index group = nil;               ///< the group in the way, or without a provider
+  Index provider =
+      nil; ///< running: the active one; need_held: the one with the need; condition: the one with the condition
+  Index holder = nil;       ///< the edge that holds `group`
+  Index condition = nil;    ///< the first false condition
+  Index causer = nil;       ///< the first enabled provider that promises `condition`
+  Index causer_group = nil; ///< the group of `causer`
+  Rivalry rivalry{};        ///< why `holder` goes before the request
   /// All members are the same.
   constexpr bool operator==(const Because&) const = default;
 };
@@ -56,26 +57,26 @@ struct Because {
 /// By number; generated code has `behaviour.why<Task>()`.
 Because why(const View& view, Index group);
 
-/// What edge `holder` holds is in the way of the request `edge`: it goes before it, or is its equal.
+/// Whether edge `holder` goes before the request `edge`, or is its equal, so that what it holds is in the way.
 bool stands_in_the_way(const View& view, Index holder, Index edge);
 
-/// What rows are called. `self` is given back to each function. For `why` alone the first four are enough.
+/// The names of rows. `self` is the first argument of each function. `why` uses only the first four functions.
 struct Names {
-  const void* self = nullptr;                                                         ///< given to each function
-  const char* (*group)(const void* self, Index row) = nullptr;                        ///< `Walk`
-  const char* (*provider)(const void* self, Index row) = nullptr;                     ///< without its group
-  const char* (*edge)(const void* self, Index row) = nullptr;                         ///< `root>Walk`
-  const char* (*condition)(const void* self, Index row) = nullptr;                    ///< `Stability == standing`
-  const char* (*state)(const void* self, Index row) = nullptr;                        ///< `Stability`
+  const void* self = nullptr;                                      ///< the first argument of each function
+  const char* (*group)(const void* self, Index row) = nullptr;     ///< `Walk`
+  const char* (*provider)(const void* self, Index row) = nullptr;  ///< without its group
+  const char* (*edge)(const void* self, Index row) = nullptr;      ///< `root>Walk`
+  const char* (*condition)(const void* self, Index row) = nullptr; ///< `Stability == standing`
+  const char* (*state)(const void* self, Index row) = nullptr;     ///< `Stability`
   const char* (*value)(const void* self, Index state, std::int32_t number) = nullptr; ///< empty for a number of a range
   const char* (*trigger)(const void* self, Index row) = nullptr;                      ///< `Sensors`
-  const char* (*level)(const void* self, Index row) = nullptr; ///< empty for the first of a task; may be null
-  const Tables* tables = nullptr;                              ///< whose rows they are; only recorders ask
-  const char* behaviour = nullptr;                             ///< what it is called; likewise
+  const char* (*level)(const void* self, Index row) = nullptr; ///< empty for the first level of a task; may be null
+  const Tables* tables = nullptr;                              ///< the tables of these rows; only for recorders
+  const char* behaviour = nullptr;                             ///< its name; only for recorders
 };
 
-/// One line without an end of line, such as `Kick waits (root>Kick): until Stability == standing, which Walk.halting
-/// could cause`. Written into `buffer`, which it returns; cut off where that is too small (at least one byte).
+/// Writes one line without an end of line, such as `Kick waits (root>Kick): until Stability == standing, which
+/// Walk.halting could cause`, into `buffer`, which it returns; cut off if that is too small (at least one byte).
 const char* to_text(const Because& because, const Names& names, std::span<char> buffer);
 
 /// All providers that promise a condition, enabled or not.

@@ -1,4 +1,4 @@
-// The answers of why.cpp as sentences.
+// The explanations of why.cpp as sentences.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/inspect/why.hpp"
@@ -9,16 +9,16 @@ namespace {
 
 using Kind = Because::Kind;
 
-class Writing {
+class TextWriter {
 public:
-  Writing(const Names& names, std::span<char> buffer) : names_(names), buffer_(buffer) {}
+  TextWriter(const Names& names, std::span<char> buffer) : names_(names), buffer_(buffer) {}
 
-  Writing& operator<<(const char* text) {
+  TextWriter& operator<<(const char* text) {
     for (; *text != 0 && at_ + 1 < buffer_.size(); ++text) buffer_[at_++] = *text;
     buffer_[at_] = 0;
     return *this;
   }
-  Writing& operator<<(std::int32_t number) {
+  TextWriter& operator<<(std::int32_t number) {
     char digits[12];
     char* first = digits + sizeof digits - 1;
     *first = 0;
@@ -29,7 +29,7 @@ public:
     return *this << first;
   }
 
-  void tell(const Because& b) {
+  void write(const Because& b) {
     const char* const asked = group(b.asked);
     switch (b.kind) {
     case Kind::running: *this << asked << " runs (" << edge(b.edge) << ") in " << provider(b.provider); return;
@@ -108,7 +108,7 @@ private:
 } // namespace
 
 const char* to_text(const Because& because, const Names& names, std::span<char> buffer) {
-  Writing(names, buffer).tell(because);
+  TextWriter(names, buffer).write(because);
   return buffer.data();
 }
 

@@ -1,9 +1,9 @@
-// Header: runtime/core/saved/saved_rows.hpp. Test: tests/runtime/core/saved/saved_state_test.cpp,
-// tests/property/saved_test.cpp. SPDX-License-Identifier: MIT
+// Header: runtime/core/saved/saved_rows.hpp. Test: tests/runtime/core/saved/saved_state_test.cpp.
+// SPDX-License-Identifier: MIT
 //
-// What the engine takes for granted of its own memory has to be looked at here: it reads rows by these numbers, and
-// follows holders, plans and the queue, without a look at where they lead. Cost: the rows, and for each group the chain
-// of its holders and its plan.
+// Checks everything that the engine relies on in its own memory: it uses rows by these numbers, and follows holders,
+// plans and the queue, without a check of its own. Cost: the rows, and for each group the chain of its holders and its
+// plan.
 
 #include "runtime/core/engine/engine.hpp"
 #include "runtime/core/saved/saved_rows.hpp"
@@ -14,9 +14,9 @@ namespace {
 
 constexpr bool is_in(Index row, Range rows) { return rows.begin <= row && row < rows.end; }
 
-class Checking {
+class Checker {
 public:
-  Checking(const Engine& engine, const std::byte* from)
+  Checker(const Engine& engine, const std::byte* from)
       : t_(engine.tables()),
         s_(engine.memory()),
         from_(from),
@@ -32,7 +32,7 @@ public:
       for (std::size_t i = 0; i < count && good; ++i)
         good = fits(read<Row>(from_ + at_.*kind, i), static_cast<Index>(i));
     });
-    for (Index g = 0; g < t_.groups.size() && good; ++g) good = ends_at_root(g) && has_its_plan(g);
+    for (Index g = 0; g < t_.groups.size() && good; ++g) good = ends_at_root(g) && plan_is_complete(g);
     return good && places<GroupRow>(at_.groups, t_.groups.size(), &GroupRow::queue_place) &&
            places<ComponentRow>(at_.components, t_.components.size(), &ComponentRow::work_place);
   }
@@ -41,7 +41,7 @@ private:
   GroupRow row_of(Index group) const { return read<GroupRow>(from_ + at_.groups, group); }
   EdgeRow request(Index edge) const { return read<EdgeRow>(from_ + at_.edges, edge); }
 
-  /// Or nil.
+  /// The provider is nil, or one of the group.
   bool provider_of(Index group, Index provider) const {
     return provider == nil || is_in(provider, t_.groups[group].providers);
   }
@@ -56,7 +56,7 @@ private:
   bool fits(const StateRow& row, Index i) const {
     return (row.expiry == never || t_.states[i].expires != 0) && (row.by_handler == unset || head_.handlers_set != 0);
   }
-  bool fits(const PromiseRow&, Index) const { return true; } // any time may be
+  bool fits(const PromiseRow&, Index) const { return true; } // any time is possible
   bool fits(const EnabledRow& row, Index) const { return row.set <= 1; }
   bool fits(const FiredRow& row, Index) const { return row.set <= 1; }
   bool fits(const ComponentRow& row, Index) const { return (row.bits & ~component_bits) == 0; }
@@ -73,10 +73,10 @@ private:
 
   bool fits(const GroupRow& row, Index g) const {
     constexpr std::uint8_t flags = flag::granted | flag::needed | flag::in_force | flag::serving;
-    constexpr std::uint8_t reasons = 31; // those of runs
+    constexpr std::uint8_t reasons = 31; // the reasons of runs
     const bool granted = (row.flags & flag::granted) != 0, pushed = (row.flags & (flag::in_force | flag::serving)) != 0;
     if ((row.flags & ~flags) != 0 || (row.pending & ~reasons) != 0 || row.done > 3 || row.done == result::failed ||
-        row.counts > 1)
+        row.stale_matters > 1)
       return false;
     if (!holder(g, row.holder) || !provider_of(g, row.active) || !provider_of(g, row.planned) || !push(g, row.push))
       return false;
@@ -92,7 +92,7 @@ private:
            (!t_.promises.empty() && provider_of(g, row.promised.provider) && row.promised.edge < t_.edges.size());
   }
 
-  /// Or at somebody that nobody holds, or in limbo.
+  /// Whether the chain of the group ends: at root, in limbo, or at a group that is not held.
   bool ends_at_root(Index g) const {
     for (Index steps = 0; steps <= t_.groups.size(); ++steps) {
       const Index by = row_of(g).holder;
@@ -102,8 +102,8 @@ private:
     return false;
   }
 
-  /// No plan has more entries than there are groups.
-  bool has_its_plan(Index g) const {
+  /// Whether the plan of the group is complete; it cannot have more entries than there are groups.
+  bool plan_is_complete(Index g) const {
     Index provider = row_of(g).planned, end = 0;
     if (provider == nil) return true;
     for (Index next = 0;; provider = s_.reach[next++]) {
@@ -123,7 +123,7 @@ private:
     return t_.groups[group].providers.begin;
   }
 
-  /// Those that have a place stand in a row: as many as the highest place says, no two in one.
+  /// Whether the rows that have a place have the places from 0 on, each once.
   template <class Row>
   bool places(std::size_t begin, std::size_t count, Index Row::*place) const {
     std::size_t placed = 0, end = 0;
@@ -148,6 +148,6 @@ private:
 
 } // namespace
 
-bool is_possible(const Engine& engine, const std::byte* from) { return Checking(engine, from).all(); }
+bool is_possible(const Engine& engine, const std::byte* from) { return Checker(engine, from).all(); }
 
 } // namespace director::saved

@@ -1,10 +1,10 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The bytes of a saved decision state: what is written, in which order, and where it lies in the memory. A head, then a
-// row for each row of the tables, each number with its lowest byte first, without gaps; then the data of tasks
+// The bytes of a saved decision state: the numbers, their order, and their places in memory. A head, then a row for
+// each row of the tables, each number with its lowest byte first, without gaps; then the data of tasks
 // (api/saved_data.hpp). What follows from the tables or from the rest (places in the order, conditions, the tree of
-// timers) is not written but made again. Each row names its numbers once: `each` calls visit(number, place) for all of
-// them, and writing, reading and counting bytes are what is visited.
+// timers) is not saved but computed. Each row lists its numbers once: `each` calls visit(number, place) for all of
+// them, to write, read or count bytes.
 
 #include "runtime/core/engine/timers.hpp"
 
@@ -17,21 +17,21 @@ class Engine;
 
 namespace saved {
 
-/// Grows when what is written changes.
+/// Increased when the format changes.
 inline constexpr std::uint32_t format = 2;
 
-/// A `D`, the format, whether the data of tasks have their lowest byte first, and the bytes of an Index.
+/// A `D`, the format, the byte order of the data of tasks, and the bytes of an Index.
 inline constexpr std::uint32_t version_word = 0x44000000U | format << 16 |
                                               (std::endian::native == std::endian::little ? 0U : 0x100U) |
                                               static_cast<std::uint32_t>(sizeof(Index));
 
-/// The check sum is of what lies from this byte on: behind HeadRow::version and itself.
+/// The first byte in the check sum: behind HeadRow::version and the check sum itself.
 inline constexpr std::size_t summed_from = 8;
 
-/// Of State::component, what lasts longer than a micro-step.
-inline constexpr std::uint8_t component_bits = work::changed | work::unsettled | work::stale_counts;
+/// The bits of State::component that last longer than a micro-step.
+inline constexpr std::uint8_t component_bits = work::changed | work::unsettled | work::stale_matters;
 
-/// Where a number lies: a member of a row of an array that is there.
+/// The place of a number: a member of a row of an array, if that is there.
 template <class T>
 constexpr T* at(T* array, Index row) {
   return array == nullptr ? nullptr : array + row;
@@ -43,10 +43,10 @@ constexpr Member* at(T* array, Index row, Member T::*member) {
 
 struct HeadRow {
   std::uint32_t version = version_word;
-  std::uint32_t check_sum = 0; ///< of all that follows it
-  std::uint32_t size = 0;      ///< in bytes, of all
-  std::uint64_t behaviour = 0; ///< its fingerprint
-  Time now = 0, until = 0;     ///< as in Counters, as what follows
+  std::uint32_t check_sum = 0; ///< of all bytes that follow it
+  std::uint32_t size = 0;      ///< of the whole state, in bytes
+  std::uint64_t behaviour = 0; ///< the fingerprint of the behaviour
+  Time now = 0, until = 0;     ///< these and the following as in Counters
   std::uint64_t micro_step = 0;
   std::uint8_t begun = 0, unsettled = 0, handlers_set = 0, serving = 0;
   constexpr void each(auto visit, const State& s = {}) {
@@ -74,8 +74,8 @@ struct GroupRow {
   std::uint8_t flags = 0; ///< bits of `flag`
   Push push{};
   Time wait = never, every = never; ///< when these timers are due
-  Index queue_place = nil;          ///< in the queue of runs; in the memory in State::reach
-  std::uint8_t pending = 0, done = 0, counts = 0;
+  Index queue_place = nil;          ///< place in the run queue; in memory in State::reach
+  std::uint8_t pending = 0, done = 0, stale_matters = 0;
   Index data_from = nil;
   Promised promised{};
   constexpr void each(auto visit, const State& s = {}, Index g = 0) {
@@ -88,7 +88,8 @@ struct GroupRow {
     visit(push.condition, at(pushes, 0, &Push::condition));
     visit(wait, Timers::Timer{Timers::Kind::wait, g}), visit(every, Timers::Timer{Timers::Kind::every, g});
     visit(queue_place, at(s.reach, g)), visit(pending, at(s.run_queue, g, &RunQueueEntry::pending));
-    visit(done, at(s.run_queue, g, &RunQueueEntry::done)), visit(counts, at(s.run_queue, g, &RunQueueEntry::counts));
+    visit(done, at(s.run_queue, g, &RunQueueEntry::done)),
+        visit(stale_matters, at(s.run_queue, g, &RunQueueEntry::stale_matters));
     visit(data_from, at(s.data_from, g)), visit(promised.edge, at(s.promised, g, &Promised::edge));
     visit(promised.provider, at(s.promised, g, &Promised::provider));
   }
@@ -116,7 +117,7 @@ struct PromiseRow {
   }
 };
 
-/// Of a provider: whether it is enabled. Of a listening slot: whether the trigger fired.
+/// For a provider, whether it is enabled; for a listening slot, whether the trigger fired.
 template <Bits* State::*array>
 struct FlagRow {
   std::uint8_t set = 0;
@@ -127,7 +128,7 @@ using FiredRow = FlagRow<&State::fired>;
 
 struct ComponentRow {
   std::uint8_t bits = 0;  ///< of `work`
-  Index work_place = nil; ///< among those that are to be decided next; in the memory in State::reach
+  Index work_place = nil; ///< place among the components to be decided next; in memory in State::reach
   constexpr void each(auto visit, const State& s = {}, Index c = 0) {
     visit(bits, at(s.component, c)), visit(work_place, at(s.reach, c));
   }
@@ -140,12 +141,12 @@ constexpr std::size_t bytes_of() {
   return bytes;
 }
 
-/// Where the rows of each kind begin.
+/// The places where the rows of each kind begin.
 struct Layout {
   std::size_t edges = 0, groups = 0, plan = 0, states = 0, promises = 0, providers = 0, listens = 0, components = 0;
   std::size_t data = 0;
 
-  /// Calls visit.operator()<Row>(where they begin, how many there are) for each kind, as they follow one another.
+  /// Calls visit.operator()<Row>(where they begin, how many there are) for each kind, in order.
   static constexpr void each_kind(const Shape& n, auto visit) {
     visit.template operator()<EdgeRow>(&Layout::edges, n.edges);
     visit.template operator()<GroupRow>(&Layout::groups, n.groups);
@@ -188,9 +189,8 @@ Row read(const std::byte* begin, std::size_t row) {
   return out;
 }
 
-/// Of bytes that are as many as the tables ask for: every number is one of a row that there is and that may stand
-/// there, and what the engine follows (holders, plans, the queue) comes to an end. Only scratch memory of the engine is
-/// written. saved_check.cpp
+/// Whether the bytes are a possible state: every number is one of an existing row and allowed there, and what the
+/// engine follows (holders, plans, the queue) ends. Writes only scratch memory of the engine. saved_check.cpp
 bool is_possible(const Engine& engine, const std::byte* from);
 
 } // namespace saved

@@ -13,9 +13,9 @@ namespace saved {
 
 namespace {
 
-[[gnu::used]] const char* const uses = &part::timers; // another program's bodies may have waited
+[[gnu::used]] const char* const uses = &part::timers; // bodies of the program that saved may have waited
 
-/// As long after `to` as it was after `from`, as far as a Time goes; a timer that is armed stays so.
+/// The time that is as long after `to` as this one was after `from`, in the range of Time; the timer stays armed.
 Time moved(Time time, Time from, Time to) {
   if (time == never) return never;
   const Time after = from == first_time ? detail::saturated_sum(detail::saturated_sum(time, never), 1)
@@ -24,14 +24,14 @@ Time moved(Time time, Time from, Time to) {
   return out > last_time ? last_time : out;
 }
 
-/// The engine's memory, where rows say where their numbers lie. Promises are nowhere if there are none.
+/// The memory of the engine, for rows that say where their numbers are. Without promises there is no array of them.
 State memory_of(const Engine& engine) {
   State out = engine.memory();
   if (engine.tables().promises.empty()) out.promised = nullptr;
   return out;
 }
 
-/// A number of a row from where it lies, or the time at which a timer is due.
+/// Reads a number of a row from its place in memory, or the time of a timer.
 struct FromMemory {
   const Timers& timers;
   template <class Number, class T>
@@ -39,7 +39,7 @@ struct FromMemory {
     if (place != nullptr) number = static_cast<Number>(*place);
   }
   void operator()(Time& due, Timers::Timer timer) const { due = timers.due(timer); }
-  void operator()(auto&) const {} // it lies nowhere
+  void operator()(auto&) const {} // it has no place in memory
 };
 
 } // namespace
@@ -103,7 +103,7 @@ LoadResult can_load(const Engine& engine, std::span<const std::byte> from, std::
 
 } // namespace saved
 
-/// Puts a state that was checked into an engine.
+/// Loads a state that was checked into an engine.
 class LoadedState {
 public:
   LoadedState(Engine& engine, const std::byte* from, Time now)
@@ -112,7 +112,7 @@ public:
         s_(saved::memory_of(engine)),
         head_(saved::read<saved::HeadRow>(from, 0)),
         now_(now > last_time ? last_time : now) {
-    const std::uint64_t passes = engine_.passes_; // counts on, as all that says what the engine did
+    const std::uint64_t passes = engine_.passes_; // not reset, like all counters of what the engine did
     engine_.reset();
     engine_.passes_ = passes;
     const Shape n = Shape::of(t_);
@@ -147,7 +147,7 @@ private:
     if (timer.kind == Timers::Kind::wait) s_.run_queue[timer.row].flags |= group_flag::waits;
   }
 
-  /// The places in it are in State::reach.
+  /// Fills the run queue from the places in State::reach.
   void queue() {
     Index count = 0;
     for (Index g = 0; g < t_.groups.size(); ++g) {
@@ -158,15 +158,15 @@ private:
     for (Index i = 0; i < count; ++i) engine_.queue().enter(s_.touched[i]);
   }
 
-  /// Before anything has begun, so that no component is to be decided for what they are.
+  /// Called before `begun` is set, so that no component is marked for a new decision.
   void states() {
     for (Index i = 0; i < t_.states.size(); ++i) {
-      engine_.look_at_conditions(i);
+      engine_.update_conditions(i);
       if (s_.handler_values[i] != unset) s_.handled[s_.counters->handled_count++] = i;
     }
   }
 
-  /// The places of those that are to be decided are in State::reach.
+  /// Lists the components to be decided, whose places are in State::reach.
   void components() {
     for (Index c = 0; c < t_.components.size(); ++c) {
       s_.component[c] |= work::reordered;
@@ -179,7 +179,7 @@ private:
     }
   }
 
-  /// Follows from who holds what, and from the requests: they are those of the last pass.
+  /// Restores the order of the component from holders and requests, which are those of the last pass.
   void order(Index component) {
     const Component& row = t_.components[component];
     Index* const groups = s_.order + row.order;

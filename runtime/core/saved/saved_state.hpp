@@ -1,39 +1,38 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The decision state of an engine as bytes, to be put into another engine, or into the same one later: a program, a
-// simulator or a debugger goes on from there as if nothing had been between. Written are requests, values, timers, who
-// holds what and why not, who is to run: all that decides, and why requests are queued. Not written are the inbox,
-// which has to be empty, what was lost so far, budgets, counters of work, and the observer; those of the engine that
-// loads stay as they are.
+// The decision state of an engine as bytes, to be loaded into another engine, or into the same one later, which
+// continues as if it had not been interrupted. Saved are requests, values, timers, the assignment, the run queue, and
+// why requests are queued. Not saved are the inbox, which has to be empty, lost inputs, budgets, counters of work, and
+// the observer; the engine that loads keeps its own.
 //
-// Whatever the bytes are, reading them is safe: behind a check sum and the behaviour's fingerprint every number is
-// compared with the tables before anything is changed (saved_check.cpp). A state made by hand can make the engine
-// decide what it would not have decided, but never read or write elsewhere, and never go round without end.
+// Reading is safe for any bytes: after a check sum and the fingerprint of the behaviour, every number is compared with
+// the tables before anything is changed (saved_check.cpp). A state made by hand can make the engine decide differently,
+// but never access other memory or loop forever.
 
 #include "runtime/core/saved/saved_rows.hpp"
 
 namespace director {
 
-/// What came of save().
+/// The result of save().
 enum class SaveResult : std::uint8_t {
   saved,
-  too_small,   ///< the span has fewer bytes than a state takes
-  inputs_wait, ///< inputs were posted that no step has taken yet: they are no part of what is saved
+  too_small,   ///< the span is smaller than a state
+  inputs_wait, ///< inputs wait that no step has taken yet, which are not saved
   refused,     ///< called from inside a body, handler or observer, in a program without assertions
 };
 
-/// What came of load(). But for `loaded` nothing has changed.
+/// The result of load(). Except for `loaded`, nothing has changed.
 enum class LoadResult : std::uint8_t {
   loaded,
-  truncated,       ///< these are not all of the bytes that were saved
-  other_version,   ///< this is no saved state, or one of another version of Director or another kind of machine
-  damaged,         ///< the check sum says that the bytes are not those that were saved
+  truncated,       ///< bytes are missing at the end
+  other_version,   ///< no saved state, or one of another version of Director or another kind of machine
+  damaged,         ///< the bytes have changed since they were saved
   other_behaviour, ///< saved by another behaviour, another version of this one, or with other types of data
-  impossible,      ///< no state that this behaviour could be in: it was not made by save()
+  impossible,      ///< no possible state of this behaviour: not made by save()
   refused,         ///< called from inside a body, handler or observer, in a program without assertions
 };
 
-/// A line for people, with what to do.
+/// A sentence for the user, with what to do.
 constexpr const char* to_text(SaveResult result) {
   switch (result) {
   case SaveResult::saved: return "saved";
@@ -46,7 +45,7 @@ constexpr const char* to_text(SaveResult result) {
   return "";
 }
 
-/// A line for people, with what to do.
+/// A sentence for the user, with what to do.
 constexpr const char* to_text(LoadResult result) {
   switch (result) {
   case LoadResult::loaded: return "loaded";
@@ -71,20 +70,20 @@ namespace saved {
 
 // For api/saved_data.hpp, which adds the data of tasks.
 
-/// All but the data and the check sum, into the first `size` of these bytes.
+/// Writes all but the data and the check sum, into the first `size` of these bytes.
 SaveResult write_decisions(const Engine& engine, std::span<std::byte> to, std::uint64_t behaviour, std::size_t size);
-/// The check sum, when all else is written; into all of these bytes.
+/// Writes the check sum, of all of these bytes, when they are complete.
 void seal(std::span<std::byte> to);
 
-/// Whether these bytes, of which `size` are needed, can be loaded, but for the data.
+/// Whether these bytes, of which `size` are needed, can be loaded, without a check of the data.
 LoadResult can_load(const Engine& engine, std::span<const std::byte> from, std::uint64_t behaviour, std::size_t size);
-/// All but the data, from bytes that can be loaded.
+/// Loads all but the data, from bytes that can be loaded.
 void read_decisions(Engine& engine, const std::byte* from, Time now);
 
 /// CRC-32, as zlib and Ethernet have it.
 std::uint32_t check_sum(std::span<const std::byte> bytes);
 
-/// One more number.
+/// Adds a number to the hash.
 constexpr std::uint64_t mix(std::uint64_t hash, std::uint64_t number) {
   for (int i = 0; i < 64; i += 8) hash = (hash ^ (number >> i & 0xFF)) * 0x100000001b3;
   return hash;
@@ -92,16 +91,16 @@ constexpr std::uint64_t mix(std::uint64_t hash, std::uint64_t number) {
 
 } // namespace saved
 
-// For engines without generated code, which keep the data of tasks, if there are any, themselves. `behaviour`: a number
-// that tells it from others, such as director::fingerprint of runtime/hosted.
+// For engines without generated code, which handle the data of tasks, if any, themselves. `behaviour`: a number that
+// differs between behaviours, such as director::fingerprint of runtime/hosted.
 
-/// Bytes that a state without data takes.
+/// The size of a state without data.
 constexpr std::size_t saved_bytes(const Shape& shape) { return saved::Layout(shape).data; }
 
-/// Into the first saved_bytes(shape) of these bytes. From the thread that steps, between steps.
+/// Writes the first saved_bytes(shape) of these bytes. From the thread that calls step(), between steps.
 [[nodiscard]] SaveResult save(const Engine& engine, std::span<std::byte> to, std::uint64_t behaviour);
 
-/// All timers are moved, so that what was due in 3 s is due 3 s after `now`. No body and no handler is called.
+/// Loads a state. What was due in 3 s is due 3 s after `now`. No body and no handler is called.
 [[nodiscard]] LoadResult load(Engine& engine, std::span<const std::byte> from, Time now, std::uint64_t behaviour);
 
 } // namespace director

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The way of events from the thread that steps a behaviour to the one that writes them: a ring of fixed size with one
-// writer and one reader. Who steps never waits, allocates or locks; what finds the ring full is counted, and the count
-// travels with the next event that finds a place, so that the reader knows where something is missing.
+// A queue of events from the thread that steps a behaviour to the one that writes them: a ring of fixed size with one
+// writer and one reader. The thread that steps never waits, allocates or locks. Events that find the ring full are
+// counted, and the count comes with the next event that is stored, so that the reader knows where events are missing.
 
 #include "runtime/core/base/observer.hpp"
 
@@ -21,7 +21,7 @@ class EventQueue {
 public:
   struct Entry {
     Event event;
-    std::uint64_t dropped = 0; ///< events that found no place before this one, since the beginning
+    std::uint64_t dropped = 0; ///< events dropped before this one, since the beginning
   };
 
   /// `size`: how many events can wait; rounded up to a power of two, 2 at least.
@@ -42,13 +42,15 @@ public:
     end_.store(end + 1, std::memory_order_release);
     return true;
   }
-  /// An event is given up.
+  /// Drops an event.
   void drop() { dropped_.store(dropped_.load(std::memory_order_relaxed) + 1, std::memory_order_release); }
 
-  /// How many events were put or dropped so far.
-  std::uint64_t told() const { return end_.load(std::memory_order_relaxed) + dropped_.load(std::memory_order_relaxed); }
+  /// The number of events put or dropped so far.
+  std::uint64_t total() const {
+    return end_.load(std::memory_order_relaxed) + dropped_.load(std::memory_order_relaxed);
+  }
 
-  /// For the thread that writes: calls `use(entry)` for each entry that waits, and gives their places back at the end.
+  /// For the thread that writes: calls `use(entry)` for each entry that waits, then frees their places.
   template <class Use>
   std::size_t take(Use use) {
     const std::uint64_t begin = begin_.load(std::memory_order_relaxed), end = end_.load(std::memory_order_acquire);
@@ -57,14 +59,14 @@ public:
     return static_cast<std::size_t>(end - begin);
   }
 
-  /// Events that found no place, so far; from any thread.
+  /// Events dropped so far; from any thread.
   std::uint64_t dropped() const { return dropped_.load(std::memory_order_acquire); }
 
 private:
   std::vector<Entry> ring_;
-  std::uint64_t seen_begin_ = 0; ///< of the thread that steps: where the reader was when it looked last
-  alignas(64) std::atomic<std::uint64_t> begin_{0}; ///< only the reader moves it
-  alignas(64) std::atomic<std::uint64_t> end_{0};   ///< only the thread that steps moves it
+  std::uint64_t seen_begin_ = 0; ///< used by the thread that steps: position of the reader when it was read last
+  alignas(64) std::atomic<std::uint64_t> begin_{0}; ///< changed only by the reader
+  alignas(64) std::atomic<std::uint64_t> end_{0};   ///< changed only by the thread that steps
   std::atomic<std::uint64_t> dropped_{0};
 };
 

@@ -11,7 +11,7 @@ namespace director {
 
 namespace {
 
-/// Field by field: rows have padding, and an Index has 16 or 32 bits.
+/// Hashes field by field: rows have padding, and an Index has 16 or 32 bits.
 class Hash {
 public:
   std::uint64_t value() const { return hash_; }
@@ -23,7 +23,7 @@ public:
   void operator()(std::int32_t number) { (*this)(static_cast<std::int64_t>(number)); }
   void operator()(bool flag) { byte(flag ? 1 : 0); }
   void operator()(Index index) { (*this)(index == nil ? ~std::uint64_t{0} : std::uint64_t{index}); }
-  /// Where nothing begins and ends does not count: generated code leaves it out.
+  /// The place of an empty range does not count: generated code leaves it out.
   void operator()(Range range) { range.empty() ? all(Index{0}, Index{0}) : all(range.begin, range.end); }
   void operator()(std::string_view text) {
     for (const char each : text) byte(static_cast<unsigned char>(each));

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A number that tells two behaviours apart: of all rows of the tables, and of what they are called.
+// A number that differs between behaviours: a hash of all rows of the tables and of their names.
 
 #include "runtime/core/inspect/why.hpp"
 
@@ -9,11 +9,11 @@
 
 namespace director {
 
-/// FNV-1a over 64 bits. The same for a program and for `directorc` where both were made from the same behaviour.
-/// `names` must have tables.
+/// FNV-1a with 64 bits. The same for a program and for `directorc` if both use the same behaviour. `names` must have
+/// tables.
 std::uint64_t fingerprint(const Names& names);
 
-/// As a trace has it: 16 hexadecimal digits.
+/// The text in a trace: 16 hexadecimal digits.
 std::string fingerprint_text(const Names& names);
 
 } // namespace director

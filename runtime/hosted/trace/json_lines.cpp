@@ -79,7 +79,7 @@ private:
       line_.text("value", name);
   }
 
-  /// By its name where the edge has no other one of that name, else by its place; the first has none.
+  /// Writes a level by its name if that is unique among the edge's, else by its place; the first level is not written.
   void level() {
     const Range levels = t_.edges[e_.edge].levels;
     if (e_.level == levels.begin) return;
@@ -121,7 +121,7 @@ private:
   const std::string file_;
 };
 
-/// None where the state has no value in the beginning.
+/// Writes nothing if the state is unset at the beginning.
 void initial_value(const Names& names, Index state, Members& row) {
   const std::int32_t initial = names.tables->states[state].initial;
   if (initial == unset) return;

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// JSON as it is written here: appended to a text, member by member.
+// Writes JSON: appended to a text, member by member.
 
 #include <charconv>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace director::json {
 
-/// Names are identifiers, conditions have no quotes; what a path has is escaped.
+/// Appends a text in quotes. Names and conditions have no characters to escape; paths may.
 inline void append_text(std::string_view text, std::string& out) {
   constexpr std::string_view digits = "0123456789abcdef";
   out += '"';

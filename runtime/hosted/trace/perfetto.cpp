@@ -1,11 +1,11 @@
 // Header: runtime/hosted/trace/trace_format.hpp. Test: tests/runtime/hosted/trace/perfetto_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// A process track for the behaviour; below it, in this order, one track for what comes from outside, one for each
-// group, with a slice for each time that a provider is in charge, those of the states, with a slice for each value, and
-// counters. Viewers merge tracks of one name below one parent, so those of the states have a parent of their own; and
-// they sort by name, where nothing else is told. Flows lead from who waits to who is pushed for it, and from
-// who loses a group to who takes it over. Numbers of fields: protos/perfetto/trace of
+// A process track for the behaviour; below it, in this order, one track for inputs, one for each group, with a slice
+// for each time that a provider is active, those of the states, with a slice for each value, and counters. Viewers
+// merge tracks of one name below one parent, so those of the states have a parent of their own; and they sort by name
+// unless a rank is given. Flows lead from a waiting task to the group that is pushed for it, and from the requester
+// that loses a group to the one that takes it over. Numbers of fields: protos/perfetto/trace of
 // https://github.com/google/perfetto; those used are in tests/support/perfetto.proto.
 #include "runtime/core/api/event_names.hpp"
 #include "runtime/hosted/decision_printer.hpp"
@@ -54,7 +54,7 @@ enum class Type : std::uint32_t { begin = 1, end = 2, instant = 3, counter = 4 }
 
 constexpr std::uint64_t process = 1, outside = 2, queued_tasks = 3, lost_inputs = 4, states = 5,
                         first_group = 16; ///< tracks
-constexpr std::uint64_t by_rank = 3;      ///< of the tracks below one
+constexpr std::uint64_t by_rank = 3;      ///< order of the tracks below one track
 constexpr std::size_t longest_line = 1000;
 
 class Perfetto final : public TraceFormat {
@@ -62,7 +62,7 @@ public:
   explicit Perfetto(const Names& names)
       : n_(names),
         t_(*names.tables),
-        in_charge_(t_.groups.size(), nil),
+        active_(t_.groups.size(), nil),
         values_(t_.states.size()),
         queued_at_(t_.edges.size(), 0) {}
 
@@ -85,17 +85,17 @@ public:
   }
 
   void event(const Event& e, std::string& out) override {
-    now_ = std::max(now_, e.time); // what is due earlier than an input is served after it
+    now_ = std::max(now_, e.time); // timers due earlier than an input are served after it
     switch (e.kind) {
     case Event::Kind::input: input(e, out); break;
     case Event::Kind::run:
-      take_charge(e.group, e.provider, out);
+      set_active(e.group, e.provider, out);
       instant(first_group + e.group, "run", reasons(e), out);
       break;
     case Event::Kind::grant: grant(e, out); break;
     case Event::Kind::lose:
-      take_charge(e.group, nil, out);
-      stop_asking(e.group, out);
+      set_active(e.group, nil, out);
+      forget_requests(e.group, out);
       break;
     case Event::Kind::queue:
       instant(first_group + e.group, line(e), {}, out);
@@ -103,7 +103,7 @@ public:
       break;
     case Event::Kind::withdraw: forget(e.edge, out); break;
     case Event::Kind::push: push(e, out); break;
-    case Event::Kind::stop: stop_asking(e.group, out); [[fallthrough]];
+    case Event::Kind::stop: forget_requests(e.group, out); [[fallthrough]];
     case Event::Kind::start:
     case Event::Kind::done:
     case Event::Kind::failed:
@@ -125,11 +125,11 @@ public:
     case Event::Kind::keep:
     case Event::Kind::wait:
     case Event::Kind::answer:
-    case Event::Kind::assign: break; // what people look for comes of them
+    case Event::Kind::assign: break; // their consequences are in the trace
     }
   }
 
-  /// Nobody knows who is in charge, what is queued and what states are worth, from here on, until it is told again.
+  /// From here on, active providers, queued requests and values are unknown until the next event about each.
   void dropped(std::uint64_t count, std::string& out) override {
     end(out);
     for (Index edge = 0; edge < t_.edges.size(); ++edge) forget(edge, out);
@@ -137,7 +137,7 @@ public:
   }
 
   void end(std::string& out) override {
-    for (Index g = 0; g < t_.groups.size(); ++g) take_charge(g, nil, out);
+    for (Index g = 0; g < t_.groups.size(); ++g) set_active(g, nil, out);
     for (Index row = 0; row < values_.size(); ++row) forget_value(row, out);
   }
 
@@ -161,13 +161,13 @@ private:
     write(packet, out);
   }
 
-  static Message told(Type type, std::uint64_t track) {
+  static Message track_event(Type type, std::uint64_t track) {
     Message event;
     event.number(event_type, static_cast<std::uint64_t>(type)).number(event_track, track);
     return event;
   }
 
-  void tell(const Message& event, std::string& out) const {
+  void append(const Message& event, std::string& out) const {
     constexpr Time nanoseconds = 1000;
     Message packet;
     packet.number(packet_timestamp, static_cast<std::uint64_t>(now_ * nanoseconds)).message(packet_track_event, event);
@@ -175,49 +175,50 @@ private:
   }
 
   void instant(std::uint64_t track, std::string_view name, std::string_view why, std::string& out) const {
-    Message event = told(Type::instant, track);
+    Message event = track_event(Type::instant, track);
     event.text(event_name, name);
     if (!why.empty())
       event.message(event_annotation, Message().text(annotation_name, "reasons").text(annotation_text, why));
-    tell(event, out);
+    append(event, out);
   }
 
   void count(std::uint64_t track, std::uint64_t value, std::string& out) const {
-    Message event = told(Type::counter, track);
+    Message event = track_event(Type::counter, track);
     event.number(event_counter, value);
-    tell(event, out);
+    append(event, out);
   }
 
-  /// From the first track to the second one.
-  void flow(std::uint64_t from, std::string_view said, std::uint64_t to, std::string_view heard, std::string& out) {
+  /// Draws a flow from the first track to the second one.
+  void flow(std::uint64_t from, std::string_view from_label, std::uint64_t to, std::string_view to_label,
+            std::string& out) {
     ++flows_;
-    Message first = told(Type::instant, from), second = told(Type::instant, to);
-    tell(first.text(event_name, said).fixed64(event_flow, flows_), out);
-    tell(second.text(event_name, heard).fixed64(event_flow_end, flows_), out);
+    Message first = track_event(Type::instant, from), second = track_event(Type::instant, to);
+    append(first.text(event_name, from_label).fixed64(event_flow, flows_), out);
+    append(second.text(event_name, to_label).fixed64(event_flow_end, flows_), out);
   }
 
-  /// A provider is in charge from now on, or nobody.
-  void take_charge(Index group, Index provider, std::string& out) {
-    if (in_charge_[group] == provider) return;
-    if (in_charge_[group] != nil) tell(told(Type::end, first_group + group), out);
-    in_charge_[group] = provider;
+  /// Ends the slice of the active provider, and begins that of this one, if any.
+  void set_active(Index group, Index provider, std::string& out) {
+    if (active_[group] == provider) return;
+    if (active_[group] != nil) append(track_event(Type::end, first_group + group), out);
+    active_[group] = provider;
     if (provider == nil) return;
-    Message slice = told(Type::begin, first_group + group);
+    Message slice = track_event(Type::begin, first_group + group);
     const std::string_view name = n_.provider(n_.self, provider);
-    tell(slice.text(event_name, name == "default" ? n_.group(n_.self, group) : name), out);
+    append(slice.text(event_name, name == "default" ? n_.group(n_.self, group) : name), out);
   }
 
   void take_value(Index row, std::int32_t value, std::string& out) {
     if (row >= values_.size() || values_[row] == value) return;
     forget_value(row, out);
     values_[row] = value;
-    Message slice = told(Type::begin, state_track(row));
+    Message slice = track_event(Type::begin, state_track(row));
     const std::string_view name = value == unset ? "unset" : n_.value(n_.self, row, value);
-    tell(slice.text(event_name, name.empty() ? std::to_string(value) : std::string(name)), out);
+    append(slice.text(event_name, name.empty() ? std::to_string(value) : std::string(name)), out);
   }
 
   void forget_value(Index row, std::string& out) {
-    if (values_[row]) tell(told(Type::end, state_track(row)), out);
+    if (values_[row]) append(track_event(Type::end, state_track(row)), out);
     values_[row].reset();
   }
 
@@ -227,10 +228,10 @@ private:
   }
 
   void grant(const Event& e, std::string& out) {
-    take_charge(e.group, e.provider, out);
-    if (e.provider == nil) stop_asking(e.group, out);
+    set_active(e.group, e.provider, out);
+    if (e.provider == nil) forget_requests(e.group, out);
     if (e.edge < t_.edges.size() && queued_at_[e.edge] != e.micro_step) forget(e.edge, out);
-    if (e.edge >= t_.edges.size() || e.other >= t_.edges.size()) return; // from nobody, or from nobody's hands
+    if (e.edge >= t_.edges.size() || e.other >= t_.edges.size()) return; // it had no holder before, or has none now
     const std::string group = n_.group(n_.self, e.group);
     flow(requester(e.other), "lose " + group, requester(e.edge), "take " + group, out);
   }
@@ -246,8 +247,8 @@ private:
     queued_at_[e.edge] = e.micro_step;
   }
 
-  /// What does not run asks for nothing.
-  void stop_asking(Index group, std::string& out) {
+  /// Removes the requests of a group that does not run.
+  void forget_requests(Index group, std::string& out) {
     for (Index edge = 0; edge < t_.edges.size(); ++edge) {
       if (t_.edges[edge].requester == group) forget(edge, out);
     }
@@ -281,9 +282,9 @@ private:
 
   const Names n_;
   const Tables& t_;
-  std::vector<Index> in_charge_;                    ///< by group: provider
-  std::vector<std::optional<std::int32_t>> values_; ///< by state; nothing: not known
-  std::vector<std::uint64_t> queued_at_; ///< by edge: the micro-step in which it was queued last; 0: it is not
+  std::vector<Index> active_;                       ///< by group: provider
+  std::vector<std::optional<std::int32_t>> values_; ///< by state; nothing: unknown
+  std::vector<std::uint64_t> queued_at_; ///< by edge: the micro-step in which it was queued last; 0: not queued
   std::uint64_t queued_ = 0, lost_ = 0, flows_ = 0;
   Time now_ = 0;
 };

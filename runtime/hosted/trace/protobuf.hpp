@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// As much of protobuf's wire format as a trace of Perfetto takes: numbers, texts, and messages inside of messages.
-// Source: https://protobuf.dev/programming-guides/encoding
+// The part of protobuf's wire format that a Perfetto trace needs: numbers, texts, and nested messages. Source:
+// https://protobuf.dev/programming-guides/encoding
 
 #include <cstdint>
 #include <string>
@@ -14,7 +14,7 @@ inline void append_varint(std::uint64_t number, std::string& out) {
   out += static_cast<char>(number);
 }
 
-/// A message in the making.
+/// A message in construction.
 class Message {
 public:
   Message& number(std::uint32_t field, std::uint64_t value) {

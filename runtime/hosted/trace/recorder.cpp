@@ -13,7 +13,7 @@
 namespace director {
 
 namespace {
-constexpr std::size_t full_buffer = 1 << 20; ///< bytes; the file gets them while more events wait
+constexpr std::size_t full_buffer = 1 << 20; ///< bytes in the buffer, after which they are written to the file
 } // namespace
 
 std::unique_ptr<TraceFormat> trace_format_of(const std::string& path, const Names& names, std::string file) {
@@ -48,8 +48,8 @@ void Recorder::close() {
   wake_.notify_one();
   writer_.join();
   write_waiting();
-  if (const std::uint64_t dropped = queue_.dropped(); dropped != told_dropped_)
-    format_->dropped(dropped - told_dropped_, buffer_);
+  if (const std::uint64_t dropped = queue_.dropped(); dropped != reported_dropped_)
+    format_->dropped(dropped - reported_dropped_, buffer_);
   format_->end(buffer_);
   flush();
   if (file_ >= 0 && ::close(file_) != 0 && good()) error_ = errno;
@@ -65,7 +65,7 @@ void Recorder::put_when_full(const Event& event) {
   while (!queue_.put(event)) {
     {
       const std::lock_guard lock(mutex_);
-      if (stop_) return queue_.drop(); // nobody takes them any more
+      if (stop_) return queue_.drop(); // the writer has stopped
       is_full_ = true;
     }
     wake_.notify_one();
@@ -73,7 +73,7 @@ void Recorder::put_when_full(const Event& event) {
   }
 }
 
-/// Who steps and need not wait wakes nobody, since that would be a system call: so the writer looks now and then.
+/// The thread that steps does not wake the writer, which would be a system call: so the writer polls.
 void Recorder::write_all() {
   std::unique_lock lock(mutex_);
   while (!stop_) {
@@ -87,9 +87,9 @@ void Recorder::write_all() {
 
 void Recorder::write_waiting() {
   queue_.take([&](const EventQueue::Entry& entry) {
-    if (entry.dropped != told_dropped_) {
-      format_->dropped(entry.dropped - told_dropped_, buffer_);
-      told_dropped_ = entry.dropped;
+    if (entry.dropped != reported_dropped_) {
+      format_->dropped(entry.dropped - reported_dropped_, buffer_);
+      reported_dropped_ = entry.dropped;
     }
     format_->event(entry.event, buffer_);
     if (buffer_.size() >= full_buffer) flush();

@@ -1,14 +1,13 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// An observer that writes all that happens in a behaviour to a file, to be looked at and played again:
+// An observer that writes all that happens in a behaviour to a file, to be viewed and replayed:
 //
 //   director::Recorder recorder{rover::names::all(), "run.jsonl"};
 //   rover::Behaviour behaviour{mission, chassis, recorder.observer()};
 //
-// The thread that steps puts each event into a queue of fixed size, which was taken from the heap before: no lock, no
-// memory, no system call. A thread of the recorder's own takes them out and writes. What finds the queue full is
-// dropped, counted, and said in the file at its place. Of a process that is killed the file has all but what happened
-// within the last `interval`.
+// The thread that steps puts each event into a queue of fixed size, allocated before: no lock, no memory, no system
+// call. A thread of the recorder takes the events out and writes them. Events that find the queue full are dropped and
+// counted, and the file says so at their place. If the process is killed, the file has all but the last `interval`.
 
 #include "runtime/hosted/trace/event_queue.hpp"
 #include "runtime/hosted/trace/trace_format.hpp"
@@ -23,18 +22,18 @@
 
 namespace director {
 
-/// An observer whose events a thread of its own writes into a file.
+/// An observer whose events are written to a file by a thread of its own.
 class Recorder {
 public:
-  /// How much waits, how long, and what happens when there is no more room.
+  /// The size of the queue, the interval, and what happens if the queue is full.
   struct Options {
-    std::size_t queue = 65'536;             ///< how many events can wait
-    std::chrono::milliseconds interval{20}; ///< how often what waits is written, from a millisecond to a day
-    bool waits = false; ///< who steps waits while the queue is full: for simulations, which run faster than the world
+    std::size_t queue = 65'536;             ///< events that can wait
+    std::chrono::milliseconds interval{20}; ///< how often events are written, from a millisecond to a day
+    bool waits = false; ///< the thread that steps waits while the queue is full: for simulations faster than real time
   };
 
-  /// What is written follows from the end of the path: JSON lines, or Perfetto's packets for `.perfetto-trace` and
-  /// `.pftrace`. A file that is there is replaced. `names`: `all()` of the behaviour's `names`.
+  /// The format follows from the end of the path: JSON lines, or Perfetto's packets for `.perfetto-trace` and
+  /// `.pftrace`. An existing file is replaced. `names`: `all()` of the behaviour's `names`.
   Recorder(const Names& names, const std::string& path);
   /// The same, with options.
   Recorder(const Names& names, const std::string& path, Options options);
@@ -47,21 +46,20 @@ public:
 
   /// For the constructor of a Behaviour, which the recorder must outlive.
   Observer observer();
-  /// Records the event; what an observer of your own may do besides.
+  /// Records the event; to be called by an observer of your own.
   void tell(const Event& event) {
     if (!queue_.put(event)) put_when_full(event);
   }
 
-  /// Writes what waits and ends the file; what is told later is not recorded. Then `error()` is about all of it:
-  /// before, what happened within the last `interval` may still fail to be written. The behaviour must not step
-  /// meanwhile.
+  /// Writes all events that wait and ends the file; later events are not recorded. After it, `error()` covers all
+  /// events: before, those of the last `interval` may still fail. The behaviour must not step meanwhile.
   void close();
 
-  /// The file could be opened, and all so far could be written. From any thread.
+  /// Whether the file could be opened, and all events so far could be written. From any thread.
   bool good() const { return error_.load(std::memory_order_relaxed) == 0; }
-  /// Why not, as `errno` has it; 0: it is good.
+  /// The error, as in `errno`; 0: none.
   int error() const { return error_.load(std::memory_order_relaxed); }
-  /// Events that found the queue full, so far. From any thread.
+  /// Events dropped so far. From any thread.
   std::uint64_t dropped() const { return queue_.dropped(); }
 
 private:
@@ -75,12 +73,12 @@ private:
   Options options_;
   int file_;
   std::string buffer_;
-  std::uint64_t told_dropped_ = 0;
+  std::uint64_t reported_dropped_ = 0;
   std::atomic<int> error_{0};
   std::mutex mutex_;
   std::condition_variable wake_;
   bool stop_ = false;
-  bool is_full_ = false; ///< and somebody waits for a place
+  bool is_full_ = false; ///< a thread waits for a place
   std::thread writer_;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// How a recorder's events become bytes of a file. What is written for one event is whole by itself: of a file that ends
-// in the middle of it, all that stands before can be read.
+// The file formats of a recorder. The bytes of each event are complete by themselves: a file that ends in the middle of
+// one can be read up to there.
 
 #include "runtime/core/base/observer.hpp"
 #include "runtime/core/inspect/why.hpp"
@@ -12,7 +12,7 @@
 
 namespace director {
 
-/// Not for the thread that steps: it takes memory.
+/// A format. It allocates memory, so it is not for the thread that steps.
 class TraceFormat {
 public:
   TraceFormat() = default;
@@ -21,18 +21,18 @@ public:
   virtual ~TraceFormat() = default;
 
   // Each appends to `out`.
-  /// What the file begins with.
+  /// The beginning of the file.
   virtual void begin(std::string& out) = 0;
-  /// One event, whole by itself.
+  /// One event, complete by itself.
   virtual void event(const Event& event, std::string& out) = 0;
   /// `count` events are missing here.
   virtual void dropped(std::uint64_t count, std::string& out) = 0;
-  /// What the file ends with, where its writer comes to its end.
+  /// The end of the file, if its writer ends it.
   virtual void end(std::string&) {}
 };
 
-/// JSON lines (docs/traces.md; schemas/trace.schema.json). `file`: where the behaviour is written, for who reads the
-/// trace; may be empty. `names` must have tables, and outlive the format.
+/// JSON lines (docs/traces.md; schemas/trace.schema.json). `file`: the path of the YAML file, for readers of the trace;
+/// may be empty. `names` must have tables, and outlive the format.
 std::unique_ptr<TraceFormat> json_lines(const Names& names, std::string file = {});
 
 /// Packets of Perfetto's protobuf: https://ui.perfetto.dev opens the file.

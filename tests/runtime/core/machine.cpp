@@ -26,7 +26,7 @@ Machine::Machine(const std::string& behaviour, std::size_t inbox)
     Machine& machine = *static_cast<Machine*>(self);
     machine.data_moves.push_back(std::string(names[static_cast<std::size_t>(what)]) + " " + machine.edge_name(edge));
   };
-  const Observer observer{[](void* self, const Event& event) { static_cast<Machine*>(self)->tell(event); }, this};
+  const Observer observer{[](void* self, const Event& event) { static_cast<Machine*>(self)->observe(event); }, this};
   engine_ = std::make_unique<Engine>(tables_, memory_.state().data(), bodies, inbox_, observer);
 }
 
@@ -125,7 +125,7 @@ std::string Machine::edge_name(Index edge) const {
   return model().edge_name(compiler::EdgeId{edge});
 }
 
-void Machine::tell(const Event& event) {
+void Machine::observe(const Event& event) {
   const auto group_name = [&] { return model().groups[compiler::GroupId{event.group}].name.value; };
   const auto value_text = [&] {
     const compiler::State& row = model().states[compiler::StateId{event.state}];

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A behaviour from its text to a running engine whose bodies are lambdas, for tests of runtime/core. What happens is
-// kept as lines: `run Walk.halting pushed`, `start Walk`, `queue root>Kick waiting`.
+// A running engine made of the text of a behaviour, with lambdas as bodies, for tests of runtime/core. Events are kept
+// as lines: `run Walk.halting pushed`, `start Walk`, `queue root>Kick waiting`.
 
 #include "compiler/lower/lower.hpp"
 #include "runtime/core/engine/engine.hpp"
@@ -27,7 +27,7 @@ public:
 
   explicit Machine(const std::string& behaviour, std::size_t inbox = 64);
 
-  /// A body for `Walk.halting` or `Kick`; without one a provider asks for all that it may, at the first level.
+  /// Sets the body of `Walk.halting` or `Kick`; by default a provider requests all that it may, at the first level.
   Machine& body(const std::string& provider, Body body);
   Machine& handler(const std::string& group, Handler handler); ///< `Walk.start`
 
@@ -37,7 +37,7 @@ public:
   bool fire(const std::string& trigger);
   bool enable(const std::string& provider, bool on);
 
-  /// Steps and returns what happened in it; the kinds that `shown` names are left out if not there.
+  /// Steps and returns its lines; the kinds that `shown` names are left out if not there.
   Lines step(Time now = 0);
   StepResult result() const { return result_; } ///< of the last step
 
@@ -57,14 +57,14 @@ public:
   Outcome everything(Run& run) const;
 
   bool decisions = false; ///< also queue, push, release, grant and lose
-  bool requests = false;  ///< also what runs ask for
+  bool requests = false;  ///< also the requests of runs
   bool answers =
-      false; ///< also what runs answer and set, what was given before the first step, and inputs with their times
+      false;        ///< also answers and values of runs, values set before the first step, and inputs with their times
   Lines data_moves; ///< `settle root>Kick`
 
 private:
   void handle(Handling& handling, const char* which); ///< `.start`
-  void tell(const Event& event);
+  void observe(const Event& event);
   std::string provider_name(Index provider) const;
   std::string edge_name(Index edge) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two robots and an onlooker in one process, each with a participant of its own.
+// Two robots and an observer in one process, each with a participant of its own.
 #include "runtime/dds/entity.hpp"
 #include "runtime/dds/plan.hpp"
 #include "tests/runtime/dds/robot.hpp"
@@ -27,10 +27,10 @@ const Settings hears{.robot = "two",
                                  {.robot = "one", .state = "Battery", .into = "Battery"}}};
 constexpr std::int32_t calm = 0, hurried = 1;
 
-/// Speaks for a robot that has no bridge, and whatever it is told to.
+/// Publishes any sample for a robot without a bridge.
 class Stranger {
 public:
-  void says(const char* state, int kind, int number, const char* name, const char* robot = "one") {
+  void publish(const char* state, int kind, int number, const char* name, const char* robot = "one") {
     const dds::State sample{.robot = const_cast<char*>(robot),
                             .behaviour = const_cast<char*>("courier"),
                             .state = const_cast<char*>(state),
@@ -54,7 +54,7 @@ private:
   const dds::Entity members_ = dds::make_writer<dds::Member>(participant_);
 };
 
-/// Hears everybody.
+/// Receives all samples.
 class Onlooker {
 public:
   std::string state(const std::string& name) {
@@ -83,12 +83,12 @@ public:
     });
     return promise_;
   }
-  bool hears(const dds::Entity& of_type) {
+  bool receives(const dds::Entity& of_type) {
     dds_subscription_matched_status_t status{};
     dds_get_subscription_matched_status(of_type.get(), &status);
     return status.current_count > 0;
   }
-  bool ready() { return hears(decisions_); }
+  bool ready() { return receives(decisions_); }
 
   int heard = 0;
   bool in_order = true;
@@ -110,7 +110,7 @@ bool is(Robot& robot, const std::string& state, std::int32_t value) {
 
 } // namespace
 
-TEST_CASE("what one robot becomes the other one hears") {
+TEST_CASE("a robot receives the states of another") {
   Robot one(speaks), two(hears);
   CHECK(one.behaviour.set(post::Mood::hurried, courier::Battery{-7}));
   one.step();
@@ -123,20 +123,20 @@ TEST_CASE("what one robot becomes the other one hears") {
   CHECK(two.bridge.counts().states_heard >= 3);
 }
 
-TEST_CASE("a robot that joins late hears what holds, though it was said before") {
+TEST_CASE("a robot that joins late receives current states that were published before") {
   Robot one(speaks);
   CHECK(one.behaviour.set(post::Mood::hurried));
   one.step();
   std::this_thread::sleep_for(20ms);
   Robot two(hears);
-  CHECK(is(two, "Mood", hurried)); // and one has not stepped again
+  CHECK(is(two, "Mood", hurried)); // robot one has not stepped again
 }
 
-TEST_CASE("a robot that joins very late does not hear what nobody has said for long") {
+TEST_CASE("a robot that joins very late does not receive states that were not repeated for long") {
   Robot one({.robot = "one", .publish = {"Mood"}, .say_again = 20ms});
   CHECK(one.behaviour.set(post::Mood::hurried));
   one.step();
-  std::this_thread::sleep_for(400ms); // it does not step any more: its last words live for five times say_again
+  std::this_thread::sleep_for(400ms); // it does not step any more: its last samples last for five times say_again
   Robot two(hears);
   CHECK(two.comes_true([&] { return two.was_told("joined one: the behaviour courier is there"); }));
   for (int i = 0; i < 20; ++i) {
@@ -146,7 +146,7 @@ TEST_CASE("a robot that joins very late does not hear what nobody has said for l
   CHECK(two.value("Mood") == calm);
 }
 
-TEST_CASE("a robot says its states again and again, but only while it steps") {
+TEST_CASE("a robot repeats its states, but only while it steps") {
   Robot one({.robot = "one", .publish = {"Mood"}, .say_again = 10ms});
   Onlooker onlooker;
   CHECK(one.comes_true([&] { return onlooker.state("Mood") == "calm" && onlooker.heard > 5; }));
@@ -158,7 +158,7 @@ TEST_CASE("a robot says its states again and again, but only while it steps") {
   CHECK(onlooker.heard == heard);
 }
 
-TEST_CASE("a state without a value is said to have none, and changes nothing") {
+TEST_CASE("an unset state is published as unset, and changes nothing") {
   Robot one(speaks), two(hears);
   Onlooker onlooker;
   CHECK(one.comes_true([&] { return onlooker.state("Battery") == "nothing"; }));
@@ -169,15 +169,15 @@ TEST_CASE("a state without a value is said to have none, and changes nothing") {
   CHECK(two.value("Battery") == 5);
 }
 
-TEST_CASE("a value that is not known here is told of once, and changes nothing") {
+TEST_CASE("an unknown value is reported once, and changes nothing") {
   Robot two(hears);
   Stranger one;
   for (int i = 0; i < 5; ++i) {
-    one.says("Mood", 1, 0, "merry");
-    one.says("Battery", 2, 1000, "");
+    one.publish("Mood", 1, 0, "merry");
+    one.publish("Battery", 2, 1000, "");
     CHECK(two.comes_true([&, i] { return two.bridge.counts().unknown_values >= 2U * static_cast<unsigned>(i) + 2; }));
   }
-  one.says("Mood", 1, 0, "hurried");
+  one.publish("Mood", 1, 0, "hurried");
   CHECK(is(two, "Mood", hurried));
   CHECK(two.value("Battery") == unset);
   CHECK(two.notices() ==
@@ -186,31 +186,31 @@ TEST_CASE("a value that is not known here is told of once, and changes nothing")
             "unknown_value one: the state Battery is 1000, a value that Battery does not have; it stays as it is"});
 }
 
-TEST_CASE("samples that cannot be meant are told of and change nothing") {
+TEST_CASE("invalid samples are reported and change nothing") {
   Robot two(hears);
   Stranger one;
-  std::uint64_t faults = 0; // one after the other: of one state only the newest sample is kept
+  std::uint64_t faults = 0; // one after the other: only the newest sample of a state is kept
   const auto is_counted = [&] {
     ++faults;
     return comes_true([&] { return two.bridge.counts().bad_samples + two.bridge.counts().unknown_values == faults; });
   };
-  one.says("Mood", 77, 1, "hurried");
+  one.publish("Mood", 77, 1, "hurried");
   CHECK(is_counted());
-  one.says("", 1, 0, "hurried");
+  one.publish("", 1, 0, "hurried");
   CHECK(is_counted());
-  one.says("Mood", 1, 1, "hurried", "");
+  one.publish("Mood", 1, 1, "hurried", "");
   CHECK(is_counted());
   one.is_member("", 1, "");
   CHECK(is_counted());
   CHECK(two.bridge.counts().bad_samples == 4);
-  one.says("Mood", 1, 1, std::string(1'000'000, 'x').c_str());
+  one.publish("Mood", 1, 1, std::string(1'000'000, 'x').c_str());
   CHECK(is_counted());
-  one.says("Mood", 2, 1, ""); // the number of a value with a name
+  one.publish("Mood", 2, 1, ""); // the number of a value with a name
   CHECK(is_counted());
   CHECK(two.bridge.counts().unknown_values == 2);
-  one.says("Mood", 1, 0, "hurried", "somebody"); // whom nobody listens to
-  one.says("Sound", 1, 0, "hurried");
-  one.says("Battery", 2, 1, "");
+  one.publish("Mood", 1, 0, "hurried", "somebody"); // a robot that is not in the settings
+  one.publish("Sound", 1, 0, "hurried");
+  one.publish("Battery", 2, 1, "");
   CHECK(is(two, "Battery", 1));
   CHECK(two.value("Mood") == calm);
   CHECK(two.was_told("bad_sample one: the state Mood comes as something that is neither a name nor a number"));
@@ -221,7 +221,7 @@ TEST_CASE("samples that cannot be meant are told of and change nothing") {
 TEST_CASE("bytes that are no message change nothing") {
   Robot two(hears);
   Stranger one;
-  std::atomic<int> complaints{0}; // of the library, which would fill the terminal
+  std::atomic<int> complaints{0}; // messages of the library, not to be printed
   dds_set_log_sink([](void* count, const dds_log_data_t*) { ++*static_cast<std::atomic<int>*>(count); }, &complaints);
   const int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
   REQUIRE(socket >= 0);
@@ -229,23 +229,23 @@ TEST_CASE("bytes that are no message change nothing") {
   for (int i = 0; i < 1000; ++i) {
     std::string bytes(draw() % 200, 0);
     for (char& byte : bytes) byte = static_cast<char>(draw());
-    if (i % 2 == 0) bytes.insert(0, "RTPS\x02\x01"); // the beginning of one
+    if (i % 2 == 0) bytes.insert(0, "RTPS\x02\x01"); // the beginning of an RTPS message
     sockaddr_in to{};
     to.sin_family = AF_INET;
     to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    to.sin_port =
-        htons(static_cast<std::uint16_t>(7400 + 250 * loopback_domain() + 10 + draw() % 4)); // of the first two
+    to.sin_port = htons(static_cast<std::uint16_t>(7400 + 250 * loopback_domain() + 10 +
+                                                   draw() % 4)); // ports of the first two participants
     sendto(socket, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof to);
   }
   close(socket);
-  one.says("Battery", 2, 42, "");
+  one.publish("Battery", 2, 42, "");
   CHECK(is(two, "Battery", 42));
   CHECK(two.value("Mood") == calm);
   CHECK(comes_true([&] { return complaints > 0; }));
   dds_set_log_sink(nullptr, nullptr);
 }
 
-TEST_CASE("who offers states with less quality than it takes is told of") {
+TEST_CASE("a writer of states with insufficient quality is reported") {
   Robot two(hears);
   const dds::Entity participant = dds::join(loopback_domain());
   const dds_entity_t topic =
@@ -258,7 +258,7 @@ TEST_CASE("who offers states with less quality than it takes is told of") {
   }));
 }
 
-TEST_CASE("who comes, goes, comes again and decides otherwise is told") {
+TEST_CASE("robots that join, leave, restart or run another specification are reported") {
   Robot two(hears);
   {
     Robot one(speaks);
@@ -267,7 +267,7 @@ TEST_CASE("who comes, goes, comes again and decides otherwise is told") {
   CHECK(two.comes_true([&] { return two.was_told("gone one: the behaviour courier said goodbye"); }));
   Robot again(speaks);
   CHECK(two.comes_true([&] { return two.was_told("restarted one: the behaviour courier was started again"); }));
-  CHECK(two.notices().size() == 3); // it decides as before
+  CHECK(two.notices().size() == 3); // its specification is as before
   const std::string mine = dds::specification_of(plug(two.behaviour));
   Stranger three;
   three.is_member("three", 9, "0123");
@@ -277,7 +277,7 @@ TEST_CASE("who comes, goes, comes again and decides otherwise is told") {
   }));
 }
 
-TEST_CASE("two processes with one name are told of") {
+TEST_CASE("two processes with one name are reported") {
   Robot one(speaks), twin(speaks);
   const std::string notice =
       "twin one: another process says that it is this robot with the behaviour courier; both are "
@@ -286,20 +286,20 @@ TEST_CASE("two processes with one name are told of") {
   CHECK(twin.comes_true([&] { return twin.was_told(notice); }));
 }
 
-TEST_CASE("values that nobody takes in time are told of, and the newest one comes") {
+TEST_CASE("values that are not taken in time are reported, and the newest one is taken") {
   Robot two(hears);
   Stranger one;
-  for (int i = 0; i < 200; ++i) { // and nobody steps
-    one.says("Battery", 2, i % 100, "");
+  for (int i = 0; i < 200; ++i) { // without a step
+    one.publish("Battery", 2, i % 100, "");
     std::this_thread::sleep_for(1ms);
   }
   CHECK(comes_true([&] { return two.bridge.counts().inbox_full > 0; }));
   CHECK(two.was_told("inbox_full one: the inbox has no room for Battery: is the behaviour stepped often enough?"));
-  one.says("Battery", 2, 42, "");
+  one.publish("Battery", 2, 42, "");
   CHECK(is(two, "Battery", 42));
 }
 
-TEST_CASE("others see what a robot decides, in order, and what becomes of its promises") {
+TEST_CASE("others receive the decisions of a robot in order, and the ends of its promises") {
   Onlooker onlooker;
   Robot one(speaks);
   one.plans.deliver = [](courier::Deliver::Default& run) {
@@ -328,12 +328,12 @@ TEST_CASE("others see what a robot decides, in order, and what becomes of its pr
   CHECK(onlooker.gaps == 0);
 }
 
-TEST_CASE("decisions that find no room are counted, and others see the gap") {
+TEST_CASE("decisions that find the outbox full are counted, and others see the gap") {
   Onlooker onlooker;
   Robot one(speaks);
   CHECK(one.comes_true([&] { return onlooker.ready(); }));
   one.plans.rest = [](courier::Rest::Default& run) { return run.request(courier::Sing{}); };
-  for (int i = 0; i < 200; ++i) { // without telling the bridge: what it decided piles up
+  for (int i = 0; i < 200; ++i) { // without a call of the bridge: its decisions wait
     one.behaviour.request<courier::Rest>();
     one.behaviour.step(0s);
   }
@@ -348,7 +348,7 @@ TEST_CASE("decisions that find no room are counted, and others see the gap") {
   CHECK(onlooker.in_order);
 }
 
-TEST_CASE("a domain that does not exist, or whose network is not there, is an error that says so") {
+TEST_CASE("a domain that does not exist, or has no network, is reported as an error") {
   loopback_domain();
   Plans plans;
   Skills skills;

@@ -12,66 +12,66 @@ using namespace director::tests;
 
 namespace {
 
-/// Everything that one behaviour tells, in words.
-struct Told {
-  static void hear(void* self, const Event& event) {
-    Told& told = *static_cast<Told*>(self);
-    const dds::Decision d = dds::decision_of(event, *told.plug);
+/// All decisions of one behaviour, as text.
+struct Recorded {
+  static void observe(void* self, const Event& event) {
+    Recorded& recorded = *static_cast<Recorded*>(self);
+    const dds::Decision d = dds::decision_of(event, *recorded.plug);
     using enum Event::Kind;
     constexpr std::array no_decisions{set, input, ask, answer, assign, begin, given};
     if (std::find(no_decisions.begin(), no_decisions.end(), event.kind) == no_decisions.end())
-      told.decisions.push_back(d.kind + " " + d.group + "." + d.provider + " for " + d.requester + ": " + d.reason);
-    if (const auto ended = told.promises->hear(event))
-      told.ended.push_back((ended->kept ? "kept " : "broken ") + ended->group + "." + ended->provider + ": " +
-                           ended->condition);
+      recorded.decisions.push_back(d.kind + " " + d.group + "." + d.provider + " for " + d.requester + ": " + d.reason);
+    if (const auto ended = recorded.promises->observe(event))
+      recorded.ended.push_back((ended->kept ? "kept " : "broken ") + ended->group + "." + ended->provider + ": " +
+                               ended->condition);
   }
   const dds::Plug* plug = nullptr;
   dds::Promises* promises = nullptr;
   std::vector<std::string> decisions, ended;
 };
 
-/// A behaviour whose every event is heard.
-struct Heard {
-  Heard() {
-    told.plug = &plugged;
-    told.promises = &promises;
+/// A behaviour with an observer of every event.
+struct Observed {
+  Observed() {
+    recorded.plug = &plugged;
+    recorded.promises = &promises;
   }
   Plans plans;
   Skills skills;
-  Told told;
-  courier::Behaviour behaviour{plans, skills, {&Told::hear, &told}};
+  Recorded recorded;
+  courier::Behaviour behaviour{plans, skills, {&Recorded::observe, &recorded}};
   const dds::Plug plugged = plug(behaviour);
   dds::Promises promises{plugged};
 };
 
 } // namespace
 
-TEST_CASE("a decision is told in names") {
-  Heard heard;
-  heard.plans.rest = [](courier::Rest::Default& run) { return run.request(courier::Sing{}); };
-  heard.behaviour.request<courier::Rest>();
-  heard.behaviour.step(0s);
-  CHECK(heard.told.decisions ==
+TEST_CASE("a decision is published with names") {
+  Observed observed;
+  observed.plans.rest = [](courier::Rest::Default& run) { return run.request(courier::Sing{}); };
+  observed.behaviour.request<courier::Rest>();
+  observed.behaviour.step(0s);
+  CHECK(observed.recorded.decisions ==
         std::vector<std::string>{"grant Rest.default for root: ", "run Rest.default for : new_task",
                                  "grant Sing.default for Rest: ", "run Sing.default for : new_task"});
 }
 
 TEST_CASE("a promise is kept by the run of its provider, and broken when its time is over") {
-  Heard heard;
-  const auto hear = [&](Event event) {
-    if (const auto ended = heard.promises.hear(event))
-      heard.told.ended.push_back((ended->kept ? "kept " : "broken ") + ended->condition);
+  Observed observed;
+  const auto observe = [&](Event event) {
+    if (const auto ended = observed.promises.observe(event))
+      observed.recorded.ended.push_back((ended->kept ? "kept " : "broken ") + ended->condition);
   };
-  const Tables& t = heard.plugged.tables();
+  const Tables& t = observed.plugged.tables();
   Index unlocking = 0;
   while (std::string(courier::names::provider(unlocking)) != "unlocking") ++unlocking;
   const Index open = t.providers[unlocking].group, door = state_row("Door");
-  hear({.kind = Event::Kind::run, .group = open, .provider = unlocking, .micro_step = 5});
-  hear({.kind = Event::Kind::set, .state = door, .value = 0, .micro_step = 5});
-  CHECK(heard.told.ended.empty());
-  hear({.kind = Event::Kind::set, .state = door, .value = 1, .micro_step = 6}); // by a handler, or a timer
-  CHECK(heard.told.ended.empty());
-  hear({.kind = Event::Kind::set, .state = door, .value = 1, .micro_step = 5});
-  hear({.kind = Event::Kind::broken, .group = open, .provider = unlocking, .micro_step = 9});
-  CHECK(heard.told.ended == std::vector<std::string>{"kept Door == open", "broken Door == open"});
+  observe({.kind = Event::Kind::run, .group = open, .provider = unlocking, .micro_step = 5});
+  observe({.kind = Event::Kind::set, .state = door, .value = 0, .micro_step = 5});
+  CHECK(observed.recorded.ended.empty());
+  observe({.kind = Event::Kind::set, .state = door, .value = 1, .micro_step = 6}); // by a handler, or a timer
+  CHECK(observed.recorded.ended.empty());
+  observe({.kind = Event::Kind::set, .state = door, .value = 1, .micro_step = 5});
+  observe({.kind = Event::Kind::broken, .group = open, .provider = unlocking, .micro_step = 9});
+  CHECK(observed.recorded.ended == std::vector<std::string>{"kept Door == open", "broken Door == open"});
 }

@@ -17,7 +17,7 @@ std::uint32_t loopback_domain() {
         R"(<MaxAutoParticipantIndex>20</MaxAutoParticipantIndex><Peers><Peer Address="127.0.0.1"/></Peers><Tag>)" +
         tag + "</Tag></Discovery></Domain></CycloneDDS>";
     setenv("CYCLONEDDS_URI", settings.c_str(), 1);
-    return 1 + static_cast<std::uint32_t>(draw() % 100); // their ports lie below those that the system gives away
+    return 1 + static_cast<std::uint32_t>(draw() % 100); // their ports are below those that the system assigns
   }();
   return domain;
 }

@@ -7,8 +7,9 @@
 
 namespace director::tests {
 
-/// The domain, the same for the whole process. From the first call on this process and those that it starts see nothing
-/// but loopback, and nobody of another test: the domain is drawn, and so is a tag that all of it must have.
+/// The domain, the same for the whole process. From the first call on, this process and those that it starts use only
+/// loopback, and are separate from other tests: the domain is random, and so is a tag that all of its participants
+/// need.
 std::uint32_t loopback_domain();
 
 } // namespace director::tests

@@ -8,7 +8,7 @@
 
 using namespace director::tests;
 
-TEST_CASE("whoever steps and tells the bridge asks nothing of the heap") {
+TEST_CASE("a thread that steps and calls the bridge does not use the heap") {
   Robot one({.robot = "one", .publish = {"Mood", "Battery"}, .say_again = 5ms});
   one.plans.rest = [](courier::Rest::Default& run) { return run.request(courier::Sing{}); };
   one.step();

@@ -7,24 +7,24 @@
 
 using namespace director::dds;
 
-TEST_CASE("what would be said again and again is said once") {
+TEST_CASE("a notice that would be repeated is reported once") {
   std::vector<std::string> told;
   Notes notes([&](const Notice& notice) { told.push_back(notice.robot + ": " + notice.text); });
-  for (int i = 0; i < 3; ++i) notes.tell_once(Notice::Kind::bad_sample, "two", "nonsense");
-  notes.tell_once(Notice::Kind::bad_sample, "three", "nonsense");
-  notes.tell(Notice::Kind::joined, "two", "there");
-  notes.tell(Notice::Kind::joined, "two", "there");
+  for (int i = 0; i < 3; ++i) notes.report_once(Notice::Kind::bad_sample, "two", "nonsense");
+  notes.report_once(Notice::Kind::bad_sample, "three", "nonsense");
+  notes.report(Notice::Kind::joined, "two", "there");
+  notes.report(Notice::Kind::joined, "two", "there");
   CHECK(told == std::vector<std::string>{"two: nonsense", "three: nonsense", "two: there", "two: there"});
 }
 
-TEST_CASE("whoever invents mistakes fills no memory") {
+TEST_CASE("the memory for notices about invalid samples is limited") {
   int told = 0;
   Notes notes([&](const Notice&) { ++told; });
-  for (int i = 0; i < 5000; ++i) notes.tell_once(Notice::Kind::bad_sample, "two", std::to_string(i));
+  for (int i = 0; i < 5000; ++i) notes.report_once(Notice::Kind::bad_sample, "two", std::to_string(i));
   CHECK(told == 1000);
 }
 
-TEST_CASE("what comes from the network is shown short and harmless") {
+TEST_CASE("text from the network is shortened and made harmless") {
   CHECK(shown("striking") == "striking");
   CHECK(shown("a\x1b[2Jb\n") == "a?[2Jb?");
   CHECK(shown(std::string(70, 'x')) == std::string(60, 'x') + "...");

@@ -9,12 +9,12 @@
 using director::dds::Once;
 using Verdict = Once::Verdict;
 
-TEST_CASE("a request that is repeated has the answer that it had") {
+TEST_CASE("a repeated request has the same answer") {
   Once once;
   CHECK(once.look(7, 1) == Once::Seen{Verdict::first, 0});
   once.note(7, 1, 2);
   CHECK(once.look(7, 1) == Once::Seen{Verdict::repeated, 2});
-  CHECK(once.look(8, 1) == Once::Seen{Verdict::first, 0}); // of another asker
+  CHECK(once.look(8, 1) == Once::Seen{Verdict::first, 0}); // from another asker
 }
 
 TEST_CASE("a request that was overtaken is still the first of its number") {
@@ -26,14 +26,14 @@ TEST_CASE("a request that was overtaken is still the first of its number") {
   CHECK(once.look(7, 5) == Once::Seen{Verdict::repeated, 0});
 }
 
-TEST_CASE("what is too old to be remembered is never done") {
+TEST_CASE("a request that is too old to be remembered is never carried out") {
   Once once;
   once.note(7, 100, 0);
   CHECK(once.look(7, 100 - Once::window).verdict == Verdict::too_old);
   CHECK(once.look(7, 101 - Once::window).verdict == Verdict::first);
 }
 
-TEST_CASE("of many askers the one that was silent for longest is forgotten") {
+TEST_CASE("of many askers the one with the oldest request is forgotten") {
   Once once;
   for (std::uint64_t asker = 1; asker <= Once::most_askers; ++asker) once.note(asker, 1, 0);
   once.look(1, 1);
@@ -42,7 +42,7 @@ TEST_CASE("of many askers the one that was silent for longest is forgotten") {
   CHECK(once.look(2, 1).verdict == Verdict::first);
 }
 
-TEST_CASE("in whatever order numbers come, none is done twice") {
+TEST_CASE("no request is carried out twice, in any order of numbers") {
   std::mt19937 draw(1);
   Once once;
   std::set<std::uint64_t> done;

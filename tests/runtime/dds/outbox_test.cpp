@@ -10,65 +10,65 @@ using dds::Outbox;
 
 namespace {
 
-void tell(Observer observer, Event::Kind kind, Index group = 0) {
+void notify(Observer observer, Event::Kind kind, Index group = 0) {
   observer.tell(observer.self, Event{.kind = kind, .group = group});
 }
 
 } // namespace
 
-TEST_CASE("decisions come out in order and numbered, what bodies request does not") {
+TEST_CASE("decisions come out in order and numbered, requests of bodies do not") {
   Outbox outbox(8);
-  tell(outbox.observer(), Event::Kind::run, 1);
-  tell(outbox.observer(), Event::Kind::ask);
-  tell(outbox.observer(), Event::Kind::set);
-  tell(outbox.observer(), Event::Kind::done, 1);
-  Outbox::Told told;
+  notify(outbox.observer(), Event::Kind::run, 1);
+  notify(outbox.observer(), Event::Kind::ask);
+  notify(outbox.observer(), Event::Kind::set);
+  notify(outbox.observer(), Event::Kind::done, 1);
+  Outbox::Entry entry;
   CHECK(outbox.anything_new());
-  REQUIRE(outbox.take(told));
-  CHECK(told.event.kind == Event::Kind::run);
-  CHECK(told.number == 1);
-  REQUIRE(outbox.take(told));
-  CHECK(told.event.kind == Event::Kind::set);
-  CHECK(told.number == 0);
-  REQUIRE(outbox.take(told));
-  CHECK(told.event.kind == Event::Kind::done);
-  CHECK(told.number == 2);
-  CHECK(!outbox.take(told));
+  REQUIRE(outbox.take(entry));
+  CHECK(entry.event.kind == Event::Kind::run);
+  CHECK(entry.number == 1);
+  REQUIRE(outbox.take(entry));
+  CHECK(entry.event.kind == Event::Kind::set);
+  CHECK(entry.number == 0);
+  REQUIRE(outbox.take(entry));
+  CHECK(entry.event.kind == Event::Kind::done);
+  CHECK(entry.number == 2);
+  CHECK(!outbox.take(entry));
 }
 
-TEST_CASE("what finds no room is counted, and leaves a gap in the numbers") {
+TEST_CASE("events that find no room are counted, and leave a gap in the numbers") {
   Outbox outbox(4);
-  for (int i = 0; i < 6; ++i) tell(outbox.observer(), Event::Kind::run);
+  for (int i = 0; i < 6; ++i) notify(outbox.observer(), Event::Kind::run);
   CHECK(outbox.lost() == 2);
-  Outbox::Told told;
+  Outbox::Entry entry;
   std::uint64_t last = 0;
-  while (outbox.take(told)) last = told.number;
+  while (outbox.take(entry)) last = entry.number;
   CHECK(last == 4);
-  tell(outbox.observer(), Event::Kind::run);
-  REQUIRE(outbox.take(told));
-  CHECK(told.number == 7);
+  notify(outbox.observer(), Event::Kind::run);
+  REQUIRE(outbox.take(entry));
+  CHECK(entry.number == 7);
 }
 
-TEST_CASE("another observer is told as well, of everything") {
-  int told = 0;
-  Outbox outbox(2, {[](void* self, const Event&) { ++*static_cast<int*>(self); }, &told});
-  tell(outbox.observer(), Event::Kind::ask);
-  for (int i = 0; i < 5; ++i) tell(outbox.observer(), Event::Kind::run);
-  CHECK(told == 6);
+TEST_CASE("another observer is called as well, for everything") {
+  int calls = 0;
+  Outbox outbox(2, {[](void* self, const Event&) { ++*static_cast<int*>(self); }, &calls});
+  notify(outbox.observer(), Event::Kind::ask);
+  for (int i = 0; i < 5; ++i) notify(outbox.observer(), Event::Kind::run);
+  CHECK(calls == 6);
 }
 
-TEST_CASE("between two threads nothing is torn, and what is not lost comes once") {
+TEST_CASE("between two threads no event is torn, and each that is not lost comes once") {
   Outbox outbox(16);
   constexpr Index events = 100'000;
   std::thread stepping([&] {
-    for (Index i = 0; i < events; ++i) tell(outbox.observer(), Event::Kind::run, i);
+    for (Index i = 0; i < events; ++i) notify(outbox.observer(), Event::Kind::run, i);
   });
-  Outbox::Told told;
+  Outbox::Entry entry;
   std::uint64_t taken = 0, last = 0, wrong = 0;
   const auto take_all = [&] {
-    while (outbox.take(told)) {
-      wrong += told.number != std::uint64_t{told.event.group} + 1 || told.number <= last;
-      last = told.number;
+    while (outbox.take(entry)) {
+      wrong += entry.number != std::uint64_t{entry.event.group} + 1 || entry.number <= last;
+      last = entry.number;
       ++taken;
     }
   };

@@ -42,7 +42,7 @@ TEST_CASE("names become rows, and values keep their names") {
   CHECK(plan.offered.contains("Rest"));
 }
 
-TEST_CASE("every mistake in the settings is told") {
+TEST_CASE("every mistake in the settings is reported") {
   CHECK(failure({.robot = "one",
                  .publish = {"Dor"},
                  .take_in = {{.robot = "two", .state = "Door", .into = "Door"},
@@ -62,7 +62,7 @@ TEST_CASE("every mistake in the settings is told") {
         "dds: the task Rest is offered twice");
 }
 
-TEST_CASE("a specification is known by what it decides and by its names") {
+TEST_CASE("a specification is identified by its decisions and its names") {
   Office office;
   const dds::Plug as_it_is = plug(office.behaviour);
   const std::string specification = dds::specification_of(as_it_is);

@@ -14,14 +14,14 @@ namespace director::tests {
 class Process {
 public:
   explicit Process(const std::vector<std::string>& words);
-  /// Kills it if it still runs.
+  /// Kills the process if it still runs.
   ~Process();
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
   void signal(int number);
-  int wait();                       ///< its exit code; of one that a signal ended, less than 0
-  std::vector<std::string> lines(); ///< that it has printed so far
+  int wait();                       ///< waits for its exit code; less than 0 if a signal ended it
+  std::vector<std::string> lines(); ///< the lines printed so far
 
 private:
   void read(int from);

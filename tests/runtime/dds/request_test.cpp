@@ -18,7 +18,7 @@ const dds::Asker::To one{"one", "courier"};
 
 dds::Settings offering() { return {.robot = "one", .offer = {{.task = "Rest"}}}; }
 
-/// A robot that steps, in a thread of its own.
+/// A robot that steps in a thread of its own.
 class Running {
 public:
   explicit Running(Robot& robot)
@@ -53,7 +53,7 @@ TEST_CASE("a root task is requested and cancelled from another process") {
   CHECK(rests == 1);
 }
 
-TEST_CASE("what is longer than any robot hears is answered at once") {
+TEST_CASE("a request that is too long for any robot is answered at once") {
   CHECK_THROWS_WITH(dds::Asker("", loopback_domain()), "dds: an asker's name has 1 to 255 bytes, this one has 0");
   CHECK_THROWS_WITH(dds::Asker(std::string(256, 'a'), loopback_domain()),
                     "dds: an asker's name has 1 to 255 bytes, this one has 256");
@@ -67,7 +67,7 @@ TEST_CASE("what is longer than any robot hears is answered at once") {
   CHECK(robot.bridge.counts().bad_samples == 0);
 }
 
-TEST_CASE("what is not offered is not done") {
+TEST_CASE("a request for a task that is not offered is not carried out") {
   Robot robot(offering());
   dds::Asker asker("coach", loopback_domain());
   CHECK(asker.request(one, "Deliver", patience) == Reply::unknown_task);
@@ -97,14 +97,14 @@ TEST_CASE("a task with data goes through a function that reads them") {
   CHECK(asker.request(one, "Deliver", patience) == Reply::refused);
 }
 
-TEST_CASE("a function that throws has refused") {
+TEST_CASE("a function that throws refuses the request") {
   Robot robot({.robot = "one", .offer = {{.task = "Rest", .take = [](const dds::Asked&) -> bool { throw 1; }}}});
   dds::Asker asker("coach", loopback_domain());
   CHECK(asker.request(one, "Rest", patience) == Reply::refused);
   CHECK(asker.cancel(one, "Rest", patience) == Reply::refused);
 }
 
-TEST_CASE("a request that is said again and again is done once") {
+TEST_CASE("a repeated request is carried out once") {
   Robot robot(offering());
   const dds::Entity participant = dds::join(loopback_domain());
   const dds::Entity requests = dds::make_writer<dds::Request>(participant);
@@ -135,7 +135,7 @@ TEST_CASE("a request that is said again and again is done once") {
   CHECK(robot.bridge.counts().requests_taken == 1);
   CHECK(robot.bridge.counts().requests_repeated >= 9);
 
-  request.session = robot.bridge.session() + 1; // as if the robot had been started again
+  request.session = robot.bridge.session() + 1; // as if the robot had been restarted
   request.number = 2;
   replies.clear();
   CHECK(robot.comes_true([&] {
@@ -152,12 +152,12 @@ TEST_CASE("a request that is said again and again is done once") {
   CHECK(robot.bridge.counts().requests_taken == 1);
 }
 
-TEST_CASE("nobody answers for a robot that is not there") {
+TEST_CASE("a request to a robot that is not there is not answered") {
   dds::Asker asker("coach", loopback_domain());
   CHECK(asker.request({"nobody", "courier"}, "Rest", 300ms) == Reply::unanswered);
 }
 
-TEST_CASE("many askers at once are all answered, and each request is done once") {
+TEST_CASE("many askers at once are all answered, and each request is carried out once") {
   Robot robot(offering());
   std::atomic<int> rests{0};
   robot.plans.rest = [&](courier::Rest::Default& run) { return ++rests, run.keep(); };

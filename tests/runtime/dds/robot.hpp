@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A robot with the courier's behaviour (tests/system/api) and a bridge, and what a test waits for.
+// A robot with the courier's behaviour (tests/system/api) and a bridge, and conditions to wait for.
 
 #include "runtime/dds/bridge.hpp"
 #include "tests/runtime/dds/loopback.hpp"
@@ -15,10 +15,10 @@ namespace director::tests {
 
 using namespace std::chrono_literals;
 
-/// Far more than anything takes; a test that gets there has failed.
+/// Longer than anything takes; a test that reaches it has failed.
 inline constexpr auto patience = 20s;
 
-/// True as soon as it is; false after `patience`.
+/// Waits until the condition is true; false after `patience`.
 bool comes_true(const std::function<bool()>& what, std::chrono::milliseconds at_most = patience);
 
 dds::Plug plug(courier::Behaviour& behaviour);
@@ -28,12 +28,12 @@ class Robot {
 public:
   explicit Robot(dds::Settings settings);
 
-  void step(); ///< and tells the bridge
-  /// Steps until it is true.
+  void step(); ///< and calls the bridge
+  /// Steps until the condition is true.
   bool comes_true(const std::function<bool()>& what);
   std::int32_t value(const std::string& state) { return behaviour.engine().value(state_row(state)); }
 
-  /// Notices, as "kind robot: text".
+  /// The notices, as "kind robot: text".
   std::vector<std::string> notices();
   bool was_told(const std::string& notice);
 

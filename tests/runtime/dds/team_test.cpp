@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Three robots as three processes over loopback, which are killed, frozen, halted and started again. Nothing here
-// depends on how fast that goes but for one bound: how long two robots may both have the role.
+// Three robots as three processes over loopback, which are killed, frozen, halted and restarted. Only one bound depends
+// on speed: how long two robots may both have the role.
 #include "tests/runtime/dds/loopback.hpp"
 #include "tests/runtime/dds/process.hpp"
 #include "tests/runtime/dds/robot.hpp"
@@ -23,7 +23,7 @@ namespace {
 
 constexpr int count = 3;
 constexpr std::array names{"one", "two", "three"};
-/// What runtime/dds/README.md states, in seconds.
+/// The bound in runtime/dds/README.md, in seconds.
 constexpr double never_two_for_longer = 2.0;
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
@@ -38,7 +38,7 @@ std::vector<std::string> command(const std::string& what, int robot) {
           std::to_string(loopback_domain())};
 }
 
-/// One process of a robot, and when it did not act.
+/// One process of a robot, and the times in which it was frozen.
 struct Life {
   explicit Life(int which) : robot(which), process(command("play", which)) {}
 
@@ -58,7 +58,7 @@ struct Life {
     return std::ranges::any_of(process.lines(), [&](const auto& line) { return line.ends_with("notice " + notice); });
   }
 
-  /// When it had the striker's role, without the time in which it was frozen.
+  /// The times in which it had the striker's role, without those in which it was frozen.
   std::vector<Span> strikes() {
     std::vector<Span> out;
     double since = -1;
@@ -109,7 +109,7 @@ public:
     while (robot < count && !lives(robot)) ++robot;
     return robot;
   }
-  /// The first who lives strikes, all others support.
+  /// The first living robot strikes, all others support.
   bool settled() { return settled_on(first()); }
   bool settled_on(int striker) {
     for (int robot = 0; robot < count; ++robot) {
@@ -160,7 +160,7 @@ void check_never_two(Team& team) {
 
 } // namespace
 
-TEST_CASE("the role passes on when the striker is killed, and comes back when it is started again") {
+TEST_CASE("the role passes to another robot when the striker is killed, and back when it is restarted") {
   Team team;
   for (int robot = 0; robot < count; ++robot) team.start(robot);
   check_settled(team, "all three are there");
@@ -177,7 +177,7 @@ TEST_CASE("the role passes on when the striker is killed, and comes back when it
   check_never_two(team);
 }
 
-TEST_CASE("whoever is killed and started again, one robot strikes in the end") {
+TEST_CASE("whichever robots are killed and restarted, one robot strikes in the end") {
   const unsigned seed = std::random_device{}();
   std::printf("   seed %u\n", seed);
   CAPTURE(seed);
@@ -200,7 +200,7 @@ TEST_CASE("whoever is killed and started again, one robot strikes in the end") {
   check_never_two(team);
 }
 
-TEST_CASE("a striker that freezes loses the role, and when it goes on there is one again") {
+TEST_CASE("a striker that freezes loses the role, and when it continues there is one striker again") {
   Team team;
   for (int robot = 0; robot < count; ++robot) team.start(robot);
   check_settled(team, "all three are there");
@@ -213,7 +213,7 @@ TEST_CASE("a striker that freezes loses the role, and when it goes on there is o
   check_never_two(team);
 }
 
-TEST_CASE("a robot that says goodbye, or is halted by the coach, leaves the role to the next") {
+TEST_CASE("a robot that ends, or is halted by the coach, leaves the role to the next") {
   Team team;
   for (int robot = 0; robot < count; ++robot) team.start(robot);
   check_settled(team, "all three are there");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests runtime/hosted/decision_printer.hpp: that it says what `simulate --decisions` says is tested with every
-// scenario of tests/conformance, and with a program in tests/docs/rover.
+// Tests runtime/hosted/decision_printer.hpp: compares it with `simulate --decisions` in every scenario of
+// tests/conformance; tests/docs/rover does so with a program.
 #include "compiler/lower/lower.hpp"
 #include "compiler/pipeline.hpp"
 #include "compiler/play/play.hpp"
@@ -22,19 +22,19 @@ using namespace director;
 
 namespace {
 
-/// What the rows of a model are called, as generated code has it.
+/// The names of the rows of a model, as in generated code.
 struct ModelNames {
   const compiler::Model& model;
   const compiler::Lowered& lowered;
 
   static const ModelNames& of(const void* self) { return *static_cast<const ModelNames*>(self); }
   const char* keep(std::string text) const {
-    static std::string last[4]; // names of one line
+    static std::string last[4]; // the names of one line
     static std::size_t next = 0;
     last[next % 4] = std::move(text);
     return last[next++ % 4].c_str();
   }
-  /// Of a root task, but for its first one.
+  /// The name of a level of a root task, except the first one.
   const char* level(Index row) const {
     for (const compiler::Task& task : model.roots) {
       for (const auto& each : task.levels) {
@@ -44,7 +44,7 @@ struct ModelNames {
     }
     return "";
   }
-  /// A scenario may name it too.
+  /// Removes the first level, which a scenario may name.
   std::string without_first_level(const std::string& line) const {
     for (const compiler::Task& task : model.roots) {
       const std::string& group = model.groups[task.target].name.value;
@@ -71,7 +71,7 @@ struct ModelNames {
   }
 };
 
-/// The lines of both; inputs for themselves, since a scenario shows all of a step before it has the engine take any.
+/// The lines of both; inputs separately, because a scenario prints all inputs of a step before the engine takes any.
 struct Traces {
   std::vector<std::string> simulated, printed;
   std::vector<std::string> given, taken;
@@ -113,7 +113,7 @@ const char* word(const void*, Index) { return "x"; }
 
 } // namespace
 
-TEST_CASE("the printer says what simulate says, in every scenario of the conformance tests") {
+TEST_CASE("the printer prints the same as simulate, in every scenario of the conformance tests") {
   int scenarios = 0, lines = 0, plain = 0, levels = 0;
   for (const auto& entry : std::filesystem::directory_iterator(tests::source_dir() / "tests/conformance")) {
     const std::string path = entry.path().string();
@@ -121,7 +121,7 @@ TEST_CASE("the printer says what simulate says, in every scenario of the conform
     CAPTURE(path);
     const Traces traces = play_both(path);
     CHECK(traces.printed == traces.simulated);
-    // Data are the program's own; an input of several is a line for each; the first level need not be named.
+    // The program's data are not printed; an input of several is a line for each; the first level need not be named.
     const bool is_plain = std::none_of(traces.given.begin(), traces.given.end(), [](const std::string& line) {
       return line.find("data:") != std::string::npos || line.find(", ") != std::string::npos;
     });
@@ -137,7 +137,7 @@ TEST_CASE("the printer says what simulate says, in every scenario of the conform
   CHECK(lines > 500);
 }
 
-TEST_CASE("inputs are printed as steps of a scenario have them") {
+TEST_CASE("inputs are printed as in the steps of a scenario") {
   const Names names{.self = nullptr,
                     .group = word,
                     .provider = word,
@@ -186,7 +186,7 @@ TEST_CASE("a line that does not fit is cut off") {
   CHECK(std::string(to_text(event, names, none)).empty());
 }
 
-TEST_CASE("the time stands before a line in seconds") {
+TEST_CASE("the time before a line is in seconds") {
   std::array<char, 40> buffer{};
   CHECK(std::string(time_text(0, buffer)) == "[    0.000000] ");
   CHECK(std::string(time_text(1'500'007, buffer)) == "[    1.500007] ");
@@ -195,7 +195,7 @@ TEST_CASE("the time stands before a line in seconds") {
   CHECK(std::string(time_text(std::numeric_limits<Time>::min(), buffer)) == "[-9223372036854.775808] ");
 }
 
-TEST_CASE("each word of an event has a name of its own") {
+TEST_CASE("each enumerator of an event has its own name") {
   std::vector<std::string> names;
   for (int i = 0; i <= static_cast<int>(Event::Kind::given); ++i)
     names.emplace_back(name_of(static_cast<Event::Kind>(i)));

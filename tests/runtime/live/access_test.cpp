@@ -19,14 +19,14 @@ TEST_CASE("no two tokens are the same, and each has 32 digits") {
   CHECK(tokens.size() == 1000);
 }
 
-TEST_CASE("a token is the same letter by letter, and nothing more or less") {
+TEST_CASE("a token is equal only letter by letter, with the same length") {
   CHECK(is_token("abcd", "abcd"));
   for (const char* other : {"", "a", "abc", "abce", "bbcd", "abcde", "abcdabcd", "ABCD"})
     CHECK_FALSE(is_token(other, "abcd"));
   CHECK_FALSE(is_token(std::string("abcd\0", 5), "abcd"));
 }
 
-TEST_CASE("this computer is called by an address, as localhost, or by its own names, with any port") {
+TEST_CASE("names of this computer are an address, localhost, and its own names, with any port") {
   const std::vector<std::string> names{"robot7", "robot7.local"};
   for (const char* host : {"127.0.0.1", "127.0.0.1:8080", "10.0.0.3:1", "[::1]", "[::1]:8080", "localhost",
                            "LocalHost:9", "robot7", "Robot7.local:80"})
@@ -37,7 +37,7 @@ TEST_CASE("this computer is called by an address, as localhost, or by its own na
     CHECK_FALSE(is_own_host(host, names));
 }
 
-TEST_CASE("a page of this server is one of the same host and port, and a program has none") {
+TEST_CASE("the origin of a page of this server has the same host and port, and a program has none") {
   CHECK(is_own_origin("", "localhost:80"));
   CHECK(is_own_origin("http://localhost:80", "localhost:80"));
   for (const char* origin :

@@ -43,23 +43,23 @@ Caller::~Caller() {
   if (socket_ >= 0) close(socket_);
 }
 
-bool Caller::say(std::string_view bytes) const {
+bool Caller::send(std::string_view bytes) const {
   while (!bytes.empty()) {
-    const ssize_t count = send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    const ssize_t count = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (count < 0 && errno != EINTR) return false;
     if (count > 0) bytes.remove_prefix(static_cast<std::size_t>(count));
   }
   return true;
 }
 
-std::string Caller::hear_all() const {
+std::string Caller::read_all() const {
   std::string out;
   pollfd one{socket_, POLLIN, 0};
-  while (poll(&one, 1, 60'000) == 1 && hear(out)) {}
+  while (poll(&one, 1, 60'000) == 1 && read(out)) {}
   return out;
 }
 
-bool Caller::hear(std::string& into) const {
+bool Caller::read(std::string& into) const {
   std::array<char, 65'536> buffer{};
   const ssize_t count = recv(socket_, buffer.data(), buffer.size(), MSG_DONTWAIT);
   if (count > 0) into.append(buffer.data(), static_cast<std::size_t>(count));
@@ -79,16 +79,16 @@ std::string get(const std::string& url, std::string_view path, std::string_view 
       .append("\r\n");
 }
 
-Heard split(const std::string& answer) {
+Response split(const std::string& answer) {
   const std::size_t end = answer.find("\r\n\r\n");
   if (end == std::string::npos || !answer.starts_with("HTTP/1.1 ")) return {0, answer, {}};
   return {std::stoi(answer.substr(9, 3)), answer.substr(0, end + 2), answer.substr(end + 4)};
 }
 
-Heard call(const std::string& url, const std::string& request) {
+Response call(const std::string& url, const std::string& request) {
   const Caller caller(url);
-  caller.say(request);
-  return split(caller.hear_all());
+  caller.send(request);
+  return split(caller.read_all());
 }
 
 std::vector<Message> take_messages(std::string& stream) {
@@ -111,7 +111,7 @@ std::vector<Message> take_messages(std::string& stream) {
 
 std::string Follower::follow(const std::vector<Message>& messages, const std::vector<std::string>& happened) {
   for (const Message& message : messages) {
-    if (!message.event.empty()) continue; // `alive` and `standing`: no events
+    if (!message.event.empty()) continue; // `alive` and `standing` are no events
     std::size_t line = 0;
     bool moment = false;
     if (!begun_) {

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Who calls a live view: sockets as they are, so that a test can be as slow, as silent and as wrong as anybody.
+// A client of a live view with plain sockets, so that a test can be slow, silent or invalid.
 
 #include <cstdint>
 #include <string>
@@ -13,7 +13,7 @@ namespace director::tests {
 /// A connection to a server of this computer.
 class Caller {
 public:
-  /// `url`: of a LiveView. `buffer`: bytes that wait for who does not read; 0: as the system has it.
+  /// `url`: of a LiveView. `buffer`: bytes that wait for a client that does not read; 0: the default of the system.
   explicit Caller(const std::string& url, int buffer = 0);
   Caller(Caller&& other) noexcept : socket_(std::exchange(other.socket_, -1)) {}
   Caller& operator=(Caller&&) = delete;
@@ -21,48 +21,48 @@ public:
 
   int socket() const { return socket_; }
   bool connected() const { return socket_ >= 0; }
-  /// As it is. False: nobody takes it any more.
-  bool say(std::string_view bytes) const;
-  /// All that comes until the other one ends.
-  std::string hear_all() const;
-  /// What came by now; nothing: the other one has ended.
-  bool hear(std::string& into) const;
+  /// Sends the text unchanged. False: the connection has ended.
+  bool send(std::string_view bytes) const;
+  /// All bytes until the server ends the connection.
+  std::string read_all() const;
+  /// The bytes received by now; nothing: the server has ended the connection.
+  bool read(std::string& into) const;
 
 private:
   int socket_ = -1;
 };
 
-/// `GET`, with what belongs to it. `path`: behind the token, `events`.
+/// A `GET` request. `path`: behind the token, `events`.
 std::string get(const std::string& url, std::string_view path, std::string_view more = "",
                 std::string_view method = "GET");
 
-struct Heard {
-  int status = 0; ///< 0: no answer of HTTP
+struct Response {
+  int status = 0; ///< 0: no HTTP answer
   std::string head, body;
 };
-/// Asks, and hears the whole answer.
-Heard call(const std::string& url, const std::string& request);
-Heard split(const std::string& answer);
+/// Sends the request, and reads the whole answer.
+Response call(const std::string& url, const std::string& request);
+Response split(const std::string& answer);
 
-/// Of a url, `127.0.0.1:8080`, and what stands behind that and its slash, without the last one: the token.
+/// The host of a url, `127.0.0.1:8080`, and its token.
 std::string authority_of(const std::string& url);
 std::string token_of(const std::string& url);
 
-/// The messages of a stream that are whole, in order; takes them out.
+/// Takes the complete messages out of a stream, in order.
 struct Message {
   std::string event, id;
   std::vector<std::string> data;
 };
 std::vector<Message> take_messages(std::string& stream);
 
-/// Checks what one viewer got against all that happened, a line each: nothing is missing, twice or out of order, but
-/// what a line says that is missing.
+/// Compares the messages of one viewer with all events, a line each: none is missing, repeated or out of order, except
+/// those that a line reports as missing.
 class Follower {
 public:
-  /// Empty: all is well so far.
+  /// Adds a message. Empty: no difference so far.
   std::string follow(const std::vector<Message>& messages, const std::vector<std::string>& happened);
-  std::size_t at() const { return at_; }     ///< events that are behind it
-  std::size_t gaps() const { return gaps_; } ///< how often some were missing
+  std::size_t at() const { return at_; }     ///< the events compared so far
+  std::size_t gaps() const { return gaps_; } ///< the number of gaps
   std::size_t missed() const { return missed_; }
   bool begun() const { return begun_; }
 

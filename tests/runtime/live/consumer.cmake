@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -P consumer.cmake
-# A project of its own with an installed Director: its page is compiled in, is sent, and what is commanded is done.
+# A project of its own with an installed Director: its page is compiled in and sent, and commands are carried out.
 include(${CMAKE_CURRENT_LIST_DIR}/../installed.cmake)
 build_with_installed(live "commands|live_view|moments")
 

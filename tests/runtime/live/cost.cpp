@@ -1,9 +1,9 @@
 // Header: tests/runtime/live/CMakeLists.txt. Test: none, it prints what docs/performance.md says.
 // SPDX-License-Identifier: MIT
 //
-// live_cost [GAMES]: what a live view takes of the thread that steps, in processor time an event: ten minutes of
-// soccer, some thirty times as fast as the world, with as many viewers as are named. Of several games the one that took
-// least counts.
+// live_cost [GAMES]: prints the cost of a live view for the thread that steps, in processor time for each event: ten
+// minutes of soccer, some thirty times as fast as real time, with several numbers of viewers. Of several games the
+// fastest counts.
 #include "behaviours/soccer/player/player.hpp"
 #include "behaviours/soccer/player/servos.hpp"
 #include "behaviours/soccer/world/world.hpp"
@@ -59,13 +59,13 @@ Game play(Observer observer, LiveView* view, const std::uint64_t& events) {
 Game play_with(std::size_t viewers) {
   LiveView view{soccer::names::all(), {.connections = 256}};
   std::vector<Caller> callers;
-  for (std::size_t i = 0; i < viewers; ++i) callers.emplace_back(view.url()).say(get(view.url(), "events"));
+  for (std::size_t i = 0; i < viewers; ++i) callers.emplace_back(view.url()).send(get(view.url(), "events"));
   while (view.viewers() != viewers) std::this_thread::sleep_for(1ms);
   std::atomic<bool> over{false};
   std::thread reading([&] {
-    std::string heard;
-    for (; !over; heard.clear()) {
-      for (std::size_t i = 0; i < (viewers + 1) / 2; ++i) callers[i].hear(heard);
+    std::string received;
+    for (; !over; received.clear()) {
+      for (std::size_t i = 0; i < (viewers + 1) / 2; ++i) callers[i].read(received);
       std::this_thread::sleep_for(5ms);
     }
   });

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A courier whose moments and events go to whom a test says.
+// A courier with moments and events under control of a test.
 
 #include "runtime/hosted/trace/event_queue.hpp"
 #include "runtime/hosted/trace/json_lines.hpp"
@@ -16,8 +16,8 @@ namespace director::tests {
 struct CourierMoments {
   explicit CourierMoments(std::size_t size) : queue(size), moments(*names.tables) {}
 
-  /// One event, of which there are as many as one likes.
-  void tell() {
+  /// Adds events, any number of them.
+  void add_events() {
     Event event;
     event.kind = Event::Kind::exhausted;
     event.time = event.until = static_cast<Time>(happened.size());
@@ -25,20 +25,20 @@ struct CourierMoments {
     append_event(event, names, happened.back());
     if (!queue.put(event)) queue.drop();
   }
-  void tell(int count) {
-    for (int i = 0; i < count; ++i) tell();
+  void add_events(int count) {
+    for (int i = 0; i < count; ++i) add_events();
   }
-  /// What holds by now, in another micro-step than the last time.
+  /// Shows the state, in another micro-step than the last time.
   void show() {
     (void)behaviour.fire<courier::Bell>();
     behaviour.step(std::chrono::milliseconds(0));
-    moments.show(behaviour.seen().view(), queue.told());
+    moments.show(behaviour.seen().view(), queue.total());
   }
 
   Names names = courier::names::all();
   EventQueue queue;
   live::Moments moments;
-  std::vector<std::string> happened; ///< what was told, as lines of a trace
+  std::vector<std::string> happened; ///< the events, as lines of a trace
   Plans plans;
   Skills skills;
   courier::Behaviour behaviour{plans, skills};

@@ -19,7 +19,7 @@ struct Viewer {
   Place place;
   Follower follower;
 
-  /// All that is there for this one; says what is wrong with it.
+  /// Takes all messages for this viewer; returns what is wrong with them.
   std::string look(const std::vector<std::string>& happened) {
     std::string text;
     while (const Feed::Text message = feed.next(place)) text += *message;
@@ -36,7 +36,7 @@ TEST_CASE("a viewer from the beginning gets every event, in order") {
   feed.take();
   CHECK(viewer.look(source.happened).empty());
   for (int round = 0; round < 20; ++round) {
-    source.tell(round);
+    source.add_events(round);
     source.show();
     feed.take();
     CHECK(viewer.look(source.happened).empty());
@@ -45,12 +45,13 @@ TEST_CASE("a viewer from the beginning gets every event, in order") {
   CHECK(viewer.follower.gaps() == 0);
 }
 
-TEST_CASE("a viewer who comes late gets a header, how much it missed, what holds, and then every event") {
+TEST_CASE(
+    "a viewer that connects late gets a header, the number of missed events, the current state, and then every event") {
   CourierMoments source{1024};
   Feed feed(source.queue, source.moments, source.names, 1 << 20);
-  source.tell(100);
+  source.add_events(100);
   source.show();
-  source.tell(7);
+  source.add_events(7);
   feed.take();
   Place place;
   std::string text = *feed.next(place);
@@ -66,26 +67,26 @@ TEST_CASE("a viewer who comes late gets a header, how much it missed, what holds
   CHECK(viewer.follower.missed() == 100);
 }
 
-TEST_CASE("who is too slow misses what is gone, is told how much, and what holds now") {
+TEST_CASE("a viewer that is too slow misses events, and gets their number and the current state") {
   CourierMoments source{1024};
   Feed feed(source.queue, source.moments, source.names, 2000);
   Viewer slow{feed, {}, {}}, quick{feed, {}, {}};
   for (int round = 0; round < 50; ++round) {
-    source.tell(10);
+    source.add_events(10);
     source.show();
     feed.take();
     CHECK(quick.look(source.happened).empty());
     if (round == 3 || round == 49) CHECK(slow.look(source.happened).empty());
   }
   CHECK(quick.follower.at() == 500);
-  CHECK(quick.follower.missed() == 10); // before the moment with which it began
+  CHECK(quick.follower.missed() == 10); // before its first moment
   CHECK(slow.follower.at() == 500);
   CHECK(slow.follower.gaps() == 2);
-  CHECK(slow.follower.missed() == 500); // nothing was kept that it could have got
+  CHECK(slow.follower.missed() == 500); // none of these events was kept
 }
 
-TEST_CASE("where groups stand that do not just run comes behind the events of its moment, and again when that may be "
-          "in doubt") {
+TEST_CASE(
+    "groups that do not simply run are sent behind the events of their moment, and again when that may be in doubt") {
   CourierMoments source{1024};
   source.plans.deliver = [](courier::Deliver::Default& run) { return run.enter(courier::Open{}, courier::Walk{{}}); };
   (void)source.behaviour.enable<courier::Open::Unlocking>(false);
@@ -103,13 +104,13 @@ TEST_CASE("where groups stand that do not just run comes behind the events of it
       "\n";
   Place place, late;
   CHECK(look(place) == "to 0\n");
-  source.tell(3);
+  source.add_events(3);
   source.behaviour.request(courier::Deliver{{}});
   source.show();
-  source.tell(2); // of the next moment
+  source.add_events(2); // events of the next moment
   CHECK(look(place) == "to 3\n" + waits + "to 5\n");
   source.show();
-  CHECK(look(place).empty()); // it is the same, and nothing says otherwise
+  CHECK(look(place).empty()); // nothing changed since
   Event lose;
   lose.kind = Event::Kind::lose;
   lose.group = 0;
@@ -122,43 +123,43 @@ TEST_CASE("where groups stand that do not just run comes behind the events of it
   CHECK(look(late) == "to 6\n" + waits);
   late = *feed.resume("6");
   CHECK(look(late) == waits);
-  source.tell(1);
+  source.add_events(1);
   late = *feed.resume("6");
   CHECK(look(late) == waits + "to 7\n");
   source.behaviour.cancel_all();
   source.show();
-  CHECK(look(late) == "standing []\n"); // none waits any more, whatever a viewer thinks
+  CHECK(look(late) == "standing []\n"); // none waits any more, which no event reported
   CHECK(look(late).empty());
 }
 
-TEST_CASE("what the queue had no place for is a gap for everybody") {
+TEST_CASE("events that found the queue full are a gap for all viewers") {
   CourierMoments source{16};
   Feed feed(source.queue, source.moments, source.names, 1 << 20);
   Viewer viewer{feed, {}, {}};
-  source.tell(10);
+  source.add_events(10);
   source.show();
   feed.take();
   CHECK(viewer.look(source.happened).empty());
-  source.tell(20); // four of them find no place
+  source.add_events(20); // four of them are dropped
   feed.take();
-  source.tell(3);
+  source.add_events(3);
   feed.take();
   CHECK(viewer.look(source.happened).empty());
-  CHECK(viewer.follower.at() == 26); // it waits for a moment behind the gap
+  CHECK(viewer.follower.at() == 26); // it waits for a moment after the gap
   source.show();
-  source.tell(2);
+  source.add_events(2);
   feed.take();
   CHECK(viewer.look(source.happened).empty());
   CHECK(viewer.follower.at() == 35);
   CHECK(viewer.follower.missed() == 10 + 7);
 }
 
-TEST_CASE("of a program that shows no moments viewers get the events that are kept") {
+TEST_CASE("viewers of a program that shows no moments get the events that are kept") {
   CourierMoments source{16};
   Feed feed(source.queue, source.moments, source.names, 300);
   Viewer early{feed, {}, {}}, late{feed, {}, {}};
   for (int round = 0; round < 30; ++round) {
-    source.tell(2);
+    source.add_events(2);
     feed.take();
     CHECK(early.look(source.happened).empty());
   }
@@ -169,13 +170,13 @@ TEST_CASE("of a program that shows no moments viewers get the events that are ke
   CHECK(late.follower.missed() > 50);
 }
 
-TEST_CASE("a moment that is older than what is kept, as of a program that stopped showing, is not told") {
+TEST_CASE("a moment that is older than the kept events, as if a program stopped showing, is not sent") {
   CourierMoments source{16};
   Feed feed(source.queue, source.moments, source.names, 300);
-  source.tell(2);
+  source.add_events(2);
   source.show();
   for (int round = 0; round < 30; ++round) {
-    source.tell(2);
+    source.add_events(2);
     feed.take();
   }
   Viewer late{feed, {}, {}};
@@ -183,13 +184,13 @@ TEST_CASE("a moment that is older than what is kept, as of a program that stoppe
   CHECK(late.follower.at() == 62);
 }
 
-TEST_CASE("who comes back with the id of its last message goes on there, where that is still kept") {
+TEST_CASE("a viewer that reconnects with the id of its last message continues there, if that is still kept") {
   CourierMoments source{64};
   Feed feed(source.queue, source.moments, source.names, 1000);
-  source.tell(5);
+  source.add_events(5);
   source.show();
   feed.take();
-  source.tell(5);
+  source.add_events(5);
   feed.take();
   for (const char* id : {"5", "10"}) {
     const std::optional<Place> place = feed.resume(id);
@@ -198,7 +199,7 @@ TEST_CASE("who comes back with the id of its last message goes on there, where t
     CHECK(std::to_string(place->next) == id);
   }
   for (const char* id : {"", "4", "11", "-1", "5 ", "99999999999999999999", "x"}) CHECK_FALSE(feed.resume(id));
-  source.tell(50);
+  source.add_events(50);
   feed.take();
   CHECK_FALSE(feed.resume("5"));
 }
@@ -211,14 +212,14 @@ TEST_CASE("a sign of life has the engine's time") {
   CHECK(*feed.alive() == "event: alive\ndata: 1500000\n\n");
 }
 
-TEST_CASE("a moment names tables that outlive the behaviour, as the view may do") {
+TEST_CASE("a moment has tables that outlive the behaviour, as the view may do") {
   CourierMoments source{16};
   source.show();
   CHECK(source.moments.look().view.tables == source.names.tables);
   CHECK(source.behaviour.seen().view().tables != source.names.tables);
 }
 
-TEST_CASE("moments go from thread to thread whole, and none is refused") {
+TEST_CASE("moments pass from thread to thread whole, and none is refused") {
   CourierMoments source{16};
   std::atomic<bool> over{false};
   std::thread reader([&] {
@@ -226,8 +227,8 @@ TEST_CASE("moments go from thread to thread whole, and none is refused") {
     while (!over) {
       const live::Moment& moment = source.moments.look();
       if (moment.view.tables == nullptr) continue;
-      if (moment.told != moment.view.micro_step || moment.told < last) std::abort();
-      last = moment.told;
+      if (moment.events != moment.view.micro_step || moment.events < last) std::abort();
+      last = moment.events;
     }
   });
   for (int i = 0; i < 20'000; ++i) {
@@ -238,5 +239,5 @@ TEST_CASE("moments go from thread to thread whole, and none is refused") {
   }
   over = true;
   reader.join();
-  CHECK(source.moments.look().told == source.behaviour.seen().view().micro_step);
+  CHECK(source.moments.look().events == source.behaviour.seen().view().micro_step);
 }

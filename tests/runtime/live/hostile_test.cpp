@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who wants nothing good of a live view: whatever they send, others go on looking, and the view is there afterwards.
+// Hostile clients of a live view: whatever they send, other viewers continue, and so does the view.
 #include "tests/property/random.hpp"
 #include "tests/runtime/live/client.hpp"
 #include "tests/runtime/live/soccer_game.hpp"
@@ -19,7 +19,7 @@ struct Attacked {
     for (int i = 0; i < 10; ++i) game.step();
     while (!is_there()) std::this_thread::sleep_for(1ms);
   }
-  /// Somebody with the token is answered.
+  /// Whether a client with the token gets an answer.
   bool is_there() const { return call(view.url(), get(view.url(), "why")).status == 200; }
   int status(const std::string& request) const { return call(view.url(), request).status; }
 
@@ -41,16 +41,16 @@ std::string with_headers(const std::string& url, std::size_t bytes, std::string_
 
 } // namespace
 
-TEST_CASE("random bytes are no request") {
+TEST_CASE("random bytes are refused") {
   Attacked attacked;
   property::Random random(1);
   for (int i = 0; i < 300; ++i) {
     std::string bytes(random.below(3000), '\0');
     for (char& each : bytes) each = static_cast<char>(random.below(256));
     const Caller caller(attacked.view.url());
-    caller.say(bytes + "\r\n\r\n");
-    const Heard heard = split(caller.hear_all());
-    if (heard.status != 400 && heard.status != 403) FAIL(heard.status << " for " << bytes);
+    caller.send(bytes + "\r\n\r\n");
+    const Response received = split(caller.read_all());
+    if (received.status != 400 && received.status != 403) FAIL(received.status << " for " << bytes);
   }
   CHECK(attacked.is_there());
 }
@@ -76,7 +76,7 @@ TEST_CASE("requests that are nearly right: a letter replaced, lost or doubled") 
   CHECK(attacked.is_there());
 }
 
-TEST_CASE("a request that is too long is refused, however it is made long") {
+TEST_CASE("a request that is too long is refused, in any part") {
   Attacked attacked;
   const std::string& url = attacked.view.url();
   CHECK(attacked.status(with_headers(url, 4000, "A: b\r\n")) == 200);
@@ -87,11 +87,11 @@ TEST_CASE("a request that is too long is refused, however it is made long") {
   CHECK(attacked.status(get(url, std::string(7900, 'x'))) == 404);
   CHECK(attacked.status(get(url, "why?" + std::string(7900, '&'))) == 200);
   CHECK(attacked.status(get(url, std::string(2000, '%'))) == 404);
-  CHECK(attacked.status(std::string(20'000'000, 'x')) == 431); // in one line, without an end
+  CHECK(attacked.status(std::string(20'000'000, 'x')) == 431); // one line without an end
   CHECK(attacked.is_there());
 }
 
-TEST_CASE("nothing but what is there can be reached, by whatever way") {
+TEST_CASE("no path reaches anything that is not served") {
   Attacked attacked;
   const std::string& url = attacked.view.url();
   for (const char* path : {"../../etc/passwd", "..%2f..%2fetc%2fpasswd", "%2e%2e/%2e%2e/etc/passwd", "....//etc/passwd",
@@ -101,13 +101,13 @@ TEST_CASE("nothing but what is there can be reached, by whatever way") {
   }
 }
 
-TEST_CASE("without the token, or with nearly the right one, nothing is told") {
+TEST_CASE("without the token, or with a similar one, nothing is sent") {
   Attacked attacked;
   const std::string& url = attacked.view.url();
   const std::string token = token_of(url), host = " HTTP/1.1\r\nHost: " + authority_of(url) + "\r\n\r\n";
   std::string nearly = token;
   nearly.back() = nearly.back() == '0' ? '1' : '0';
-  const Heard refused = call(url, "GET /" + nearly + "/events" + host);
+  const Response refused = call(url, "GET /" + nearly + "/events" + host);
   CHECK(refused.status == 403);
   CHECK(refused.body == "The address needs the token that the program printed when it began: http://.../TOKEN/\n");
   for (const std::string& path : {std::string("/"), std::string("/events"), "/" + token.substr(1) + "/",
@@ -131,42 +131,42 @@ TEST_CASE("other methods, and bodies of any size, do nothing") {
   CHECK(attacked.is_there());
 }
 
-TEST_CASE("who sends a letter now and then, or nothing, keeps nobody out") {
+TEST_CASE("a client that sends a letter now and then, or nothing, excludes no others") {
   Attacked attacked({.connections = 8, .patience = 60s});
   const std::string& url = attacked.view.url();
   std::vector<Caller> slow;
   for (int i = 0; i < 40; ++i) {
     slow.emplace_back(url);
-    slow.back().say("GET /");
+    slow.back().send("GET /");
     CHECK(attacked.is_there());
   }
 }
 
-TEST_CASE("a request that does not come to its end is not waited for") {
+TEST_CASE("a request that does not end is closed after a timeout") {
   Attacked attacked({.patience = 100ms});
   const Caller slow(attacked.view.url());
-  while (slow.say("x")) { // until nobody takes it any more
-    std::string heard;
-    if (!slow.hear(heard)) break;
+  while (slow.send("x")) { // until the connection is closed
+    std::string received;
+    if (!slow.read(received)) break;
     std::this_thread::sleep_for(5ms);
   }
   CHECK(attacked.is_there());
 }
 
-TEST_CASE("where all connections are taken by viewers, the next one is told so, and has a place when one leaves") {
+TEST_CASE("if viewers use all connections, the next one is refused, and gets a place when one leaves") {
   Attacked attacked({.connections = 4});
   const std::string& url = attacked.view.url();
   std::vector<Caller> viewers;
-  for (std::size_t i = 0; i < 4; ++i) viewers.emplace_back(url).say(get(url, "events"));
+  for (std::size_t i = 0; i < 4; ++i) viewers.emplace_back(url).send(get(url, "events"));
   while (attacked.view.viewers() != 4) std::this_thread::sleep_for(1ms);
-  const Heard full = split(Caller(url).hear_all());
+  const Response full = split(Caller(url).read_all());
   CHECK(full.status == 503);
   CHECK(full.body == "All 4 connections are taken: close a page, or give LiveView more `connections`.\n");
   viewers.pop_back();
   while (!attacked.is_there()) std::this_thread::sleep_for(1ms);
 }
 
-TEST_CASE("many who connect and leave at once, also in the middle of an answer, leave nothing behind") {
+TEST_CASE("many clients that connect and leave at once, also in the middle of an answer, leave nothing behind") {
   Attacked attacked;
   const std::string& url = attacked.view.url();
   property::Random random(3);
@@ -177,7 +177,7 @@ TEST_CASE("many who connect and leave at once, also in the middle of an answer, 
       for (int i = 0; i < 500; ++i) {
         const Caller caller(url);
         const std::string request = get(url, own.below(2) == 0 ? "events" : "why");
-        if (caller.connected()) caller.say(request.substr(0, own.below(request.size() + 1)));
+        if (caller.connected()) caller.send(request.substr(0, own.below(request.size() + 1)));
       }
     });
   }

@@ -8,7 +8,7 @@ using namespace director::live;
 
 namespace {
 
-/// What the handler was asked last, in a line; it answers with what it is given.
+/// The last request of the handler, as a line; it answers with a given text.
 struct Asked {
   Reply reply{.body = std::make_shared<const std::string>("text")};
   std::string line;
@@ -23,7 +23,7 @@ struct Asked {
 
 } // namespace
 
-TEST_CASE("a request has its path and parameters decoded, and its headers by any spelling") {
+TEST_CASE("a request has its path and parameters decoded, and its headers in any case") {
   Asked asked;
   const Answer answer = asked.http.answer(
       "GET /a%20b/why?group=Kick&x=%2b HTTP/1.1\r\nhOST: robot:80\r\nOrigin: http://o\r\nLAST-event-id: 7\r\n\r\n");
@@ -34,7 +34,7 @@ TEST_CASE("a request has its path and parameters decoded, and its headers by any
   CHECK_FALSE(answer.stream);
 }
 
-TEST_CASE("to HEAD only the head is answered, and it is the same") {
+TEST_CASE("the answer to HEAD is the head of the answer to GET") {
   Asked asked;
   const Answer answer = asked.http.answer("HEAD / HTTP/1.1\r\nHost: a\r\n\r\n");
   CHECK(answer.head.find("Content-Length: 4\r\n") != std::string::npos);
@@ -52,7 +52,7 @@ TEST_CASE("a stream has no length, and ends with the connection") {
   CHECK(answer.stream);
 }
 
-TEST_CASE("neither parts nor compression are answered, nor is anybody told to go on") {
+TEST_CASE("the answer has neither ranges nor compression, and no request to continue") {
   Asked asked;
   const std::string plain = asked.http.answer("GET / HTTP/1.1\r\nHost: a\r\n\r\n").head;
   std::string parts = "Range: bytes=0-1";
@@ -63,7 +63,7 @@ TEST_CASE("neither parts nor compression are answered, nor is anybody told to go
   }
 }
 
-TEST_CASE("a body is told of, and nobody reads it") {
+TEST_CASE("a request says whether it has a body, which is not read") {
   Asked asked;
   asked.http.answer("POST / HTTP/1.1\r\nHost: a\r\nContent-Length: 99999999999\r\nContent-Encoding: gzip\r\n\r\n");
   CHECK(asked.line == "POST / host=a origin= last= with a body");
@@ -73,7 +73,7 @@ TEST_CASE("a body is told of, and nobody reads it") {
   CHECK(asked.line == "POST / host=a origin= last=");
 }
 
-TEST_CASE("what is no request is refused without asking, and told so") {
+TEST_CASE("an invalid request is refused without the handler, with an answer") {
   Asked asked;
   for (const char* request : {"\r\n\r\n", "nonsense\r\n\r\n", "BREW / HTTP/1.1\r\n\r\n", "GET / HTTP/3.0\r\n\r\n",
                               "PRI * HTTP/2.0\r\n\r\n", "GET /\r\n\r\n", "\x16\x03\x01\r\n\r\n"}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests runtime/live/live_view.hpp: with viewers who read, who read nothing, and who come and go.
+// Tests runtime/live/live_view.hpp: with viewers that read, that read nothing, and that come and go.
 #include "runtime/live/live_view.hpp"
 #include "tests/runtime/live/client.hpp"
 #include "tests/runtime/live/soccer_game.hpp"
@@ -27,24 +27,24 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Viewers who read all that they are sent.
+/// Viewers that read all messages.
 class Readers {
 public:
   Readers(const std::string& url, std::size_t count) : viewers_(count) {
     for (Viewer& viewer : viewers_) {
       viewer.caller = std::make_unique<Caller>(url);
-      viewer.caller->say(get(url, "events"));
+      viewer.caller->send(get(url, "events"));
     }
   }
-  /// What came by now, of all of them.
-  void hear() {
+  /// Reads the waiting messages of all of them.
+  void read() {
     std::vector<pollfd> sockets;
     for (const Viewer& viewer : viewers_) sockets.push_back({viewer.caller->socket(), POLLIN, 0});
     poll(sockets.data(), sockets.size(), 1);
     for (std::size_t i = 0; i < viewers_.size(); ++i) {
       if (sockets[i].revents == 0) continue;
       Viewer& viewer = viewers_[i];
-      viewer.ended = !viewer.caller->hear(viewer.text);
+      viewer.ended = !viewer.caller->read(viewer.text);
       if (const std::size_t end = viewer.text.find("\r\n\r\n"); !viewer.answered && end != std::string::npos) {
         viewer.answered = true;
         viewer.text.erase(0, end + 4);
@@ -52,7 +52,7 @@ public:
       if (viewer.answered) std::ranges::move(take_messages(viewer.text), std::back_inserter(viewer.messages));
     }
   }
-  /// Each has begun, and is at this event or behind it; the first thing that is wrong ends that.
+  /// Whether each has begun, and is at this event or behind it; the first difference ends the test.
   bool are_at(const std::vector<std::string>& happened) {
     return std::ranges::all_of(viewers_, [&](Viewer& viewer) {
       if (wrong.empty()) wrong = viewer.follower.follow(viewer.messages, happened);
@@ -79,12 +79,12 @@ private:
   std::vector<Viewer> viewers_;
 };
 
-/// Who asks for all that happens, and never reads a byte of it.
+/// A viewer that requests all events, and never reads a byte.
 std::vector<Caller> deaf_viewers(const std::string& url, std::size_t count) {
   std::vector<Caller> out;
   for (std::size_t i = 0; i < count; ++i) {
     out.emplace_back(url, 2048);
-    out.back().say(get(url, "events"));
+    out.back().send(get(url, "events"));
   }
   return out;
 }
@@ -93,7 +93,7 @@ void wait_for_viewers(const LiveView& view, std::size_t count) {
   while (view.viewers() != count) std::this_thread::sleep_for(1ms);
 }
 
-/// How long steps took, in microseconds.
+/// The durations of steps, in microseconds.
 struct Times {
   explicit Times(std::vector<double> took) {
     std::ranges::sort(took);
@@ -107,7 +107,7 @@ struct Times {
                   half, most, longest);
     return out;
   }
-  /// Of these against those of `other`. No test compares it: it is a machine's, with all that goes on there.
+  /// Prints these beside those of `other`. No test compares them: they depend on the machine and its load.
   std::string against(const Times& other) const {
     char out[200];
     std::snprintf(out, sizeof(out), "%.2f times, %.2f times, %.1f times", half / other.half, most / other.most,
@@ -119,12 +119,12 @@ struct Times {
 
 } // namespace
 
-TEST_CASE("200 viewers, half of whom read nothing: the others get every event in order, and the steps are as without") {
+TEST_CASE("of 200 viewers half read nothing: the others get every event in order, and steps are not slower") {
   constexpr int steps = 6000;
   const auto play = [](SoccerGame& game) {
     for (int i = 0; i < steps; ++i) {
       game.step();
-      if (i % 10 == 0) std::this_thread::sleep_for(1ms); // a hundred times as fast as the world
+      if (i % 10 == 0) std::this_thread::sleep_for(1ms); // a hundred times as fast as real time
     }
   };
   SoccerGame alone(nullptr);
@@ -143,13 +143,13 @@ TEST_CASE("200 viewers, half of whom read nothing: the others get every event in
   // The others read in a thread of their own, as in another process.
   std::atomic<bool> over{false};
   std::thread reading([&] {
-    while (!over) readers.hear();
+    while (!over) readers.read();
   });
   play(game);
   over = true;
   reading.join();
   const std::vector<std::string> happened = game.happened();
-  while (!readers.are_at(happened)) readers.hear();
+  while (!readers.are_at(happened)) readers.read();
   CHECK(readers.wrong == "");
   CHECK(view.dropped() == 0);
   CHECK(game.count() == alone.count());
@@ -164,7 +164,7 @@ TEST_CASE("200 viewers, half of whom read nothing: the others get every event in
               readers.gaps(), with_none.against(without).c_str(), with_all.against(with_none).c_str());
 }
 
-TEST_CASE("what viewers who read nothing keep of the memory does not grow") {
+TEST_CASE("the memory for viewers that read nothing does not grow") {
   LiveView view{soccer::names::all(), {.memory = 256 << 10, .connections = 64, .interval = 1ms}};
   SoccerGame game(&view);
   const std::vector<Caller> deaf = deaf_viewers(view.url(), 50);
@@ -173,21 +173,21 @@ TEST_CASE("what viewers who read nothing keep of the memory does not grow") {
   const auto play = [&](int steps) {
     for (int i = 0; i < steps; ++i) {
       game.step();
-      if (i % 50 == 0) reader.hear();
+      if (i % 50 == 0) reader.read();
     }
     const std::vector<std::string> happened = game.happened();
-    while (!reader.are_at(happened)) reader.hear();
+    while (!reader.are_at(happened)) reader.read();
   };
-  play(2000); // many times what is kept
+  play(2000); // many times the kept events
   const std::size_t before = mallinfo2().uordblks;
   play(8000);
   const std::size_t after = mallinfo2().uordblks;
   CHECK(reader.wrong == "");
   CHECK(view.viewers() == 51);
-  CHECK(after < before + (1 << 20)); // of 3 MB that happened, and 50 viewers
+  CHECK(after < before + (1 << 20)); // of 3 MB of events, with 50 viewers
 }
 
-TEST_CASE("who reads nothing is let go after a while, and the others stay") {
+TEST_CASE("a viewer that reads nothing is disconnected after a while, and the others stay") {
   LiveView view{soccer::names::all(), {.memory = 64 << 10, .interval = 1ms, .patience = 2s}};
   SoccerGame game(&view);
   const std::vector<Caller> deaf = deaf_viewers(view.url(), 10);
@@ -195,15 +195,15 @@ TEST_CASE("who reads nothing is let go after a while, and the others stay") {
   wait_for_viewers(view, 13);
   while (view.viewers() > 3) {
     for (int i = 0; i < 50; ++i) game.step();
-    reader.hear();
+    reader.read();
   }
   for (int i = 0; i < 100; ++i) game.step();
   const std::vector<std::string> happened = game.happened();
-  while (!reader.are_at(happened)) reader.hear();
+  while (!reader.are_at(happened)) reader.read();
   CHECK(reader.wrong == "");
 }
 
-TEST_CASE("with the longest patience who reads nothing stays, and a view at the longest interval rests") {
+TEST_CASE("with the longest patience a viewer that reads nothing stays, and a view with the longest interval sleeps") {
   LiveView patient{soccer::names::all(), {.interval = 1ms, .patience = std::chrono::milliseconds::max()}};
   SoccerGame game(&patient);
   const std::vector<Caller> deaf = deaf_viewers(patient.url(), 10);
@@ -215,10 +215,10 @@ TEST_CASE("with the longest patience who reads nothing stays, and a view at the 
   const std::clock_t before = std::clock();
   const LiveView seldom{soccer::names::all(), {.interval = std::chrono::milliseconds::max()}};
   std::this_thread::sleep_for(400ms);
-  CHECK(std::clock() - before < CLOCKS_PER_SEC / 5); // of the time of a processor, the first view's included
+  CHECK(std::clock() - before < CLOCKS_PER_SEC / 5); // processor time, including the first view's
 }
 
-TEST_CASE("who is slow for a while misses what is gone, knows how much, and goes on") {
+TEST_CASE("a viewer that is slow for a while misses events, gets their number, and continues") {
   LiveView view{soccer::names::all(), {.memory = 100'000, .interval = 1ms}};
   SoccerGame game(&view);
   Readers reader(view.url(), 1);
@@ -226,7 +226,7 @@ TEST_CASE("who is slow for a while misses what is gone, knows how much, and goes
   for (int round = 0; round < 3; ++round) {
     for (int i = 0; i < 6000; ++i) game.step();
     const std::vector<std::string> happened = game.happened();
-    while (!reader.are_at(happened)) reader.hear();
+    while (!reader.are_at(happened)) reader.read();
     CHECK(reader.wrong == "");
   }
   CHECK(reader.gaps() >= 3);
@@ -238,16 +238,16 @@ TEST_CASE("a view ends while its viewers are stuck, and in the middle of request
   const std::string url = view->url();
   SoccerGame game(&*view);
   std::vector<Caller> deaf = deaf_viewers(url, 20);
-  for (int i = 0; i < 20; ++i) deaf.emplace_back(url).say("GET / HTTP");
+  for (int i = 0; i < 20; ++i) deaf.emplace_back(url).send("GET / HTTP");
   for (int i = 0; i < 20; ++i) deaf.emplace_back(url);
   wait_for_viewers(*view, 20);
   for (int i = 0; i < 3000; ++i) game.step();
   view.reset();
   CHECK_FALSE(Caller(url).connected());
-  for (const Caller& each : deaf) each.hear_all();
+  for (const Caller& each : deaf) each.read_all();
 }
 
-TEST_CASE("the page, why, and what is not there") {
+TEST_CASE("the page, why, and paths that do not exist") {
   const TemporaryFolder folder;
   REQUIRE(
       run_command("directorc docs behaviours/soccer/soccer.yaml -o " + folder.path().string(), source_dir()).status ==
@@ -257,7 +257,7 @@ TEST_CASE("the page, why, and what is not there") {
   SoccerGame game(&from_file);
   for (int i = 0; i < 100; ++i) game.step();
   while (call(from_file.url(), get(from_file.url(), "why")).status != 200) std::this_thread::sleep_for(1ms);
-  const Heard page = call(from_file.url(), get(from_file.url(), ""));
+  const Response page = call(from_file.url(), get(from_file.url(), ""));
   CHECK(page.status == 200);
   CHECK(page.body == call(from_text.url(), get(from_text.url(), "")).body);
   CHECK(page.head.find("\r\nContent-Length: " + std::to_string(page.body.size()) + "\r\n") != std::string::npos);
@@ -269,25 +269,26 @@ TEST_CASE("the page, why, and what is not there") {
   CHECK(call(from_text.url(), get(from_text.url(), "why")).status == 503);
 }
 
-TEST_CASE("a browser that comes back goes on where it was") {
+TEST_CASE("a browser that reconnects continues where it was") {
   LiveView view{soccer::names::all(), {.interval = 1ms}};
   SoccerGame game(&view);
   for (int i = 0; i < 50; ++i) game.step();
   const std::string id = std::to_string(game.count());
   {
     Readers reader(view.url(), 1);
-    const std::vector<std::string> before = game.happened(); // all of which the view has taken, when the reader has it
-    while (!reader.are_at(before)) reader.hear();
+    const std::vector<std::string> before =
+        game.happened(); // all of them taken by the view, once the reader has the last
+    while (!reader.are_at(before)) reader.read();
     REQUIRE(reader.wrong.empty());
   }
   for (int i = 0; i < 50; ++i) game.step();
   const std::vector<std::string> happened = game.happened();
   const Caller again(view.url());
-  again.say(get(view.url(), "events", "Last-Event-ID: " + id + "\r\n"));
+  again.send(get(view.url(), "events", "Last-Event-ID: " + id + "\r\n"));
   std::string text;
   std::vector<std::string> data;
   while (data.size() < happened.size() - std::stoul(id)) {
-    again.hear(text);
+    again.read(text);
     if (const std::size_t head = text.find("\r\n\r\n"); head != std::string::npos) text.erase(0, head + 4);
     for (const Message& message : take_messages(text)) {
       if (message.event.empty()) data.insert(data.end(), message.data.begin(), message.data.end());
@@ -297,7 +298,7 @@ TEST_CASE("a browser that comes back goes on where it was") {
   CHECK(data == std::vector<std::string>(happened.begin() + std::stol(id), happened.end()));
 }
 
-TEST_CASE("a program commands by HTTP what it allowed") {
+TEST_CASE("commands by HTTP work if the program allows them") {
   LiveView view{soccer::names::all(), {.interval = 1ms}};
   CHECK(call(view.url(), get(view.url(), "cancel_all", "", "POST")).status == 403);
   sim::World world{1};
@@ -318,7 +319,7 @@ TEST_CASE("a program commands by HTTP what it allowed") {
   CHECK(call(view.url(), get(view.url(), "cancel_all", "", "POST")).status == 403);
 }
 
-TEST_CASE("at any address of this computer a view is called by the computer's own name, by which it answers") {
+TEST_CASE("a view on any address of this computer has the computer's own name in its address, and answers to it") {
   LiveView view{soccer::names::all(), {.address = "0.0.0.0"}};
   REQUIRE(view.good());
   CHECK(view.url().find("0.0.0.0") == std::string::npos);
@@ -328,15 +329,15 @@ TEST_CASE("at any address of this computer a view is called by the computer's ow
   CHECK(call(local, get(local, "why")).status == 503);
 }
 
-TEST_CASE("an address of IPv6 stands in brackets") {
+TEST_CASE("an IPv6 address is in brackets") {
   const LiveView view{soccer::names::all(), {.address = "::1"}};
   if (view.good())
     CHECK(view.url().starts_with("http://[::1]:"));
   else
-    CHECK(view.error().starts_with("cannot listen at [::1]:0: ")); // of a system without IPv6
+    CHECK(view.error().starts_with("cannot listen at [::1]:0: ")); // on a system without IPv6
 }
 
-TEST_CASE("what cannot be shown is said in words, and the behaviour runs on") {
+TEST_CASE("an error of a view is a sentence, and the behaviour continues") {
   const auto error = [](const LiveView::Options& options) {
     LiveView view{soccer::names::all(), options};
     CHECK_FALSE(view.good());

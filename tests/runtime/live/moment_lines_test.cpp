@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests runtime/live/moment_lines.hpp, and runtime/hosted/why_notes.hpp where names are compiled in.
+// Tests runtime/live/moment_lines.hpp, and runtime/hosted/why_notes.hpp with compiled names.
 #include "runtime/live/moment_lines.hpp"
 #include "tests/system/api/office.hpp"
 
@@ -11,7 +11,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Deliver wants to open the door, which is shut.
+/// Deliver waits for the door, which is shut.
 struct Shut {
   Shut() {
     plans.deliver = [](courier::Deliver::Default& run) { return run.enter(courier::Open{}, courier::Walk{{}}); };
@@ -45,7 +45,7 @@ struct Shut {
 
 } // namespace
 
-TEST_CASE("a moment is the events that would bring it about") {
+TEST_CASE("a moment is written as the events that lead to it") {
   const Shut waiting;
   CHECK(waiting.moment() == R"({"t":2000,"n":8,"event":"given","state":"Mood","value":"calm"}
 {"t":2000,"n":8,"event":"given","state":"Door","value":"shut"}
@@ -61,7 +61,7 @@ TEST_CASE("a moment is the events that would bring it about") {
 )");
 }
 
-TEST_CASE("where groups stand that do not just run is told without events") {
+TEST_CASE("groups that do not simply run are listed without events") {
   const Shut waiting;
   CHECK(
       waiting.standing() ==
@@ -74,7 +74,7 @@ TEST_CASE("where groups stand that do not just run is told without events") {
   CHECK(nothing == "[]");
 }
 
-TEST_CASE("what is held that a group would have to get stands beside the words of why") {
+TEST_CASE("the answer of why also has the held group that a group needs") {
   Shut carrying;
   carrying.plans.deliver = [](courier::Deliver::Default& run) { return run.carry(courier::Walk{{}}); };
   (void)carrying.behaviour.fire<courier::Bell>();
@@ -86,7 +86,7 @@ TEST_CASE("what is held that a group would have to get stands beside the words o
       R"json({"group":"Sing","kind":"lost","text":"Sing waits (Rest>Sing): it comes with Rest>Walk, and Walk is held by Deliver>Walk, and root>Deliver (priority 10) goes before root>Rest (priority 1)","held":{"group":"Walk","by":"Deliver>Walk"},"notes":["it is held for Deliver, priority 1, that for the program, priority 10"]})json");
 }
 
-TEST_CASE("why is answered with what the state is worth that is missing, and who could cause it") {
+TEST_CASE("the answer of why has the value of the state in a false condition, and the providers that could cause it") {
   const Shut waiting;
   const auto why = [&](std::string_view group) {
     Index row = 0;

@@ -9,7 +9,7 @@
 using namespace director::live;
 using namespace director::tests;
 
-TEST_CASE("a page of directorc docs is sent with its policy as a header, by which it may ask its own server") {
+TEST_CASE("a page of directorc docs is sent with its policy as a header, which allows requests to its own server") {
   const TemporaryFolder folder;
   REQUIRE(run_command("directorc docs tests/docs/rover/rover.yaml -o " + folder.path().string(), source_dir()).status ==
           0);
@@ -26,7 +26,7 @@ TEST_CASE("a page of directorc docs is sent with its policy as a header, by whic
         html.substr(html.find("<meta name=\"viewport\"")));
 }
 
-TEST_CASE("what is no page of directorc docs is none to send") {
+TEST_CASE("a page that is not from directorc docs is not sent") {
   for (const char* html :
        {"", "text", "<html></html>", "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'",
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src\n'none'\">"})

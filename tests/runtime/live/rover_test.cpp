@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rover of docs/live.md: what viewers are sent is a trace, and commands are as in the page.
+// The rover of docs/live.md: viewers get a trace, and commands are as on the page.
 #include "rover.hpp"
 #include "rover_page.hpp"
 #include "runtime/live/live_view.hpp"
@@ -21,7 +21,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// As a program's main function would be, until it is told to stop.
+/// Like the main function of a program, until it is stopped.
 void drive(std::atomic<const std::string*>& url, const std::atomic<bool>& running) {
   ScriptedMission mission;
   ScriptedChassis chassis;
@@ -40,16 +40,16 @@ void drive(std::atomic<const std::string*>& url, const std::atomic<bool>& runnin
   view.forbid_commands();
 }
 
-/// What `curl -N .../events | sed -n 's/^data: {/{/p'` keeps, until one line has this in it.
+/// The output of `curl -N .../events | sed -n 's/^data: {/{/p'`, up to a line that contains this.
 std::string saved_until(const std::string& url, std::string_view last) {
   const Caller viewer(url);
-  viewer.say(get(url, "events"));
-  std::string heard, out;
+  viewer.send(get(url, "events"));
+  std::string received, out;
   while (out.find(last) == std::string::npos) {
-    viewer.hear(heard);
+    viewer.read(received);
     std::this_thread::sleep_for(1ms);
-    if (const std::size_t head = heard.find("\r\n\r\n"); head != std::string::npos) heard.erase(0, head + 4);
-    for (const Message& message : take_messages(heard)) {
+    if (const std::size_t head = received.find("\r\n\r\n"); head != std::string::npos) received.erase(0, head + 4);
+    for (const Message& message : take_messages(received)) {
       for (const std::string& line : message.data) out += line.starts_with('{') ? line + "\n" : "";
     }
   }
@@ -58,7 +58,7 @@ std::string saved_until(const std::string& url, std::string_view last) {
 
 } // namespace
 
-TEST_CASE("what a viewer is sent is a trace that can be printed, from the beginning or from the middle") {
+TEST_CASE("a viewer gets a trace that can be printed, from the beginning or from the middle") {
   const TemporaryFolder folder;
   std::atomic<const std::string*> url{nullptr};
   std::atomic<bool> running{true};

@@ -17,9 +17,9 @@ struct Shown {
         site{source.names, live::Page{"<html>", "default-src 'none'"}, "token", {"robot7"}} {
     if (shown) source.show();
   }
-  /// As `200 text`.
-  std::string ask(const std::string& method, const std::string& path,
-                  std::multimap<std::string, std::string> parameters = {}, const std::string& origin = "") {
+  /// The answer, as `200 text`.
+  std::string call(const std::string& method, const std::string& path,
+                   std::multimap<std::string, std::string> parameters = {}, const std::string& origin = "") {
     Request request{
         .method = method, .path = path, .parameters = std::move(parameters), .host = "localhost", .origin = origin};
     return text(site.answer(request, source.moments.look()));
@@ -43,29 +43,29 @@ constexpr const char* no_token =
 
 } // namespace
 
-TEST_CASE("behind the token is the page, and nothing without it") {
+TEST_CASE("the page is behind the token, and nothing is sent without it") {
   Shown shown;
-  CHECK(shown.ask("GET", "/token/") == "200 <html>");
-  CHECK(shown.ask("GET", "/token") == "308 The address ends with a slash.\n");
-  CHECK(shown.ask("GET", "/favicon.ico") == "204");
+  CHECK(shown.call("GET", "/token/") == "200 <html>");
+  CHECK(shown.call("GET", "/token") == "308 The address ends with a slash.\n");
+  CHECK(shown.call("GET", "/favicon.ico") == "204");
   for (const char* path : {"", "/", "/tokem/", "/toke/", "/tokens/", "//token/", "/./token/", "/x/../token/", "/TOKEN/",
                            "*", "http://localhost/token/"})
-    CHECK(shown.ask("GET", path) == no_token);
+    CHECK(shown.call("GET", path) == no_token);
   for (const char* path : {"/token//", "/token/../token/", "/token/etc/passwd", "/token/index.html", "/token/events/"})
-    CHECK(shown.ask("GET", path).starts_with("404 There is nothing here: "));
+    CHECK(shown.call("GET", path).starts_with("404 There is nothing here: "));
 }
 
-TEST_CASE("other methods are refused, and say which there are") {
+TEST_CASE("other methods are refused, with a list of those that exist") {
   Shown shown;
   for (const char* method : {"PUT", "DELETE", "PATCH", "OPTIONS", "TRACE", "CONNECT"}) {
-    CHECK(shown.ask(method, "/token/") ==
+    CHECK(shown.call(method, "/token/") ==
           "405 " + std::string(method) + " is not understood here, only GET, HEAD and POST.\n");
-    CHECK(shown.ask(method, "/") == no_token);
+    CHECK(shown.call(method, "/") == no_token);
   }
-  CHECK(shown.ask("GET", "/token/cancel_all") == "405 A command is posted: curl -X POST ...\n");
+  CHECK(shown.call("GET", "/token/cancel_all") == "405 A command is posted: curl -X POST ...\n");
 }
 
-TEST_CASE("who calls this computer by a name of others is refused, token or not") {
+TEST_CASE("a request with a host name of others is refused, with or without the token") {
   Shown shown;
   Request request{.method = "GET", .path = "/token/", .host = "evil.example:80"};
   const Reply reply = shown.site.answer(request, shown.source.moments.look());
@@ -75,7 +75,7 @@ TEST_CASE("who calls this computer by a name of others is refused, token or not"
   CHECK(shown.site.answer(request, shown.source.moments.look()).status == 200);
 }
 
-TEST_CASE("every answer forbids to keep it, to show it elsewhere, and to tell others its address") {
+TEST_CASE("every answer forbids caching, framing, and referrers") {
   Shown shown;
   const auto headers = [&](const char* path) {
     std::string out;
@@ -92,20 +92,20 @@ TEST_CASE("every answer forbids to keep it, to show it elsewhere, and to tell ot
     CHECK(headers(path) == common + "; frame-ancestors 'none'\n");
 }
 
-TEST_CASE("why one group waits, or all that do") {
+TEST_CASE("why one group waits, or all waiting groups") {
   Shown shown;
   CHECK(
-      shown.ask("GET", "/token/why", {{"group", "Sing"}}) ==
+      shown.call("GET", "/token/why", {{"group", "Sing"}}) ==
       R"(200 {"t":0,"n":1,"groups":[{"group":"Sing","kind":"not_requested","text":"nothing requests Sing","notes":["Deliver may, and does not run","Rest may, and does not run"]}]})"
       "\n");
-  CHECK(shown.ask("GET", "/token/why") == "200 {\"t\":0,\"n\":1,\"groups\":[]}\n");
-  CHECK(shown.ask("GET", "/token/why", {{"group", "Sin\"g"}}) == "404 There is no group \"Sin\"g\".\n");
+  CHECK(shown.call("GET", "/token/why") == "200 {\"t\":0,\"n\":1,\"groups\":[]}\n");
+  CHECK(shown.call("GET", "/token/why", {{"group", "Sin\"g"}}) == "404 There is no group \"Sin\"g\".\n");
   Shown silent(false);
-  CHECK(silent.ask("GET", "/token/why") ==
+  CHECK(silent.call("GET", "/token/why") ==
         "503 The program has shown nothing yet: it calls show(behaviour) of its LiveView after each step.\n");
 }
 
-TEST_CASE("without a page there is still what happens") {
+TEST_CASE("without a page the events are still sent") {
   CourierMoments source{16};
   const Site site{source.names, std::nullopt, "token", {}};
   CHECK(Shown::text(site.answer({.method = "GET", .path = "/token/", .host = "localhost"}, source.moments.look())) ==
@@ -114,54 +114,55 @@ TEST_CASE("without a page there is still what happens") {
   CHECK(site.answer({.method = "GET", .path = "/token/events", .host = "localhost"}, source.moments.look()).stream);
 }
 
-TEST_CASE("commands are refused until the program allows them, and then do what they say") {
+TEST_CASE("commands are refused until the program allows them, and then are carried out") {
   Shown shown;
   for (const char* command : {"request", "cancel", "cancel_all", "set", "nothing"})
     CHECK(
-        shown.ask("POST", "/token/" + std::string(command), {{"task", "Rest"}}) ==
+        shown.call("POST", "/token/" + std::string(command), {{"task", "Rest"}}) ==
         "403 Commands are not allowed: the program has not called allow_commands(behaviour.post()) of its LiveView.\n");
-  CHECK(shown.ask("POST", "/tokem/cancel_all") == no_token);
+  CHECK(shown.call("POST", "/tokem/cancel_all") == no_token);
   shown.allow();
-  CHECK(shown.ask("POST", "/token/request", {{"task", "Rest"}}) == "202 posted: request Rest\n");
-  CHECK(shown.ask("POST", "/token/set", {{"state", "Mood"}, {"value", "hurried"}}) == "202 posted: set Mood hurried\n");
-  CHECK(shown.ask("POST", "/token/set", {{"state", "Battery"}, {"value", "-10"}}) == "202 posted: set Battery -10\n");
+  CHECK(shown.call("POST", "/token/request", {{"task", "Rest"}}) == "202 posted: request Rest\n");
+  CHECK(shown.call("POST", "/token/set", {{"state", "Mood"}, {"value", "hurried"}}) ==
+        "202 posted: set Mood hurried\n");
+  CHECK(shown.call("POST", "/token/set", {{"state", "Battery"}, {"value", "-10"}}) == "202 posted: set Battery -10\n");
   shown.source.show();
   CHECK(shown.source.behaviour.state<courier::Rest>() == RunState::running);
-  CHECK(shown.ask("POST", "/token/cancel", {{"task", "Rest"}}) == "202 posted: cancel Rest\n");
+  CHECK(shown.call("POST", "/token/cancel", {{"task", "Rest"}}) == "202 posted: cancel Rest\n");
   shown.source.show();
   CHECK(shown.source.behaviour.state<courier::Rest>() == RunState::none);
-  CHECK(shown.ask("POST", "/token/cancel_all") == "202 posted: cancel all\n");
+  CHECK(shown.call("POST", "/token/cancel_all") == "202 posted: cancel all\n");
   shown.site.allow({});
-  CHECK(shown.ask("POST", "/token/cancel_all").starts_with("403 "));
+  CHECK(shown.call("POST", "/token/cancel_all").starts_with("403 "));
 }
 
-TEST_CASE("a parameter that is misspelt, or given twice, is refused with those that there are, and nothing is done") {
+TEST_CASE("an unknown or repeated parameter is refused with a list of the known ones, and nothing is done") {
   Shown shown;
   shown.allow();
-  CHECK(shown.ask("GET", "/token/why", {{"gruop", "Sing"}}) ==
+  CHECK(shown.call("GET", "/token/why", {{"gruop", "Sing"}}) ==
         "400 why has no parameter \"gruop\"; there is: group.\n");
-  CHECK(shown.ask("GET", "/token/why", {{"group", "Sing"}, {"group", "Rest"}}) ==
+  CHECK(shown.call("GET", "/token/why", {{"group", "Sing"}, {"group", "Rest"}}) ==
         "400 The parameter group is given more than once: why takes one.\n");
-  CHECK(shown.ask("GET", "/token/events", {{"group", "Sing"}}) ==
+  CHECK(shown.call("GET", "/token/events", {{"group", "Sing"}}) ==
         "400 events has no parameter \"group\"; it takes none.\n");
-  CHECK(shown.ask("POST", "/token/request", {{"task", "Rest"}, {"lvel", "soon"}}) ==
+  CHECK(shown.call("POST", "/token/request", {{"task", "Rest"}, {"lvel", "soon"}}) ==
         "400 request has no parameter \"lvel\"; there are: task, level.\n");
-  CHECK(shown.ask("POST", "/token/request", {{"task", "Rest"}, {"level", "soon"}, {"level", "now"}}) ==
+  CHECK(shown.call("POST", "/token/request", {{"task", "Rest"}, {"level", "soon"}, {"level", "now"}}) ==
         "400 The parameter level is given more than once: request takes one.\n");
-  CHECK(shown.ask("POST", "/token/cancel_all", {{"task", "Rest"}}) ==
+  CHECK(shown.call("POST", "/token/cancel_all", {{"task", "Rest"}}) ==
         "400 cancel_all has no parameter \"task\"; it takes none.\n");
-  CHECK(shown.ask("POST", "/token/set", {{"State", "Mood"}, {"value", "calm"}}) ==
+  CHECK(shown.call("POST", "/token/set", {{"State", "Mood"}, {"value", "calm"}}) ==
         "400 set has no parameter \"State\"; there are: state, value.\n");
   shown.source.show();
   CHECK(shown.source.behaviour.state<courier::Rest>() == RunState::none);
-  CHECK(shown.ask("GET", "/token/", {{"from", "mail"}}) == "200 <html>"); // as programs add to links
+  CHECK(shown.call("GET", "/token/", {{"from", "mail"}}) == "200 <html>"); // parameters that programs add to links
 }
 
-TEST_CASE("a command that cannot be done says why") {
+TEST_CASE("a command that cannot be carried out is answered with the reason") {
   Shown shown;
   shown.allow();
   const auto post = [&](const char* command, std::multimap<std::string, std::string> parameters) {
-    return shown.ask("POST", "/token/" + std::string(command), std::move(parameters));
+    return shown.call("POST", "/token/" + std::string(command), std::move(parameters));
   };
   CHECK(post("request", {}) == "400 The task is missing: task=NAME; there are: Deliver, Rest.\n");
   CHECK(post("cancel", {{"task", "Sing"}}) == "404 \"Sing\" is not a root task; there are: Deliver, Rest.\n");
@@ -179,7 +180,7 @@ TEST_CASE("a command that cannot be done says why") {
   CHECK(post("set", {{"state", "Battery"}, {"value", "101"}}) ==
         "409 not posted: 101 is not within the range of Battery\n");
   CHECK(post("jump", {}) == "404 There is no such command: there are request, cancel, cancel_all and set.\n");
-  CHECK(shown.ask("POST", "/token/cancel_all", {}, "http://evil.example") ==
+  CHECK(shown.call("POST", "/token/cancel_all", {}, "http://evil.example") ==
         "403 A command is not taken from the page of another server, http://evil.example.\n");
   Request body{.method = "POST", .path = "/token/cancel_all", .host = "localhost", .has_body = true};
   CHECK(Shown::text(shown.site.answer(body, shown.source.moments.look())) ==

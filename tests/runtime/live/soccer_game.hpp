@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A game of soccer that a live view shows, with all that happened, and what each step took of the thread that steps.
+// A game of soccer with a live view, its events, and the time of each step.
 
 #include "behaviours/soccer/player/player.hpp"
 #include "behaviours/soccer/player/servos.hpp"
@@ -16,10 +16,10 @@ namespace director::tests {
 
 class SoccerGame {
 public:
-  /// Null: nobody can look.
+  /// Null: without a view.
   explicit SoccerGame(LiveView* view) : view_(view) { events_.reserve(1 << 20); }
 
-  /// A step, with what it shows.
+  /// Takes a step and shows its state.
   void step() {
     world_.step();
     const auto begin = std::chrono::steady_clock::now();
@@ -27,7 +27,7 @@ public:
     if (view_ != nullptr) view_->show(player_.behaviour());
     took.push_back(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count());
   }
-  /// Lines of a trace.
+  /// The events, as lines of a trace.
   std::vector<std::string> happened() const {
     std::vector<std::string> out(events_.size());
     for (std::size_t i = 0; i < events_.size(); ++i) append_event(events_[i], soccer::names::all(), out[i]);

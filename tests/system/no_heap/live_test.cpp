@@ -73,7 +73,7 @@ TEST_CASE("to show a game of soccer takes no heap, no lock and no system call fr
   std::vector<Caller> viewers; // who read nothing, which is the worst that they can do
   for (int i = 0; i < 100; ++i) {
     viewers.emplace_back(view.url(), 2048);
-    viewers.back().say(get(view.url(), "events"));
+    viewers.back().send(get(view.url(), "events"));
   }
   while (view.viewers() != 100) std::this_thread::sleep_for(1ms);
 

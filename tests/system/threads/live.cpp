@@ -20,11 +20,11 @@ using namespace std::chrono_literals;
 void look(const std::string& url) {
   for (int round = 0; round < 30; ++round) {
     const Caller deaf(url);
-    deaf.say(get(url, "events"));
+    deaf.send(get(url, "events"));
     const Caller viewer(url);
-    viewer.say(get(url, "events"));
-    std::string heard;
-    while (heard.size() < 4000 && viewer.hear(heard)) std::this_thread::sleep_for(1ms);
+    viewer.send(get(url, "events"));
+    std::string received;
+    while (received.size() < 4000 && viewer.read(received)) std::this_thread::sleep_for(1ms);
     const int why = call(url, get(url, "why?group=Walk")).status;
     const int done = call(url, get(url, round % 2 == 0 ? "request?task=Rest" : "cancel_all", "", "POST")).status;
     if ((why != 200 && why != 503) || done != 202) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a pass decides, told by its decisions. The whole of section 4 is held by the scenarios of tests/conformance and
-// by the oracle; here stand the reasons that people ask for.
+// Decisions of a pass, with the reasons that users see. Section 4 as a whole is tested by the scenarios of
+// tests/conformance and by the oracle.
 
 #include "tests/runtime/core/machine.hpp"
 
@@ -21,7 +21,7 @@ groups:
   Legs: {}
 )";
 
-TEST_CASE("a stronger task that waits pushes, and takes over when what it waits for has come true") {
+TEST_CASE("a stronger task that waits pushes, and takes over once its condition is true") {
   Machine machine(walker);
   machine.decisions = true;
   bool still = false;
@@ -45,7 +45,7 @@ TEST_CASE("a stronger task that waits pushes, and takes over when what it waits 
                                 "grant Walk>Legs after Kick>Legs", "run Walk.walking new_task", "run Legs new_task"});
 }
 
-TEST_CASE("a push waives nothing for what is below the one who pushes, also not for its needs") {
+TEST_CASE("a push waives no conditions for groups below the pusher, nor for its needs") {
   Machine machine(R"(
 behaviour: reading
 language: 1
@@ -72,7 +72,7 @@ groups:
                                 "queue Study>Read waiting"});
 }
 
-TEST_CASE("a group whose orders are outdated gets nothing new before it has run") {
+TEST_CASE("a stale group gets nothing new before it has run") {
   Machine machine(R"(
 behaviour: orders
 language: 1
@@ -86,12 +86,12 @@ groups:
   machine.request("Plan");
   CHECK(machine.step() == Lines{"grant root>Plan after nobody", "run Plan new_task", "queue Plan>Hold waiting"});
   machine.request("Plan");
-  machine.set("Hand", "open"); // both before Plan runs: it may not want Hold any more
+  machine.set("Hand", "open"); // both before Plan runs: it may withdraw Hold
   machine.body("Plan", [](Run& run) { return run.pack(); });
-  CHECK(machine.step() == Lines{"run Plan new_task"}); // and the reason that it had is not told again
+  CHECK(machine.step() == Lines{"run Plan new_task"}); // and its reason is not reported again
 }
 
-TEST_CASE("what is requested on orders that are outdated at once is queued for that reason") {
+TEST_CASE("a request of a group that is stale immediately is queued as outdated") {
   Machine machine(R"(
 behaviour: orders
 language: 1

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is decided again: only what a change reaches, however much else is in its component, if it is no small one.
+// Incremental passes: only units that a change reaches are decided again, in a component that is not small.
 
 #include "tests/runtime/core/machine.hpp"
 
@@ -8,7 +8,7 @@
 namespace director::tests {
 namespace {
 
-/// A player, and a crowd of skills in the same component, all of which run and none of which the player touches.
+/// A player, and a crowd of skills in the same component, all of which run and none of which the player uses.
 std::string player_in_a_crowd(int others) {
   std::string all;
   std::string groups;
@@ -40,7 +40,7 @@ groups:
          all + "}}}\n" + groups;
 }
 
-/// How many units each of a player's inputs makes the engine decide.
+/// The number of units that the engine decides for each input of a player.
 std::vector<std::uint64_t> work_of(int others) {
   Machine machine(player_in_a_crowd(others));
   machine.body("Walk.halting", [&](Run& run) {
@@ -67,16 +67,16 @@ std::vector<std::uint64_t> work_of(int others) {
   return out;
 }
 
-TEST_CASE("what nothing reaches is not decided again, however much of it there is") {
+TEST_CASE("units that no change reaches are not decided again, whatever their number") {
   std::vector<std::uint64_t> few = work_of(12), many = work_of(212);
-  // Who may be pushed is not followed: when a provider is disabled, all of its component is decided again.
+  // Which groups may be pushed is not noted: when a provider is disabled, all of its component is decided again.
   constexpr std::size_t disabled = 4;
   CHECK(few[disabled] < many[disabled]);
   few[disabled] = many[disabled] = 0;
   CHECK(few == many);
 }
 
-/// What happens where two wait for one condition, and the push of the first one serves both until it is dropped.
+/// The decisions when two tasks wait for one condition, and the push of the first one serves both until it is dropped.
 Lines served_by_another(Index most_decided_whole) {
   Machine machine(R"(
 behaviour: pushes
@@ -107,13 +107,13 @@ groups:
   return all;
 }
 
-TEST_CASE("who relied on another's push is asked again when that is dropped") {
+TEST_CASE("a unit that relied on the push of another is decided again when that push is dropped") {
   const Lines followed = served_by_another(0);
   CHECK(followed == served_by_another(1'000));
   CHECK(std::count(followed.begin(), followed.end(), "push Walk for root>Kick") == 3);
 }
 
-/// The decisions that follow from a scenario, where nothing is decided whole and where all is.
+/// The decisions in a scenario, with incremental passes and with whole ones.
 struct Both {
   Lines followed, whole;
 };
@@ -133,7 +133,7 @@ Both play_both(const std::string& behaviour, Play&& play) {
   return {lines_of(0), lines_of(1'000)};
 }
 
-TEST_CASE("who keeps a push for another one's sake is asked again when that one is replaced") {
+TEST_CASE("a unit that keeps a push because of another push is decided again when the other is replaced") {
   const Both both = play_both(R"(
 behaviour: chained
 language: 1
@@ -170,7 +170,7 @@ groups:
   CHECK(std::count(both.whole.begin(), both.whole.end(), "release Lean") == 1);
 }
 
-TEST_CASE("a denial counts also for a task that has another choice, and whose decision stands") {
+TEST_CASE("a denial also counts for a task with another choice whose decision remains") {
   const Both both = play_both(R"(
 behaviour: equals
 language: 1
@@ -200,7 +200,7 @@ groups:
   CHECK(std::count(both.whole.begin(), both.whole.end(), "run Dance new_task") == 1);
 }
 
-TEST_CASE("what a trigger wakes in several components runs in order, also where nothing is left to decide") {
+TEST_CASE("groups of several components that one trigger runs do so in order, also without arbitration") {
   const Both both =
       play_both(R"(
 behaviour: apart
@@ -216,14 +216,14 @@ groups:
   Head: {triggers: [Tick]}
 )",
                 [](Machine& machine, auto&& step) {
-                  bool asks = false;
-                  machine.body("First", [&](Run& run) { return asks ? machine.everything(run) : run.pack(); });
+                  bool requests = false;
+                  machine.body("First", [&](Run& run) { return requests ? machine.everything(run) : run.pack(); });
                   for (const char* each : {"First", "Second", "Lamp"}) {
                     machine.request(each);
                     step();
                   }
-                  asks = true;
-                  machine.request("First"); // what it asks for is asked for later than by the second one
+                  requests = true;
+                  machine.request("First"); // its task is requested later than that of the second one
                   step();
                   machine.set("Light", "on");
                   machine.fire("Tick");
@@ -233,7 +233,7 @@ groups:
   CHECK(Lines(both.followed.end() - 2, both.followed.end()) == Lines{"run Arm trigger", "run Head trigger"});
 }
 
-TEST_CASE("what was an optional task, and is only needed since its requester stopped, has its place by the need") {
+TEST_CASE("a group that was an optional task, and is only needed since its requester stopped, is ordered by the need") {
   for (const Index most_decided_whole : {0U, 1'000U}) {
     Machine machine(R"(
 behaviour: need
@@ -258,8 +258,7 @@ groups:
   }
 }
 
-TEST_CASE(
-    "who waits for a condition is blocked once what it needs is claimed earlier, as a need, by who holds it already") {
+TEST_CASE("a waiting task is blocked once the group that it needs is claimed earlier, as a need, by its holder") {
   for (const Index most_decided_whole : {0U, 1'000U}) {
     Machine machine(R"(
 behaviour: earlier
@@ -283,14 +282,14 @@ groups:
     CHECK(machine.engine().holder(machine.group("Arm")) == machine.edge("Lift>Arm"));
     CHECK(machine.engine().queued(machine.edge("Carry>Wave")).why == Why::waiting);
     machine.set("Grip", "firm");
-    machine.engine().set_budget(1); // and not when all has settled
+    machine.engine().set_budget(1); // not at rest
     machine.step();
     CHECK(machine.engine().holder(machine.group("Arm")) == machine.edge("Lift>Arm"));
     CHECK(machine.engine().queued(machine.edge("Carry>Wave")).why == Why::blocked);
   }
 }
 
-TEST_CASE("who is an equal of whoever holds a group, since a pass from nothing moved that one, is denied it") {
+TEST_CASE("a group is denied to an edge that became the equal of its holder in a pass from nothing") {
   for (const Index most_decided_whole : {0U, 1'000U}) {
     Machine machine(R"(
 behaviour: moved
@@ -318,7 +317,7 @@ groups:
   }
 }
 
-TEST_CASE("an engine whose state was put back decides from nothing, and the same") {
+TEST_CASE("an engine that forgets its last pass decides the same from nothing") {
   Machine machine(player_in_a_crowd(12));
   machine.request("Crowd");
   machine.request("Walk");

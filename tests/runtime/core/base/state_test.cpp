@@ -26,7 +26,7 @@ const Shape some{.groups = 5,
                  .pushable = 2,
                  .altered = 4};
 
-TEST_CASE("every array lies inside the block, aligned, behind the one before") {
+TEST_CASE("every array is inside the block, aligned, and behind the one before") {
   std::vector<std::uint64_t> memory(State::bytes(some) / 8);
   State state = State::in(reinterpret_cast<std::byte*>(memory.data()), State::layout(some));
   const auto* at = reinterpret_cast<const std::byte*>(memory.data());
@@ -52,7 +52,7 @@ TEST_CASE("the decision state is the smaller part, and its size is known at comp
   CHECK(State::decision_bytes(some) % 8 == 0);
 }
 
-TEST_CASE("what a combination can lack is the most that one provider of each group can, and who causes something can "
+TEST_CASE("the bound of false conditions is the sum over groups of the most of a provider, and causing providers can "
           "be pushed") {
   const std::vector<Provider> providers = [] {
     std::vector<Provider> rows(3);
@@ -72,8 +72,8 @@ TEST_CASE("what a combination can lack is the most that one provider of each gro
   CHECK(Shape::of(tables).pushable == 1);
 }
 
-TEST_CASE("requests are remembered as they were where there are several components: as many as one run, or one input, "
-          "alters") {
+TEST_CASE(
+    "changed requests are remembered if there are several components: as many as one run, or one input, can change") {
   const std::vector<Component> one(1), several(2);
   Tables tables;
   tables.root_edges = 3;

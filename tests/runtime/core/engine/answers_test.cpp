@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests runtime/core/base/observer.hpp: what who plays a run again has to be told.
+// Tests runtime/core/base/observer.hpp: the events that a replay needs.
 #include "runtime/core/engine/engine.hpp"
 #include "tests/runtime/core/machine.hpp"
 
@@ -29,7 +29,7 @@ groups:
 
 } // namespace
 
-TEST_CASE("an answer is told before what comes of it, and what is set although it is so") {
+TEST_CASE("an answer is reported before its consequences, with the values that it sets without a change") {
   Machine machine(rover);
   machine.answers = true;
   machine.handler("Explore.start",
@@ -50,7 +50,7 @@ TEST_CASE("an answer is told before what comes of it, and what is set although i
   machine.engine().step(4'600'000);
 }
 
-TEST_CASE("to cancel all tasks is told even if there is none") {
+TEST_CASE("a cancel of all tasks is reported even if there are none") {
   Machine machine(rover);
   machine.answers = true;
   machine.step();
@@ -65,7 +65,7 @@ TEST_CASE("to cancel all tasks is told even if there is none") {
   CHECK(machine.step() == Lines{"input at 0 of 0 cancel all", "input at 0 of 0 cancel Rest"});
 }
 
-TEST_CASE("a run that throws is told as its answer, without what it set") {
+TEST_CASE("a run that throws is reported as its answer, without the values that it set") {
   Machine machine(rover);
   machine.answers = true;
   machine.body("Explore", [&](Run& run) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the engine promises to those who call `step`: time, inputs, budget, faults, several engines, task data.
+// The guarantees of `step`: time, inputs, budget, faults, several engines, task data.
 
 #include "tests/runtime/core/machine.hpp"
 
@@ -31,7 +31,7 @@ TEST_CASE("an initial value expires, counted from the first step") {
   CHECK(machine.step(ms(1100)) == Lines{"set Ball -"});
 }
 
-TEST_CASE("an input that came before the step is taken before what is due in it") {
+TEST_CASE("an input that was posted before the step is taken before the timers that are due in it") {
   Machine machine(timed);
   machine.request("Look");
   machine.step(0);
@@ -40,7 +40,7 @@ TEST_CASE("an input that came before the step is taken before what is due in it"
   CHECK(machine.engine().next_due() == ms(200));
 }
 
-TEST_CASE("an input that need not wait in the inbox comes before what is posted behind it, and behind what waits") {
+TEST_CASE("an input that bypasses the inbox is taken before later ones, and after those that wait") {
   const std::string light = R"(
 behaviour: light
 language: 1
@@ -60,24 +60,24 @@ groups:
   Input green{.kind = Input::Kind::set, .thing = machine.state("Light")};
   green.value = machine.value("Light", "green");
   CHECK(machine.engine().take_first(green));
-  CHECK_FALSE(machine.engine().take_first(green)); // one waits already
+  CHECK_FALSE(machine.engine().take_first(green)); // another input waits already
   machine.set("Light", "yellow");
   CHECK(machine.step() == Lines{"run Watch.slow new_task"}); // all inputs come before a run
 
   machine.set("Light", "red");
-  CHECK_FALSE(machine.engine().take_first(green)); // it would overtake
+  CHECK_FALSE(machine.engine().take_first(green)); // it would overtake another input
   CHECK(machine.engine().post({&green, 1}));
   CHECK(machine.step() == Lines{"run Watch.go new_task"});
 }
 
-TEST_CASE("an input that need not wait in the inbox counts among the micro-steps of its step") {
+TEST_CASE("an input that bypasses the inbox counts among the micro-steps of its step") {
   Machine machine("{behaviour: b, language: 1, roots: [Watch], groups: {Watch: {}}}");
   machine.request("Watch");
   machine.engine().set_budget(1);
   CHECK(machine.step() == Lines{"exhausted"});
   Input again{.kind = Input::Kind::request, .thing = machine.edge("root>Watch")};
   again.set_level(machine.level(again.thing));
-  CHECK(machine.engine().take_first(again)); // before the run that is left
+  CHECK(machine.engine().take_first(again)); // taken before the remaining run
   CHECK(machine.step() == Lines{"exhausted"});
   CHECK(machine.step() == Lines{"run Watch new_task"});
 }
@@ -91,7 +91,7 @@ TEST_CASE("an earlier time counts as the last one") {
   CHECK(machine.engine().next_due() == ms(60));
 }
 
-TEST_CASE("a period that is late runs once and is next due at the first multiple behind now") {
+TEST_CASE("a period that is late runs once and is next due at the first multiple after now") {
   Machine machine(timed);
   machine.request("Clock");
   machine.step(0);
@@ -99,7 +99,7 @@ TEST_CASE("a period that is late runs once and is next due at the first multiple
   CHECK(machine.engine().next_due() == ms(40));
 }
 
-TEST_CASE("what changes nobody's chances takes a run and no pass") {
+TEST_CASE("an input that can change no decision takes a run and no pass") {
   Machine machine(timed);
   machine.request("Look");
   machine.step(0);
@@ -116,7 +116,7 @@ TEST_CASE("what changes nobody's chances takes a run and no pass") {
   CHECK(machine.engine().micro_steps() > machine.engine().passes());
 }
 
-TEST_CASE("who is requested again by itself is decided again where it counts whose orders are outdated") {
+TEST_CASE("a request that is repeated alone is decided again if a decision depends on a stale group") {
   Machine machine(R"(
 behaviour: watch
 language: 1
@@ -146,13 +146,13 @@ groups:
   machine.step();
   machine.set("Light", "night");
   CHECK(machine.step() == Lines{"run Look.by_lamp new_task"});
-  // The push that Look made serves Listen only, so it ends while each of them stands for itself.
+  // The push of Look serves Listen only, so it ends while each of them is a unit by itself.
   machine.request("Watch");
   CHECK(machine.step() == Lines{"release Walk", "run Watch new_task", "run Walk.walking new_task",
                                 "run Look.by_lamp new_task", "run Listen new_task"});
 }
 
-TEST_CASE("what is due runs at its own time") {
+TEST_CASE("a timer that is due runs at its own time") {
   Machine machine(R"(
 behaviour: waits
 language: 1
@@ -183,7 +183,7 @@ groups:
   CHECK(machine.engine().now() == ms(100));
 }
 
-TEST_CASE("what a body posts is taken by the next step") {
+TEST_CASE("an input that a body posts is taken by the next step") {
   Machine machine(timed);
   machine.body("Look", [&](Run& run) {
     machine.request("Clock");
@@ -194,7 +194,7 @@ TEST_CASE("what a body posts is taken by the next step") {
   CHECK(machine.step(0) == Lines{"run Clock new_task"});
 }
 
-TEST_CASE("a trigger runs who listens and is seen by name") {
+TEST_CASE("a trigger runs the providers that listen to it, which can read which one fired") {
   Machine machine(timed);
   bool seen = false;
   machine.body("Look", [&](Run& run) {
@@ -210,7 +210,7 @@ TEST_CASE("a trigger runs who listens and is seen by name") {
   CHECK(seen);
 }
 
-TEST_CASE("two that answer each other for ever exhaust the budget, and go on when called again") {
+TEST_CASE("two groups that run each other endlessly exhaust the budget, and continue with the next call") {
   Machine machine(R"(
 behaviour: chatter
 language: 1
@@ -232,7 +232,8 @@ groups:
   CHECK(machine.result() == StepResult::quiescent);
 }
 
-TEST_CASE("a step ends when its work is done up, and the next one goes on; together they do what one step does") {
+TEST_CASE(
+    "a step ends when its work budget is used up, and the next one continues; together they do what one step does") {
   const std::string text = R"(
 behaviour: talk
 language: 1
@@ -283,7 +284,7 @@ groups:
   Follow: {start: true, stop: {sets: [Pose == low]}, data: int}
 )";
 
-TEST_CASE("a body that faults keeps what it had, sets nothing, and the step can go on") {
+TEST_CASE("a body that faults keeps its requests, sets nothing, and the step can continue") {
   Machine machine(pair);
   bool faulty = false;
   machine.body("Lead", [&](Run& run) {
@@ -306,7 +307,7 @@ TEST_CASE("a body that faults keeps what it had, sets nothing, and the step can 
   CHECK(machine.result() == StepResult::quiescent);
 }
 
-TEST_CASE("a handler that faults stops no other action of its act") {
+TEST_CASE("a handler that faults prevents no other action of the same act") {
   Machine machine(pair);
   machine.handler("Follow.start", [](Handling& handling) { handling.fault(); });
   machine.request("Lead");
@@ -327,7 +328,7 @@ TEST_CASE("a body cannot step the engine") {
   CHECK(inner == StepResult::refused);
 }
 
-TEST_CASE("what a stop handler sets is an input of its own, before every other") {
+TEST_CASE("the values that a stop handler sets are an input of their own, before every other") {
   Machine machine(pair);
   machine.handler("Follow.stop", [&](Handling& handling) { handling.set(0, 0); });
   machine.body("Lead", [&](Run& run) {
@@ -341,7 +342,7 @@ TEST_CASE("what a stop handler sets is an input of its own, before every other")
   CHECK(machine.step() == Lines{"stop Follow", "set Pose low"});
 }
 
-TEST_CASE("data wait in the staging slot until the act is over, and stay with a group that lives on them") {
+TEST_CASE("data wait in the staging slot until the act is over, and stay with a group that uses them") {
   Machine machine(pair);
   std::vector<DataPlace::Slot> slots;
   machine.handler("Follow.start", [&](Handling& handling) { slots.push_back(handling.data().slot); });
@@ -355,7 +356,7 @@ TEST_CASE("data wait in the staging slot until the act is over, and stay with a 
   CHECK(machine.data_moves == Lines{"accept root>Lead", "settle root>Lead", "settle Lead>Follow"});
 }
 
-TEST_CASE("two engines on one set of tables know nothing of each other") {
+TEST_CASE("two engines on one set of tables are independent") {
   Machine machine(pair);
   EngineMemory memory(machine.tables());
   std::vector<Inbox::Cell> cells(4);
@@ -371,7 +372,7 @@ TEST_CASE("two engines on one set of tables know nothing of each other") {
   CHECK(machine.engine().state(machine.edge("root>Lead")) == RunState::running);
 }
 
-TEST_CASE("engines with equal decision bytes go on alike") {
+TEST_CASE("engines with equal decision bytes continue alike") {
   Machine first(pair), second(pair);
   first.request("Lead");
   first.step();
@@ -382,7 +383,7 @@ TEST_CASE("engines with equal decision bytes go on alike") {
   CHECK(std::memcmp(first.memory().data(), second.memory().data(), bytes) == 0);
 }
 
-TEST_CASE("after a reset all is as at the start") {
+TEST_CASE("after a reset the engine is as at the start") {
   Machine machine(pair);
   machine.request("Lead");
   const Lines first = machine.step();
@@ -392,7 +393,7 @@ TEST_CASE("after a reset all is as at the start") {
   CHECK(machine.step() == first);
 }
 
-TEST_CASE("an observer is told what a run requests, keeps and gives up, and when it wants to run again") {
+TEST_CASE("an observer gets what a run requests, keeps and withdraws, and when it is to run again") {
   Machine machine("{behaviour: b, language: 1, roots: {A: {}},"
                   " groups: {A: {tasks: {B: {}, C: {}}}, B: {}, C: {}}}");
   machine.requests = true;

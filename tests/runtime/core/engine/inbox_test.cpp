@@ -24,7 +24,7 @@ bool post(Inbox& inbox, Index thing) {
   return inbox.post({&input, 1});
 }
 
-TEST_CASE("records come out in the order in which they went in, round and round") {
+TEST_CASE("records come out in the order in which they went in, also after a wrap-around") {
   std::vector<Inbox::Cell> cells(4);
   Inbox inbox(cells);
   for (Index i = 0; i < 100; ++i) {
@@ -38,7 +38,7 @@ TEST_CASE("records come out in the order in which they went in, round and round"
   CHECK(inbox.take() == nullptr);
 }
 
-TEST_CASE("a full inbox refuses, and takes again when one was taken") {
+TEST_CASE("a full inbox refuses, and accepts again after a record was taken") {
   std::vector<Inbox::Cell> cells(2);
   Inbox inbox(cells);
   CHECK(post(inbox, 1));
@@ -61,26 +61,26 @@ TEST_CASE("an input of several records goes in whole or not at all") {
   CHECK(inbox.post({}));
 }
 
-TEST_CASE("what is put first is taken before what is posted behind it, and overtakes nothing") {
+TEST_CASE("an input that is put first is taken before later ones, and overtakes none") {
   std::vector<Inbox::Cell> cells(4);
   Inbox inbox(cells);
   CHECK(inbox.take() == nullptr);
   CHECK(inbox.put_first(numbered(1)));
-  CHECK_FALSE(inbox.put_first(numbered(2))); // one waits already
+  CHECK_FALSE(inbox.put_first(numbered(2))); // another input waits already
   CHECK(post(inbox, 2));
   inbox.open();
   CHECK(inbox.due());
   const Input* const first = inbox.take();
   REQUIRE(first != nullptr);
   CHECK(first->thing == 1);
-  CHECK_FALSE(inbox.put_first(numbered(3))); // it would overtake
+  CHECK_FALSE(inbox.put_first(numbered(3))); // it would overtake another input
   CHECK(inbox.is_open());
   const Input* const second = inbox.take();
   REQUIRE(second != nullptr);
   CHECK(second->thing == 2);
   CHECK(inbox.take() == nullptr);
 
-  CHECK(inbox.put_first(numbered(4))); // and nothing else
+  CHECK(inbox.put_first(numbered(4))); // nothing else waits
   inbox.open();
   CHECK(inbox.is_open());
   CHECK(inbox.take() != nullptr);
@@ -88,7 +88,7 @@ TEST_CASE("what is put first is taken before what is posted behind it, and overt
   CHECK_FALSE(inbox.due());
 }
 
-TEST_CASE("what several threads post arrives whole, each one's in its order") {
+TEST_CASE("inputs of several threads arrive whole, those of each thread in its order") {
   std::vector<Inbox::Cell> cells(64);
   Inbox inbox(cells);
   constexpr Index threads = 3, each = 2000;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The overflow slots: what a full inbox does not refuse, in which order it comes, and that it comes whole.
+// The overflow slots: inputs that a full inbox does not refuse, their order, and that they are taken whole.
 
 #include "runtime/core/engine/inbox.hpp"
 
@@ -27,7 +27,7 @@ struct Small {
   void fill() {
     while (fire(9)) {}
   }
-  bool say(Kind kind, std::vector<Index> edges) {
+  bool post(Kind kind, std::vector<Index> edges) {
     std::vector<Input> records;
     for (const Index edge : edges) records.push_back({.kind = kind, .more = true, .thing = edge});
     records.back().more = false;
@@ -36,7 +36,7 @@ struct Small {
     inbox.publish(records);
     return true;
   }
-  /// What one step of a reader sees: `request 1+2`, `cancel 0`, `fire`.
+  /// The inputs in one step of a reader: `request 1+2`, `cancel 0`, `fire`.
   std::vector<std::string> read() {
     std::vector<std::string> out;
     inbox.open();
@@ -56,33 +56,33 @@ struct Small {
 
 using Lines = std::vector<std::string>;
 
-TEST_CASE("requests and cancels find a place outside a full inbox, and come after what it held, in their order") {
+TEST_CASE("requests and cancels are stored outside a full inbox, and taken after its inputs, in their order") {
   Small small;
   small.fill();
-  CHECK(small.say(Kind::request, {3}));
-  CHECK(small.say(Kind::cancel, {0}));
-  CHECK(small.say(Kind::request, {1}));
+  CHECK(small.post(Kind::request, {3}));
+  CHECK(small.post(Kind::cancel, {0}));
+  CHECK(small.post(Kind::request, {1}));
   CHECK(small.read() == Lines{"fire", "fire", "request 3", "cancel 0", "request 1"});
   CHECK(small.read().empty());
 }
 
-TEST_CASE("of several words about one root task the last one counts, whatever it is, in its place in the order") {
+TEST_CASE("of several inputs about one root task the last one counts, at its place in the order") {
   Small small;
   small.fill();
-  for (const Kind kind : {Kind::request, Kind::cancel, Kind::request, Kind::cancel}) CHECK(small.say(kind, {2}));
-  CHECK(small.say(Kind::request, {1}));
-  CHECK(small.say(Kind::request, {2}));
+  for (const Kind kind : {Kind::request, Kind::cancel, Kind::request, Kind::cancel}) CHECK(small.post(kind, {2}));
+  CHECK(small.post(Kind::request, {1}));
+  CHECK(small.post(Kind::request, {2}));
   CHECK(small.read() == Lines{"fire", "fire", "request 1", "request 2"});
 }
 
-TEST_CASE("what comes about a root task later waits behind its newest record, though the inbox has room again") {
+TEST_CASE("a later input about a root task waits behind its newest record, even if the inbox has room again") {
   Small small;
   small.fill();
-  CHECK(small.say(Kind::request, {1}));
+  CHECK(small.post(Kind::request, {1}));
   small.inbox.open();
   CHECK(small.inbox.take() != nullptr);
-  CHECK(small.inbox.take() != nullptr); // the inbox is empty, the request is in the reader's hands
-  CHECK(small.say(Kind::cancel, {1}));
+  CHECK(small.inbox.take() != nullptr); // the inbox is empty, the reader holds the request
+  CHECK(small.post(Kind::cancel, {1}));
   const Input* const input = small.inbox.take();
   REQUIRE(input != nullptr);
   CHECK(small.text(*input) == "request 1");
@@ -90,39 +90,39 @@ TEST_CASE("what comes about a root task later waits behind its newest record, th
   CHECK(small.read() == Lines{"cancel 1"});
 }
 
-TEST_CASE("what one writer posts is taken in its order, through the inbox or outside it") {
+TEST_CASE("inputs of one writer are taken in its order, from the inbox or outside of it") {
   Small small;
   small.fire(9);
-  CHECK(small.say(Kind::request, {1}));
-  CHECK(small.say(Kind::cancel, {1})); // full
-  CHECK(small.say(Kind::request, {0}));
+  CHECK(small.post(Kind::request, {1}));
+  CHECK(small.post(Kind::cancel, {1})); // full
+  CHECK(small.post(Kind::request, {0}));
   CHECK(small.read() == Lines{"fire", "request 1", "cancel 1", "request 0"});
-  CHECK(small.say(Kind::cancel, {1}));
+  CHECK(small.post(Kind::cancel, {1}));
   CHECK(small.fire(9));
-  CHECK(small.say(Kind::request, {1}));
+  CHECK(small.post(Kind::request, {1}));
   CHECK(small.read() == Lines{"cancel 1", "fire", "request 1"});
 }
 
-TEST_CASE("root tasks that are requested together come together") {
+TEST_CASE("root tasks that are requested together are taken together") {
   Small small;
   small.fill();
-  CHECK(small.say(Kind::request, {1, 3, 0}));
-  CHECK(small.say(Kind::cancel, {2}));
+  CHECK(small.post(Kind::request, {1, 3, 0}));
+  CHECK(small.post(Kind::cancel, {2}));
   CHECK(small.read() == Lines{"fire", "fire", "request 0+1+3", "cancel 2"});
   small.fill();
-  CHECK(small.say(Kind::request, {1, 3}));
-  CHECK(small.say(Kind::cancel, {3}));
+  CHECK(small.post(Kind::request, {1, 3}));
+  CHECK(small.post(Kind::cancel, {3}));
   CHECK(small.read() == Lines{"fire", "fire", "request 1", "cancel 3"});
 }
 
-TEST_CASE("a task that is requested twice in one input is there once") {
+TEST_CASE("a task that is requested twice in one input is requested once") {
   Small small;
   small.fill();
-  CHECK(small.say(Kind::request, {1, 1}));
+  CHECK(small.post(Kind::request, {1, 1}));
   CHECK(small.read() == Lines{"fire", "fire", "request 1"});
 }
 
-TEST_CASE("a writer that is interrupted in the middle holds nobody up") {
+TEST_CASE("a writer that is interrupted in the middle blocks no other thread") {
   Small small;
   const auto reserve = [&] {
     std::array record{Input{.kind = Kind::request, .thing = 1}};
@@ -135,9 +135,9 @@ TEST_CASE("a writer that is interrupted in the middle holds nobody up") {
   };
   std::vector<Index> handles;
   for (Index i = 0; i < OverflowSlot::places; ++i) handles.push_back(reserve());
-  CHECK(reserve() == nil); // one of those in the middle of it will count as the later one
+  CHECK(reserve() == nil); // one of the unfinished records will count as the later one
   publish(handles[2], 2);
-  const Index again = reserve(); // the newest record gives up its place
+  const Index again = reserve(); // the newest record loses its place
   CHECK(again == handles[2]);
   publish(again, 5);
   publish(handles[0], 7);
@@ -148,11 +148,11 @@ TEST_CASE("a writer that is interrupted in the middle holds nobody up") {
   CHECK(small.inbox.take() == nullptr);
 }
 
-TEST_CASE("what is published before its leader waits for it") {
+TEST_CASE("a record that is published before its leader waits for it") {
   Small small;
   std::array both{Input{.kind = Kind::request, .more = true, .thing = 0}, Input{.kind = Kind::request, .thing = 1}};
   small.inbox.reserve(both);
-  // As far as a writer of both comes that is interrupted: the leader is still to be published.
+  // The state after a writer of both was interrupted: the leader is not published yet.
   small.inbox.publish({&both[1], 1});
   OverflowSlot::Note& follower = small.slots[1].notes[static_cast<Index>(both[1].handle - waiting_requests)];
   follower.leader = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A robot comes back to where it was again and again: what happened then happens once more, and what differs counts.
+// Repeated situations: the same inputs lead to the same decisions again, and differences to others.
 #include "runtime/core/inspect/view.hpp"
 #include "tests/runtime/core/machine.hpp"
 
@@ -29,7 +29,7 @@ void append(Lines& to, Lines lines) {
   for (std::string& line : lines) to.push_back(std::move(line));
 }
 
-/// What happens while the two take turns.
+/// The runs while the two tasks alternate.
 Lines turns(Machine& machine, int times) {
   Lines out;
   for (int i = 0; i < times; ++i) {
@@ -39,7 +39,7 @@ Lines turns(Machine& machine, int times) {
   return out;
 }
 
-/// Right holds what both want.
+/// Right holds the group that both need.
 void begin(Machine& machine) {
   machine.request("Left", "low");
   machine.request("Right");
@@ -49,7 +49,7 @@ void begin(Machine& machine) {
 const Lines two_turns{"run Left new_task", "run Shared.stand new_task", "run Shared.stand new_task",
                       "run Left new_task"};
 
-TEST_CASE("the run of who has all it can have takes no pass, and of who waits for its turn to ask it does") {
+TEST_CASE("the run of a group that repeats its requests takes no pass, unless a decision waits for it") {
   Machine machine(rivals);
   begin(machine);
   const auto passes = [&machine](const std::string& level, const Lines& expected) {
@@ -60,15 +60,15 @@ TEST_CASE("the run of who has all it can have takes no pass, and of who waits fo
   };
   const Lines first_left{"run Left new_task", "run Shared.stand new_task"};
   const Lines first_shared{"run Shared.stand new_task", "run Left new_task"};
-  CHECK(passes("high", first_left) == 2);  // Left takes it once it has run
-  CHECK(passes("low", first_shared) == 1); // Right takes it at once
+  CHECK(passes("high", first_left) == 2);  // Left gets it after its run
+  CHECK(passes("low", first_shared) == 1); // Right gets it at once
   CHECK(passes("high", first_left) == 2);
   machine.cancel("Right");
   CHECK(machine.step().empty());
-  CHECK(passes("low", first_left) == 1); // and keeps it
+  CHECK(passes("low", first_left) == 1); // it keeps the group
 }
 
-TEST_CASE("who takes turns has the same again each time, also after a reset") {
+TEST_CASE("two tasks that alternate get the same each time, also after a reset") {
   Machine machine(rivals);
   begin(machine);
   for (int i = 0; i < 4; ++i) CHECK(turns(machine, 2) == two_turns);
@@ -77,7 +77,7 @@ TEST_CASE("who takes turns has the same again each time, also after a reset") {
   CHECK(turns(machine, 2) == two_turns);
 }
 
-TEST_CASE("why a task is queued follows who takes turns; a copy of what stands keeps what it was made of") {
+TEST_CASE("the reason why a task is queued follows the task that holds the group; a copy of the view does not change") {
   Machine machine(rivals);
   begin(machine);
   turns(machine, 1);
@@ -96,8 +96,8 @@ TEST_CASE("why a task is queued follows who takes turns; a copy of what stands k
   left_runs(copy);
 }
 
-/// One input that asks for several tasks.
-void ask_for_all(Machine& machine, const std::vector<std::pair<std::string, std::size_t>>& tasks) {
+/// Posts one input that requests several tasks.
+void request_all(Machine& machine, const std::vector<std::pair<std::string, std::size_t>>& tasks) {
   std::vector<Input> input;
   for (const auto& [group, level] : tasks) {
     const Index edge = machine.edge("root>" + group);
@@ -108,7 +108,7 @@ void ask_for_all(Machine& machine, const std::vector<std::pair<std::string, std:
   REQUIRE(machine.inbox().post(input));
 }
 
-TEST_CASE("who runs first follows the order that stands, whoever asks, and where something else is decided besides") {
+TEST_CASE("runs follow the current order, whichever tasks are requested, and also if other decisions are made") {
   Machine machine(R"(
 behaviour: robot
 language: 1
@@ -125,7 +125,7 @@ groups:
 )");
   constexpr std::size_t low = 0, high = 1, dim = 0, bright = 1, dark = 2;
   const auto all = [&](const std::vector<std::pair<std::string, std::size_t>>& tasks) {
-    ask_for_all(machine, tasks);
+    request_all(machine, tasks);
     return machine.step();
   };
   const std::string left = "run Left new_task", right = "run Right.stand new_task", lamp = "run Lamp new_task";
@@ -141,7 +141,7 @@ groups:
   }
 }
 
-TEST_CASE("another value, or a provider that is disabled, is another situation") {
+TEST_CASE("another value, or a disabled provider, leads to another decision") {
   Machine machine(rivals);
   machine.request("Right");
   machine.step();
@@ -156,7 +156,7 @@ TEST_CASE("another value, or a provider that is disabled, is another situation")
   CHECK(machine.step() == Lines{"run Shared.stand new_task"});
 }
 
-TEST_CASE("which of two equals was requested first is told from the other order") {
+TEST_CASE("of two equals the one that was requested first goes first, in either order") {
   Machine machine(R"(
 behaviour: equals
 language: 1
@@ -186,7 +186,7 @@ groups:
   }
 }
 
-TEST_CASE("handlers are called, periods begin and end, and who stands as before is asked anew, each time again") {
+TEST_CASE("handlers, periods and new requests for unchanged groups work the same in each repetition") {
   Machine machine(R"(
 behaviour: robot
 language: 1

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What other threads see: whole moments, the newest that was shown, and nobody waits.
+// Copies for other threads: whole, the newest one, and without waiting.
 
 #include "runtime/core/inspect/snapshot.hpp"
 #include "runtime/core/inspect/view.hpp"
@@ -13,7 +13,7 @@
 namespace director::tests {
 namespace {
 
-TEST_CASE("readers enter the buffer that was finished last, and none before there is one") {
+TEST_CASE("readers enter the buffer that was finished last, and none if there is none") {
   DoubleBuffer buffers;
   CHECK(buffers.enter() == nil);
   const Index first = buffers.begin();
@@ -26,7 +26,7 @@ TEST_CASE("readers enter the buffer that was finished last, and none before ther
   CHECK(buffers.enter() == second);
 }
 
-TEST_CASE("a buffer with a reader is not written, and the writer does without until it is empty") {
+TEST_CASE("a buffer with a reader is not written, and the writer skips it until it is empty") {
   DoubleBuffer buffers;
   buffers.finish(buffers.begin());
   const Index slow = buffers.enter();
@@ -37,7 +37,7 @@ TEST_CASE("a buffer with a reader is not written, and the writer does without un
   CHECK(buffers.begin() == slow);
 }
 
-TEST_CASE("what readers see is whole while the writer goes on") {
+TEST_CASE("readers see whole buffers while the writer continues") {
   DoubleBuffer buffers;
   std::array<std::array<int, 32>, 2> contents{};
   std::atomic<bool> stop{false}, torn{false};
@@ -49,7 +49,7 @@ TEST_CASE("what readers see is whole while the writer goes on") {
         if (buffer == nil) continue;
         const int first = contents[buffer][0];
         for (const int each : contents[buffer]) torn = torn || each != first;
-        torn = torn || first < newest; // time goes on
+        torn = torn || first < newest; // time does not go back
         newest = first;
         buffers.leave(buffer);
       }
@@ -66,7 +66,7 @@ TEST_CASE("what readers see is whole while the writer goes on") {
   CHECK(!torn);
 }
 
-TEST_CASE("a copy of a view says what the view said when it was made") {
+TEST_CASE("a copy of a view is equal to the view when it was made") {
   Machine machine("{behaviour: b, language: 1, states: {S: {values: [x, y], external: true}}, roots: {A: {}},"
                   " groups: {A: {needs: [B], tasks: {B: {}}}, B: {}}}");
   machine.request("A");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Why a group does not run, in words: each kind of answer in a situation of its own. That answers are true is held
-// against the oracle on random scenarios, in tests/property.
+// Why a group does not run, as a sentence: each kind of answer in one situation. tests/property compares answers with
+// the oracle on random scenarios.
 
 #include "runtime/core/inspect/why.hpp"
 #include "tests/runtime/core/machine.hpp"
@@ -67,7 +67,7 @@ groups:
   Head: {}
 )";
 
-TEST_CASE("what runs says for whom, and what nobody requested says so") {
+TEST_CASE("for a running group the answer has its holder, and for one without a request that nothing requests it") {
   Machine machine(robot);
   CHECK(why(machine, "Legs") == "nothing requests Legs");
   machine.request("Recover");
@@ -76,7 +76,7 @@ TEST_CASE("what runs says for whom, and what nobody requested says so") {
   CHECK(why(machine, "Recover") == "Recover runs (root>Recover) in default");
 }
 
-TEST_CASE("what is lost is lost to somebody, somewhere, by a rule") {
+TEST_CASE("for a lost group the answer has the holder, the common requester, and the rule") {
   Machine machine(robot);
   machine.body("Play", [&](Run& run) {
     run.request(machine.edge("Play>Walk"), machine.level(machine.edge("Play>Walk")));
@@ -91,7 +91,8 @@ TEST_CASE("what is lost is lost to somebody, somewhere, by a rule") {
   CHECK(why(machine, "Walk", 20) == "Walk waits (Play>Wa");
 }
 
-TEST_CASE("a false condition names who could make it true, or that nobody who is enabled promises it") {
+TEST_CASE(
+    "for a false condition the answer has the provider that could make it true, or that no enabled one promises it") {
   Machine machine(robot);
   machine.body("Walk.halting", [](Run& run) { return run.keep(); });
   machine.body("Play", [&](Run& run) {
@@ -110,7 +111,7 @@ TEST_CASE("a false condition names who could make it true, or that nobody who is
         "Kick waits (Play>Kick): until Stability == standing, which no enabled provider promises");
 }
 
-TEST_CASE("equals do not take from each other, and a member of a unit tells what it waits for") {
+TEST_CASE("equals do not take from each other, and a member of a unit has the condition that it waits for") {
   Machine machine(robot);
   machine.request("Wave");
   machine.step();
@@ -121,7 +122,7 @@ TEST_CASE("equals do not take from each other, and a member of a unit tells what
         "equal of root>Stretch (priority 10) and was there first");
 }
 
-TEST_CASE("what is optional goes behind, whatever its priority") {
+TEST_CASE("an optional task goes after mandatory ones, with any priority") {
   Machine machine(robot);
   machine.body("Play", [&](Run& run) {
     run.request(machine.edge("Play>Look"), machine.level(machine.edge("Play>Look")));
@@ -148,7 +149,7 @@ TEST_CASE("without an enabled provider, of the task or of what it needs, that is
   CHECK(why(machine, "Recover") == "Recover waits (root>Recover): no provider of Recover is enabled");
 }
 
-TEST_CASE("what is needed and was not requested is reserved") {
+TEST_CASE("a group that is needed and was not requested is reserved") {
   Machine machine(robot);
   machine.body("Recover", [](Run& run) { return run.keep(); });
   machine.request("Recover");
@@ -160,7 +161,7 @@ TEST_CASE("what is needed and was not requested is reserved") {
   CHECK(view_of(machine.engine()).holding(machine.group("Arms")) == Holding{});
 }
 
-TEST_CASE("tasks of one unit that need the same are in each other's way") {
+TEST_CASE("tasks of one unit that need the same group block each other") {
   Machine machine(R"(
 behaviour: pair
 language: 1
@@ -176,7 +177,7 @@ groups:
   CHECK(why(machine, "Left") == "Left waits (Both>Left): what it takes cannot be had together");
 }
 
-TEST_CASE("a member of a unit goes before what is apart by the priority of the unit's first member") {
+TEST_CASE("a member of a unit goes before a task that is apart by the priority of the unit's first member") {
   Machine machine(R"(
 behaviour: packing
 language: 1
@@ -195,7 +196,7 @@ groups:
         "Pack>Lift, priority 50) goes before Pack>Sort (priority 20)");
 }
 
-TEST_CASE("of several requests that were made at once the sibling that is declared first decides which is told of") {
+TEST_CASE("of several requests made at once the answer is about the one below the sibling that is declared first") {
   Machine machine(R"(
 behaviour: twice
 language: 1
@@ -215,7 +216,7 @@ groups:
         "(priority 1)");
 }
 
-TEST_CASE("a request does not stand with the unit above it, whoever holds its group as a need") {
+TEST_CASE("a request is not ordered by the unit above it, even if its group is held as a need") {
   Machine machine(R"(
 behaviour: packing
 language: 1
@@ -237,7 +238,7 @@ groups:
         "(priority 1)");
 }
 
-TEST_CASE("between micro-steps it says who is about to decide, and what is kept for an heir") {
+TEST_CASE("between micro-steps the answer has the group that is about to run, and limbo") {
   Machine machine(R"(
 behaviour: heirs
 language: 1

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is refused of a saved state, number by number. That what is accepted goes on as before:
-// tests/property/saved_test.cpp.
+// The numbers of a saved state that are refused. That a state is continued correctly: tests/property/saved_test.cpp.
 #include "runtime/core/saved/saved_rows.hpp"
 #include "runtime/core/saved/saved_state.hpp"
 #include "tests/runtime/core/machine.hpp"
@@ -15,7 +14,7 @@ namespace {
 
 using namespace saved;
 
-/// Lift is pushed to sinking, as Kneel waits for it; Arm has two ways, each of which needs a joint.
+/// Lift is pushed to sinking, because Kneel waits for it; Arm has two providers, each of which needs a joint.
 constexpr const char* crane =
     "{behaviour: b, language: 1, states: {Hook: {values: [high, low], initial: high}, Wind: {values: [calm, storm], "
     "initial: calm, "
@@ -82,7 +81,7 @@ TEST_CASE("a saved state is as long as the sum of its rows, and has a version, i
   CHECK(saved.load() == LoadResult::loaded);
 }
 
-TEST_CASE("what is loaded is what was saved, and says the same of everything") {
+TEST_CASE("a loaded state is equal to the saved one, and leads to the same explanations") {
   Saved saved;
   Machine other(crane);
   REQUIRE(load(other.engine(), saved.bytes, 10, fingerprint) == LoadResult::loaded);
@@ -97,10 +96,10 @@ TEST_CASE("what is loaded is what was saved, and says the same of everything") {
   CHECK(other.step(2'000'010) == saved.machine.step(2'000'010)); // the promise is broken
 }
 
-TEST_CASE("a row that is not there, or that may not stand there, is refused") {
+TEST_CASE("a number of a row that does not exist, or is not allowed there, is refused") {
   Saved saved;
   const auto impossible = LoadResult::impossible;
-  // Of a group: who holds it, its provider, its plan, its push.
+  // Of a group: its holder, provider, plan and push.
   CHECK(saved.with_group("Arm", [](GroupRow& row) { row.holder = 99; }) == impossible);
   CHECK(saved.with_group("Arm", [](GroupRow& row) { row.holder = 0; }) == impossible); // an edge to another group
   CHECK(saved.with_group("Arm", [](GroupRow& row) { row.active = 0; }) == impossible);
@@ -112,30 +111,31 @@ TEST_CASE("a row that is not there, or that may not stand there, is refused") {
   CHECK(saved.with_group("Lift", [](GroupRow& row) { row.push.edge = 99; }) == impossible);
   CHECK(saved.with_group("Lift", [](GroupRow& row) { row.push.provider = nil; }) == impossible);
   CHECK(saved.with_group("Lift", [](GroupRow& row) { row.push.condition = nil; }) == impossible);
-  // What it is to do.
+  // Its runs and timers.
   CHECK(saved.with_group("Left", [](GroupRow& row) { row.queue_place = 0; }) == impossible);  // it is not granted
   CHECK(saved.with_group("Clock", [](GroupRow& row) { row.queue_place = 0; }) == impossible); // it has no reason
   CHECK(saved.with_group("Clock", [](GroupRow& row) { row.queue_place = 1, row.pending = 1; }) ==
-        impossible); // the second of one
+        impossible); // two of one place
   CHECK(saved.with_group("Clock", [](GroupRow& row) { row.pending = 32; }) == impossible);
   CHECK(saved.with_group("Clock", [](GroupRow& row) { row.done = 2; }) == impossible);
   CHECK(saved.with_group("Clock", [](GroupRow& row) { row.counts = 2; }) == impossible);
   CHECK(saved.with_group("Clock", [](GroupRow& row) { row.data_from = 0; }) == impossible);
   CHECK(saved.with_group("Clock", [](GroupRow& row) { row.promised = {0, 0}; }) == impossible);
   CHECK(saved.with_group("Lift", [](GroupRow& row) { row.promised.edge = nil; }) == impossible);
-  CHECK(saved.with_group("Arm", [](GroupRow& row) { row.every = 5; }) == impossible); // no provider asks for that
+  CHECK(saved.with_group("Arm", [](GroupRow& row) { row.every = 5; }) == impossible); // no provider has a period
   CHECK(saved.with_group("Left", [](GroupRow& row) {
     row.wait = 5;
     row.holder = row.active = nil;
   }) == impossible);
-  // Of an edge.
+  // Numbers of an edge.
   CHECK(saved.with_edge("root>Lift", [](EdgeRow& row) { row.level = 99; }) == impossible);
   CHECK(saved.with_edge("root>Lift", [](EdgeRow& row) { row.stamp = 99; }) == impossible);
-  CHECK(saved.with_edge("root>Lift", [](EdgeRow& row) { row.level = nil; }) == impossible); // it is granted for it
+  CHECK(saved.with_edge("root>Lift", [](EdgeRow& row) { row.level = nil; }) == impossible); // its target is granted
   CHECK(saved.with_edge("root>Kneel", [](EdgeRow& row) { row.why = 9; }) == impossible);
-  CHECK(saved.with_edge("root>Kneel", [](EdgeRow& row) { row.condition = nil; }) == impossible); // it waits for one
+  CHECK(saved.with_edge("root>Kneel", [](EdgeRow& row) { row.condition = nil; }) ==
+        impossible); // it waits for a condition
   CHECK(saved.with_edge("root>Kneel", [](EdgeRow& row) { row.condition = 99; }) == impossible);
-  // The rest.
+  // Other numbers.
   CHECK(saved.with<StateRow>(saved.at.states, 0, [](StateRow& row) { row.expiry = 5; }) ==
         impossible); // it does not expire
   CHECK(saved.with<StateRow>(saved.at.states, 1, [](StateRow& row) { row.by_handler = 0; }) == impossible);
@@ -144,12 +144,12 @@ TEST_CASE("a row that is not there, or that may not stand there, is refused") {
   CHECK(saved.with<ComponentRow>(saved.at.components, 0, [](ComponentRow& row) { row.bits = 32; }) == impossible);
   CHECK(saved.with<ComponentRow>(saved.at.components, 0, [](ComponentRow& row) { row.work_place = 1; }) == impossible);
   CHECK(saved.with<HeadRow>(0, 0, [](HeadRow& row) { row.begun = 2; }) == impossible);
-  CHECK(saved.with<HeadRow>(0, 0, [](HeadRow& row) { row.now = 11; }) == impossible); // later than what step was given
+  CHECK(saved.with<HeadRow>(0, 0, [](HeadRow& row) { row.now = 11; }) == impossible); // later than the time of the step
   CHECK(saved.with<HeadRow>(0, 0, [](HeadRow& row) { row.until = never; }) == impossible);
-  CHECK(saved.load() == LoadResult::loaded); // unless nothing is changed
+  CHECK(saved.load() == LoadResult::loaded); // unchanged, it is loaded
 }
 
-TEST_CASE("a plan that lacks a provider, and a length that is another, are refused") {
+TEST_CASE("a plan that lacks a provider, and a wrong length, are refused") {
   Saved saved;
   REQUIRE(saved.shape.plan_slots > 0);
   bool refused = false;
@@ -158,7 +158,7 @@ TEST_CASE("a plan that lacks a provider, and a length that is another, are refus
                              LoadResult::impossible;
     CHECK(saved.with<PlanRow>(saved.at.plan, slot, [](PlanRow& row) { row.provider = 99; }) == LoadResult::impossible);
   }
-  CHECK(refused); // of those that are planned
+  CHECK(refused); // in one of the plans
   CHECK(saved.with<HeadRow>(0, 0, [](HeadRow& row) { row.size = 4; }) == LoadResult::damaged);
   saved.bytes.push_back(std::byte{0});
   auto head = read<HeadRow>(saved.bytes.data(), 0);
@@ -200,7 +200,7 @@ TEST_CASE("nothing is saved or loaded from inside a body, and a time behind the 
   CHECK(loaded == LoadResult::refused);
   REQUIRE(director::load(saved.machine.engine(), saved.bytes, never, fingerprint) == LoadResult::loaded);
   CHECK(saved.machine.engine().now() == last_time);
-  CHECK(saved.machine.engine().next_due() == last_time); // armed, and no later
+  CHECK(saved.machine.engine().next_due() == last_time); // it is armed, at the last time
 }
 
 } // namespace

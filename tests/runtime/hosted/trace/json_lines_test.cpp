@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests runtime/hosted/trace/json_lines.hpp. That what is written can be read and played: tests/compiler/trace.
+// Tests runtime/hosted/trace/json_lines.hpp. Reading and replaying traces: tests/compiler/trace.
 #include "runtime/hosted/trace/fingerprint.hpp"
 #include "runtime/hosted/trace/json_lines.hpp"
 #include "tests/runtime/hosted/trace/lamp.hpp"
@@ -19,7 +19,7 @@ std::string line(const Event& event, const Names& names) {
 
 } // namespace
 
-TEST_CASE("the header of a trace says what everything is called") {
+TEST_CASE("the header of a trace has the names of all rows") {
   const Lamp lamp;
   std::string out;
   append_header(lamp.names, "a \"lamp\"\n.yaml", out);

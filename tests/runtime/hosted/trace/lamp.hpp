@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A small behaviour as tables with names, and events of it, for tests of what records them.
+// A small behaviour as tables with names, and events of it, for tests of trace formats.
 
 #include "compiler/lower/lower.hpp"
 #include "compiler/lower/row_names.hpp"
@@ -8,7 +8,7 @@
 
 namespace director::tests {
 
-/// Two tasks that want one lamp; one of them wants it still.
+/// Two tasks that need one lamp; one of them is queued.
 struct Lamp {
   Compiled compiled = compile(R"(
 behaviour: lamp

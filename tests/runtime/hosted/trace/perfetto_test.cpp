@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests the traces for Perfetto: what protoc reads of them with the numbers of Perfetto's schema.
+// Tests the traces for Perfetto: reads them with protoc and the numbers of Perfetto's schema.
 #include "runtime/hosted/trace/recorder.hpp"
 #include "tests/runtime/hosted/trace/lamp.hpp"
 #include "tests/support/command.hpp"
@@ -27,7 +27,7 @@ namespace {
 struct Packet {
   std::multimap<std::string, std::string> fields;
   std::string operator[](const std::string& name) const {
-    const auto [first, end] = fields.equal_range(name); // the outermost comes last
+    const auto [first, end] = fields.equal_range(name); // the outermost is last
     return first == end ? "" : std::prev(end)->second;
   }
 };
@@ -57,7 +57,7 @@ std::string decoded(const std::string& scenario, std::string& slices) {
   return ran.output;
 }
 
-/// What protoc reads of these bytes.
+/// The output of protoc for these bytes.
 std::vector<Packet> packets_in(const std::string& bytes) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "t.pftrace").string();
@@ -68,7 +68,7 @@ std::vector<Packet> packets_in(const std::string& bytes) {
   return packets_of(ran.output);
 }
 
-/// The packets that are whole; as Perfetto itself reads a file, one after another.
+/// The complete packets, one after another, as Perfetto itself reads a file.
 std::string whole_packets(const std::string& bytes) {
   std::size_t whole = 0;
   for (std::size_t at = 0; at < bytes.size();) {
@@ -88,7 +88,7 @@ std::string whole_packets(const std::string& bytes) {
 
 } // namespace
 
-/// What the counter of this name says, with the times.
+/// The values of the counter of this name, with their times.
 std::string counts_on(const std::string& counter, const std::string& bytes) {
   std::string track, seen;
   for (const Packet& packet : packets_in(bytes)) {
@@ -99,7 +99,7 @@ std::string counts_on(const std::string& counter, const std::string& bytes) {
   return seen;
 }
 
-TEST_CASE("a counter in a trace for Perfetto says how many inputs were lost so far") {
+TEST_CASE("a counter in a trace for Perfetto has the number of lost inputs") {
   const Lamp lamp;
   const std::unique_ptr<director::TraceFormat> format = director::perfetto(lamp.names);
   std::string bytes;
@@ -112,32 +112,32 @@ TEST_CASE("a counter in a trace for Perfetto says how many inputs were lost so f
   CHECK(counts_on("lost inputs", bytes) == "3000000: 3\n3000000: 4\n7000000: 11\n"); // time does not go back
 }
 
-TEST_CASE("a counter in a trace for Perfetto says how many tasks are queued: none of who does not run, nor behind "
-          "missing events") {
+TEST_CASE("a counter in a trace for Perfetto has the number of queued tasks: none of a group that does not run, nor "
+          "after missing events") {
   const Lamp lamp;
   const std::unique_ptr<director::TraceFormat> format = director::perfetto(lamp.names);
   std::string bytes;
   format->begin(bytes);
   using Kind = director::Event::Kind;
   const director::Index root_shine = 0, root_signal = 1, shine_bulb = 2, signal_bulb = 3;
-  const auto tell = [&](Kind kind, std::uint32_t time, director::Index edge) {
+  const auto record = [&](Kind kind, std::uint32_t time, director::Index edge) {
     director::Event event = lamp.event(kind, time, time);
     event.edge = kind == Kind::stop ? director::nil : edge;
     event.group = kind == Kind::stop ? edge : lamp.lowered.edges[edge].target;
     format->event(event, bytes);
   };
-  tell(Kind::queue, 1, shine_bulb);
-  tell(Kind::queue, 2, root_shine);
-  tell(Kind::grant, 3, root_shine); // only held, by nobody in charge
-  tell(Kind::queue, 4, signal_bulb);
-  tell(Kind::stop, 5, lamp.lowered.edges[root_signal].target);
-  tell(Kind::queue, 6, root_signal);
+  record(Kind::queue, 1, shine_bulb);
+  record(Kind::queue, 2, root_shine);
+  record(Kind::grant, 3, root_shine); // only held, without an active provider
+  record(Kind::queue, 4, signal_bulb);
+  record(Kind::stop, 5, lamp.lowered.edges[root_signal].target);
+  record(Kind::queue, 6, root_signal);
   format->dropped(1, bytes);
   CHECK(counts_on("queued tasks", bytes) == "1000: 1\n2000: 2\n3000: 1\n3000: 0\n4000: 1\n5000: 0\n6000: 1\n6000: 0\n");
 }
 
 TEST_CASE(
-    "in a trace for Perfetto the tracks stand as they are declared, and those of states have a parent of their own") {
+    "in a trace for Perfetto the tracks are in the order of declaration, and those of states have their own parent") {
   const Lamp lamp;
   const std::unique_ptr<director::TraceFormat> format = director::perfetto(lamp.names);
   std::string bytes, seen;
@@ -158,28 +158,28 @@ TEST_CASE(
                 "1/6 4 \"lost inputs\" \n");
 }
 
-TEST_CASE(
-    "in a trace for Perfetto each value of a state is a slice, whoever sets it, and not known behind missing events") {
+TEST_CASE("in a trace for Perfetto each value of a state is a slice, and unknown after missing events") {
   const Lamp lamp;
   const std::unique_ptr<director::TraceFormat> format = director::perfetto(lamp.names);
   std::string bytes;
   format->begin(bytes);
   using Kind = director::Event::Kind;
-  const auto tell = [&](Kind kind, director::Time time, director::Index state = director::nil, std::int32_t value = 0) {
+  const auto record = [&](Kind kind, director::Time time, director::Index state = director::nil,
+                          std::int32_t value = 0) {
     director::Event event = lamp.event(kind, time);
     if (kind == Kind::input) event.input = director::Event::Input::set;
     event.state = state;
     event.value = value;
     format->event(event, bytes);
   };
-  tell(Kind::begin, 0);
-  tell(Kind::given, 0, 1, 80);
-  tell(Kind::set, 1, 0, 1);
-  tell(Kind::set, 2, 0, 1); // as it is
-  tell(Kind::input, 3, 1, 79);
-  tell(Kind::set, 4, 1, director::unset);
+  record(Kind::begin, 0);
+  record(Kind::given, 0, 1, 80);
+  record(Kind::set, 1, 0, 1);
+  record(Kind::set, 2, 0, 1); // the same value
+  record(Kind::input, 3, 1, 79);
+  record(Kind::set, 4, 1, director::unset);
   format->dropped(7, bytes);
-  tell(Kind::given, 5, 0, 0);
+  record(Kind::given, 5, 0, 0);
   format->end(bytes);
   std::string seen;
   for (const Packet& packet : packets_in(bytes)) {
@@ -209,7 +209,7 @@ TEST_CASE(
                 "5000 Motion SLICE_END \n");
 }
 
-TEST_CASE("of a process that is killed a trace for Perfetto can be read up to shortly before its end") {
+TEST_CASE("a trace for Perfetto of a process that is killed can be read up to shortly before its end") {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "run.perfetto-trace").string();
   const Lamp lamp;
@@ -235,7 +235,7 @@ TEST_CASE("of a process that is killed a trace for Perfetto can be read up to sh
   CHECK(events > 5000);
 }
 
-TEST_CASE("in a trace for Perfetto slices nest, flows have both ends, and time goes on") {
+TEST_CASE("in a trace for Perfetto slices nest, flows have both ends, and time does not go back") {
   for (const char* scenario : {"tests/docs/rover/rover.scenario.yaml", "tests/conformance/timers.scenario.yaml",
                                "tests/conformance/a_pusher_is_displaced_and_restored.scenario.yaml",
                                "behaviours/soccer/scenarios/a_promise_is_broken.scenario.yaml"}) {
@@ -259,7 +259,7 @@ TEST_CASE("in a trace for Perfetto slices nest, flows have both ends, and time g
       const std::uint64_t time = std::stoull("0" + packet["timestamp"]);
       CHECK(time >= now);
       now = time;
-      if (type == "TYPE_SLICE_BEGIN") CHECK(++open[track] == 1); // one provider at a time is in charge
+      if (type == "TYPE_SLICE_BEGIN") CHECK(++open[track] == 1); // one provider at a time is active
       if (type == "TYPE_SLICE_END") CHECK(--open[track] == 0);
       if (type == "TYPE_COUNTER") {
         counters[track] = std::stoll(packet["counter_value"]);
@@ -277,7 +277,7 @@ TEST_CASE("in a trace for Perfetto slices nest, flows have both ends, and time g
   }
 }
 
-TEST_CASE("what a rover does, as Perfetto reads it", "[golden]") {
+TEST_CASE("a run of the rover, as Perfetto reads it", "[golden]") {
   std::string of;
   const std::vector<Packet> packets = packets_of(decoded("tests/docs/rover/rover.scenario.yaml", of));
   std::map<std::string, std::string> names;

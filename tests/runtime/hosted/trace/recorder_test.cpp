@@ -38,7 +38,7 @@ std::string lines(const Lamp& lamp, int from, int to) {
   return out;
 }
 
-/// Whose events wait until the test lets them go.
+/// A format that blocks until the test releases it.
 class Held final : public TraceFormat {
 public:
   explicit Held(std::binary_semaphore& begun, std::binary_semaphore& go, const Names& names)
@@ -62,7 +62,7 @@ private:
 
 } // namespace
 
-TEST_CASE("a recorder writes its header at once, and at its end all that was told") {
+TEST_CASE("a recorder writes its header at once, and at its end all events") {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "run.jsonl").string();
   const Lamp lamp;
@@ -77,7 +77,7 @@ TEST_CASE("a recorder writes its header at once, and at its end all that was tol
   CHECK(read_file(file) == header(lamp.names) + lines(lamp, 0, 1000));
 }
 
-TEST_CASE("what finds the queue full is counted, and said in the file at its place") {
+TEST_CASE("events that find the queue full are counted, and reported in the file at their place") {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "run.jsonl").string();
   const Lamp lamp;
@@ -86,11 +86,11 @@ TEST_CASE("what finds the queue full is counted, and said in the file at its pla
     Recorder recorder{
         std::make_unique<Held>(begun, go, lamp.names), file, {.queue = 8, .interval = std::chrono::milliseconds(1)}};
     recorder.tell(lamp.event(Event::Kind::exhausted, 0));
-    begun.acquire(); // its place is still taken
+    begun.acquire(); // its place is not free yet
     for (int i = 1; i < 13; ++i) recorder.tell(lamp.event(Event::Kind::exhausted, i));
     CHECK(recorder.dropped() == 5);
     go.release();
-    for (int tries = 0; tries < 10'000 && recorder.dropped() == 5; ++tries) { // until there is place again
+    for (int tries = 0; tries < 10'000 && recorder.dropped() == 5; ++tries) { // until there is a place again
       if (read_file(file).find("\"t\":7,") != std::string::npos) break;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -100,7 +100,7 @@ TEST_CASE("what finds the queue full is counted, and said in the file at its pla
   CHECK(read_file(file) == lines(lamp, 0, 8) + "{\"event\":\"dropped\",\"count\":5}\n" + lines(lamp, 13, 14));
 }
 
-TEST_CASE("what is missing at the end is said too") {
+TEST_CASE("events that are missing at the end are reported too") {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "run.jsonl").string();
   const Lamp lamp;
@@ -128,7 +128,7 @@ TEST_CASE("a simulation waits for its recorder, and nothing is missing") {
   CHECK(read_file(file) == header(lamp.names) + lines(lamp, 0, 300));
 }
 
-TEST_CASE("a recorder that is to write at the longest interval rests, but not while somebody waits for it") {
+TEST_CASE("a recorder with the longest interval sleeps, but not while a thread waits for it") {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "run.jsonl").string();
   const Lamp lamp;
@@ -141,12 +141,12 @@ TEST_CASE("a recorder that is to write at the longest interval rests, but not wh
       CHECK(recorder.dropped() == 0);
       std::this_thread::sleep_for(std::chrono::milliseconds(400));
     }
-    CHECK(std::clock() - before < CLOCKS_PER_SEC / 5); // of the time of a processor
+    CHECK(std::clock() - before < CLOCKS_PER_SEC / 5); // processor time
     CHECK(read_file(file) == header(lamp.names) + lines(lamp, 0, 300));
   }
 }
 
-TEST_CASE("an interval is a millisecond at least, and a day at most") {
+TEST_CASE("an interval is at least a millisecond, and at most a day") {
   using std::chrono::milliseconds;
   CHECK(within_a_day(milliseconds::max()) == std::chrono::hours(24));
   CHECK(within_a_day(milliseconds::min()) == milliseconds(1));
@@ -154,7 +154,7 @@ TEST_CASE("an interval is a millisecond at least, and a day at most") {
   CHECK(within_a_day(milliseconds(20)) == milliseconds(20));
 }
 
-TEST_CASE("a file that cannot be written is no reason to stop") {
+TEST_CASE("a file that cannot be written does not stop the behaviour") {
   const Lamp lamp;
   Recorder nowhere{lamp.names, "/nowhere/run.jsonl"};
   CHECK(nowhere.error() == ENOENT);
@@ -163,7 +163,7 @@ TEST_CASE("a file that cannot be written is no reason to stop") {
   CHECK(full.error() == ENOSPC);
 }
 
-TEST_CASE("what could not be written in the end is known when the recorder is closed") {
+TEST_CASE("a failure of the last write is known when the recorder is closed") {
   const Lamp lamp;
   const TemporaryFolder folder;
   const auto before = std::signal(SIGXFSZ, SIG_IGN);
@@ -178,7 +178,7 @@ TEST_CASE("what could not be written in the end is known when the recorder is cl
     open = recorder.error();
     recorder.close();
     closed = recorder.error();
-    recorder.tell(lamp.event(Event::Kind::exhausted, 10)); // is not recorded, and harms nothing
+    recorder.tell(lamp.event(Event::Kind::exhausted, 10)); // it is not recorded, without harm
   }
   setrlimit(RLIMIT_FSIZE, &as_it_was);
   std::signal(SIGXFSZ, before);
@@ -186,7 +186,7 @@ TEST_CASE("what could not be written in the end is known when the recorder is cl
   CHECK(closed == EFBIG);
 }
 
-TEST_CASE("who waits for a place in a queue that is closed is let go") {
+TEST_CASE("a thread that waits for a place in a queue is released when the queue is closed") {
   const Lamp lamp;
   const TemporaryFolder folder;
   Recorder recorder{lamp.names, (folder.path() / "run.jsonl").string(), {.queue = 4, .waits = true}};
@@ -196,7 +196,7 @@ TEST_CASE("who waits for a place in a queue that is closed is let go") {
   CHECK(read_file(folder.path() / "run.jsonl") == header(lamp.names));
 }
 
-TEST_CASE("a process that is killed leaves whole lines, up to shortly before its end") {
+TEST_CASE("the file of a process that is killed has whole lines, up to shortly before its end") {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "run.jsonl").string();
   const Lamp lamp;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Over random behaviours: that a task never runs for somebody is told by one finding, and where one says so no other
-// one says that something else wants the same too. Behaviours are checked, not explored.
+// On random behaviours: only one finding reports that a task never runs for a requester, and where one does, no other
+// finding reports that something else needs the same group. Behaviours are checked, not explored.
 //
 //   DIRECTOR_SEED   first seed, instead of 1
 //   DIRECTOR_CASES  how many behaviours
@@ -26,11 +26,11 @@ constexpr std::uint64_t usual_cases = 800, long_cases = 3'000;
 constexpr std::uint64_t usual_cases = 8, long_cases = 100;
 #endif
 
-/// They say of a task that it never runs for its requester, each for another reason.
+/// Checks that report that a task never runs for its requester, each for another reason.
 const std::set<std::string> speak_of_tasks{"optional_never_runs", "self_conflict", "sibling_starvation",
                                            "starved_task",        "task_cycle",    "uncovered_state"};
 
-/// What is told twice, each in a line.
+/// What is reported twice, each in a line.
 std::string find_told_twice(std::uint64_t seed) {
   dsl::MemoryFiles files;
   files.add("small.yaml", to_yaml(to_document(small_behaviour(seed))));
@@ -47,21 +47,21 @@ std::string find_told_twice(std::uint64_t seed) {
       never[granted->edge].push_back(finding.id + ": " + finding.message);
       says_never = true;
     }
-    if (says_never || finding.id == "task_cycle") continue; // of an open circle it is now one, now another
+    if (says_never || finding.id == "task_cycle") continue; // of a cycle, either request may be reported
     for (const compiler::EdgeId loser : losers_of(finding, checked.model))
       wanted[loser].push_back(finding.id + ": " + finding.message);
   }
   std::string out;
-  for (auto& [edge, told] : never) {
-    told.insert(told.end(), wanted[edge].begin(), wanted[edge].end());
-    if (told.size() < 2) continue;
+  for (auto& [edge, reported] : never) {
+    reported.insert(reported.end(), wanted[edge].begin(), wanted[edge].end());
+    if (reported.size() < 2) continue;
     out += "seed " + std::to_string(seed) + ", " + checked.model.edge_name(edge) + ":\n";
-    for (const std::string& each : told) out += "  " + each + "\n";
+    for (const std::string& each : reported) out += "  " + each + "\n";
   }
   return out;
 }
 
-TEST_CASE("that a task never runs for somebody is told once") {
+TEST_CASE("only one finding reports that a task never runs for a requester") {
   const auto first = tests::from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
   const auto cases = tests::from_environment("DIRECTOR_CASES", tests::is_long() ? long_cases : usual_cases);
   std::string twice;
