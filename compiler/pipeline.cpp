@@ -57,9 +57,9 @@ bool has_all_but_providers(const Diagnostics& findings) {
   });
 }
 
-bool says_never(const dsl::Diagnostic& finding) {
+bool reports_never(const dsl::Diagnostic& finding) {
   const checks::Registered* check = checks::find_registered(finding.id);
-  return check != nullptr && checks::says_never(*check);
+  return check != nullptr && checks::reports_never(*check);
 }
 
 /// What is found of something that only stands in for what is missing is not true of the file.
@@ -71,7 +71,7 @@ Diagnostics without_stand_ins(const Diagnostics& before, Diagnostics found) {
   };
   const bool any_missing = any_has(before, checks::Consequence::stand_in);
   std::erase_if(found, [&](const dsl::Diagnostic& finding) {
-    if (any_missing && says_never(finding)) return true;
+    if (any_missing && reports_never(finding)) return true;
     return is_missing(finding.span) || std::any_of(finding.notes.begin(), finding.notes.end(),
                                                    [&](const dsl::Note& note) { return is_missing(note.span); });
   });
@@ -136,7 +136,8 @@ Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sou
   }
 
   // What of all that is reported.
-  out.findings = checks::apply_allowances(out.model, std::move(out.findings), checkable && !options.selection.only_errors);
+  out.findings =
+      checks::apply_allowances(out.model, std::move(out.findings), checkable && !options.selection.only_errors);
   out.findings = checks::apply_selection(options.selection, std::move(out.findings));
   return out;
 }

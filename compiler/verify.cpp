@@ -161,10 +161,10 @@ private:
     const Lowered lowered = lower(checked_.model);
     const Deployment deployment{sources_, checked_.model, lowered};
     const std::string expected = header(deployment).text(), expected_facts = facts(deployment).text();
-    std::set<std::string> told;
+    std::set<std::string> reported;
     bool all_fresh = true;
     for (const Candidate& each : candidates_) {
-      if (each.header.empty() || !told.insert(each.header).second) continue;
+      if (each.header.empty() || !reported.insert(each.header).second) continue;
       const auto found =
           world_.files.read(fs::path(each.header).replace_filename(facts_name(checked_.model.name)).string(),
                             dsl::largest_file, dsl::Kinds::ordinary);
@@ -182,7 +182,7 @@ private:
     std::vector<std::string> questions;
     Json units = Json::list({});
     std::vector<Json> answers(wanted.size());
-    std::vector<std::size_t> asked;
+    std::vector<std::size_t> missing;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       wanted[i]->scanned = true;
       Json unit = unit_of(*wanted[i]);
@@ -194,18 +194,18 @@ private:
         answers[i] = std::move(*known);
       } else {
         units.add(std::move(unit));
-        asked.push_back(i);
+        missing.push_back(i);
       }
     }
-    if (!asked.empty()) {
+    if (!missing.empty()) {
       const Scan answer = scanner_.ask(
           "facts", Json::object({{"units", std::move(units)}, {"namespace", Json::text(checked_.model.name_space)}}));
       if (!answer) return fail(answer.error().message);
-      const std::vector<Json>& told = answer.value()["units"].items();
-      if (told.size() != asked.size()) return fail("director-clang left out some files");
-      for (std::size_t i = 0; i < asked.size(); ++i) {
-        cache_.keep(questions[asked[i]], told[i]);
-        answers[asked[i]] = told[i];
+      const std::vector<Json>& units = answer.value()["units"].items();
+      if (units.size() != missing.size()) return fail("director-clang left out some files");
+      for (std::size_t i = 0; i < missing.size(); ++i) {
+        cache_.keep(questions[missing[i]], units[i]);
+        answers[missing[i]] = units[i];
       }
     }
     for (std::size_t i = 0; i < wanted.size(); ++i) {
@@ -282,9 +282,9 @@ private:
 
   void note_unseen(const analysis::Body& body) {
     const bool realtime = checked_.model.groups[body.of.group].realtime;
-    std::set<std::string> told;
+    std::set<std::string> reported;
     for (const analysis::Unseen& each : body.unseen) {
-      if ((!each.carries && !realtime) || !told.insert(each.what).second) continue;
+      if ((!each.carries && !realtime) || !reported.insert(each.what).second) continue;
       const dsl::SourceFile& file = sources_[each.span.file];
       const dsl::Place place = file.place(each.span.begin);
       out_.not_decided.push_back(fmt::format("{}: nobody can see {}: {}:{}:{}: {}",

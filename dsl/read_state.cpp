@@ -61,8 +61,9 @@ std::optional<Word> read_type(Reader& reader, const YamlNode& mapping) {
   const bool scalar = node != nullptr && node->kind == YamlNode::Kind::scalar;
   const std::string* help = scalar ? help_for_type(node->text) : nullptr;
   if (help == nullptr) return reader.cpp_word(node, "type", expected, "bad_type", enum_fault);
-  const bool said = mapping.find("values") || mapping.find("range");
-  reader.unexpected(*node, "type", expected, said ? "leave it out: what the state can be is said beside it" : *help);
+  const bool has_values = mapping.find("values") || mapping.find("range");
+  reader.unexpected(*node, "type", expected,
+                    has_values ? "leave it out: what the state can be is said beside it" : *help);
   return std::nullopt;
 }
 

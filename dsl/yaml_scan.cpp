@@ -183,8 +183,8 @@ std::size_t skip_properties(std::string_view text, std::size_t at) {
 namespace {
 
 /// Says of each byte of the value where it stands; returns its end.
-template <class Say>
-std::size_t walk_plain(std::string_view text, std::size_t begin, std::string_view value, const Say& say) {
+template <class Report>
+std::size_t walk_plain(std::string_view text, std::size_t begin, std::string_view value, const Report& report) {
   std::size_t at = begin;
   std::size_t end = begin; // behind the last byte that was found
   for (const char c : value) {
@@ -192,7 +192,7 @@ std::size_t walk_plain(std::string_view text, std::size_t begin, std::string_vie
     if (at < text.size() && text[at] != c && is_space(text[at]))
       while (at < text.size() && text[at] != c && is_space(text[at])) ++at;
     const bool found = at < text.size() && text[at] == c;
-    say(found ? at : end);
+    report(found ? at : end);
     if (found) end = ++at;
   }
   return end;

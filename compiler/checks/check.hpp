@@ -45,7 +45,7 @@ enum class Consequence {
 Consequence consequence_of(const Registered& check);
 
 /// It says that something never happens, as the page says behind `Says:`. What is missing might bring it about.
-bool says_never(const Registered& check);
+bool reports_never(const Registered& check);
 
 /// The first sentence of the page.
 std::string summary_of(const Registered& check);

@@ -61,6 +61,6 @@ Consequence consequence_of(const Registered& check) {
   throw std::logic_error(fmt::format("{}.md names a consequence that nobody knows", check.id));
 }
 
-bool says_never(const Registered& check) { return header_of(check, "\nSays: ") == "never"; }
+bool reports_never(const Registered& check) { return header_of(check, "\nSays: ") == "never"; }
 
 } // namespace director::checks

@@ -4,7 +4,7 @@
 #include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/choice.hpp"
-#include "compiler/analysis/words/told.hpp"
+#include "compiler/analysis/words/reported_pairs.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -196,15 +196,15 @@ std::set<std::pair<std::size_t, std::size_t>> find_rivals(Units& units, const st
 void look_at(const Input& input, Units& units, const Pack& pack, Findings& findings) {
   const std::vector<const Task*> members = unit_members(input.model, pack);
   if (members.size() < 2) return;
-  std::set<std::size_t> told; // of long packs: each member once
+  std::set<std::size_t> reported; // of long packs: each member once
   for (const auto& [j, i] : find_rivals(units, members)) {
-    if (told.count(j) != 0) continue;
+    if (reported.count(j) != 0) continue;
     const auto first = find_ways(units, members[i]->target), second = find_ways(units, members[j]->target);
     if (!first || !second) continue;
     const auto clash = PairSearch(input, *first, *second).run();
     if (!clash) continue;
     report(input, *members[i], *members[j], *clash, findings);
-    if (members.size() > told_in_pairs) told.insert(j);
+    if (members.size() > longest_with_all_pairs) reported.insert(j);
   }
 }
 

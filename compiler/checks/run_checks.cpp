@@ -6,7 +6,7 @@
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/checks/code_check.hpp"
-#include "compiler/checks/tell_decisions.hpp"
+#include "compiler/checks/report_decisions.hpp"
 
 #include <fmt/format.h>
 
@@ -114,7 +114,7 @@ std::vector<Diagnostic> run_checks(const Model& model, const Graph& graph, const
     for (Diagnostic& finding : findings.take()) all.push_back(std::move(finding));
   }
   if (!selection.only_errors) {
-    for (Diagnostic& finding : tell_decisions(conflicts.input(), all)) all.push_back(std::move(finding));
+    for (Diagnostic& finding : report_decisions(conflicts.input(), all)) all.push_back(std::move(finding));
     if (!shared.budget().open().empty()) all.push_back(not_decided(shared.budget()));
   }
   dsl::sort_by_place(all);
@@ -165,8 +165,8 @@ std::vector<Diagnostic> apply_selection(const Selection& selection, std::vector<
   findings.erase(std::remove_if(findings.begin(), findings.end(), is_unwanted), findings.end());
   for (Diagnostic& finding : findings) {
     shorten(finding.notes);
-    const bool asked = selection.every_warning_is_error || selection.warnings_as_errors.count(finding.id) != 0;
-    if (finding.level == dsl::Level::warning && asked) finding.level = dsl::Level::error;
+    const bool as_error = selection.every_warning_is_error || selection.warnings_as_errors.count(finding.id) != 0;
+    if (finding.level == dsl::Level::warning && as_error) finding.level = dsl::Level::error;
   }
   return findings;
 }

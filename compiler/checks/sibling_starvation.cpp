@@ -62,13 +62,13 @@ void report(const Input& input, const Loser& loser, bool never, const std::vecto
 
 void sibling_starvation(const Input& input, Findings& findings) {
   // The nearest one that loses stands for all that is below the same sibling.
-  std::set<std::tuple<const Task*, const Task*, GroupId>> told;
+  std::set<std::tuple<const Task*, const Task*, GroupId>> reported;
   // That one never runs is told once, whoever takes it where.
   std::map<EdgeId, std::vector<const Loser*>> lost;
   std::vector<const Loser*> all;
   for (const Loser& loser : input.conflicts.losers()) {
     const Taker& taker = loser.taker;
-    if (taker.kind != Taker::Kind::unit || !told.emplace(taker.by, taker.over, taker.group).second) continue;
+    if (taker.kind != Taker::Kind::unit || !reported.emplace(taker.by, taker.over, taker.group).second) continue;
     const EdgeId edge = loser.refused.task->edge;
     const bool never = never_runs(input, edge);
     if (!never || lost.count(edge) == 0) all.push_back(&loser);

@@ -110,11 +110,11 @@ private:
                          SparseSet<GroupId> seen;
                          return !facts_.active.contains(id) && !is_told(id, seen);
                        }) &&
-           !waits_with_told(group);
+           !waits_with_reported(group);
   }
 
   /// Wherever it is asked for it is granted only together with something that never runs, of which that is told.
-  bool waits_with_told(GroupId group) const {
+  bool waits_with_reported(GroupId group) const {
     bool any = false;
     for (const EdgeId edge : model_.groups[group].requesters) {
       if (model_.edges[edge].levels.empty()) continue;
@@ -124,7 +124,7 @@ private:
         for (const Pack& pack : model_.providers[id].packs) {
           const auto is_it = [&](const Task& task) { return task.target == group; };
           if (std::none_of(pack.tasks.begin(), pack.tasks.end(), is_it)) continue;
-          if (!model_.providers[id].has_packs || !waits_with_told(group, unit_members(model_, pack))) return false;
+          if (!model_.providers[id].has_packs || !waits_with_reported(group, unit_members(model_, pack))) return false;
           any = true;
         }
       }
@@ -132,7 +132,7 @@ private:
     return any;
   }
 
-  bool waits_with_told(GroupId group, const std::vector<const Task*>& members) const {
+  bool waits_with_reported(GroupId group, const std::vector<const Task*>& members) const {
     const auto is_it = [&](const Task* member) { return member->target == group; };
     return std::any_of(members.begin(), members.end(), is_it) &&
            std::any_of(members.begin(), members.end(), [&](const Task* member) {
@@ -193,10 +193,10 @@ private:
         if (all || gaps.empty()) look(box_of(facts_, region), request);
       }
     }
-    if (!gaps.empty()) found_.push_back(told_of(group, gaps, all));
+    if (!gaps.empty()) found_.push_back(finding_for(group, gaps, all));
   }
 
-  static Uncoveredness told_of(GroupId group, const std::vector<Gap>& gaps, bool all) {
+  static Uncoveredness finding_for(GroupId group, const std::vector<Gap>& gaps, bool all) {
     Uncoveredness out{group, {}, all, {}, gaps.front().where};
     for (const Gap& gap : gaps) {
       out.gaps.push_back(gap.words);

@@ -57,13 +57,13 @@ void report_unpushed(const Input& input, Pushers& pushers, ProviderId causer, co
 void unused_causing(const Input& input, Findings& findings) {
   const Model& model = input.model;
   Pushers pushers(input);
-  std::set<dsl::Span> told; // waited for, and told of
-  for (const Imprecise& fault : input.shared.imprecise()) told.insert(fault.promise.span);
+  std::set<dsl::Span> reported; // waited for, and told of
+  for (const Imprecise& fault : input.shared.imprecise()) reported.insert(fault.promise.span);
   std::set<dsl::Span> waited;
   for (const Graph::Causing& arrow : input.graph.causing) waited.insert(arrow.promise.span);
   for (const ProviderId id : model.providers.ids()) {
     for (const ConditionUse& use : model.providers[id].causing) {
-      if (told.count(use.span) != 0) continue;
+      if (reported.count(use.span) != 0) continue;
       if (waited.count(use.span) == 0) {
         findings.add(use.span, fmt::format("nothing waits for {}", name_of(model, use.id))).help =
             "what a provider sets without a promise to anybody stands in `sets`";

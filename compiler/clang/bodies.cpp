@@ -67,11 +67,11 @@ public:
     }
     if (callee->getLocation().isInvalid()) { // built in
       if (const std::string_view why = known_effect(*callee); !why.empty())
-        tell_block(name_of(*callee), why, expr->getBeginLoc());
+        report_block(name_of(*callee), why, expr->getBeginLoc());
       return true;
     }
     const auto* method = llvm::dyn_cast<CXXMethodDecl>(callee);
-    if (method != nullptr && object != nullptr && say_word(*expr, *method, *object)) return true;
+    if (method != nullptr && object != nullptr && add_word(*expr, *method, *object)) return true;
     const SourceLocation at = name_place(*expr);
     if (is_directors(*callee)) return true;
     bool is_virtual = false;
@@ -202,7 +202,7 @@ private:
   }
 
   /// The words of a context. True: it is one of these, and there is nothing else to it.
-  bool say_word(const CallExpr& expr, const CXXMethodDecl& method, const Expr& object) {
+  bool add_word(const CallExpr& expr, const CXXMethodDecl& method, const Expr& object) {
     const std::string context = context_of(object.getType());
     if (context.empty() || !method.getDeclName().isIdentifier()) return false;
     const CXXRecordDecl* of = method.getParent();
@@ -275,9 +275,9 @@ private:
     const Reached& all = book_.reach().of(callee, destroys);
     const std::string name = name_of(callee);
     if (!all.why.empty()) {
-      tell_block(name, all.why, at);
+      report_block(name, all.why, at);
     } else if (!all.has_definition && !destroys && (grows_container(name, is_given) || returns_container(callee))) {
-      tell_block(name, "uses the heap", at);
+      report_block(name, "uses the heap", at);
     }
     for (const FunctionDecl* user : all.users) {
       const auto* method = llvm::dyn_cast<CXXMethodDecl>(user);
@@ -297,10 +297,10 @@ private:
   void manage_memory(const FunctionDecl& function, SourceLocation at) {
     if (function.isReservedGlobalPlacementOperator()) return;
     if (function.getLocation().isValid() && !is_system(function)) return call(function, at, at, false, false, false);
-    tell_block(name_of(function), "uses the heap", at);
+    report_block(name_of(function), "uses the heap", at);
   }
 
-  void tell_block(const std::string& name, std::string_view why, SourceLocation at) {
+  void report_block(const std::string& name, std::string_view why, SourceLocation at) {
     if (here_.isValid()) at = here_;
     if (why == "frees") why = "uses the heap";
     blocks.add(Json::object({{"name", Json::text(name)}, {"why", Json::text(why)}, {"at", book_.places().of(at, at)}}));

@@ -35,7 +35,7 @@ namespace {
 constexpr int deepest_member = 4;
 
 /// `soccer::Walk::Halting`, of Facts<soccer::Walk::Halting>.
-std::string whose_facts(const ClassTemplateSpecializationDecl& context) {
+std::string provider_of_facts(const ClassTemplateSpecializationDecl& context) {
   const TemplateArgumentList& arguments = context.getTemplateArgs();
   if (arguments.size() == 0 || arguments[0].getKind() != TemplateArgument::Type) return {};
   const auto* facts =
@@ -53,7 +53,7 @@ std::string context_of(const CXXRecordDecl* record) {
   if (const auto* special = llvm::dyn_cast<ClassTemplateSpecializationDecl>(record)) {
     const llvm::StringRef name = special->getIdentifier() != nullptr ? special->getName() : "";
     if (is_directors(*record) && (name == "Context" || name == "Body" || name == "Handler"))
-      return whose_facts(*special);
+      return provider_of_facts(*special);
   }
   if (!record->hasDefinition()) return {};
   for (const CXXBaseSpecifier& base : record->bases()) {

@@ -155,10 +155,10 @@ void add_parts(llvm::StringRef name, std::set<std::string>& out) {
 
 /// Tells of those unknown names that the bodies stand under: the behaviour's namespace, and what module classes are
 /// called; each once in a file. What the behaviour has no more is unknown within its namespace, and no fault.
-void tell_unknown(const std::map<Findings::Place, Unknown>& unknown, const std::set<std::string>& interfaces,
-                  Findings& out) {
+void report_unknown(const std::map<Findings::Place, Unknown>& unknown, const std::set<std::string>& interfaces,
+                    Findings& out) {
   std::set<std::string> names, scopes;
-  std::set<std::pair<std::string, std::string>> told;
+  std::set<std::pair<std::string, std::string>> reported;
   for (const std::string& each : interfaces) {
     scopes.insert(scope_of(each).str());
     add_parts(scope_of(each), names);
@@ -168,7 +168,7 @@ void tell_unknown(const std::map<Findings::Place, Unknown>& unknown, const std::
     const bool within = std::any_of(scopes.begin(), scopes.end(), [&](const std::string& scope) {
       return each.scope == scope || each.scope.starts_with(scope + "::");
     });
-    if (within || names.count(each.name) == 0 || !told.emplace(place.first, each.name).second) continue;
+    if (within || names.count(each.name) == 0 || !reported.emplace(place.first, each.name).second) continue;
     Json row = each.row;
     row.add("message", Json::text("`" + each.name + "` is not declared here: an `#include` is missing"));
     out.problems.try_emplace(place, std::move(row));
@@ -206,7 +206,7 @@ Json answer(const Json& request, Frontend& frontend) {
     if (!read_unit(unit, out, unknown, interfaces, header, files, frontend))
       return Json::object({{"error", Json::text("`" + path + "` cannot be read with these flags")}});
   }
-  tell_unknown(unknown, interfaces, out);
+  report_unknown(unknown, interfaces, out);
   return Json::object(
       {{"classes", list(out.classes)}, {"functions", list(out.functions)}, {"problems", list(out.problems)}});
 }

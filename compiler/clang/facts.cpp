@@ -58,13 +58,13 @@ Json read_unit(const Unit& unit, const std::string& space) {
         out.add("paths", book.places().files());
       },
       instantiate_bodies);
-  tell_reading(out, reading);
+  report_reading(out, reading);
   return out;
 }
 
 } // namespace
 
-Json tell_facts(const Json& request) {
+Json report_facts(const Json& request) {
   const std::vector<Json>& wanted = request["units"].items();
   const std::string space = request["namespace"].as_text();
   std::vector<Json> units(wanted.size());

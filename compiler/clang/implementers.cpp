@@ -173,7 +173,7 @@ private:
     row.add("known", Json::boolean(known));
     row.add("within", Json::boolean(within));
     row.add("defines", Json::boolean(body || function.isPureVirtual() || function.isDeleted()));
-    row.add("overrides", Json::boolean(says_override(type.getRParenLoc())));
+    row.add("overrides", Json::boolean(has_override(type.getRParenLoc())));
     row.add("macro", Json::boolean(begin.isMacroID() || at.isMacroID() || end.in_macro));
     row.add("inline", Json::boolean(!within && function.isInlineSpecified()));
     row.add("for_any",
@@ -211,7 +211,7 @@ private:
   }
 
   /// Clang forgets the word where there is nothing to override, as when the interface is gone.
-  bool says_override(SourceLocation parameters) const {
+  bool has_override(SourceLocation parameters) const {
     if (parameters.isInvalid() || parameters.isMacroID()) return false;
     auto next = clang::Lexer::findNextToken(parameters, sources_, compiler_.getLangOpts());
     while (next && !next->isOneOf(clang::tok::eof, clang::tok::semi, clang::tok::l_brace, clang::tok::r_brace)) {

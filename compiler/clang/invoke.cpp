@@ -20,7 +20,7 @@ namespace director::scanning {
 namespace {
 
 /// Null where the command line is not understood, which `faults` has been told.
-std::unique_ptr<clang::CompilerInvocation> ask_driver(const Invocation& invocation, const Files& files,
+std::unique_ptr<clang::CompilerInvocation> run_driver(const Invocation& invocation, const Files& files,
                                                       clang::DiagnosticConsumer& faults) {
   // Clang finds its own headers, such as stddef.h, from where it is: its name must be a whole path, though nobody
   // starts it.
@@ -69,7 +69,7 @@ bool Frontend::run(const Invocation& invocation, const Files& files, clang::Fron
   key.insert(key.end(), {invocation.directory, std::filesystem::path(invocation.file).extension().string()});
   auto at = known_->by_words.find(key);
   if (at == known_->by_words.end()) {
-    auto fresh = ask_driver(invocation, files, faults);
+    auto fresh = run_driver(invocation, files, faults);
     if (fresh == nullptr) return false;
     at = known_->by_words.emplace(std::move(key), std::move(fresh)).first;
   }

@@ -84,7 +84,7 @@ bool is_complete(clang::QualType type) {
 
 } // namespace
 
-Json tell_types(const Json& request) {
+Json report_types(const Json& request) {
   Unit unit = unit_of(request["unit"]);
   const Source source = write_source(request);
   unit.text = source.text;
@@ -132,7 +132,7 @@ Json tell_types(const Json& request) {
   Json out = Json::object({});
   out.add("types", std::move(list));
   out.add("paths", std::move(places_of_files));
-  tell_reading(out, reading);
+  report_reading(out, reading);
   return out;
 }
 

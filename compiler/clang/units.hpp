@@ -11,6 +11,6 @@ namespace director::scanning {
 Unit unit_of(const compiler::Json& json);
 
 /// Adds `files` as [path, is a system header], and `errors` as {"message", "file", "line"}.
-void tell_reading(compiler::Json& answer, const Reading& reading);
+void report_reading(compiler::Json& answer, const Reading& reading);
 
 } // namespace director::scanning

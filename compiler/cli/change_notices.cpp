@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uint32_t telling = IN_MODIFY | IN_CLOSE_WRITE | IN_ATTRIB | IN_CREATE | IN_DELETE | IN_MOVED_FROM |
-                                  IN_MOVED_TO | IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR;
+constexpr std::uint32_t watched_events = IN_MODIFY | IN_CLOSE_WRITE | IN_ATTRIB | IN_CREATE | IN_DELETE |
+                                         IN_MOVED_FROM | IN_MOVED_TO | IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR;
 
 /// That folder, or the nearest one above it that there is.
 std::string existing(fs::path folder) {
@@ -45,7 +45,7 @@ ChangeNotices::~ChangeNotices() {
 }
 
 void ChangeNotices::add(const std::string& folder, std::map<int, std::string>& wanted) {
-  const int number = ::inotify_add_watch(queue_, folder.c_str(), telling);
+  const int number = ::inotify_add_watch(queue_, folder.c_str(), watched_events);
   if (number >= 0) {
     wanted.emplace(number, folder);
   } else if (errno != ENOENT && errno != ENOTDIR) {
@@ -80,8 +80,8 @@ ChangeNotices::Woken ChangeNotices::sleep(std::chrono::milliseconds most, int en
   if (ready <= 0) return Woken::by_time;
   if (wanted[0].revents != 0) return Woken::by_end;
   // What is told does not matter, only that something is: who is woken compares the files.
-  alignas(inotify_event) std::array<char, 16384> told{};
-  while (::read(queue_, told.data(), told.size()) > 0) {}
+  alignas(inotify_event) std::array<char, 16384> events{};
+  while (::read(queue_, events.data(), events.size()) > 0) {}
   return Woken::by_change;
 }
 

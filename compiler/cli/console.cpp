@@ -31,7 +31,7 @@ std::size_t end_of_line(std::string_view lines, std::size_t begin) {
 
 } // namespace
 
-void say(Console& console, std::string_view lines) {
+void print_message(Console& console, std::string_view lines) {
   std::string out;
   for (std::size_t begin = 0; begin < lines.size();) {
     const std::size_t end = end_of_line(lines, begin);
@@ -44,7 +44,7 @@ void say(Console& console, std::string_view lines) {
 
 bool write(const std::vector<Output>& outputs, Console& console, std::string_view consequence) {
   const std::optional<std::string> fault = console.outputs.write(outputs);
-  if (fault) say(console, fmt::format("directorc: {}cannot write {}\n", consequence, *fault));
+  if (fault) print_message(console, fmt::format("directorc: {}cannot write {}\n", consequence, *fault));
   return !fault;
 }
 

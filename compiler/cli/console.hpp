@@ -48,7 +48,7 @@ struct Console {
 };
 
 /// Whole lines to `err`. What they repeat of a user's input commands no terminal, and is no longer than somebody reads.
-void say(Console& console, std::string_view lines);
+void print_message(Console& console, std::string_view lines);
 
 /// False, and says why, where they cannot be written. `consequence`: of that, as "nothing is written; ".
 bool write(const std::vector<Output>& outputs, Console& console, std::string_view consequence = {});

@@ -23,8 +23,8 @@ int run(const Dump& request, Console& console) {
     console.out << dsl::print_spec(checked->spec, sources);
   } else if (!possible) {
     if (errors.empty())
-      say(console,
-          fmt::format("directorc: `{}` has no `roots`: a module alone has no tables\n", shown_path(request.file)));
+      print_message(console, fmt::format("directorc: `{}` has no `roots`: a module alone has no tables\n",
+                                         shown_path(request.file)));
     return errors.empty() ? misused : found;
   } else if (request.stage == "model") {
     console.out << print_model(checked->model);

@@ -52,9 +52,10 @@ int run(const Explore& request, Console& console) {
   if (!checked->lowerable) {
     print_findings(checked->findings, sources, console.err, console.err_colours, console.err_width);
     if (dsl::has_errors(checked->findings)) return found;
-    say(console, fmt::format("directorc: `{}` has no `roots`: it is a module for others to import, and nothing can "
-                             "be explored in it alone\n",
-                             shown_path(request.file)));
+    print_message(console,
+                  fmt::format("directorc: `{}` has no `roots`: it is a module for others to import, and nothing can "
+                              "be explored in it alone\n",
+                              shown_path(request.file)));
     return misused;
   }
   const Ground ground(checked->model);

@@ -25,9 +25,10 @@ int run(const Generate& request, Console& console) {
   if (dsl::has_errors(checked->findings)) return found;
   if (is_open) return undecided;
   if (!checked->model.deployment) {
-    say(console, fmt::format("directorc: `{}` has no `roots`: it is a module for others to import, and nothing can be "
-                             "generated from it alone\n",
-                             shown_path(request.file)));
+    print_message(console,
+                  fmt::format("directorc: `{}` has no `roots`: it is a module for others to import, and nothing can be "
+                              "generated from it alone\n",
+                              shown_path(request.file)));
     return misused;
   }
 

@@ -51,8 +51,9 @@ std::optional<PictureOptions> options_of(const DrawGraph& request, const Subject
   out.focus = std::move(*focus);
   const bool takes = out.view == PictureOptions::View::takes;
   if ((takes || request.page) && !subject.lowerable) {
-    say(console, fmt::format("directorc: {} needs a behaviour that can run: with `roots` and without errors\n",
-                             takes ? "--view=takes" : "--page"));
+    print_message(console,
+                  fmt::format("directorc: {} needs a behaviour that can run: with `roots` and without errors\n",
+                              takes ? "--view=takes" : "--page"));
     return {};
   }
   if (!takes) return out;
@@ -141,7 +142,7 @@ int draw_moments(const DrawGraph& request, Console& console) {
   if (loaded.status != clean) return loaded.status;
   const auto steps = static_cast<std::uint32_t>(loaded.scenario.steps.size());
   if (request.step > steps) {
-    say(console, fmt::format("directorc: `{}` has {}\n", request.file, counted(steps, "step")));
+    print_message(console, fmt::format("directorc: `{}` has {}\n", request.file, counted(steps, "step")));
     return misused;
   }
   const Graph graph = with_possible_pushes(loaded.model, loaded.graph);

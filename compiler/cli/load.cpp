@@ -142,7 +142,7 @@ std::optional<Checked> load(const std::string& file, const CheckOptions& options
                             : types.fault().empty() ? fault_of(cpp, console.files)
                                                     : types.fault();
   if (fault.empty()) return checked;
-  say(console, fmt::format("directorc: {}\n", fault));
+  print_message(console, fmt::format("directorc: {}\n", fault));
   return {};
 }
 
@@ -156,7 +156,7 @@ void print_findings(const std::vector<dsl::Diagnostic>& findings, const dsl::Sou
 }
 
 bool print_undecided(const std::vector<std::string>& lines, Console& console) {
-  for (const std::string& line : lines) say(console, fmt::format("directorc: not decided: {}\n", line));
+  for (const std::string& line : lines) print_message(console, fmt::format("directorc: not decided: {}\n", line));
   return !lines.empty();
 }
 

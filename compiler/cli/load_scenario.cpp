@@ -41,10 +41,10 @@ Findings obstacles(const Checked& checked, const dsl::Word& behaviour) {
 }
 
 /// Those that have not been told yet; from now on they have. Several scenarios are of one behaviour.
-Findings not_among(std::set<std::string>& told, const Findings& findings, const dsl::Sources& sources) {
+Findings not_among(std::set<std::string>& printed, const Findings& findings, const dsl::Sources& sources) {
   Findings out;
   for (const dsl::Diagnostic& finding : findings) {
-    if (told.insert(dsl::render(finding, sources, {})).second) out.push_back(finding);
+    if (printed.insert(dsl::render(finding, sources, {})).second) out.push_back(finding);
   }
   return out;
 }
@@ -52,22 +52,22 @@ Findings not_among(std::set<std::string>& told, const Findings& findings, const 
 } // namespace
 
 LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Console& console,
-                             std::set<std::string>* told) {
+                             std::set<std::string>* printed) {
   LoadedScenario out;
   const auto stop = [&](int status, const Findings& findings) {
-    const Findings anew = told == nullptr ? findings : not_among(*told, findings, sources);
+    const Findings anew = printed == nullptr ? findings : not_among(*printed, findings, sources);
     print_findings(anew, sources, console.err, console.err_colours, console.err_width);
     if (anew.size() < findings.size())
-      say(console, fmt::format("directorc: `{}` cannot be played either: {} told above\n", shown_path(file),
-                               counted_are(findings.size() - anew.size(), "error")));
+      print_message(console, fmt::format("directorc: `{}` cannot be played either: {} told above\n", shown_path(file),
+                                         counted_are(findings.size() - anew.size(), "error")));
     out.status = status;
     out.findings = findings;
   };
   const std::string path = shown_path(file);
   const dsl::ReadScenarioResult read = dsl::read_scenario(path, console.files, sources);
   if (!read.diagnostics.empty() && read.diagnostics.front().id == "import_not_found") {
-    say(console, fmt::format("directorc: {}{}\n", read.diagnostics.front().message,
-                             file_instead(path, is_called_scenario, console)));
+    print_message(console, fmt::format("directorc: {}{}\n", read.diagnostics.front().message,
+                                       file_instead(path, is_called_scenario, console)));
     out.status = misused;
     return out;
   }

@@ -24,8 +24,8 @@ struct LoadedScenario {
   Scenario scenario;
 };
 
-/// `told`: errors as they were told of scenarios before, which are not told again; null: there were none.
+/// `printed`: errors as they were told of scenarios before, which are not told again; null: there were none.
 LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Console& console,
-                             std::set<std::string>* told = nullptr);
+                             std::set<std::string>* printed = nullptr);
 
 } // namespace director::compiler::cli

@@ -30,9 +30,9 @@ RecordedBehaviour load_behaviour(const RecordedNames& recorded, const std::strin
 
 /// What ended the lines of the trace before its end, or that its last one was left out; on the error stream. False: it
 /// is no trace from that line on.
-bool say_end(const TraceLines& lines, const std::string& file, Console& console);
+bool print_end(const TraceLines& lines, const std::string& file, Console& console);
 
 /// That a line behind the header cannot be read, why, and what can be done.
-void say_unreadable(const std::string& file, std::size_t line, const std::string& problem, Console& console);
+void print_unreadable(const std::string& file, std::size_t line, const std::string& problem, Console& console);
 
 } // namespace director::compiler::cli

@@ -100,7 +100,7 @@ void fill_streams() {
 }
 
 /// On a terminal, so that nobody looks at a program that says nothing.
-void tell_waiting(const std::string& path, std::chrono::milliseconds longest) {
+void print_waiting(const std::string& path, std::chrono::milliseconds longest) {
   if (::isatty(STDERR_FILENO) != 1) return;
   std::cerr << "directorc: nothing comes from `" << dsl::harmless(path) << "` yet: waiting for it, "
             << std::chrono::ceil<std::chrono::seconds>(longest).count() << " s at most\n"
@@ -112,7 +112,7 @@ void tell_waiting(const std::string& path, std::chrono::milliseconds longest) {
 int main(int count, char** words) {
   fill_streams();
   try {
-    dsl::DiskFiles files(std::chrono::seconds(10), tell_waiting);
+    dsl::DiskFiles files(std::chrono::seconds(10), print_waiting);
     DiskOutputs outputs;
     ChildPrograms programs;
     const Request request = parse({words + (count > 0 ? 1 : 0), words + count}, find_schemas(own_path()));

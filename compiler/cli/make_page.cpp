@@ -42,7 +42,7 @@ std::optional<std::vector<PagePicture>> pictures_of(const Checked& checked, cons
       out.push_back({name, mermaid(picture, links)});
       continue;
     }
-    std::optional<std::string> drawn = draw_svg(picture, links, wish.asked, wish.instead, console);
+    std::optional<std::string> drawn = draw_svg(picture, links, wish.requested, wish.instead, console);
     if (!drawn) return {};
     out.push_back({name, std::move(*drawn)});
   }

@@ -16,8 +16,8 @@ struct PageWish {
   bool markdown = false;                ///< else HTML
   std::string link;                     ///< address of a line, with {file} and {line}; empty: nothing is a link
   std::vector<std::string> transitions; ///< groups of the matrix; empty: all
-  std::string asked = "--format=html", instead = "--format=markdown"; ///< what needs Graphviz, and what does not
-  const PageRecording* recording = nullptr;                           ///< null: none
+  std::string requested = "--format=html", instead = "--format=markdown"; ///< what needs Graphviz, and what does not
+  const PageRecording* recording = nullptr;                               ///< null: none
 };
 
 /// Nothing, and says why, where it cannot be made. `checked`: resolved. `file`: its path.

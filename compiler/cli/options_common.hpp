@@ -54,26 +54,26 @@ struct SelectionWords {
 void add_selection(CLI::App& app, SelectionWords& words);
 checks::Selection selection_of(const SelectionWords& words);
 /// The first id that no check has, with what was probably meant.
-std::optional<Say> unknown_id(const SelectionWords& words);
+std::optional<Message> unknown_id(const SelectionWords& words);
 
 void add_build(CLI::App& app, std::string& build);
 CLI::Option* add_bound(CLI::App& app, std::size_t& bound);
 
 CLI::Option* add_watch(CLI::App& app, bool& watch);
 /// What programs read is one document, and no run after another.
-std::optional<Say> wrong_watch(bool watch, Format format);
+std::optional<Message> wrong_watch(bool watch, Format format);
 
 /// `-`: where one file is written, that is the standard output.
 inline constexpr const char* standard_output = "-";
 /// What is wrong with the name of something that is written beside what is printed, if something is. `what`: "a
 /// folder", "a file".
-std::optional<Say> wrong_place(const std::string& option, const std::string& what, const std::string& place);
+std::optional<Message> wrong_place(const std::string& option, const std::string& what, const std::string& place);
 
 /// `--link`, and what is wrong with it, if something is.
 void add_link(CLI::App& app, std::string& link);
-std::optional<Say> wrong_link(const std::string& link);
+std::optional<Message> wrong_link(const std::string& link);
 
 /// What is wrong with it, if something is.
-std::optional<Say> parse_time(const std::string& text, std::optional<std::int64_t>& time);
+std::optional<Message> parse_time(const std::string& text, std::optional<std::int64_t>& time);
 
 } // namespace director::compiler::cli

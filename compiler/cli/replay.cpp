@@ -82,9 +82,9 @@ int run(const Replay& request, Console& console) {
   const Replayed replayed = replay(lines, rows.names(), nullptr, &recorded);
   // A replay reads ahead: what it met behind its end is not told.
   if (!replayed.problem.empty())
-    say_unreadable(request.trace, replayed.problem_line, replayed.problem, console);
+    print_unreadable(request.trace, replayed.problem_line, replayed.problem, console);
   else if (!replayed.difference && replayed.dropped == 0)
-    say_end(lines, request.trace, console);
+    print_end(lines, request.trace, console);
   const std::string shown = shown_path(request.trace);
   if (request.format == Format::json)
     console.out << to_line(to_json(replayed, shown, of.file, other)) << '\n';

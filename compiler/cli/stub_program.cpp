@@ -74,7 +74,7 @@ Program read_program(const Stubs& request, const stubs::Wanted& wanted, Console&
   if (!console.headers.empty()) out.default_flags.insert(out.default_flags.end(), {"-isystem", console.headers});
 
   for (const bool headers : {false, true}) {
-    const stubs::Words words = headers ? stubs::interface_words(wanted) : stubs::telling_words(wanted);
+    const stubs::Words words = headers ? stubs::interface_words(wanted) : stubs::identifying_words(wanted);
     for (const auto& [path, text] : out.texts) {
       const bool generated = fs::path(path).filename() == wanted.header && has_notice(text);
       if (stubs::is_header(path) == headers && !generated && stubs::mentions(text, words))

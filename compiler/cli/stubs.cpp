@@ -63,7 +63,7 @@ public:
       const Plan plan = formatted_plan(planned());
       return carry_out(plan);
     } catch (const Refusal& refusal) {
-      say(console_, refusal.text);
+      print_message(console_, refusal.text);
       return refusal.status;
     }
   }
@@ -189,13 +189,13 @@ private:
     return plan;
   }
 
-  void tell(const Plan& plan) {
+  void print(const Plan& plan) {
     for (const Remark& each : plan.obstacles)
-      say(console_, fmt::format("{}: error: {}\n", shown(each.place), each.message));
+      print_message(console_, fmt::format("{}: error: {}\n", shown(each.place), each.message));
     for (const Remark& each : plan.leftovers)
-      say(console_, fmt::format("{}: warning: {}\n", shown(each.place), each.message));
+      print_message(console_, fmt::format("{}: warning: {}\n", shown(each.place), each.message));
     for (const Remark& each : plan.stale)
-      say(console_, fmt::format("{}: warning: {}\n", shown(each.place), each.message));
+      print_message(console_, fmt::format("{}: warning: {}\n", shown(each.place), each.message));
   }
 
   /// To a terminal what is in the user's files says nothing; a program, such as `patch`, gets every byte.
@@ -216,7 +216,7 @@ private:
   }
 
   int carry_out(const Plan& plan) {
-    tell(plan);
+    print(plan);
     const int status = plan.obstacles.empty() ? clean : compiler::cli::found;
     if (request_.check) {
       list(plan, "missing:", "to be added to:");
@@ -257,9 +257,10 @@ int run(const Stubs& request, Console& console) {
   print_findings(checked->findings, sources, console.err, console.err_colours, console.err_width);
   if (dsl::has_errors(checked->findings)) return found;
   if (!checked->model.deployment) {
-    say(console, fmt::format("directorc: `{}` has no `roots`: what its modules are called is decided where they are "
-                             "imported\n",
-                             shown_path(request.file)));
+    print_message(console,
+                  fmt::format("directorc: `{}` has no `roots`: what its modules are called is decided where they are "
+                              "imported\n",
+                              shown_path(request.file)));
     return misused;
   }
   const Lowered lowered = lower(checked->model);

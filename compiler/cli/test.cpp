@@ -32,13 +32,15 @@ public:
     for (const std::string& named : request_.files) {
       const std::vector<std::string> files = scenarios(named);
       if (files.empty()) {
-        say(console_,
+        print_message(
+            console_,
             fmt::format("directorc: there is no *.scenario.yaml or *.scenario.yml in `{}` or below it\n", named));
         status = std::max(status, misused);
       }
       for (const std::string& file : files) {
         if (file.ends_with('/')) {
-          say(console_, fmt::format("directorc: cannot look into `{}`, where scenarios may be\n", shown_path(file)));
+          print_message(console_,
+                        fmt::format("directorc: cannot look into `{}`, where scenarios may be\n", shown_path(file)));
           status = std::max(status, misused);
           continue;
         }
@@ -57,8 +59,8 @@ public:
     console_.out.flush();
     for (const CoverageReport& report : reports_) {
       if (!is_low(report)) continue;
-      say(console_, fmt::format("directorc: {} % of {} is covered; --min requires {} %\n", report.coverage.percent(),
-                                report.behaviour, request_.min));
+      print_message(console_, fmt::format("directorc: {} % of {} is covered; --min requires {} %\n",
+                                          report.coverage.percent(), report.behaviour, request_.min));
       status = std::max(status, found);
     }
     return status;
@@ -112,7 +114,8 @@ private:
     }
     if (text() && result.compared == 0 && result.holds() && !request_.coverage) {
       console_.out.flush();
-      say(console_,
+      print_message(
+          console_,
           result.happened.empty()
               ? fmt::format("directorc: `{}` has no steps, so nothing is tested\n", shown_path(file))
               : fmt::format("directorc: `{0}` expects nothing, so nothing is compared; `directorc test --update "
@@ -132,7 +135,7 @@ private:
   int write(const std::string& file, const std::string& title, const std::string& before, const Updated& updated) {
     const std::string path = shown_path(file);
     if (const auto failed = console_.outputs.change({{file, before, updated.text}})) {
-      say(console_, fmt::format("directorc: {}\n", *failed));
+      print_message(console_, fmt::format("directorc: {}\n", *failed));
       return misused;
     }
     std::vector<Json> steps;

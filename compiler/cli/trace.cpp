@@ -65,9 +65,10 @@ int put(const Trace& request, std::string text, int status, Console& console) {
   const auto is_own = request.to == "html" ? has_notice : is_trace;
   if (!write({{request.output, std::move(text), is_own}}, console)) return misused;
   if (request.to == "perfetto" && console.err_width != 0)
-    say(console, fmt::format("directorc: wrote `{}`; `Open trace file` on https://ui.perfetto.dev shows it, and keeps "
-                             "it on this machine\n",
-                             shown_path(request.output)));
+    print_message(console,
+                  fmt::format("directorc: wrote `{}`; `Open trace file` on https://ui.perfetto.dev shows it, and keeps "
+                              "it on this machine\n",
+                              shown_path(request.output)));
   return status;
 }
 
@@ -75,8 +76,8 @@ int put(const Trace& request, std::string text, int status, Console& console) {
 
 int run(const Trace& request, Console& console) {
   if (!request.output.empty() && console.files.identity(request.output) == console.files.identity(request.file)) {
-    say(console, fmt::format("directorc: `{}` is the trace that is read; name another file with -o\n",
-                             shown_path(request.output)));
+    print_message(console, fmt::format("directorc: `{}` is the trace that is read; name another file with -o\n",
+                                       shown_path(request.output)));
     return misused;
   }
   if (request.to == "perfetto" && request.output.empty() && console.out_width != 0) {
@@ -106,7 +107,7 @@ int run(const Trace& request, Console& console) {
   while (const std::optional<TraceLine> line = lines.next()) {
     const Lookup::Found event = line->dropped == 0 ? event_of(*line, lookup, names) : Lookup::Found{};
     if (!event.problem.empty()) {
-      say_unreadable(request.file, line->number, event.problem, console);
+      print_unreadable(request.file, line->number, event.problem, console);
       status = found;
       break;
     }
@@ -118,7 +119,7 @@ int run(const Trace& request, Console& console) {
       format->event(event.event, out);
   }
   if (!as_it_is) format->end(out);
-  if (!say_end(lines, request.file, console)) status = found;
+  if (!print_end(lines, request.file, console)) status = found;
   return put(request, std::move(out), status, console);
 }
 

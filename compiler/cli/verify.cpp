@@ -30,11 +30,12 @@ void print(const Verify& request, const Verified& verified, const dsl::Sources& 
     print_findings(verified.findings, sources, console.out, console.out_colours, console.out_width);
   }
   print_undecided(verified.not_decided, console);
-  for (const std::string& each : verified.remarks) say(console, fmt::format("directorc: {}\n", each));
+  for (const std::string& each : verified.remarks) print_message(console, fmt::format("directorc: {}\n", each));
   if (!verified.unwritten.empty()) {
     const std::size_t count = verified.unwritten.size();
-    say(console, fmt::format("directorc: {} {} as `stubs` wrote {}: {}\n", count, count == 1 ? "body is" : "bodies are",
-                             count == 1 ? "it" : "them", fmt::join(verified.unwritten, ", ")));
+    print_message(console, fmt::format("directorc: {} {} as `stubs` wrote {}: {}\n", count,
+                                       count == 1 ? "body is" : "bodies are", count == 1 ? "it" : "them",
+                                       fmt::join(verified.unwritten, ", ")));
   }
 }
 
@@ -56,8 +57,9 @@ int run(const Verify& request, Console& console) {
     return found;
   }
   if (!checked->model.deployment) {
-    say(console, fmt::format("directorc: `{}` has no `roots`: its C++ is verified with a behaviour that imports it\n",
-                             shown_path(request.file)));
+    print_message(console,
+                  fmt::format("directorc: `{}` has no `roots`: its C++ is verified with a behaviour that imports it\n",
+                              shown_path(request.file)));
     return misused;
   }
   DiskFacts store(facts_folder(request.build));
@@ -65,7 +67,7 @@ int run(const Verify& request, Console& console) {
   Verified verified = verify(*checked, sources, {request.build, request.generated, request.excluded}, world);
   if (!verified.fault.empty()) {
     print_undecided(verified.not_decided, console); // what Clang does not understand may be why
-    say(console, fmt::format("directorc: {}\n", verified.fault));
+    print_message(console, fmt::format("directorc: {}\n", verified.fault));
     return misused;
   }
   verified.findings = checks::apply_allowances(checked->model, std::move(verified.findings), false);

@@ -61,8 +61,8 @@ public:
   int number() const { return number_; }
   /// One has come, and is used up.
   bool take() const {
-    signalfd_siginfo told{};
-    return ::read(number_, &told, sizeof told) > 0;
+    signalfd_siginfo signal{};
+    return ::read(number_, &signal, sizeof signal) > 0;
   }
 
 private:
@@ -192,7 +192,7 @@ private:
 
 int watch(const std::vector<std::string>& named, Console& console, const std::function<int(Console&)>& once) {
   if (const std::optional<std::string> wrong = unwatchable(named)) {
-    say(console, fmt::format("directorc: {}\n", *wrong));
+    print_message(console, fmt::format("directorc: {}\n", *wrong));
     return misused;
   }
   return Watching(console, once).run();

@@ -35,10 +35,10 @@ std::vector<const Finding*> more_than(const std::map<std::string, std::vector<co
 }
 
 /// Of a thing, not of some values under which nothing runs.
-bool says_never(const Finding& finding) {
+bool reports_never(const Finding& finding) {
   if (finding.id == "uncovered_state") return false;
   const checks::Registered* const check = checks::find_registered(finding.id);
-  return check != nullptr && checks::says_never(*check);
+  return check != nullptr && checks::reports_never(*check);
 }
 
 } // namespace
@@ -46,10 +46,10 @@ bool says_never(const Finding& finding) {
 void compare_findings(const Pair& pair, bool alike, Changes& changes) {
   const auto was = sorted(pair.before.findings, alike), is = sorted(pair.after.findings, alike);
   for (const Finding* each : more_than(is, was))
-    changes.add(says_never(*each) ? ChangeKind::became_dead : ChangeKind::finding_new, each->id,
+    changes.add(reports_never(*each) ? ChangeKind::became_dead : ChangeKind::finding_new, each->id,
                 fmt::format("{} is new: {}", name_of(each->level), each->message), {}, each->span);
   for (const Finding* each : more_than(was, is))
-    changes.add(says_never(*each) ? ChangeKind::became_reachable : ChangeKind::finding_gone, each->id,
+    changes.add(reports_never(*each) ? ChangeKind::became_reachable : ChangeKind::finding_gone, each->id,
                 fmt::format("{} is gone: {}", name_of(each->level), each->message), each->span, {});
 }
 

@@ -125,15 +125,15 @@ private:
 
   void listed(const std::map<std::string, Span>& was, const std::map<std::string, Span>& is, ChangeKind kind,
               fmt::string_view fresh, fmt::string_view gone) {
-    const auto say = [](fmt::string_view words, const std::string& name) {
+    const auto text_of = [](fmt::string_view words, const std::string& name) {
       return fmt::format(fmt::runtime(words), name);
     };
     for (const auto& [name, span] : is) {
-      if (was.count(name) == 0) changes_.add(kind, name, say(fresh, name), {}, span);
+      if (was.count(name) == 0) changes_.add(kind, name, text_of(fresh, name), {}, span);
     }
     for (const auto& [name, span] : was) {
       if (is.count(name) == 0)
-        changes_.add(kind, name, say(gone, name), span, {}).breaks_code = kind == ChangeKind::triggers;
+        changes_.add(kind, name, text_of(gone, name), span, {}).breaks_code = kind == ChangeKind::triggers;
     }
   }
 

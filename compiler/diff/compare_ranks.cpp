@@ -131,7 +131,7 @@ public:
 private:
   using Names = std::vector<std::string>;
   /// Of one winner: who loses what, by the sentence around it.
-  struct Told {
+  struct Losers {
     Names losers;
     Span before{}, after{};
   };
@@ -152,7 +152,7 @@ private:
 
   void losers_of(const Edge& winner, const Edge* old_winner,
                  const std::vector<std::pair<const Edge*, const Edge*>>& others) {
-    std::map<std::pair<Names, std::string>, Told> gained, lost, always, sometimes;
+    std::map<std::pair<Names, std::string>, Losers> gained, lost, always, sometimes;
     for (const auto& [other, old_loser] : others) {
       const Edge& loser = *other;
       if (&loser == &winner || old_loser == nullptr) continue;
@@ -166,19 +166,19 @@ private:
                                     could ? old_.over(*old_winner, *old_loser, false) : none);
       const Names less = missing_in(could ? old_.over(*old_winner, *old_loser, true) : none,
                                     can ? new_.over(winner, loser, false) : none);
-      if (!more.empty()) tell(gained, more, why, winner, old_winner, loser, *old_loser);
-      if (!less.empty()) tell(lost, less, why, winner, old_winner, loser, *old_loser);
+      if (!more.empty()) collect(gained, more, why, winner, old_winner, loser, *old_loser);
+      if (!less.empty()) collect(lost, less, why, winner, old_winner, loser, *old_loser);
       // At all of its levels against all of the other's, or only at some.
       if (!can || !could || !more.empty() || !less.empty() || (now == goes_before) == (before == goes_before)) continue;
       const Names over = new_.over(winner, loser, true);
       if (!over.empty())
-        tell(now == goes_before ? always : sometimes, over, why, winner, old_winner, loser, *old_loser);
+        collect(now == goes_before ? always : sometimes, over, why, winner, old_winner, loser, *old_loser);
     }
-    for (const auto& [what, told] : gained) add(ChangeKind::takeover_gained, "can now", winner, what, told);
-    for (const auto& [what, told] : always) add(ChangeKind::takeover_gained, "can now always", winner, what, told);
-    for (const auto& [what, told] : lost) add(ChangeKind::takeover_lost, "can no longer", winner, what, told);
-    for (const auto& [what, told] : sometimes)
-      add(ChangeKind::takeover_lost, "can no longer always", winner, what, told);
+    for (const auto& [what, losers] : gained) add(ChangeKind::takeover_gained, "can now", winner, what, losers);
+    for (const auto& [what, losers] : always) add(ChangeKind::takeover_gained, "can now always", winner, what, losers);
+    for (const auto& [what, losers] : lost) add(ChangeKind::takeover_lost, "can no longer", winner, what, losers);
+    for (const auto& [what, losers] : sometimes)
+      add(ChangeKind::takeover_lost, "can no longer always", winner, what, losers);
   }
 
   std::string reason(const Edge& winner, const Edge* old_winner, const Edge& loser, const Edge& old_loser) const {
@@ -192,14 +192,14 @@ private:
                        rank_text(old_loser));
   }
 
-  void tell(std::map<std::pair<Names, std::string>, Told>& all, const Names& over, const std::string& why,
-            const Edge& winner, const Edge* old_winner, const Edge& loser, const Edge& old_loser) {
-    Told& told = all[{over, why}];
-    told.losers.push_back(target(loser));
+  void collect(std::map<std::pair<Names, std::string>, Losers>& all, const Names& over, const std::string& why,
+               const Edge& winner, const Edge* old_winner, const Edge& loser, const Edge& old_loser) {
+    Losers& losers = all[{over, why}];
+    losers.losers.push_back(target(loser));
     // The place is that of the side that has changed.
     const bool by_loser = old_winner != nullptr && winner.levels == old_winner->levels;
-    told.before = by_loser || old_winner == nullptr ? old_loser.span : old_winner->span;
-    told.after = by_loser ? loser.span : winner.span;
+    losers.before = by_loser || old_winner == nullptr ? old_loser.span : old_winner->span;
+    losers.after = by_loser ? loser.span : winner.span;
     explained_.insert(edge_name(winner));
     explained_.insert(edge_name(loser));
   }
@@ -209,12 +209,12 @@ private:
   }
 
   void add(ChangeKind kind, const char* how, const Edge& winner, const std::pair<Names, std::string>& what,
-           const Told& told) {
+           const Losers& losers) {
     const bool itself = what.first == Names{target(winner)};
     changes_.add(kind, edge_name(winner),
                  fmt::format("`{}` {} take {} from {}: {}", target(winner), how,
-                             itself ? "the place" : ticked_list(what.first), ticked_list(told.losers), what.second),
-                 told.before, told.after);
+                             itself ? "the place" : ticked_list(what.first), ticked_list(losers.losers), what.second),
+                 losers.before, losers.after);
   }
 
   /// Of equal rank the earlier declaration goes first.

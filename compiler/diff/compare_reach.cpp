@@ -49,11 +49,11 @@ public:
         is_(find_may(pair.after)) {}
 
   void compare() {
-    std::set<std::string> told; // of a group whose requests are told, its providers are not
+    std::set<std::string> reported; // of a group whose requests are told, its providers are not
     for (const auto& [name, may] : is_.groups) {
       const auto old = was_.groups.find(name);
       if (old == was_.groups.end() || old->second == may) continue;
-      told.insert(name);
+      reported.insert(name);
       const Span before = pair_.old_model.groups[*pair_.old_model.find_group(name)].name.span,
                  after = pair_.new_model.groups[*pair_.new_model.find_group(name)].name.span;
       changes_.add(may ? ChangeKind::became_reachable : ChangeKind::became_dead, name,
@@ -65,7 +65,7 @@ public:
       if (old == was_.providers.end() || old->second == may) continue;
       const Provider *const before = find_provider(pair_.old_model, name), *const after =
                                                                                find_provider(pair_.new_model, name);
-      if (told.count(name_of(pair_.new_model, after->group)) != 0) continue;
+      if (reported.count(name_of(pair_.new_model, after->group)) != 0) continue;
       changes_.add(may ? ChangeKind::became_reachable : ChangeKind::became_dead, name,
                    fmt::format("`{}` {}", name, may ? "may run now" : "can never run any more"), before->span,
                    after->span);

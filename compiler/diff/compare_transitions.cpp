@@ -114,13 +114,14 @@ TransitionsPlayed compare_transitions(const Pair& pair, Changes& changes) {
   count.wanted = pairs.size();
   if (pairs.empty()) return count;
   Played was(pair.old_model), is(pair.new_model);
-  std::map<std::tuple<ChangeKind, std::string, std::string>, std::vector<std::string>> told; // what, from, sentence: to
+  std::map<std::tuple<ChangeKind, std::string, std::string>, std::vector<std::string>>
+      changed; // what, from, sentence: to
   for (const Names& ends : pairs) {
     if (was.work() + is.work() > most_work) break;
     ++count.played;
     const Transition before = was.between(ends), after = is.between(ends);
-    const auto tell = [&](ChangeKind kind, const std::string& words) {
-      told[{kind, ends.first, words}].push_back(ends.second);
+    const auto add = [&](ChangeKind kind, const std::string& words) {
+      changed[{kind, ends.first, words}].push_back(ends.second);
     };
     if (before.kind != after.kind) {
       // What can or cannot be brought to run at all is told of the group itself.
@@ -128,13 +129,13 @@ TransitionsPlayed compare_transitions(const Pair& pair, Changes& changes) {
       const ChangeKind kind = before.kind == Kind::soft && after.kind == Kind::hard   ? ChangeKind::hardened
                               : before.kind == Kind::hard && after.kind == Kind::soft ? ChangeKind::softened
                                                                                       : ChangeKind::transition_changed;
-      tell(kind, fmt::format("{} now, before {}", name_of(after.kind), name_of(before.kind)));
+      add(kind, fmt::format("{} now, before {}", name_of(after.kind), name_of(before.kind)));
     } else if (after.kind == Kind::soft && before.bound != after.bound) {
-      tell(bound_change(before.bound, after.bound),
-           fmt::format("soft, and may take {}, before {}", bound_text(after.bound), bound_text(before.bound)));
+      add(bound_change(before.bound, after.bound),
+          fmt::format("soft, and may take {}, before {}", bound_text(after.bound), bound_text(before.bound)));
     }
   }
-  for (auto& [what, to] : told) {
+  for (auto& [what, to] : changed) {
     const auto& [kind, from, words] = what;
     std::sort(to.begin(), to.end());
     changes.add(kind, from, fmt::format("from `{}` to {}: {}", from, ticked_list(to), words), was.span(to.front()),

@@ -55,7 +55,7 @@ public:
     if (!finding.notes.empty()) {
       std::vector<Json> related; // each once: two chains may have a link in common
       for (const dsl::Note& note : finding.notes) {
-        Json one = told(note);
+        Json one = note_location(note);
         if (std::find(related.begin(), related.end(), one) == related.end()) related.push_back(std::move(one));
       }
       out.add("relatedLocations", Json::list(std::move(related)));
@@ -95,7 +95,7 @@ private:
     return Json::object({{"physicalLocation", std::move(physical)}});
   }
 
-  Json told(const dsl::Note& note) const {
+  Json note_location(const dsl::Note& note) const {
     Json out = location(note.span);
     out.add("message", message(dsl::shortened(note.message)));
     return out;
@@ -117,7 +117,7 @@ private:
     Json threads = Json::list({});
     for (const std::vector<dsl::Note>& way : ways) {
       Json locations = Json::list({});
-      for (const dsl::Note& step : way) locations.add(Json::object({{"location", told(step)}}));
+      for (const dsl::Note& step : way) locations.add(Json::object({{"location", note_location(step)}}));
       threads.add(Json::object({{"locations", std::move(locations)}}));
     }
     return Json::list({Json::object({{"threadFlows", std::move(threads)}})});

@@ -133,7 +133,7 @@ public:
   explicit Plan(const Model& model)
       : edges(model.edges.size()),
         states(model.states.size()),
-        asks(model.providers.size()),
+        pack(model.providers.size()),
         puts(model.providers.size()),
         model_(model),
         planner_(model),
@@ -169,7 +169,7 @@ public:
 
   std::vector<bool> edges;                            ///< that are requested
   std::vector<bool> states;                           ///< that the outside sets
-  IdTable<ProviderId, std::vector<EdgeId>> asks;      ///< what its body asks for
+  IdTable<ProviderId, std::vector<EdgeId>> pack;      ///< what its body asks for
   IdTable<ProviderId, std::vector<ConditionId>> puts; ///< what its body makes true
 
 private:
@@ -177,7 +177,7 @@ private:
     if (edges[id.value]) return;
     edges[id.value] = true;
     if (const auto by = planner_.way(id).by) {
-      asks[*by].push_back(id);
+      pack[*by].push_back(id);
       add(*by);
     }
   }
@@ -196,13 +196,13 @@ private:
 };
 
 /// The usual answer, and of those that ask for an edge the one that asks for most and the one that asks for least.
-void keep_packs(std::vector<Asks>& packs, const std::vector<EdgeId>& edges) {
+void keep_packs(std::vector<RequestedPack>& packs, const std::vector<EdgeId>& edges) {
   std::vector<std::size_t> kept{0};
   for (const EdgeId edge : edges) {
     std::optional<std::size_t> most, least;
     for (std::size_t i = 0; i < packs.size(); ++i) {
-      const auto asked = [&](const Ask& ask) { return ask.edge == edge.value; };
-      if (std::none_of(packs[i].begin(), packs[i].end(), asked)) continue;
+      const auto requested = [&](const RequestedLevel& request) { return request.edge == edge.value; };
+      if (std::none_of(packs[i].begin(), packs[i].end(), requested)) continue;
       if (!most || packs[i].size() > packs[*most].size()) most = i;
       if (!least || packs[i].size() < packs[*least].size()) least = i;
     }
@@ -210,7 +210,7 @@ void keep_packs(std::vector<Asks>& packs, const std::vector<EdgeId>& edges) {
       if (place && std::find(kept.begin(), kept.end(), *place) == kept.end()) kept.push_back(*place);
     }
   }
-  std::vector<Asks> out;
+  std::vector<RequestedPack> out;
   for (const std::size_t place : kept) out.push_back(packs[place]);
   packs = std::move(out);
 }
@@ -240,10 +240,12 @@ void focus_on(Ground& ground, const Goal& goal) {
     plan.add_pusher(id);
   }
   for (const ProviderId id : model.providers.ids()) {
-    keep_packs(ground.bodies[id.value].packs, plan.asks[id]);
+    keep_packs(ground.bodies[id.value].packs, plan.pack[id]);
     keep_puts(ground.bodies[id.value].puts, plan.puts[id], model);
   }
-  const auto not_planned = [&](const Asks& asks) { return asks.size() != 1 || !plan.edges[asks.front().edge]; };
+  const auto not_planned = [&](const RequestedPack& pack) {
+    return pack.size() != 1 || !plan.edges[pack.front().edge];
+  };
   ground.requests.erase(std::remove_if(ground.requests.begin(), ground.requests.end(), not_planned),
                         ground.requests.end());
   const auto not_set = [&](const Puts& puts) { return puts.size() != 1 || !plan.states[puts.front().state]; };

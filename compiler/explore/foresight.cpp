@@ -42,20 +42,20 @@ std::uint64_t Foresight::effect_of(const Deed& deed) {
   const Tables& t = ground_.tables;
   const director::State& s = engine_.memory();
   const Range own = t.groups[deed.group].edges;
-  const bool asks = deed.answer == Deed::Answer::pack || deed.answer == Deed::Answer::kept;
+  const bool pack = deed.answer == Deed::Answer::pack || deed.answer == Deed::Answer::kept;
   Projection all(projection_.data());
   for (Index e = own.begin; e != own.end; ++e) {
-    request_[e].level = asks ? nil : s.request[e].level;
+    request_[e].level = pack ? nil : s.request[e].level;
     all.add(request_[e].level);
   }
-  if (asks) {
-    for (const Ask& ask : ground_.bodies[deed.provider].packs[deed.pack]) {
-      const Index target = t.edges[ask.edge].target;
+  if (pack) {
+    for (const RequestedLevel& request : ground_.bodies[deed.provider].packs[deed.pack]) {
+      const Index target = t.edges[request.edge].target;
       const bool has_new_task = (s.run_queue[target].pending & static_cast<std::uint8_t>(Reason::new_task)) != 0;
-      const bool stays = deed.answer == Deed::Answer::kept && s.request[ask.edge].level == ask.level;
-      const bool is_news = !stays && s.last[target].holder == ask.edge && !has_new_task;
-      request_[ask.edge].level = ask.level;
-      projection_[ask.edge - own.begin] = std::uint64_t{is_news} << 32 | ask.level;
+      const bool stays = deed.answer == Deed::Answer::kept && s.request[request.edge].level == request.level;
+      const bool is_news = !stays && s.last[target].holder == request.edge && !has_new_task;
+      request_[request.edge].level = request.level;
+      projection_[request.edge - own.begin] = std::uint64_t{is_news} << 32 | request.level;
     }
   }
   for (Index e = own.begin; e != own.end; ++e)

@@ -39,10 +39,10 @@ private:
   std::size_t piece_of(std::int32_t value) const;
 };
 
-struct Ask {
+struct RequestedLevel {
   Index edge = 0, level = 0;
 };
-using Asks = std::vector<Ask>;
+using RequestedPack = std::vector<RequestedLevel>;
 
 struct Put {
   Index state = 0;
@@ -53,7 +53,7 @@ using Puts = std::vector<Put>;
 /// What a body may answer. The first of each list is the usual one: the first pack or all tasks, and every promise
 /// kept.
 struct FreeBody {
-  std::vector<Asks> packs;
+  std::vector<RequestedPack> packs;
   std::vector<Puts> puts;
 };
 
@@ -83,13 +83,13 @@ struct Ground {
   std::vector<FreeBody> bodies;            ///< provider
   std::vector<std::vector<Puts>> starting; ///< group: what its start handler may set
   std::vector<std::vector<Puts>> stopping;
-  std::vector<Index> wake;           ///< group: its trigger; nil: nobody wakes it
-  std::vector<Asks> requests;        ///< what the program may ask for in one input
-  std::vector<Puts> sets;            ///< what the outside may set in one input
-  std::vector<Index> triggers;       ///< that the outside may fire and somebody listens to
-  Puts expiries;                     ///< what a state expires to, where the outside cannot set it so
-  std::vector<Broken> broken;        ///< promises that somebody listens to
-  std::vector<std::string> left_out; ///< sentences without a full stop: what may happen and is not tried
+  std::vector<Index> wake;             ///< group: its trigger; nil: nobody wakes it
+  std::vector<RequestedPack> requests; ///< what the program may ask for in one input
+  std::vector<Puts> sets;              ///< what the outside may set in one input
+  std::vector<Index> triggers;         ///< that the outside may fire and somebody listens to
+  Puts expiries;                       ///< what a state expires to, where the outside cannot set it so
+  std::vector<Broken> broken;          ///< promises that somebody listens to
+  std::vector<std::string> left_out;   ///< sentences without a full stop: what may happen and is not tried
 };
 
 } // namespace director::compiler

@@ -17,7 +17,7 @@ namespace {
 
 std::size_t inbox_size(const Ground& ground) {
   std::size_t most = 2;
-  for (const Asks& asks : ground.requests) most = std::max(most, asks.size());
+  for (const RequestedPack& pack : ground.requests) most = std::max(most, pack.size());
   for (const Puts& puts : ground.sets) most = std::max(most, puts.size());
   return std::bit_ceil(most);
 }
@@ -57,9 +57,10 @@ Bodies Machine::table() {
 }
 
 /// Else to keep it is the same as to ask for it anew.
-bool Machine::keeps(const Asks& asks) const {
+bool Machine::keeps(const RequestedPack& pack) const {
   const director::State& s = engine_.memory();
-  return std::any_of(asks.begin(), asks.end(), [&](const Ask& ask) { return s.request[ask.edge].level == ask.level; });
+  return std::any_of(pack.begin(), pack.end(),
+                     [&](const RequestedLevel& request) { return s.request[request.edge].level == request.level; });
 }
 
 void Machine::find_answers() {
@@ -68,7 +69,7 @@ void Machine::find_answers() {
   Deed deed;
   deed.group = engine_.memory().counters->queue_first;
   deed.provider = engine_.active(deed.group);
-  const std::vector<Asks>& packs = ground_.bodies[deed.provider].packs;
+  const std::vector<RequestedPack>& packs = ground_.bodies[deed.provider].packs;
   for (; deed.pack < packs.size(); ++deed.pack) answers_.push_back(deed);
   deed.answer = Deed::Answer::kept;
   for (deed.pack = 0; breadth_ != Breadth::lean && deed.pack < packs.size(); ++deed.pack) {
@@ -88,7 +89,8 @@ Outcome Machine::run(Run& run) {
   for (const Put& put : body.puts[deed.puts]) run.set(put.state, put.value);
   if (deed.answer == Deed::Answer::keep) return run.keep();
   if (deed.answer == Deed::Answer::done) return run.done();
-  for (const Ask& ask : body.packs[deed.pack]) run.request(ask.edge, ask.level, deed.answer == Deed::Answer::kept);
+  for (const RequestedLevel& request : body.packs[deed.pack])
+    run.request(request.edge, request.level, deed.answer == Deed::Answer::kept);
   return run.pack();
 }
 
@@ -178,9 +180,9 @@ void Machine::post(const Happens& happens) {
   switch (happens.kind) {
   case Kind::go: return;
   case Kind::request:
-    for (const Ask& ask : ground_.requests[happens.row]) {
-      records.push_back(record(Input::Kind::request, ask.edge));
-      records.back().set_level(ask.level);
+    for (const RequestedLevel& request : ground_.requests[happens.row]) {
+      records.push_back(record(Input::Kind::request, request.edge));
+      records.back().set_level(request.level);
     }
     break;
   case Kind::cancel: records.push_back(record(Input::Kind::cancel, happens.row)); break;

@@ -50,7 +50,7 @@ private:
   Outcome run(Run& run);
   void handle(Handling& handling, Deed::Kind kind);
   void find_answers();
-  bool keeps(const Asks& asks) const;
+  bool keeps(const RequestedPack& pack) const;
   bool runs_next() const;
   bool takes_inputs() const;
   void post(const Happens& happens);

@@ -18,9 +18,9 @@ struct NeverRuns {
   std::size_t states = 0; ///< that were found
 };
 
-/// Explores the behaviour, at most `bound` states of it. `told`: findings; what they tell is not told again, nor what
-/// follows from that. `progress` is told now and then.
-NeverRuns find_never_runs(const Model& model, std::size_t bound, const std::vector<dsl::Diagnostic>& told,
+/// Explores the behaviour, at most `bound` states of it. `findings`: findings; what they tell is not told again, nor
+/// what follows from that. `progress` is told now and then.
+NeverRuns find_never_runs(const Model& model, std::size_t bound, const std::vector<dsl::Diagnostic>& findings,
                           std::function<void(const SearchProgress& so_far)> progress = {});
 
 } // namespace director::compiler

@@ -47,12 +47,12 @@ Exploration::Oscillation oscillation(const Ground& ground, const Searched::Cycle
   const auto begin = all.begin() + static_cast<std::ptrdiff_t>(cycle.way.size());
   out.round.assign(begin, all.end());
   out.way.assign(all.begin(), begin);
-  Telling telling;
-  telling.title = "it never comes to rest";
-  telling.doc = "The last step goes round for ever: " + moving(out.round, ground.model) + ".";
-  telling.behaviour = behaviour;
-  telling.round = out.round;
-  out.scenario = write_scenario(ground, out.way, telling);
+  ScenarioHead head;
+  head.title = "it never comes to rest";
+  head.doc = "The last step goes round for ever: " + moving(out.round, ground.model) + ".";
+  head.behaviour = behaviour;
+  head.round = out.round;
+  out.scenario = write_scenario(ground, out.way, head);
   return out;
 }
 
@@ -90,13 +90,13 @@ Exploration explore(const Ground& ground, const ExploreOptions& options) {
     if (!out.searched.happened.ran[id.value]) out.never_ran.push_back(id);
   }
   for (const EdgeId id : model.edges.ids()) {
-    const bool waits = out.searched.happened.asked[id.value] && !out.searched.happened.granted[id.value];
+    const bool waits = out.searched.happened.requested[id.value] && !out.searched.happened.granted[id.value];
     if (out.searched.complete && waits) out.starved.push_back(id);
   }
-  std::set<std::string> told; // of several ways into one round the shortest is enough
+  std::set<std::string> reported; // of several ways into one round the shortest is enough
   for (const Searched::Cycle& cycle : out.searched.cycles) {
     Exploration::Oscillation each = oscillation(ground, cycle, options.behaviour);
-    if (told.insert(moving(each.round, model)).second) out.oscillations.push_back(std::move(each));
+    if (reported.insert(moving(each.round, model)).second) out.oscillations.push_back(std::move(each));
   }
   return out;
 }

@@ -17,8 +17,8 @@ public:
   const std::string& group(Index index) const { return m_.groups[GroupId{index}].name.value; }
   std::string provider(Index index) const; ///< `Walk.default`
 
-  std::string request(const Asks& asks) const; ///< `request: Walk`
-  std::string set(const Puts& puts) const;     ///< `set: {Pose: standing}`
+  std::string request(const RequestedPack& pack) const; ///< `request: Walk`
+  std::string set(const Puts& puts) const;              ///< `set: {Pose: standing}`
 
   /// What a body or a handler sets in this deed.
   const Puts& puts_of(const Deed& deed) const;
@@ -27,8 +27,8 @@ public:
 
 private:
   /// With the level's name, where it is not the first of the entry.
-  std::string asked(const std::vector<Task>& tasks, const Ask& ask, bool keep) const;
-  void answer(const Provider& row, const Asks& asks, bool kept, std::vector<std::string>& words) const;
+  std::string request_entry(const std::vector<Task>& tasks, const RequestedLevel& request, bool keep) const;
+  void answer(const Provider& row, const RequestedPack& pack, bool kept, std::vector<std::string>& words) const;
 
   const Ground& g_;
   const Model& m_;

@@ -17,13 +17,13 @@ Happened::Happened(const Tables& tables)
     : ran(tables.providers.size()),
       requested(tables.edges.size()),
       granted(tables.edges.size()),
-      asked(tables.edges.size()) {}
+      requested(tables.edges.size()) {}
 
 void Happened::add(const Happened& other) {
   unite(ran, other.ran);
   unite(requested, other.requested);
   unite(granted, other.granted);
-  unite(asked, other.asked);
+  unite(requested, other.requested);
 }
 
 bool under(const Engine& engine, Index edge, Index group) {
@@ -185,9 +185,9 @@ void Watch::note(const Machine& machine) {
       continue;
     }
     ++i;
-    if (state != RunState::queued || happened.asked[e]) continue;
+    if (state != RunState::queued || happened.requested[e]) continue;
     const Range providers = t.groups[t.edges[e].target].providers;
-    for (Index p = providers.begin; p != providers.end; ++p) happened.asked[e] = happened.asked[e] || met(p);
+    for (Index p = providers.begin; p != providers.end; ++p) happened.requested[e] = happened.requested[e] || met(p);
   }
 }
 

@@ -15,7 +15,7 @@ struct Happened {
   std::vector<bool> ran;       ///< provider
   std::vector<bool> requested; ///< edge
   std::vector<bool> granted;   ///< edge: its target, while it was requested
-  std::vector<bool> asked;     ///< edge: requested, and a provider of its target met its conditions
+  std::vector<bool> requested; ///< edge: requested, and a provider of its target met its conditions
 
   explicit Happened(const Tables& tables);
   void add(const Happened& other);

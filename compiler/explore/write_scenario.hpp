@@ -11,7 +11,7 @@
 
 namespace director::compiler {
 
-struct Telling {
+struct ScenarioHead {
   std::string title;
   std::string doc;          ///< what to look at
   std::string behaviour;    ///< path of the behaviour from where the scenario will be
@@ -19,7 +19,8 @@ struct Telling {
 };
 
 /// Nothing if it cannot be played so: timers would have to be due in another order than their durations allow.
-std::optional<std::string> write_scenario(const Ground& ground, const std::vector<Taken>& way, const Telling& telling);
+std::optional<std::string> write_scenario(const Ground& ground, const std::vector<Taken>& way,
+                                          const ScenarioHead& head);
 
 /// What the program does on that way, in few words: `request Walk; set {Pose: standing}`.
 std::string in_words(const Ground& ground, const std::vector<Taken>& way);

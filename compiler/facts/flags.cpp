@@ -91,7 +91,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> long_form
      {"--define-macro", "-D"},
      {"--undefine-macro", "-U"}}};
 /// What a compiler must be told when it is asked for its habits.
-constexpr std::array<std::string_view, 8> telling{
+constexpr std::array<std::string_view, 8> kept_flags{
     "-m", "--sysroot", "-isysroot", "-std=", "-stdlib=", "-nostdinc", "--target", "-B"};
 
 bool begins(std::string_view word, const auto& list) {
@@ -187,7 +187,7 @@ Words Compilers::complete(const Flags& flags) {
   Words question{"sh", "-c", "exec \"$0\" \"$@\" 2>&1", flags.compiler};
   for (std::size_t i = 0; i < flags.words.size(); ++i) {
     const std::string& word = flags.words[i];
-    if (!begins(word, telling)) continue;
+    if (!begins(word, kept_flags)) continue;
     question.push_back(word);
     if ((word == "--sysroot" || word == "-isysroot") && i + 1 < flags.words.size())
       question.push_back(flags.words[++i]);

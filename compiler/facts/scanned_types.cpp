@@ -112,15 +112,15 @@ Types ScannedTypes::read(const TypeReader::Question& question) {
                                {"headers", Json::texts(question.headers)},
                                {"namespace", Json::text(question.name_space)},
                                {"names", Json::texts(question.names)}});
-  Json asked = request;
-  asked.add("director", Json::text(version.value()["director"].as_text())).add("clang", version.value()["clang"]);
-  std::optional<Json> answer = cache_.recall(to_line(asked));
+  Json versioned = request;
+  versioned.add("director", Json::text(version.value()["director"].as_text())).add("clang", version.value()["clang"]);
+  std::optional<Json> answer = cache_.recall(to_line(versioned));
   if (!answer) {
     const Scan scan = scanner_.ask("types", request);
     if (!scan) return fail(scan.error().message);
     answer = scan.value();
     // A header that the build has yet to write leaves no trace among the files that were read.
-    if (!fails_elsewhere(*answer, file)) cache_.keep(to_line(asked), *answer);
+    if (!fails_elsewhere(*answer, file)) cache_.keep(to_line(versioned), *answer);
   }
   const bool uncertain = fails_elsewhere(*answer, file);
   const std::vector<Json>& types = (*answer)["types"].items();

@@ -13,15 +13,15 @@ namespace director::compiler {
 namespace {
 
 void number_conditions(const Model& model, Lowered& out) {
-  std::set<ConditionId> asked_for;
+  std::set<ConditionId> used;
   for (const Provider& provider : model.providers) {
-    for (const ConditionUse& use : provider.when) asked_for.insert(use.id);
-    for (const ConditionUse& use : provider.stay) asked_for.insert(use.id);
+    for (const ConditionUse& use : provider.when) used.insert(use.id);
+    for (const ConditionUse& use : provider.stay) used.insert(use.id);
     for (const ConditionUse& use : provider.causing) {
-      if (use.within) asked_for.insert(use.id);
+      if (use.within) used.insert(use.id);
     }
   }
-  out.condition_ids.assign(asked_for.begin(), asked_for.end());
+  out.condition_ids.assign(used.begin(), used.end());
 }
 
 Range add_intervals(const ValueSet& accepts, Lowered& out) {

@@ -82,7 +82,7 @@ const Contentions::Partings& Contentions::partings(EdgeId first, EdgeId second) 
     met_open_ = changed_ = false;
     look_at(first, second);
     again_ = true;
-  } while (met_open_ && changed_ && circle_steps_left_ > 0);
+  } while (met_open_ && changed_ && cycle_steps_left_ > 0);
   for (Known* each : unsettled_) each->settled = true;
   unsettled_.clear();
   return known_.at({first, second}).all;
@@ -130,8 +130,8 @@ void Contentions::climb(EdgeId first, EdgeId second, bool climbs_first, Partings
   for (const EdgeId above : model_.groups[*below.requester].requesters) {
     for (const Parting& each : climbs_first ? look_at(above, second) : look_at(first, above)) {
       for (const Standing& way : ways(below)) {
-        if (again_ && circle_steps_left_ == 0) return;
-        if (again_) --circle_steps_left_;
+        if (again_ && cycle_steps_left_ == 0) return;
+        if (again_) --cycle_steps_left_;
         Parting with = each;
         bool& optional = climbs_first ? with.first_optional : with.second_optional;
         optional = optional || way.optional;

@@ -45,7 +45,7 @@ struct Contention {
 inline constexpr std::size_t most_edge_pairs = 1'000'000;
 
 /// Steps athrough cycles of requests, in all: where forty groups all ask for each other nobody reads what comes of it.
-inline constexpr std::size_t most_circle_steps = 4'000'000;
+inline constexpr std::size_t most_cycle_steps = 4'000'000;
 
 /// What it finds for one question helps it with the next.
 class Contentions {
@@ -58,7 +58,7 @@ public:
   /// of the first group. Of a group and itself: two chains to it.
   std::vector<Decision> between(GroupId first, GroupId second);
   /// False: some search ended at its bound.
-  bool complete() const { return pairs_left_ > 0 && circle_steps_left_ > 0; }
+  bool complete() const { return pairs_left_ > 0 && cycle_steps_left_ > 0; }
 
 private:
   /// The edges below the closest common requester, and whether something optional lies below them.
@@ -89,7 +89,7 @@ private:
   std::map<std::pair<EdgeId, EdgeId>, Known> known_;
   std::vector<Known*> unsettled_; ///< what is looked at for the question at hand
   std::size_t round_ = 0;
-  std::size_t circle_steps_left_ = most_circle_steps;
+  std::size_t cycle_steps_left_ = most_cycle_steps;
   bool again_ = false;                      ///< this is not the first round for the question
   bool met_open_ = false, changed_ = false; ///< in this round
 };

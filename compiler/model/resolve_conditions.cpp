@@ -68,7 +68,7 @@ ValueSet accepted(const State& state, Op op, const std::vector<std::int64_t>& op
 }
 
 /// More of them nobody writes into a condition.
-constexpr std::int64_t most_values_told = 100;
+constexpr std::int64_t most_values_listed = 100;
 
 /// A sentinel that stands where the comparison holds looks as if it were meant.
 void report_sentinels(Resolver& r, const State& state, const Condition& condition, const ValueSet& sentinels,
@@ -77,7 +77,7 @@ void report_sentinels(Resolver& r, const State& state, const Condition& conditio
   if (std::none_of(state.unordered.begin(), state.unordered.end(), is_accepted)) return; // as of every range
   std::vector<std::string> meant;
   const ValueSet others = condition.accepts.without(sentinels);
-  if (others.count() <= most_values_told) {
+  if (others.count() <= most_values_listed) {
     for (const ValueSet::Interval& each : others.intervals())
       for (std::int64_t value = each.low; value <= each.high; ++value) meant.push_back(state.value_text(value));
   }

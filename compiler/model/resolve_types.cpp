@@ -37,8 +37,8 @@ bool is_usable(Resolver& r, const Word& name, const CppType& type) {
 }
 
 /// Two enumerators that are one value.
-void tell_same(Resolver& r, const State& state, const Word& name, const CppType::Enumerator& first,
-               const CppType::Enumerator& second, const dsl::Span& span) {
+void report_same(Resolver& r, const State& state, const Word& name, const CppType::Enumerator& first,
+                 const CppType::Enumerator& second, const dsl::Span& span) {
   Diagnostic& finding = r.error("redefined_name", span,
                                 fmt::format("`{}` and `{}` of `{}` are one value, so they cannot be two values of `{}`",
                                             first.name, second.name, name.value, state.name.value),
@@ -64,7 +64,7 @@ private:
 void take_values(Resolver& r, State& state, const Word& name, const CppType& type) {
   OneValue known;
   for (const CppType::Enumerator& each : type.enumerators) {
-    if (const auto* const first = known.first_of(each)) tell_same(r, state, name, *first, each, name.span);
+    if (const auto* const first = known.first_of(each)) report_same(r, state, name, *first, each, name.span);
     state.values.add(each.name);
     state.value_spans.push_back(r.options.reader->span(each.place));
   }
@@ -72,7 +72,7 @@ void take_values(Resolver& r, State& state, const Word& name, const CppType& typ
 }
 
 /// What the enum has and the state lacks.
-void tell_lacking(Resolver& r, const State& state, const Word& name, const CppType& type, const OneValue& listed) {
+void report_lacking(Resolver& r, const State& state, const Word& name, const CppType& type, const OneValue& listed) {
   // `last = halt` is another name of a value, and no other value.
   std::unordered_map<std::string_view, std::vector<const CppType::Enumerator*>> by_value;
   std::vector<std::string_view> in_order;
@@ -110,10 +110,10 @@ void compare_values(Resolver& r, const State& state, const Word& name, const Cpp
     if (at == by_name.end()) {
       foreign.push_back(i);
     } else if (const auto* const first = listed.first_of(*at->second)) {
-      tell_same(r, state, name, *first, *at->second, state.value_spans[i]);
+      report_same(r, state, name, *first, *at->second, state.value_spans[i]);
     }
   }
-  tell_lacking(r, state, name, type, listed);
+  report_lacking(r, state, name, type, listed);
   for (const std::size_t i : foreign) {
     Diagnostic& finding =
         r.error("enum_drift", state.value_spans[i], fmt::format("`{}` has no `{}`", name.value, state.values[i]),

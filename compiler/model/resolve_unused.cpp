@@ -78,7 +78,7 @@ std::vector<bool> led_to(const Model& model, std::vector<GroupId> open) {
 }
 
 /// Groups to which nothing leads but each other.
-void find_unused_circles(Resolver& r) {
+void find_unused_cycles(Resolver& r) {
   const Model& model = r.model;
   std::vector<GroupId> from;
   for (const Task& root : model.roots) from.push_back(root.target);
@@ -115,7 +115,7 @@ void find_unused_groups(Resolver& r) {
     if (group.requesters.empty())
       report_group(r, group.name.span, fmt::format("nothing requests or needs `{}`", group.name.value));
   }
-  find_unused_circles(r);
+  find_unused_cycles(r);
 }
 
 } // namespace

@@ -66,7 +66,7 @@ std::string matrix_html(const Json& rows) {
     const std::vector<Json>& cells = row["cells"].items();
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const CellKind& kind = cell_kind(cells[i]);
-      const Json* column = is_telling(cells[i]) ? &rows.items()[i] : nullptr;
+      const Json* column = needs_explanation(cells[i]) ? &rows.items()[i] : nullptr;
       out += fmt::format("<td data-kind=\"{}\"><a href=\"#{}\" title=\"{}\">{}</a>", kind.kind, // </td> may be left out
                          anchor_of(row, column), kind.kind, kind.sign);
     }
@@ -94,22 +94,23 @@ std::string row_html(const Json& transitions, const Json& row) {
   const Json& rows = transitions["rows"];
   std::string out = fmt::format("<article class=\"row\" id=\"{}\" tabindex=\"-1\">\n<h3>From {}</h3>\n<p>{}</p>\n",
                                 anchor_of(row, nullptr), html(row["group"].as_text()), html(row["words"].as_text()));
-  std::string told;
+  std::string explanations;
   std::map<std::string_view, std::vector<std::string>> others;
   const std::vector<Json>& cells = row["cells"].items();
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const Json& column = rows.items()[i];
     const CellKind& kind = cell_kind(cells[i]);
-    if (!is_telling(cells[i])) {
+    if (!needs_explanation(cells[i])) {
       others[kind.kind].push_back(column["group"].as_text());
       continue;
     }
-    told += fmt::format("<div id=\"{}\" tabindex=\"-1\"><dt>to {}: <b class=\"sign\" data-kind=\"{}\">{}</b> "
-                        "{}</dt><dd>{}{}</dd></div>\n",
-                        anchor_of(row, &column), html(column["group"].as_text()), kind.kind, kind.sign, kind.kind,
-                        html(cells[i]["words"].as_text()), scenario_html(cells[i], transitions["pieces"]));
+    explanations +=
+        fmt::format("<div id=\"{}\" tabindex=\"-1\"><dt>to {}: <b class=\"sign\" data-kind=\"{}\">{}</b> "
+                    "{}</dt><dd>{}{}</dd></div>\n",
+                    anchor_of(row, &column), html(column["group"].as_text()), kind.kind, kind.sign, kind.kind,
+                    html(cells[i]["words"].as_text()), scenario_html(cells[i], transitions["pieces"]));
   }
-  if (!told.empty()) out += fmt::format("<dl>\n{}</dl>\n", told);
+  if (!explanations.empty()) out += fmt::format("<dl>\n{}</dl>\n", explanations);
   for (const auto& [kind, names] : others) {
     std::string list;
     for (const std::string& name : names) list += (list.empty() ? "" : ", ") + html(name);

@@ -245,7 +245,7 @@ private:
     const std::size_t before = out_.size();
     for (std::size_t i = 0; i < rows.items().size(); ++i) {
       const Json& cell = row["cells"].items()[i];
-      if (!is_telling(cell)) continue;
+      if (!needs_explanation(cell)) continue;
       out_ += fmt::format("- to {}, {}: {}\n", escaped(rows.items()[i]["group"].as_text()), cell_kind(cell).kind,
                           escaped(cell["words"].as_text()));
     }

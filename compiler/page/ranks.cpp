@@ -91,7 +91,7 @@ public:
     if (!contentions_.complete())
       left_out += fmt::format("{}After {} pairs of tasks, or {} steps through cycles of requests, no more was looked "
                               "at, so there may be more.",
-                              left_out.empty() ? "" : " ", most_edge_pairs, most_circle_steps);
+                              left_out.empty() ? "" : " ", most_edge_pairs, most_cycle_steps);
     if (!left_out.empty()) out.add("left_out", Json::text(left_out));
     out.add("decisions", std::move(decisions_));
     out.add("contended", std::move(contended));
@@ -253,7 +253,7 @@ private:
   const Edge& edge(EdgeId id) const { return model_.edges[id]; }
 
   /// `Kick (priority 20)`
-  std::string asked(EdgeId id, const Standing& standing) const {
+  std::string request_words(EdgeId id, const Standing& standing) const {
     const std::vector<Level>& levels = edge(id).levels;
     const bool itself = std::any_of(levels.begin(), levels.end(), [&](const Level& level) {
       return level.optional && level.priority == standing.priority;
@@ -270,8 +270,8 @@ private:
     const Decision& decision = ruling.decision;
     const int order = ruling.order();
     const std::string requester = decision.requester ? name(*decision.requester) : "the program";
-    std::string first = asked(decision.first_sibling, decision.first);
-    std::string second = asked(decision.second_sibling, decision.second);
+    std::string first = request_words(decision.first_sibling, decision.first);
+    std::string second = request_words(decision.second_sibling, decision.second);
     EdgeId ahead = decision.first_sibling, behind = decision.second_sibling;
     if (order > 0) std::swap(first, second), std::swap(ahead, behind);
     const Ruling::Side &winner = order > 0 ? ruling.second : ruling.first,
@@ -296,7 +296,7 @@ private:
                                   both.at_once ? "" : ", never both at once");
     if (order != 0 && !loser.leaders.empty())
       out += ", unless " + name(edge(behind).target) + " is " + together(loser.leaders);
-    if (order == 0) out += asks_first(ahead, winner) + asks_first(behind, loser);
+    if (order == 0) out += requested_first(ahead, winner) + requested_first(behind, loser);
     return out;
   }
 
@@ -310,7 +310,7 @@ private:
   }
 
   /// Of equals.
-  std::string asks_first(EdgeId member, const Ruling::Side& side) const {
+  std::string requested_first(EdgeId member, const Ruling::Side& side) const {
     if (side.leaders.empty()) return "";
     const std::string& task = name(edge(member).target);
     return fmt::format("; of two that request it, {} goes first where {}{}",

@@ -14,7 +14,7 @@ const std::vector<CellKind>& cell_kinds();
 const CellKind& cell_kind(const Json& cell);
 
 /// Whether the cell has something of its own to tell; else a line for all of its kind in a row will do.
-bool is_telling(const Json& cell);
+bool needs_explanation(const Json& cell);
 
 /// `behaviours/soccer/soccer.yaml:12`
 std::string place_text(const Json& place);

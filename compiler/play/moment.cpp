@@ -30,9 +30,9 @@ Moment::Standing standing_of(const View& view, GroupId group, const Model& model
   const GroupAssignment& now = view.assignment[row];
   Moment::Standing out;
   if (now.active != nil) out.active = ProviderId{now.active};
-  bool asked = false;
+  bool requested = false;
   for (const EdgeId edge : model.groups[group].requesters)
-    asked = asked || view.requested(static_cast<Index>(edge.value));
+    requested = requested || view.requested(static_cast<Index>(edge.value));
   if (view.granted(row)) {
     out.mark = now.push.edge != nil && now.push.provider == now.active ? Mark::pushed : Mark::running;
     if (out.mark == Mark::pushed) {
@@ -41,7 +41,7 @@ Moment::Standing standing_of(const View& view, GroupId group, const Model& model
     }
     return out;
   }
-  if (asked) {
+  if (requested) {
     out.mark = Mark::queued;
     out.note = reason(view, group, model, lowered);
     return out;

@@ -24,7 +24,8 @@ public:
   std::optional<std::uint32_t> level(const Task& task, const std::optional<Word>& name);
   /// One of `tasks`, which belong to `owner` ("`Walk.walking` requests no group called").
   const Task* task(const std::vector<Task>& tasks, std::string_view owner, const Word& name);
-  std::optional<Asked> asked(const std::vector<Task>& tasks, std::string_view owner, const dsl::RequestSpec& spec);
+  std::optional<RequestedTask> request(const std::vector<Task>& tasks, std::string_view owner,
+                                       const dsl::RequestSpec& spec);
 
   dsl::Diagnostic& error(std::string_view id, Span span, std::string message, std::string help);
   /// undefined_name, with the nearest of `known` as its help, or with all of them.

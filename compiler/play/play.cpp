@@ -128,10 +128,10 @@ private:
     std::vector<Input> out;
     switch (input.kind) {
     case InputKind::request:
-      for (const Asked& asked : input.requests) {
-        Input request = record(Input::Kind::request, asked.edge.value);
-        request.set_level(static_cast<Index>(tables_.edges[request.thing].levels.begin + asked.level));
-        request.handle = bodies_.data().wait_for_input(asked.data);
+      for (const RequestedTask& task : input.requests) {
+        Input request = record(Input::Kind::request, task.edge.value);
+        request.set_level(static_cast<Index>(tables_.edges[request.thing].levels.begin + task.level));
+        request.handle = bodies_.data().wait_for_input(task.data);
         out.push_back(request);
       }
       break;

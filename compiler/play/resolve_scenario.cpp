@@ -143,8 +143,8 @@ private:
     switch (spec.kind.value) {
     case InputKind::request:
       for (const dsl::RequestSpec& request : spec.requests) {
-        if (auto asked = names_.asked(model_.roots, "`roots` has", request))
-          input.requests.push_back(std::move(*asked));
+        if (auto request = names_.request(model_.roots, "`roots` has", request))
+          input.requests.push_back(std::move(*request));
       }
       break;
     case InputKind::cancel:

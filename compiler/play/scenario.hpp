@@ -15,7 +15,7 @@
 namespace director::compiler {
 
 /// A task as a body or the program asks for it.
-struct Asked {
+struct RequestedTask {
   EdgeId edge{};
   std::uint32_t level = 0; ///< of Edge::levels
   std::optional<dsl::Data> data;
@@ -43,7 +43,7 @@ struct Case {
   enum class Answer { pack, done, failed, keep };
   Answer answer = Answer::pack;
   std::optional<std::uint32_t> named_pack; ///< place among Provider::packs, where these have names
-  std::vector<Asked> pack;
+  std::vector<RequestedTask> pack;
   std::vector<Setting> set;
   Microseconds wait = 0; ///< 0: none
 
@@ -55,11 +55,11 @@ using Body = std::vector<Case>;
 
 struct ScenarioInput {
   dsl::InputSpec::Kind kind = dsl::InputSpec::Kind::request;
-  std::vector<Asked> requests; ///< of request
-  EdgeId root{};               ///< of cancel
-  std::vector<Setting> set;    ///< of set
-  TriggerId trigger{};         ///< of trigger
-  ProviderId provider{};       ///< of enable and disable
+  std::vector<RequestedTask> requests; ///< of request
+  EdgeId root{};                       ///< of cancel
+  std::vector<Setting> set;            ///< of set
+  TriggerId trigger{};                 ///< of trigger
+  ProviderId provider{};               ///< of enable and disable
 };
 
 struct ScenarioStep {

@@ -244,18 +244,18 @@ std::optional<std::string> explain_key(std::string_view page, std::string_view k
   std::string first; // the first example of it, wherever that stands
   for (const Section& section : sections) {
     const bool whole = leads.contains(section.anchor);
-    std::string said;
+    std::string text;
     for (const Piece& piece : section.pieces) {
       const bool row = std::any_of(section.rows.begin(), section.rows.end(),
                                    [&](const Row& each) { return piece.text == "- " + each.text + "\n"; });
       const bool mentions = piece.words.contains(word);
       if (first.empty() && mentions && piece.text.starts_with("```yaml")) first = piece.text;
-      if (!whole && (row || !mentions || (piece.code && (example || said.empty())))) continue;
+      if (!whole && (row || !mentions || (piece.code && (example || text.empty())))) continue;
       if (piece.code && mentions) example = true;
       known = known || mentions;
-      write(said, piece);
+      write(text, piece);
     }
-    if (!said.empty()) out += fmt::format("\n## {}\n{}", section.title.empty() ? "The language" : section.title, said);
+    if (!text.empty()) out += fmt::format("\n## {}\n{}", section.title.empty() ? "The language" : section.title, text);
   }
   if (!known) return std::nullopt;
   if (!example && !first.empty()) out += "\n## An example\n\n" + first;

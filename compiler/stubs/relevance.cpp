@@ -26,7 +26,7 @@ void each_word(std::string_view text, Use use) {
 
 } // namespace
 
-Words telling_words(const Wanted& wanted) {
+Words identifying_words(const Wanted& wanted) {
   Words out;
   const auto add = [&](std::string_view text) {
     each_word(text, [&](std::string_view word) { return out.emplace(word), false; });
@@ -72,9 +72,9 @@ bool derives(std::string_view text, const Words& names) {
     const std::string mark = before(first);
     const std::string_view word = words[first - 1];
     const bool is_listed = mark == ":" || mark == ",";
-    const bool is_said =
+    const bool is_mentioned =
         mark.empty() && (word == "public" || word == "protected" || word == "private" || word == "virtual");
-    if (is_listed || is_said) return true;
+    if (is_listed || is_mentioned) return true;
   }
   return false;
 }

@@ -14,7 +14,7 @@ namespace director::compiler::stubs {
 using Words = std::set<std::string, std::less<>>;
 
 /// Identifiers of which a source that may have to do with it has one at least.
-Words telling_words(const Wanted& wanted);
+Words identifying_words(const Wanted& wanted);
 
 /// Likewise a header with a class: what its interfaces are called. A header that nobody includes may be no whole text
 /// by itself, so it is read only if it has to be.

@@ -158,9 +158,9 @@ private:
     missing(e_.provider == nil && (is(Kind::run, Kind::push, Kind::broken, Kind::answer) ||
                                    (in && (e_.input == Event::Input::enable || e_.input == Event::Input::disable))),
             "provider");
-    const bool asked =
+    const bool is_request =
         is(Kind::queue, Kind::push, Kind::ask, Kind::keep, Kind::withdraw) || (in && e_.input == Event::Input::request);
-    missing(asked && e_.edge >= l_.tables_.edges.size(), "edge");
+    missing(is_request && e_.edge >= l_.tables_.edges.size(), "edge");
     missing(e_.state == nil && (is(Kind::set, Kind::refused, Kind::assign, Kind::given) ||
                                 (in && (e_.input == Event::Input::set || e_.input == Event::Input::expire))),
             "state");

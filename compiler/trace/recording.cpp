@@ -50,7 +50,7 @@ void Recording::event(const Event& event, std::string&) {
     shape.erase(1, times.size());
     add(event.time, std::move(shape));
   }
-  add_untold();
+  add_derived();
   add_changes();
 }
 
@@ -74,12 +74,12 @@ void Recording::add(Time time, std::string shape) {
 }
 
 /// Behind the event in their line.
-void Recording::add_untold() {
-  add_untold("held", waits_.held, held_);
-  add_untold("stays", waits_.stays, stays_);
+void Recording::add_derived() {
+  add_derived("held", waits_.held, held_);
+  add_derived("stays", waits_.stays, stays_);
 }
 
-void Recording::add_untold(const char* event, const std::vector<Waits::Held>& all, std::size_t& next) {
+void Recording::add_derived(const char* event, const std::vector<Waits::Held>& all, std::size_t& next) {
   for (; next < all.size() && all[next].line == line_; ++next) {
     const char* const group = names_.group(names_.self, all[next].group);
     add(now_, to_line(Json::object({{"event", Json::text(event)}, {"group", Json::text(group)}})));

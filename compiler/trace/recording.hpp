@@ -53,8 +53,8 @@ public:
 
 private:
   void add(Time time, std::string shape);
-  void add_untold();
-  void add_untold(const char* event, const std::vector<Waits::Held>& all, std::size_t& next);
+  void add_derived();
+  void add_derived(const char* event, const std::vector<Waits::Held>& all, std::size_t& next);
   void add_changes();
 
   const director::Names names_;

@@ -10,13 +10,13 @@ namespace director::compiler::transitions {
 using Kind = Transition::Kind;
 
 void Judge::judge(const Beginning& row, const Beginning& column, const Play& now, const Values& change, Transition& out,
-                  Told& told) const {
+                  CellContext& context) const {
   const std::vector<GroupId> all = player_.lost(row, now.trial.rest);
   for (const GroupId id : all) (now.trial.rest.groups[id.value].granted ? out.taken : out.stops).push_back(id);
   out.pushes = pushes_of(now.trial, row);
   const Parting parting = part(model_, row.way, column.way);
   const bool ended = !runs(now.trial.rest, row.way);
-  told.withdrawer = parting.link ? model_.groups[row.way.group(*parting.link)].name.value : "The program";
+  context.withdrawer = parting.link ? model_.groups[row.way.group(*parting.link)].name.value : "The program";
   if (player_.ends_by(row, change, all)) {
     out.kind = Kind::condition_lost;
   } else if (parting.replaced && ended) {

@@ -16,7 +16,7 @@ public:
 
   /// `now`: the column runs.
   void judge(const Beginning& row, const Beginning& column, const Play& now, const Values& change, Transition& out,
-             Told& told) const;
+             CellContext& context) const;
 
   /// Those that were not made for the row's side.
   std::vector<Transition::Push> pushes_of(const Trial& trial, const Beginning& row) const;

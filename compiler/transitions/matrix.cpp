@@ -141,27 +141,27 @@ private:
     Transition out;
     const TransitionMatrix::Row &first = out_.rows[i], &second = out_.rows[j];
     const Beginning &row = beginnings_[i], &column = beginnings_[j];
-    Told told{model_, first, second, {}, {}, true};
+    CellContext context{model_, first, second, {}, {}, true};
     if (first.reached && second.reached) {
       const bool same = i == j || row.way.passes(second.group) || column.way.passes(first.group) ||
                         row.rest.is_under(model_, second.group, row.way.last().edge);
       out.kind = same ? Kind::same_chain : Kind::never;
-      if (!same) decide(row, column, out, told);
+      if (!same) decide(row, column, out, context);
     } else if (i == j) {
       out.kind = Kind::unreachable;
     }
-    out.words = words_of(out, told);
+    out.words = words_of(out, context);
     return out;
   }
 
-  void decide(const Beginning& row, const Beginning& column, Transition& out, Told& told) {
+  void decide(const Beginning& row, const Beginning& column, Transition& out, CellContext& context) {
     const Script script = script_of(model_, row.way, column.way, {row.runs, {}});
     const std::string begin = player_.beginning(row.way, row.outside);
     std::optional<Play> decided;
     for (const Values& change : choices(lacking(row, column))) {
       const Play now = player_.play(script, begin + request_step(model_, column.way, change), 2, column.way);
-      if (runs_now(row, column, now, change, out, told) ||
-          (is_undone(now.trial, change) && runs_where_the_outside_stands(row, column, now, change, out, told)))
+      if (runs_now(row, column, now, change, out, context) ||
+          (is_undone(now.trial, change) && runs_where_the_outside_stands(row, column, now, change, out, context)))
         return;
       const Play later = player_.play(script, now.steps + done_step(), 2, column.way);
       const bool runs_later = later.trial.good && runs_at_all(later.trial.rest, column.way);
@@ -169,36 +169,36 @@ private:
       out.kind = ends ? Kind::condition_lost : runs_later ? Kind::waits : Kind::never;
       out.states = words_of(change, model_);
       out.pushes = judge_.pushes_of(now.trial, row);
-      told.why = runs_later ? now.trial.why : later.trial.why;
-      told.is_asked = now.trial.is_asked;
+      context.why = runs_later ? now.trial.why : later.trial.why;
+      context.is_requested = now.trial.is_requested;
       decided = later;
       if (runs_later) break;
     }
-    if (decided) keep_scenario(*decided, told, out);
+    if (decided) keep_scenario(*decided, context, out);
   }
 
   bool runs_now(const Beginning& row, const Beginning& column, const Play& now, const Values& change, Transition& out,
-                Told& told) {
+                CellContext& context) {
     if (!now.trial.good || !runs_at_all(now.trial.rest, column.way)) return false;
     out.states = words_of(change, model_);
-    judge_.judge(row, column, now, change, out, told);
-    keep_scenario(now, told, out);
+    judge_.judge(row, column, now, change, out, context);
+    keep_scenario(now, context, out);
     return true;
   }
 
   /// What the outside just said has another value by now.
   static bool is_undone(const Trial& trial, const Values& change) {
-    return std::any_of(change.begin(), change.end(), [&](const auto& said) {
-      const auto at = trial.rest.values.find(said.first);
-      return at == trial.rest.values.end() || at->second != said.second;
+    return std::any_of(change.begin(), change.end(), [&](const auto& entry) {
+      const auto at = trial.rest.values.find(entry.first);
+      return at == trial.rest.values.end() || at->second != entry.second;
     });
   }
 
   /// A promise takes time, and does not undo what is sensed.
   bool runs_where_the_outside_stands(const Beginning& row, const Beginning& column, const Play& before,
-                                     const Values& change, Transition& out, Told& told) {
+                                     const Values& change, Transition& out, CellContext& context) {
     const Script script = script_of(model_, row.way, column.way, {row.runs, change});
-    return runs_now(row, column, player_.play(script, before.steps, 2, column.way), change, out, told);
+    return runs_now(row, column, player_.play(script, before.steps, 2, column.way), change, out, context);
   }
 
   std::size_t piece(const std::string& text) {
@@ -208,9 +208,9 @@ private:
   }
 
   /// Without the bodies that did not run.
-  void keep_scenario(const Play& play, const Told& told, Transition& out) {
-    out.scenario = {piece("scenario: from "), piece(model_.groups[told.row.group].name.value), piece(" to "),
-                    piece(model_.groups[told.column.group].name.value),
+  void keep_scenario(const Play& play, const CellContext& context, Transition& out) {
+    out.scenario = {piece("scenario: from "), piece(model_.groups[context.row.group].name.value), piece(" to "),
+                    piece(model_.groups[context.column.group].name.value),
                     piece(fmt::format("\nbehaviour: {}\n", behaviour_))};
     bool any = false;
     for (const auto& [id, cases] : play.script) {

@@ -149,13 +149,13 @@ bool add_answer(ProviderId id, const Model& model, const Until& until, std::init
 }
 
 /// Those that may come to run where the program asks for nothing but these.
-IdSet<GroupId> below(const Model& model, std::initializer_list<GroupId> asked) {
+IdSet<GroupId> below(const Model& model, std::initializer_list<GroupId> requested) {
   IdSet<GroupId> out(model.groups.size());
   std::vector<GroupId> open;
   const auto reach = [&](GroupId id) {
     if (out.add(id)) open.push_back(id);
   };
-  for (const GroupId id : asked) reach(id);
+  for (const GroupId id : requested) reach(id);
   while (!open.empty()) {
     const GroupId id = open.back();
     open.pop_back();
@@ -166,9 +166,9 @@ IdSet<GroupId> below(const Model& model, std::initializer_list<GroupId> asked) {
 
 /// The bodies of providers that nobody asks anything special of: those that promise something, or set what is against
 /// a promise. The others do the usual. Without those that do not come to run: a text is read for each play.
-Script usual_script(const Model& model, std::initializer_list<GroupId> asked, const Until& until) {
+Script usual_script(const Model& model, std::initializer_list<GroupId> requested, const Until& until) {
   Script out;
-  const IdSet<GroupId> may_run = below(model, asked);
+  const IdSet<GroupId> may_run = below(model, requested);
   for (const ProviderId id : model.providers.ids()) {
     if (!may_run.contains(model.providers[id].group)) continue;
     std::vector<std::string> cases;

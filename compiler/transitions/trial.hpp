@@ -34,7 +34,7 @@ struct Trial {
   Runs runs;                 ///< all of them
   std::vector<Event> events; ///< from the step `from` on
   std::string why;           ///< why the first group on the way does not run; empty: all do
-  bool is_asked = true;      ///< somebody asks for that group
+  bool is_requested = true;  ///< somebody asks for that group
 };
 
 /// `way`: whose groups are asked about in the end.

@@ -17,13 +17,13 @@ namespace {
 constexpr std::size_t most_ways = 32; ///< choices of providers that are tried for one group
 
 /// By group: what asks for it first, breadth first from the program.
-struct FirstAsked {
+struct FirstRequest {
   bool reached = false;
   std::optional<GroupId> by; ///< nothing: the program
 };
 
-IdTable<GroupId, FirstAsked> find_first_asked(const Model& model) {
-  IdTable<GroupId, FirstAsked> out(model.groups.size());
+IdTable<GroupId, FirstRequest> find_first_requests(const Model& model) {
+  IdTable<GroupId, FirstRequest> out(model.groups.size());
   std::deque<GroupId> open;
   const auto reach = [&](GroupId group, std::optional<GroupId> by) {
     if (out[group].reached) return;
@@ -41,9 +41,9 @@ IdTable<GroupId, FirstAsked> find_first_asked(const Model& model) {
 }
 
 /// From the first group below the program to this one. A group leads to itself by no chain.
-std::vector<GroupId> chain_to(const IdTable<GroupId, FirstAsked>& asked, GroupId group) {
+std::vector<GroupId> chain_to(const IdTable<GroupId, FirstRequest>& first_requests, GroupId group) {
   std::vector<GroupId> out{group};
-  while (asked[out.back()].by) out.push_back(*asked[out.back()].by);
+  while (first_requests[out.back()].by) out.push_back(*first_requests[out.back()].by);
   std::reverse(out.begin(), out.end());
   return out;
 }
@@ -191,17 +191,17 @@ bool Way::passes(GroupId id) const {
 }
 
 std::vector<Way> find_ways(const Model& model, GroupId target) {
-  const IdTable<GroupId, FirstAsked> asked = find_first_asked(model);
+  const IdTable<GroupId, FirstRequest> first_requests = find_first_requests(model);
   std::vector<Way> out;
-  if (!asked[target].reached) return out;
-  add_ways(model, chain_to(asked, target), out);
+  if (!first_requests[target].reached) return out;
+  add_ways(model, chain_to(first_requests, target), out);
   for (const EdgeId id : model.groups[target].requesters) {
     const Edge& edge = model.edges[id];
-    if (edge.levels.empty() || edge.requester == asked[target].by) continue;
+    if (edge.levels.empty() || edge.requester == first_requests[target].by) continue;
     std::vector<GroupId> chain{target};
     if (edge.requester) {
-      if (!asked[*edge.requester].reached) continue;
-      chain = chain_to(asked, *edge.requester);
+      if (!first_requests[*edge.requester].reached) continue;
+      chain = chain_to(first_requests, *edge.requester);
       if (std::find(chain.begin(), chain.end(), target) != chain.end()) continue;
       chain.push_back(target);
     }

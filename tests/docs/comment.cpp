@@ -1,4 +1,4 @@
-// Header: tests/docs/comment.hpp. Test: tests/docs/told_test.cpp.
+// Header: tests/docs/comment.hpp. Test: tests/docs/expected_page_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/docs/comment.hpp"
 

@@ -182,9 +182,9 @@ TEST_CASE("the hook tells, and refuses what it was told to") {
   const std::string hook = (source_dir() / "docs/hooks/pre-commit").string();
   REQUIRE(repository.run("cp '" + hook + "' .git/hooks/pre-commit").status == 0);
   repository.write("robot/walker.yaml", Repository::walker("[Legs, Arms]"));
-  const Ran told = repository.run("cd robot && git commit --quiet -a -m second");
-  CHECK(told.output == std::string("robot/walker.yaml:\n") + needs_arms + "\n");
-  CHECK(told.status == 0);
+  const Ran expected_page = repository.run("cd robot && git commit --quiet -a -m second");
+  CHECK(expected_page.output == std::string("robot/walker.yaml:\n") + needs_arms + "\n");
+  CHECK(expected_page.status == 0);
   repository.write("robot/walker.yaml", Repository::walker("[Legs]"));
   const Ran refused = repository.run("git config director.breaking needs_removed && git commit --quiet -a -m third");
   CHECK(refused.output.find("  breaking: `Walk` no longer needs `Arms`\n") != std::string::npos);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The pages themselves.
-#include "tests/support/command.hpp"
 #include "tests/docs/comment.hpp"
+#include "tests/docs/expected_page.hpp"
 #include "tests/docs/names.hpp"
-#include "tests/docs/told.hpp"
+#include "tests/support/command.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
@@ -31,7 +31,8 @@ const std::vector<std::string> maps{"compiler/README.md", "dsl/README.md", "runt
 
 std::vector<std::string> documentation() {
   std::vector<std::string> paths = pages_in("docs");
-  std::erase_if(paths, [](const std::string& path) { return path.starts_with("docs/behaviours/"); }); // see own_pages_test.cpp
+  std::erase_if(paths,
+                [](const std::string& path) { return path.starts_with("docs/behaviours/"); }); // see own_pages_test.cpp
   paths.insert(paths.begin(), "README.md");
   for (const char* path : {"CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "runtime/dds/README.md"})
     paths.emplace_back(path);
@@ -51,7 +52,7 @@ std::string renderer(const std::string& svg) {
 
 TEST_CASE("each block of a page says what it is said to come from", "[golden]") {
   for (const std::string& path : documentation()) {
-    const Told page = told(path, read(path));
+    const ExpectedPage page = expected_page(path, read(path));
     for (const std::string& fault : page.faults) FAIL_CHECK(fault);
     check_golden(path, page.text);
   }

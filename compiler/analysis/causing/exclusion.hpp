@@ -11,8 +11,8 @@
 namespace director::analysis {
 
 /// The conditions that exclude each other, each at its place, with the requests and needs that bring them together.
-/// Nothing where the provider lacks something else. `told`: an entry of which it is told already who requests it.
+/// Nothing where the provider lacks something else. `reported`: an entry of which it is told already who requests it.
 std::vector<dsl::Note> explain_exclusion(const Model& model, const Facts& facts, ProviderId provider,
-                                         const Task* told = nullptr);
+                                         const Task* reported = nullptr);
 
 } // namespace director::analysis

@@ -142,13 +142,13 @@ public:
   Promises run() {
     find_relevant();
     Promises out;
-    std::vector<Node> told;
-    for (const std::vector<Node>& circle : lowest_circles(candidate_)) {
-      told.insert(told.end(), circle.begin(), circle.end());
-      NeverKept promise = make(ProviderId{circle.front()});
+    std::vector<Node> explained;
+    for (const std::vector<Node>& cycle : lowest_cycles(candidate_)) {
+      explained.insert(explained.end(), cycle.begin(), cycle.end());
+      NeverKept promise = make(ProviderId{cycle.front()});
       if (promise.pushable || !is_waited_for_as_is(promise.causer)) out.never_kept.push_back(std::move(promise));
     }
-    out.explained = explained_by(told);
+    out.explained = explained_by(explained);
     find_lost(out);
     out.never_run = find_never_run(out.explained);
     return out;
@@ -181,7 +181,7 @@ private:
   }
 
   /// What of the relevant is to blame on these, or they on it: of the rest nothing is told with them.
-  IdSet<ProviderId> explained_by(const std::vector<Node>& told) const {
+  IdSet<ProviderId> explained_by(const std::vector<Node>& explained) const {
     Arrows back(model_.providers.size()), there(model_.providers.size());
     for (const ProviderId id : model_.providers.ids()) {
       for (const Node next : blame_.arrows()[id.value]) {
@@ -191,9 +191,9 @@ private:
       }
     }
     IdSet<ProviderId> out(model_.providers.size());
-    for (const Node id : told) out.add(ProviderId{id});
+    for (const Node id : explained) out.add(ProviderId{id});
     for (const Arrows* arrows : {&there, &back}) {
-      const std::vector<bool> reached = reachable(*arrows, told);
+      const std::vector<bool> reached = reachable(*arrows, explained);
       for (const ProviderId id : model_.providers.ids()) {
         if (reached[id.value]) out.add(id);
       }
@@ -266,31 +266,31 @@ private:
                        std::all_of(faults.begin(), faults.end(), [](const Impossible& fault) { return fault.stay; });
     }
     std::vector<ProviderId> out;
-    for (const std::vector<Node>& circle : lowest_circles(idle)) {
-      const ProviderId id{circle.front()};
+    for (const std::vector<Node>& cycle : lowest_cycles(idle)) {
+      const ProviderId id{cycle.front()};
       if (facts_.capable_groups.contains(model_.providers[id].group)) out.push_back(id);
     }
     return out;
   }
 
   /// Candidates that blame each other, and no other candidate: each circle sorted, in order of the first.
-  std::vector<std::vector<Node>> lowest_circles(const std::vector<bool>& candidate) const {
+  std::vector<std::vector<Node>> lowest_cycles(const std::vector<bool>& candidate) const {
     const std::size_t size = model_.providers.size();
-    std::vector<Node> circle_of(size);
+    std::vector<Node> cycle_of(size);
     std::vector<std::vector<Node>> members(size);
-    for (Node node = 0; node < size; ++node) circle_of[node] = node;
+    for (Node node = 0; node < size; ++node) cycle_of[node] = node;
     for (const std::vector<Node>& cycle : cycles(blame_.arrows())) {
-      for (const Node node : cycle) circle_of[node] = cycle.front();
+      for (const Node node : cycle) cycle_of[node] = cycle.front();
     }
     for (Node node = 0; node < size; ++node) {
-      if (candidate[node]) members[circle_of[node]].push_back(node);
+      if (candidate[node]) members[cycle_of[node]].push_back(node);
     }
     // From the bottom up; in this order the members of a circle stand together.
     std::vector<bool> blames(size, false); // a circle: another one with candidates, directly or not
     const std::vector<Node> order = topological_order(blame_.arrows());
     for (auto node = order.rbegin(); node != order.rend(); ++node) {
       for (const Node next : blame_.arrows()[*node]) {
-        const Node here = circle_of[*node], below = circle_of[next];
+        const Node here = cycle_of[*node], below = cycle_of[next];
         if (here != below && (blames[below] || !members[below].empty())) blames[here] = true;
       }
     }

@@ -52,8 +52,8 @@ struct Idleness {
 };
 
 Idleness explain_idle(const Input& input, ProviderId provider);
-/// `told`: an entry of which it is told already who requests it.
+/// `reported`: an entry of which it is told already who requests it.
 Idleness explain_idle(const Model& model, const Facts& facts, const std::vector<ProviderId>& providers,
-                      const Task* told = nullptr);
+                      const Task* reported = nullptr);
 
 } // namespace director::analysis

@@ -10,7 +10,7 @@ Overlaps::Overlaps(const Model& model, const Branches& branches)
     : model_(model),
       branches_(branches),
       lonely_(model.groups.size()),
-      found_by_(model.groups.size(), nobody) {
+      found_by_(model.groups.size(), no_group) {
   // From the leaves up: who is on a circle never comes to have nothing left.
   IdTable<GroupId, std::size_t> left(model.groups.size()); // edges to what is not known to be lonely
   for (const Edge& edge : model.edges) {
@@ -46,7 +46,7 @@ std::vector<bool> Overlaps::among(const std::vector<GroupId>& targets) {
       open.pop_back();
       std::size_t& by = found_by_[group];
       if (by == i) continue;
-      if (by != nobody) {
+      if (by != no_group) {
         out[i] = out[by] = true;
         continue;
       }
@@ -56,7 +56,7 @@ std::vector<bool> Overlaps::among(const std::vector<GroupId>& targets) {
       for (const Branch& branch : branches_.from(group)) open.push_back(branch.to);
     }
   }
-  for (const GroupId group : found) found_by_[group] = nobody;
+  for (const GroupId group : found) found_by_[group] = no_group;
   return out;
 }
 

@@ -25,7 +25,7 @@ public:
   std::vector<std::vector<std::int32_t>> priorities(const std::vector<Task>& entries);
 
 private:
-  static constexpr std::size_t nobody = static_cast<std::size_t>(-1);
+  static constexpr std::size_t no_group = static_cast<std::size_t>(-1);
 
   const Model& model_;
   const Branches& branches_;

@@ -82,10 +82,10 @@ private:
   /// Where a clash is told of the condition, that is reason enough.
   void take_lost() {
     for (LostForGood& each : find_lost_for_good(model_, facts_, shared_)) {
-      const bool is_told = std::any_of(seen_.begin(), seen_.end(), [&](const auto& pair) {
+      const bool is_noted = std::any_of(seen_.begin(), seen_.end(), [&](const auto& pair) {
         return pair.first == each.condition.span || pair.second == each.condition.span;
       });
-      if (is_told) continue;
+      if (is_noted) continue;
       Clash& clash = out_.emplace_back();
       clash.kind = Clash::Kind::vain;
       clash.loss = Clash::Loss::for_good;

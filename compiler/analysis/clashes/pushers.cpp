@@ -54,7 +54,7 @@ Pushers::Pushers(const Input& input)
 }
 
 bool Pushers::may_push(ProviderId causer, ConditionId condition) {
-  if (is_asked_for_after(causer, condition) || pushes_.is_passed_over(causer, condition)) return false;
+  if (is_requested_after(causer, condition) || pushes_.is_passed_over(causer, condition)) return false;
   if (direct_.count({causer, condition}) != 0 || is_pushed_in_chain(causer, condition)) return true;
   const std::vector<Waiter>& all = waiters(condition);
   return std::any_of(all.begin(), all.end(), [&](const Waiter& waiter) {
@@ -91,7 +91,7 @@ const std::vector<Pushers::Waiter>& Pushers::waiters(ConditionId condition) {
 }
 
 /// Its group is requested only where the condition holds.
-bool Pushers::is_asked_for_after(ProviderId causer, ConditionId condition) const {
+bool Pushers::is_requested_after(ProviderId causer, ConditionId condition) const {
   const GroupId group = input_.model.providers[causer].group;
   const std::vector<EdgeId>& above = input_.model.groups[group].requesters;
   const bool may_be_kept = std::any_of(above.begin(), above.end(), [&](EdgeId id) {

@@ -33,7 +33,7 @@ private:
 
   /// Requested groups that look at the condition, by way of their needs too.
   const std::vector<Waiter>& waiters(ConditionId condition);
-  bool is_asked_for_after(ProviderId causer, ConditionId condition) const;
+  bool is_requested_after(ProviderId causer, ConditionId condition) const;
   bool is_sure(GroupId group) const;
   bool is_idle_pusher(const Waiter& waiter, ProviderId causer, ConditionId condition);
   bool is_pushed_in_chain(ProviderId causer, ConditionId condition);

@@ -8,7 +8,7 @@ namespace director::analysis {
 
 /// It is this pack that the word asks for.
 bool is_pack(const CodeWord& word, const Pack& pack);
-bool asks_for_pack(const Body& body, const Pack& pack);
+bool requests_pack(const Body& body, const Pack& pack);
 /// The task is among what is handed over.
 bool gives(const CodeInput& input, const CodeWord& word, GroupId task);
 /// It says keep() and no other answer.

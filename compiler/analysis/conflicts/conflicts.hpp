@@ -4,12 +4,12 @@
 // what is shared is, from which it follows.
 
 #include "compiler/analysis/clashes/clashes.hpp"
-#include "compiler/analysis/conflicts/circles.hpp"
 #include "compiler/analysis/conflicts/grants.hpp"
 #include "compiler/analysis/conflicts/losers.hpp"
 #include "compiler/analysis/conflicts/outranked.hpp"
 #include "compiler/analysis/conflicts/pack_conflicts.hpp"
 #include "compiler/analysis/conflicts/starving.hpp"
+#include "compiler/analysis/conflicts/task_cycles.hpp"
 #include "compiler/analysis/input.hpp"
 
 #include <optional>
@@ -30,9 +30,9 @@ public:
   const std::vector<Clash>& clashes() const;
   /// Of all packs and flat lists.
   const std::vector<PackConflict>& pack_conflicts() const;
-  const std::vector<Circle>& circles() const;
+  const std::vector<TaskCycle>& task_cycles() const;
   /// It leads back to a group that is always above it: that it is never granted is told of the circle.
-  bool closes_circle(EdgeId edge) const;
+  bool closes_cycle(EdgeId edge) const;
   /// Below all roots.
   const Grants& grants() const;
   const std::vector<Loser>& losers() const;
@@ -46,7 +46,7 @@ private:
   Takers& takers() const;
   Packmates& packmates() const;
 
-  mutable std::optional<std::vector<Circle>> circles_;
+  mutable std::optional<std::vector<TaskCycle>> task_cycles_;
   mutable std::optional<Takers> takers_;
   mutable std::optional<Packmates> packmates_;
   mutable std::optional<Grants> grants_;

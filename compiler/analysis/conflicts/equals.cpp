@@ -5,7 +5,7 @@
 #include "compiler/analysis/chains/overlaps.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/needs/units.hpp"
-#include "compiler/analysis/words/told.hpp"
+#include "compiler/analysis/words/reported_pairs.hpp"
 
 #include <algorithm>
 #include <map>
@@ -81,7 +81,7 @@ public:
 
   /// Two members of a long unit that exclude each other: each of them is told of with another one.
   bool excludes(const Together& together, const Task& first, const Task& second) const {
-    return together.provider && together.tasks->size() > told_in_pairs && shares_unit(model_, first) &&
+    return together.provider && together.tasks->size() > longest_with_all_pairs && shares_unit(model_, first) &&
            shares_unit(model_, second) && units_.verdict({first.target, second.target}) == UnitVerdict::impossible;
   }
 
@@ -102,17 +102,17 @@ std::vector<EqualList> find_equals(const Input& input) {
   for (const Together& together : input.shared.chains().together()) {
     const std::vector<Task>& tasks = *together.tasks;
     const Claimants claimants(input, overlaps, tasks);
-    Told<Stake> told(tasks.size()), told_by_others(tasks.size());
+    ReportedPairs<Stake> reported(tasks.size()), reported_by_others(tasks.size());
     EqualList list{&together, {}};
     for (std::size_t j = 1; j < tasks.size(); ++j) {
       for (const std::size_t i : claimants.before(j)) {
-        if (told.covers(i, j) || told_by_others.covers(i, j) || lost.contains(tasks[i], tasks[j])) continue;
+        if (reported.covers(i, j) || reported_by_others.covers(i, j) || lost.contains(tasks[i], tasks[j])) continue;
         // Asked at once, the edge that is declared first wins.
         const bool swapped = tasks[j].edge < tasks[i].edge;
         auto found = contests.look_at(together, tasks[swapped ? j : i], tasks[swapped ? i : j]);
         if (!found) continue;
         const bool excluded = lost.excludes(together, tasks[i], tasks[j]);
-        for (const Stake& stake : found->stakes) (excluded ? told_by_others : told).tell(i, j, stake);
+        for (const Stake& stake : found->stakes) (excluded ? reported_by_others : reported).add(i, j, stake);
         if (!excluded) list.pairs.push_back({std::move(*found), i, j});
       }
     }

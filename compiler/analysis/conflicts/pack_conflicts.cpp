@@ -7,7 +7,7 @@
 #include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
-#include "compiler/analysis/words/told.hpp"
+#include "compiler/analysis/words/reported_pairs.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/base/counted.hpp"
 
@@ -160,7 +160,7 @@ std::vector<PackConflict> find_pack_conflicts(const Model& model, Units& units) 
           const GroupId a = members[i]->target, b = members[j]->target;
           if (a == b || units.verdict({a, b}) != UnitVerdict::impossible || is_fault_of_one(units, {a, b})) continue;
           out.push_back({id, &pack, {members[i], members[j]}, UnitVerdict::impossible});
-          if (members.size() > told_in_pairs) break; // each but the first is told of once
+          if (members.size() > longest_with_all_pairs) break; // each but the first is told of once
         }
       }
       if (out.size() == before && model.providers[id].has_packs &&
@@ -245,7 +245,7 @@ std::vector<PackConflict> gathered(const Input& input, const std::vector<PackCon
   std::vector<PackConflict> out;
   std::map<std::tuple<const Pack*, const Task*, std::string>, std::size_t> known;
   for (const PackConflict& each : all) {
-    const bool is_long = unit_members(input.model, *each.pack).size() > told_in_pairs;
+    const bool is_long = unit_members(input.model, *each.pack).size() > longest_with_all_pairs;
     const std::string reason = is_long && each.members.size() == 2 ? reason_of(input, each) : "";
     if (!reason.empty()) {
       const auto [at, is_new] = known.try_emplace({each.pack, each.members[0], reason}, out.size());

@@ -22,7 +22,7 @@ std::vector<StarvingTask> find_starving_tasks(const Input& input) {
   for (const Loser& loser : input.conflicts.losers()) lost.insert(loser.refused.task->edge);
   std::vector<StarvingTask> out;
   for (const auto& [edge, places] : input.conflicts.grants().refused()) {
-    if (lost.count(edge) != 0 || input.conflicts.closes_circle(edge)) continue;
+    if (lost.count(edge) != 0 || input.conflicts.closes_cycle(edge)) continue;
     StarvingTask starving{places, false};
     // Where one entry of several has another reason, what goes before tells more.
     std::stable_partition(starving.places.begin(), starving.places.end(), [](const Refused& refused) {
@@ -95,11 +95,11 @@ void report_starving_task(const Input& input, const StarvingTask& starving, Find
                 name, requester, by, group));
   finding.rules_out = {first.task->span};
   add_taker(input, first, taker, finding.notes);
-  std::set<const Task*> told{first.task};
+  std::set<const Task*> reported{first.task};
   for (std::size_t i = 1; i < starving.places.size(); ++i) {
     const Refused& place = starving.places[i];
     const Taker& one = place.refusals.front().taker;
-    if (told.insert(place.task).second)
+    if (reported.insert(place.task).second)
       finding.notes.push_back({place.task->span, fmt::format("the same here, by {}, which takes {}", taken_by(one),
                                                              name_of(model, one.group))});
   }

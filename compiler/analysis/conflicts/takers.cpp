@@ -256,11 +256,11 @@ bool Takers::always_beside(GroupId requester, const Task& first, const Task& sec
   for (const ProviderId id : model.groups[requester].providers) {
     const Provider& provider = model.providers[id];
     for (const Pack& pack : provider.packs) {
-      const auto asks_for = [&](const Task& task) {
+      const auto requests_it = [&](const Task& task) {
         return std::any_of(pack.tasks.begin(), pack.tasks.end(),
                            [&](const Task& each) { return each.edge == task.edge; });
       };
-      if (asks_for(second) && !(provider.has_packs && asks_for(first))) return false;
+      if (requests_it(second) && !(provider.has_packs && requests_it(first))) return false;
     }
   }
   return true;

@@ -267,11 +267,11 @@ private:
       while (!open.empty()) {
         const Row target = out_.edges[open.back()].target;
         open.pop_back();
-        if ((row.may_ask_for & bit(target)) != 0) continue;
-        row.may_ask_for |= bit(target);
+        if ((row.may_request & bit(target)) != 0) continue;
+        row.may_request |= bit(target);
         open.insert(open.end(), out_.groups[target].edges.begin(), out_.groups[target].edges.end());
       }
-      row.below = row.may_ask_for | bit(group_.at(row.id));
+      row.below = row.may_request | bit(group_.at(row.id));
     }
   }
 

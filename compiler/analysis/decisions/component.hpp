@@ -82,7 +82,7 @@ struct Component {
   struct GroupRow {
     GroupId id{};
     std::vector<Row> providers, edges, requesters;
-    Rows may_ask_for = 0; ///< by requests and needs, transitively
+    Rows may_request = 0; ///< by requests and needs, transitively
     Rows below = 0;       ///< that, and itself
     std::vector<Setting> start, stop;
     std::vector<Row> owned; ///< states that belong to it

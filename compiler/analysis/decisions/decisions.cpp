@@ -30,7 +30,7 @@ public:
     }
   }
 
-  void tell() {
+  void store() {
     for (const Component::GroupRow& group : part_.groups) out_.decided.add(group.id);
     for (Row edge = 0; edge < part_.edges.size(); ++edge) {
       const EdgeId id = part_.edges[edge].id;
@@ -178,7 +178,7 @@ Decisions find_decisions(const Model& model, const Facts& facts, Reported report
     const std::optional<Component> part = make_component(model, facts, reported, sources, groups);
     if (!part) continue;
     Finder finder(*part, model, facts, out, left);
-    if (finder.run()) finder.tell();
+    if (finder.run()) finder.store();
     for (std::size_t i = 0; left >= 0 && i < groups.size(); ++i) out.looked_at.add(groups[i]);
     out.moments += finder.moments();
     out.passes += finder.passes();

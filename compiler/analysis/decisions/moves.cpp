@@ -24,8 +24,8 @@ Moment Moves::first() const {
   return out;
 }
 
-bool Moves::from(const Moment& moment, const std::function<void(const Moment& next)>& told) {
-  told_ = &told;
+bool Moves::from(const Moment& moment, const std::function<void(const Moment& next)>& visit) {
+  visit_ = &visit;
   if (moment.is_given()) { // before all else
     Change change{moment, 0};
     for (std::size_t state = 0; state < part_.states.size(); ++state) {
@@ -79,7 +79,7 @@ bool Moves::is_at_rest(const Moment& moment) {
   bool found = false;
   const auto look = [&](const Moment& next) {
     found = found || next == same;
-    (*told_)(next);
+    (*visit_)(next);
   };
   decide(same, 0, look);
   for (Row group = 0; group < part_.groups.size(); ++group)
@@ -98,7 +98,7 @@ void Moves::change_in_all_ways(const std::function<bool(Change&)>& make) {
 /// All that may come of it, once.
 void Moves::decide(Change change) {
   change.anew &= that_matter(change);
-  if (decided_.add(change)) decide(change.moment, change.anew, *told_);
+  if (decided_.add(change)) decide(change.moment, change.anew, *visit_);
 }
 
 /// A request that is made anew is news for a group that runs for it and has no other.
@@ -111,7 +111,7 @@ Rows Moves::that_matter(const Change& change) const {
   return out;
 }
 
-void Moves::decide(const Moment& from, Rows anew, const std::function<void(const Moment& next)>& told) {
+void Moves::decide(const Moment& from, Rows anew, const std::function<void(const Moment& next)>& visit) {
   outcomes_.clear();
   pass_.begin(from, anew);
   do {
@@ -123,7 +123,7 @@ void Moves::decide(const Moment& from, Rows anew, const std::function<void(const
     if (!next) continue;
     if (picks_.has_picked() && !outcomes_.add(*next)) continue;
     act(from, *next);
-    told(*next);
+    visit(*next);
   } while (picks_.again());
   picks_.clear();
 }

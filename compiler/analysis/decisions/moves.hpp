@@ -20,7 +20,7 @@ public:
   Moment first() const;
   /// All moments that may follow, but for those that another one has led to in the same way. `run`: providers that
   /// may run then. False: it took more steps than were left.
-  bool from(const Moment& moment, const std::function<void(const Moment& next)>& told);
+  bool from(const Moment& moment, const std::function<void(const Moment& next)>& visit);
 
 private:
   /// What is decided after an input or a run.
@@ -30,7 +30,7 @@ private:
   };
 
   void decide(Change change);
-  void decide(const Moment& from, Rows anew, const std::function<void(const Moment& next)>& told);
+  void decide(const Moment& from, Rows anew, const std::function<void(const Moment& next)>& visit);
   Rows that_matter(const Change& change) const;
   void act(const Moment& before, Moment& now);
   void set_some(const std::vector<Component::Setting>& settings, Moment& next);
@@ -47,7 +47,7 @@ private:
   Pass pass_;
   Seen<Change> decided_;
   Seen<Moment> outcomes_; ///< of the decision in hand
-  const std::function<void(const Moment&)>* told_ = nullptr;
+  const std::function<void(const Moment&)>* visit_ = nullptr;
 };
 
 } // namespace director::analysis

@@ -79,8 +79,8 @@ private:
   enum class Stage : std::uint32_t { taking, handing_over, finishing };
   /// All that the rest of a pass depends on.
   struct Way {
-    Rows candidates, tried, refused, forgotten, keeping, open, asked_whether, taken_to_hold;
-    std::array<int, Component::most_groups> standing, asked;
+    Rows candidates, tried, refused, forgotten, keeping, open, picked_unsure, taken_to_hold;
+    std::array<int, Component::most_groups> standing, picked_among;
     By by, active, plan, flags, denied;
     std::uint16_t unused;
     Stage stage;
@@ -125,7 +125,7 @@ private:
   Unit unit_of(Row first);
   bool alone(Row edge) const;
   bool stale(Row group) const;
-  bool may_ask(Row requester) const;
+  bool may_request(Row requester) const;
   bool granted_before(Row edge) const;
   void take(const Unit& unit);
   void take_below_stale(Row member);
@@ -159,10 +159,10 @@ private:
   Rows candidates_ = 0, tried_ = 0, refused_ = 0, forgotten_ = 0;
   Rows keeping_ = 0; ///< edges whose pushes may stand
   Groups denied_;
-  std::array<int, Component::most_groups> standing_{}; ///< a push, or none: -1
-  std::array<int, Component::most_groups> asked_{};    ///< of how many that was picked
-  Reasons blame_;                                      ///< of the unit in hand
-  Rows asked_whether_ = 0, taken_to_hold_ = 0;         ///< providers of whose conditions it is not known
+  std::array<int, Component::most_groups> standing_{};     ///< a push, or none: -1
+  std::array<int, Component::most_groups> picked_among_{}; ///< of how many that was picked
+  Reasons blame_;                                          ///< of the unit in hand
+  Rows picked_unsure_ = 0, taken_to_hold_ = 0;             ///< providers of whose conditions it is not known
   Stage stage_ = Stage::taking;
   Rows open_ = 0;               ///< groups that have not been handed over
   std::vector<Choice> choices_; ///< of the unit in hand, member by member

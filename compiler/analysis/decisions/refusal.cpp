@@ -73,8 +73,8 @@ bool Pass::can_be_pushed(Row provider, const Chain& member, const Unit& unit, bo
     return false;
   return std::any_of(part_.groups[group].requesters.begin(), part_.groups[group].requesters.end(), [&](Row edge) {
     if (last_.level[edge] == nothing || edge == member.edge()) return false;
-    const Chain asking = before_now(edge);
-    return asking.complete && before(member, asking) && !asking.below(member.edge());
+    const Chain requesting = before_now(edge);
+    return requesting.complete && before(member, requesting) && !requesting.below(member.edge());
   });
 }
 

@@ -63,10 +63,10 @@ Contexts::Contexts(const Model& model, Facts& facts) : model_(model), facts_(fac
   facts.contexts = facts.grants = IdTable<GroupId, Region>(model.groups.size());
 }
 
-bool Contexts::widen(GroupId group, const Asked& asked) {
+bool Contexts::widen(GroupId group, const Requested& requested) {
   if (facts_.requested.add(group)) {
-    facts_.contexts[group] = asked.tried;
-    facts_.grants[group] = asked.granted;
+    facts_.contexts[group] = requested.tried;
+    facts_.grants[group] = requested.granted;
     return true;
   }
   const auto widen = [](Region& here, const Region& region) {
@@ -75,8 +75,8 @@ bool Contexts::widen(GroupId group, const Asked& asked) {
     here = std::move(both);
     return true;
   };
-  const bool tried = widen(facts_.contexts[group], asked.tried);
-  return widen(facts_.grants[group], asked.granted) || tried;
+  const bool tried = widen(facts_.contexts[group], requested.tried);
+  return widen(facts_.grants[group], requested.granted) || tried;
 }
 
 Region Contexts::around_requested(ProviderId id) {
@@ -89,10 +89,10 @@ Region Contexts::around_requested(ProviderId id) {
   return out;
 }
 
-void Contexts::visit_below(GroupId group, const std::function<void(GroupId, const Asked&)>& visitor) {
+void Contexts::visit_below(GroupId group, const std::function<void(GroupId, const Requested&)>& visitor) {
   std::size_t running = 0;
-  Asked anywhere;
-  std::map<GroupId, Asked> asked;
+  Requested anywhere;
+  std::map<GroupId, Requested> requested;
   for (const ProviderId id : model_.groups[group].providers) {
     if (!facts_.active.contains(id)) continue;
     const Region region = around_requested(id);
@@ -101,14 +101,14 @@ void Contexts::visit_below(GroupId group, const std::function<void(GroupId, cons
       Region whole = region;
       whole.meet(around_members(pack));
       for (const Task& task : pack.tasks) {
-        const Asked here{region, is_always_member(pack, task) ? whole : region};
-        const auto [at, is_new] = asked.try_emplace(task.target, here);
-        Asked& all = at->second;
+        const Requested here{region, is_always_member(pack, task) ? whole : region};
+        const auto [at, is_new] = requested.try_emplace(task.target, here);
+        Requested& all = at->second;
         if (!is_new) all = {hull(all.tried, here.tried), hull(all.granted, here.granted)};
       }
     }
   }
-  for (auto& [target, all] : asked) {
+  for (auto& [target, all] : requested) {
     // Another one of the group may keep the request of one that ran before it, even where it asks for the same itself.
     if (running > 1) {
       const auto keep = [&](Region& region) {
@@ -149,14 +149,14 @@ const Region& Contexts::around_members(const Pack& pack) {
 }
 
 bool Contexts::is_kept_adrift(GroupId group) const {
-  const auto asks = [&](EdgeId id) { return model_.edges[id].requester.has_value(); };
+  const auto has_requester = [&](EdgeId id) { return model_.edges[id].requester.has_value(); };
   const std::vector<EdgeId>& above = model_.groups[group].requesters;
   return std::any_of(above.begin(), above.end(), [&](EdgeId id) {
     if (!model_.edges[id].requester || model_.edges[id].levels.empty()) return false;
     const std::vector<EdgeId>& next = model_.groups[*model_.edges[id].requester].requesters;
     // One without conditions that only one group asks for has it as long as that runs.
     return (next.size() > 1 || facts_.may_wait.contains(*model_.edges[id].requester)) &&
-           std::any_of(next.begin(), next.end(), asks);
+           std::any_of(next.begin(), next.end(), has_requester);
   });
 }
 

@@ -19,15 +19,15 @@ public:
   Contexts(const Model& model, Facts& facts);
 
   /// Where a task is asked for.
-  struct Asked {
+  struct Requested {
     Region tried;   ///< around all states in which it is
     Region granted; ///< ... in which it can be: with all that is granted with it, or not at all
   };
 
   /// It is requested there too; true: in more states than before.
-  bool widen(GroupId group, const Asked& asked);
+  bool widen(GroupId group, const Requested& requested);
   /// For each group that its active providers ask for.
-  void visit_below(GroupId group, const std::function<void(GroupId, const Asked&)>& visitor);
+  void visit_below(GroupId group, const std::function<void(GroupId, const Requested&)>& visitor);
 
   /// What was found of needs and members before more could be pushed; true: there was something.
   bool forget_needed();

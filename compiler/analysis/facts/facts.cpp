@@ -81,8 +81,8 @@ public:
         facts_.excluded.add(id);
     }
     for (const GroupId group : model_.groups.ids()) {
-      contexts_.visit_below(group,
-                            [&](GroupId target, const Contexts::Asked& asked) { exclude(group, target, asked); });
+      contexts_.visit_below(
+          group, [&](GroupId target, const Contexts::Requested& requested) { exclude(group, target, requested); });
     }
     std::sort(facts_.excluded_tasks.begin(), facts_.excluded_tasks.end());
     return std::move(facts_);
@@ -90,12 +90,12 @@ public:
 
 private:
   /// The target runs for others, and can nowhere where this one asks for it.
-  void exclude(GroupId requester, GroupId target, const Contexts::Asked& asked) {
+  void exclude(GroupId requester, GroupId target, const Contexts::Requested& requested) {
     const std::vector<ProviderId>& all = model_.groups[target].providers;
     const auto runs = [&](ProviderId each) { return facts_.active.contains(each); };
-    if (asked.granted.states.empty() || std::none_of(all.begin(), all.end(), runs) ||
+    if (requested.granted.states.empty() || std::none_of(all.begin(), all.end(), runs) ||
         std::any_of(all.begin(), all.end(), [&](ProviderId each) {
-          return facts_.capable.contains(each) && contexts_.can_go_on(each, asked.granted);
+          return facts_.capable.contains(each) && contexts_.can_go_on(each, requested.granted);
         }))
       return;
     for (const EdgeId id : model_.groups[target].requesters) {
@@ -209,8 +209,8 @@ private:
     }
   }
 
-  void request(GroupId group, const Contexts::Asked& asked) {
-    if (!contexts_.widen(group, asked)) return;
+  void request(GroupId group, const Contexts::Requested& requested) {
+    if (!contexts_.widen(group, requested)) return;
     ++news_;
     look_again(group);
   }
@@ -304,14 +304,14 @@ private:
       if (!facts_.active.contains(id) && (facts_.chosen.contains(id) || facts_.pushed.contains(id)))
         become_active(group, id);
     }
-    ask_below(group);
+    request_below(group);
   }
 
   /// What one of its providers asks for stands while any of them runs.
-  void ask_below(GroupId group) {
-    contexts_.visit_below(group, [&](GroupId target, const Contexts::Asked& asked) {
-      for (const auto& entry : asked.granted.states) followers_[entry.first].insert(group);
-      request(target, asked);
+  void request_below(GroupId group) {
+    contexts_.visit_below(group, [&](GroupId target, const Contexts::Requested& requested) {
+      for (const auto& entry : requested.granted.states) followers_[entry.first].insert(group);
+      request(target, requested);
     });
   }
 

@@ -47,7 +47,7 @@ public:
     } while (grown_);
     const std::optional<Fact> last = fact_of(goal);
     if (!last) return std::nullopt;
-    tell(*last);
+    explain(*last);
     return std::move(told_);
   }
 
@@ -165,10 +165,10 @@ private:
   }
 
   /// Each fact once, behind what supports it.
-  void tell(const Fact& fact) {
+  void explain(const Fact& fact) {
     if (!done_.insert(fact).second) return;
     const Support& support = known_.at(fact);
-    for (const Fact& each : support.by) tell(each);
+    for (const Fact& each : support.by) explain(each);
     if (support.note) told_.push_back(*support.note);
   }
 

@@ -61,7 +61,7 @@ Arrows arrows_of_needs(const Model& model) {
 }
 
 /// Where every provider of every group needs another group of these.
-std::vector<std::vector<ChainStep>> circles_of_groups(const Model& model) {
+std::vector<std::vector<ChainStep>> cycles_of_groups(const Model& model) {
   const IdSet<GroupId> ending = find_ending(model, std::nullopt);
   Arrows stuck = arrows_of_needs(model);
   for (const GroupId group : model.groups.ids()) {
@@ -106,15 +106,15 @@ std::vector<ProviderId> find_faulty(const Model& model, const Facts& facts, Budg
 
 } // namespace
 
-std::vector<std::vector<ChainStep>> find_need_circles(const Model& model, const Facts& facts, Budget& budget) {
-  std::vector<std::vector<ChainStep>> out = circles_of_groups(model);
+std::vector<std::vector<ChainStep>> find_need_cycles(const Model& model, const Facts& facts, Budget& budget) {
+  std::vector<std::vector<ChainStep>> out = cycles_of_groups(model);
   for (const ProviderId id : find_faulty(model, facts, budget)) {
     const Use<GroupId>* need = find_need_of_itself(model, id);
     if (need == nullptr) continue;
     const GroupId group = model.providers[id].group;
-    std::vector<ChainStep> circle{{group, need->id, true, need->span}};
-    for (const ChainStep& step : need_path(model, need->id, group)) circle.push_back(step);
-    out.push_back(std::move(circle));
+    std::vector<ChainStep> cycle{{group, need->id, true, need->span}};
+    for (const ChainStep& step : need_path(model, need->id, group)) cycle.push_back(step);
+    out.push_back(std::move(cycle));
   }
   return out;
 }

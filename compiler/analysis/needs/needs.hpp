@@ -11,7 +11,7 @@ namespace director::analysis {
 
 /// Circles of needs from which no choice of providers leads out, the first step where the circle is first met. Every
 /// provider without a plan that is not explained by another one has either one of these or a conflict.
-std::vector<std::vector<ChainStep>> find_need_circles(const Model& model, const Facts& facts, Budget& budget);
+std::vector<std::vector<ChainStep>> find_need_cycles(const Model& model, const Facts& facts, Budget& budget);
 
 /// The providers whose needs exclude each other, or for which that was not decided.
 std::vector<ProviderId> find_need_conflicts(const Model& model, const Facts& facts, Budget& budget);

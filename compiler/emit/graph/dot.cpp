@@ -205,9 +205,9 @@ private:
   }
 
   static Frame mark_frame(const PictureBox& box, std::string_view solid) {
-    const int width = box.in_focus ? 4 : box.asked ? 2 : 1;
+    const int width = box.in_focus ? 4 : box.requested ? 2 : 1;
     if (box.kind == PictureBox::Kind::missing) return {palette::queued, "ROUNDED,DASHED", 2};
-    if (!box.mark) return {box.in_focus || box.asked ? palette::ink : palette::frame, solid, width};
+    if (!box.mark) return {box.in_focus || box.requested ? palette::ink : palette::frame, solid, width};
     switch (*box.mark) {
     case Moment::Mark::running: return {palette::need, solid, 3};
     case Moment::Mark::pushed: return {palette::push, solid, 3};
@@ -220,9 +220,9 @@ private:
 
   void draw_head(const PictureBox& box) {
     std::string text;
-    if (box.asked)
+    if (box.requested)
       text += small(is_grey(box) ? palette::grey : palette::ink,
-                    "\u25BC program" + (box.asked->empty() ? "" : ": " + *box.asked)) +
+                    "\u25BC program" + (box.requested->empty() ? "" : ": " + *box.requested)) +
               "<BR ALIGN=\"LEFT\"/>";
     if (box.kind == PictureBox::Kind::missing)
       text += small(palette::queued, "\u2716 no such group") + "<BR ALIGN=\"LEFT\"/>";

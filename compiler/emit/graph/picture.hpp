@@ -61,11 +61,11 @@ struct PictureBox {
   Kind kind = Kind::group;
   std::string name; ///< no two boxes have the same
   std::vector<GroupId> groups;
-  std::vector<PictureMember> members; ///< not of a group
-  std::string data;                   ///< C++ type; empty: none
-  std::optional<std::string> asked;   ///< the program asks for it: with this priority
-  std::vector<PictureLine> lines;     ///< of its handlers
-  std::vector<PictureRow> rows;       ///< of a group
+  std::vector<PictureMember> members;   ///< not of a group
+  std::string data;                     ///< C++ type; empty: none
+  std::optional<std::string> requested; ///< the program asks for it: with this priority
+  std::vector<PictureLine> lines;       ///< of its handlers
+  std::vector<PictureRow> rows;         ///< of a group
   bool in_focus = false;
   std::optional<Moment::Mark> mark;     ///< nothing: no moment is shown
   std::string note;                     ///< about the mark

@@ -47,7 +47,7 @@ struct Moment {
 /// What is wrong.
 struct PictureFlaws {
   /// A name that no group has.
-  struct Ask {
+  struct Request {
     std::optional<GroupId> from; ///< nothing: the program
     std::optional<std::size_t> row;
     bool need = false;
@@ -60,7 +60,7 @@ struct PictureFlaws {
     bool is_error = false;
     std::string key, text;
   };
-  std::vector<Ask> asks;
+  std::vector<Request> requests;
   std::vector<Line> lines;
   std::vector<std::string> elsewhere; ///< about no group
 };

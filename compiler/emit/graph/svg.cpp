@@ -118,7 +118,7 @@ std::string summary(const Picture& picture) {
   for (const PictureBox& box : picture.boxes) {
     groups += box.groups.size();
     folded += box.kind == PictureBox::Kind::folded ? 1 : 0;
-    if (box.asked) roots += (roots.empty() ? "" : ", ") + box.name;
+    if (box.requested) roots += (roots.empty() ? "" : ", ") + box.name;
   }
   const auto count = [&](auto... kinds) {
     return static_cast<std::size_t>(std::count_if(picture.arrows.begin(), picture.arrows.end(), [&](const auto& arrow) {

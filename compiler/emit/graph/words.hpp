@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What the parts of a picture say: conditions as they are written, `doc` texts, places.
 
-#include "compiler/emit/graph/asks.hpp"
+#include "compiler/emit/graph/group_arrows.hpp"
 #include "compiler/emit/graph/picture.hpp"
 
 namespace director::compiler {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/pipeline.hpp"
 #include "dsl/render.hpp"
-#include "tests/behaviours/robocup/told.hpp"
+#include "tests/behaviours/robocup/declared.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
@@ -47,7 +47,7 @@ Report report(const std::string& path) {
 std::map<std::string, Report> reports() {
   std::map<std::string, Report> reports;
   for (const std::string folder : {"", "older/"})
-    for (const Role& role : read_told(source_dir() / "behaviours/robocup" / folder).roles)
+    for (const Role& role : read_declared(source_dir() / "behaviours/robocup" / folder).roles)
       reports[folder + role.name] = report("behaviours/robocup/" + folder + role.name + ".yaml");
   return reports;
 }

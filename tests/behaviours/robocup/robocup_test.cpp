@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "tests/behaviours/robocup/declared.hpp"
 #include "tests/behaviours/robocup/facts.hpp"
-#include "tests/behaviours/robocup/told.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
@@ -50,17 +50,17 @@ std::set<std::string> group_names(const TeamGraph& graph) {
 
 TEST_CASE("every module says of its groups, providers, packs, needs and priorities what the facts say, and no more") {
   const Source source = GENERATE(Source::k1, Source::older);
-  compare(read_facts(source).graph.modules, read_told(folder(source)).modules);
+  compare(read_facts(source).graph.modules, read_declared(folder(source)).modules);
 }
 
 TEST_CASE("every role loads the modules and requests the root tasks that the facts say, and no others") {
   const Source source = GENERATE(Source::k1, Source::older);
-  compare(read_facts(source).graph.roles, read_told(folder(source)).roles);
+  compare(read_facts(source).graph.roles, read_declared(folder(source)).roles);
 }
 
 TEST_CASE("states and triggers are those of the facts") {
   const Source source = GENERATE(Source::k1, Source::older);
-  const TeamGraph facts = read_facts(source).graph, told = read_told(folder(source));
+  const TeamGraph facts = read_facts(source).graph, told = read_declared(folder(source));
   compare(facts.states, told.states);
   CHECK(facts.triggers == told.triggers);
 }
@@ -75,7 +75,7 @@ TEST_CASE("the place of every provider in the team's source stands in its module
 }
 
 TEST_CASE("the whole of both graphs is there") {
-  const TeamGraph k1 = read_told(folder(Source::k1)), older = read_told(folder(Source::older));
+  const TeamGraph k1 = read_declared(folder(Source::k1)), older = read_declared(folder(Source::older));
   CHECK(group_names(k1).size() == 81); // 78, Say and the two of skill::GPT
   CHECK(k1.roles.size() == 22);
   CHECK(group_names(older).size() == 65);

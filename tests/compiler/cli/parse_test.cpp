@@ -108,7 +108,7 @@ TEST_CASE("a flag without a value does not take the next word") {
 
 TEST_CASE("the help ends with the first line that an editor wants, where the schemas are known") {
   const auto help = [](const std::string& schemas) {
-    return std::get<director::compiler::cli::Say>(director::compiler::cli::parse({"--help"}, schemas)).text;
+    return std::get<director::compiler::cli::Message>(director::compiler::cli::parse({"--help"}, schemas)).text;
   };
   const std::string without = help("");
   CHECK(without.ends_with("`directorc SUBCOMMAND --help` tells more.\n"));

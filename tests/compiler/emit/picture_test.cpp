@@ -129,9 +129,9 @@ TEST_CASE("a box says what its group, its providers and its handlers declare") {
     return out;
   };
   const PictureBox &player = picture.boxes[0], &cheer = picture.boxes[1], &walk = picture.boxes[2];
-  CHECK(player.asked == "normal 10, urgent 80");
-  CHECK(cheer.asked == "0, optional");
-  CHECK_FALSE(walk.asked.has_value());
+  CHECK(player.requested == "normal 10, urgent 80");
+  CHECK(cheer.requested == "0, optional");
+  CHECK_FALSE(walk.requested.has_value());
   CHECK(player.about == PictureText{"Player: Plays. And plays.", "test.yaml", 12});
   CHECK(lines(player.rows[0].lines) == "when Ball == seen; stay Ball != lost; ");
   CHECK(lines(player.rows[1].lines) == "every 1500 ms; ");
@@ -147,10 +147,10 @@ TEST_CASE("a box says what its group, its providers and its handlers declare") {
 TEST_CASE("a view shows its own arrows only, and a focus what has to do with some groups") {
   const tests::Compiled from = tests::compile(std::string(walker));
   PictureOptions options;
-  const auto picture = [&](const PictureOptions& asked) {
-    return make_picture(from.model, make_graph(from.model), from.sources, asked);
+  const auto picture = [&](const PictureOptions& options) {
+    return make_picture(from.model, make_graph(from.model), from.sources, options);
   };
-  const auto drawn = [&](const PictureOptions& asked) { return arrows_of(picture(asked)); };
+  const auto drawn = [&](const PictureOptions& options) { return arrows_of(picture(options)); };
   options.view = PictureOptions::View::needs;
   CHECK(drawn(options) == "Cheer -> Arm need\n"
                           "Walk -> Left, Right need\n"

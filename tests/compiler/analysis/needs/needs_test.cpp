@@ -13,9 +13,9 @@ std::string faults(const std::string& groups) {
   Budget budget;
   const tests::Analysed test("roots: []\ngroups:\n" + groups);
   std::string out;
-  for (const auto& circle : find_need_circles(test.model, test.facts, budget)) {
+  for (const auto& cycle : find_need_cycles(test.model, test.facts, budget)) {
     out += "circle";
-    for (const ChainStep& step : circle) out += " " + test.model.groups[step.from].name.value;
+    for (const ChainStep& step : cycle) out += " " + test.model.groups[step.from].name.value;
     out += "\n";
   }
   for (const ProviderId id : find_need_conflicts(test.model, test.facts, budget))

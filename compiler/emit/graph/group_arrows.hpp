@@ -26,7 +26,7 @@ struct GroupArrow {
 enum class Detail : bool { groups, packs };
 
 /// Requests and needs, by group and target.
-std::vector<GroupArrow> find_asks(const Model& model, Detail detail);
+std::vector<GroupArrow> find_requests(const Model& model, Detail detail);
 
 /// One for each two groups of which one may push the other.
 std::vector<GroupArrow> find_pushes(const Model& model, const Graph& graph);
@@ -40,7 +40,7 @@ std::vector<GroupArrow> pushes_of(const Model& model, const Moment& moment);
 std::vector<GroupArrow> pushes_of(const Model& model, const Moment& moment, const std::vector<Moment>& frames);
 
 /// What runs, waits or is not asked for at that moment.
-void mark_asks(const Model& model, const Moment& moment, std::vector<GroupArrow>& arrows);
+void mark_requests(const Model& model, const Moment& moment, std::vector<GroupArrow>& arrows);
 
 /// How something is asked for: `20`, `normal 10, urgent 80`. Empty where all that its requester asks for has the same
 /// priority 0.
@@ -55,6 +55,6 @@ Manner manner_of(const Model& model, const Task& task, bool numbers);
 bool has_priorities(const Model& model, const std::vector<Task>& tasks);
 
 /// `Walk.halting`, `Kick`, `Striker.ready, pack go`.
-std::string asker(const Model& model, ProviderId provider, const Pack* pack);
+std::string requester_name(const Model& model, ProviderId provider, const Pack* pack);
 
 } // namespace director::compiler

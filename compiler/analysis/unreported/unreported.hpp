@@ -28,16 +28,17 @@ struct Happening {
   std::map<PackOf, EdgeId> to_blame; ///< of packs that are not: the one member that keeps the others from it
 };
 
-struct Untold {
+struct Unreported {
   std::vector<GroupId> groups;
-  IdSet<EdgeId> told; ///< requests for those groups of which a finding speaks
+  IdSet<EdgeId> reported; ///< requests for those groups of which a finding speaks
   std::vector<EdgeId> tasks;
   std::vector<ProviderId> providers;
   std::vector<PackOf> packs;
 };
 
-/// In order. `told`: all findings.
-Untold find_untold(const Model& model, const Happening& happening, const std::vector<dsl::Diagnostic>& told);
+/// In order. `findings`: all findings.
+Unreported find_unreported(const Model& model, const Happening& happening,
+                           const std::vector<dsl::Diagnostic>& findings);
 
 /// Mandatory members of a named pack that are granted all or none, two or more; else empty.
 std::vector<EdgeId> members_of(const Model& model, ProviderId provider, std::size_t pack);

@@ -8,7 +8,7 @@
 
 namespace director::analysis {
 
-struct Circle {
+struct TaskCycle {
   std::vector<GroupId> groups; ///< each requests the next one; the last one is the first
   /// All that leads to the circle comes in by its first group: then its last request is the one that is never granted.
   /// Else that depends on where it came in.
@@ -19,6 +19,6 @@ struct Circle {
 
 /// Of each part of the behaviour in which mandatory requests lead back one of the shortest ones, then each group that
 /// requests itself, optional or not.
-std::vector<Circle> find_circles(const Model& model, const Shared& shared);
+std::vector<TaskCycle> find_task_cycles(const Model& model, const Shared& shared);
 
 } // namespace director::analysis

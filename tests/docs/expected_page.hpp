@@ -27,11 +27,11 @@
 
 namespace director::tests {
 
-struct Told {
+struct ExpectedPage {
   std::string text;                ///< the page as it should be
   std::vector<std::string> faults; ///< what cannot be found out, each as `PAGE:LINE: what is wrong`
 };
 
-Told told(const std::string& path, const Markdown& page);
+ExpectedPage expected_page(const std::string& path, const Markdown& page);
 
 } // namespace director::tests

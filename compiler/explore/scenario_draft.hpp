@@ -12,15 +12,15 @@
 
 namespace director::compiler {
 
-class Retelling {
+class ScenarioDraft {
 public:
   using Words = std::vector<std::string>;
   using Cases = std::vector<Words>;
 
-  explicit Retelling(const Ground& ground) : g_(ground), m_(ground.model), words_(ground) {}
+  explicit ScenarioDraft(const Ground& ground) : g_(ground), m_(ground.model), words_(ground) {}
 
   /// Once. False: it cannot be told.
-  bool tell(const std::vector<Taken>& way);
+  bool fill(const std::vector<Taken>& way);
 
   /// What they do behind the way, whenever they are called.
   void repeat(const std::vector<Taken>& round);

@@ -11,7 +11,7 @@
 
 namespace director::checks {
 
-/// `told`: what all checks have found.
-std::vector<dsl::Diagnostic> tell_decisions(const Input& input, const std::vector<dsl::Diagnostic>& told);
+/// `reported`: what all checks have found.
+std::vector<dsl::Diagnostic> report_decisions(const Input& input, const std::vector<dsl::Diagnostic>& findings);
 
 } // namespace director::checks
