@@ -1,5 +1,6 @@
 // Header: dsl/print_spec.hpp. Test: tests/dsl/print_spec_test.cpp.
 // SPDX-License-Identifier: MIT
+//
 // A function that returns Pairs returns the `key: value` texts of one mapping; the caller that prints the mapping
 // decides between braces and separate lines.
 #include "dsl/print_spec.hpp"

@@ -1,5 +1,6 @@
 // Header: dsl/names.hpp. Test: tests/dsl/names_test.cpp.
 // SPDX-License-Identifier: MIT
+//
 // Names of the headers of standard C++ and C, and of all that they include, with g++ 12, Clang 19 and glibc 2.36. Names
 // that C++ reserves in any case (two underscores, or one and a capital letter) are left out. To list them again: macros
 // with `g++ -std=gnu++20 -dM -E` on all these headers; globals are the words of the preprocessed headers for which

@@ -39,7 +39,7 @@ public:
   }
 
 private:
-  /// What its needs may come down to, the nearest first.
+  /// Finds the groups that its needs may lead to, the nearest first.
   void find_needed() {
     SparseSet<GroupId> seen;
     const auto add = [&](ProviderId id) {
@@ -59,7 +59,8 @@ private:
     return out;
   }
 
-  /// Those of which two parties accept nothing in common; where more than two it takes, those of which two speak.
+  /// Finds the states for which two sets of conditions accept no common value; if it takes more than two sets, the
+  /// states of at least two of them.
   void find_states() {
     std::vector<std::vector<Region>> parties{{mended(id_)}};
     if (facts_.excluded.contains(id_)) parties.push_back({facts_.grants[model_.providers[id_].group]});
@@ -87,7 +88,7 @@ private:
     }
   }
 
-  /// Who asks for it, and what those above it that speak of these states run under.
+  /// Explains which groups request it, and under which conditions the groups above it run that use these states.
   void explain_above() {
     std::vector<GroupId> open{model_.providers[id_].group};
     SparseSet<GroupId> seen;
@@ -120,7 +121,7 @@ private:
     return false;
   }
 
-  /// What is granted with it or not at all, as far as that speaks of these states.
+  /// Explains which tasks are granted only together with it, if their conditions use these states.
   void explain_members(const Pack& pack, const Task& task) {
     if (pack.name.empty() || !may_be_member(model_, task)) return;
     for (const Task& other : pack.tasks) {
@@ -143,7 +144,7 @@ private:
     }
   }
 
-  /// One of its providers, or of those below, looks at these states.
+  /// Whether one of its providers, or of those below, has conditions on these states.
   bool speaks(GroupId group) const {
     std::vector<GroupId> open{group};
     SparseSet<GroupId> seen;

@@ -21,7 +21,7 @@ namespace {
 
 using dsl::Note;
 
-/// Goes down from a provider that never runs, and says at each step what is missing there.
+/// Follows the reasons down from a provider that never runs, and explains at each step what is missing there.
 class IdleReasons {
 public:
   IdleReasons(const Model& model, const Facts& facts, const Task* reported)
@@ -39,7 +39,7 @@ public:
   std::optional<Deadlock> deadlock() const { return has_end_ ? std::nullopt : deadlock_; }
 
 private:
-  /// `needed`: it lacks no request.
+  /// `needed`: it needs no request.
   void explain(ProviderId id, bool needed = false) {
     if (facts_.active.contains(id) || !seen_.insert(id).second) return;
     const Provider& provider = model_.providers[id];
@@ -57,7 +57,7 @@ private:
     if (facts_.excluded.contains(id) && explain_company(provider.group)) return;
     has_end_ = true;
     if (facts_.requested.contains(provider.group) && facts_.capable.contains(id) && !facts_.excluded.contains(id)) {
-      // Nothing is missing: it is not chosen, and not pushed.
+      // Nothing is missing: it is neither chosen nor pushed.
       notes_.push_back({provider.span, fmt::format("{} never runs: whenever it could, others of its group come first",
                                                    name_of(model_, id))});
       return;
@@ -89,7 +89,7 @@ private:
     for (const ProviderId id : next) explain(id);
   }
 
-  /// Where it is asked for it is granted only together with something that can never run; true: so it is.
+  /// Explains that its requests are granted only together with something that can never run; false if that is not so.
   bool explain_company(GroupId group) {
     if (kept_.count(group) != 0) return true;
     std::vector<GroupId> others;
@@ -162,8 +162,8 @@ private:
   std::vector<Note> notes_;
   std::set<ProviderId> seen_;
   std::set<GroupId> groups_, kept_;
-  std::optional<Deadlock> deadlock_; ///< the first one met
-  bool has_end_ = false;             ///< something is missing that hangs on nothing else
+  std::optional<Deadlock> deadlock_; ///< the first one found
+  bool has_end_ = false;             ///< something is missing that depends on nothing else
 };
 
 std::int32_t highest_priority(const Model& model, const Task& task) {

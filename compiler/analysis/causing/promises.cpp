@@ -33,7 +33,7 @@ public:
   bool is_idle(ProviderId id) const { return !facts_.active.contains(id); }
   const Arrows& arrows() const { return arrows_; }
 
-  /// Conditions of a provider that never hold, and are not reported as impossible.
+  /// Conditions of a provider that never hold, unless they are reported as impossible.
   std::vector<ConditionUse> unmet(ProviderId id) const {
     std::vector<ConditionUse> out;
     for (const ConditionUse& use : model_.providers[id].when) {
@@ -63,7 +63,7 @@ private:
     return out;
   }
 
-  /// One that is capable and lacks a push: on what its waiters lack besides.
+  /// Blames, for a capable provider that is never pushed, what the waiting providers lack besides.
   void find_unpushed(const Chains& chains) {
     Pushes pushes(model_, facts_, chains, causers_);
     for (const GroupId waiter : model_.groups.ids()) {
@@ -102,7 +102,7 @@ private:
     return out;
   }
 
-  /// Providers that would give the state a value that the condition accepts.
+  /// Providers that would set the state to a value that the condition accepts.
   std::vector<ProviderId> setters(const ConditionUse& use) const {
     const Condition& condition = model_.conditions[use.id];
     std::vector<ProviderId> out;
@@ -155,7 +155,8 @@ public:
   }
 
 private:
-  /// What somebody waits for whose group is requested (or held for one that is), and all that is to blame for that.
+  /// Finds the awaited providers whose group is requested (or held for a requested one), and everything they are blamed
+  /// on.
   void find_relevant() {
     relevant_ = IdSet<ProviderId>(model_.providers.size());
     std::vector<ProviderId> open;
@@ -180,7 +181,7 @@ private:
     }
   }
 
-  /// What of the relevant is to blame on these, or they on it: of the rest nothing is told with them.
+  /// The relevant providers that are blamed on these or the other way round: the findings about these explain them.
   IdSet<ProviderId> explained_by(const std::vector<Node>& explained) const {
     Arrows back(model_.providers.size()), there(model_.providers.size());
     for (const ProviderId id : model_.providers.ids()) {
@@ -201,8 +202,8 @@ private:
     return out;
   }
 
-  /// A condition that holds at the start, that something can make false, and that nothing makes true again but a
-  /// provider that could run and is neither chosen nor pushed.
+  /// A condition that holds at the start, that something can make false, and that only a provider can make true again
+  /// which could run but is neither chosen nor pushed.
   void find_lost(Promises& out) const {
     IdTable<StateId, ValueSet> later(model_.states.size());
     for (const StateId state : model_.states.ids()) {
@@ -255,8 +256,8 @@ private:
            facts_.capable.contains(causer) && !facts_.excluded.contains(causer) && blame_.is_idle(causer);
   }
 
-  /// Of what can never run for a reason that no other finding tells, the lowest. Where no provider of a requested group
-  /// can, that is told of the group, and explains what is above it.
+  /// The lowest of those that can never run for a reason that no other finding reports. If no provider of a requested
+  /// group can run, that is reported for the group, and explains everything above it.
   std::vector<ProviderId> find_never_run(const IdSet<ProviderId>& explained) const {
     std::vector<bool> idle(model_.providers.size(), false);
     for (const ProviderId id : model_.providers.ids()) {
@@ -273,7 +274,7 @@ private:
     return out;
   }
 
-  /// Candidates that blame each other, and no other candidate: each circle sorted, in order of the first.
+  /// Candidates that blame each other and no other candidate: each cycle sorted, in order of the first.
   std::vector<std::vector<Node>> lowest_cycles(const std::vector<bool>& candidate) const {
     const std::size_t size = model_.providers.size();
     std::vector<Node> cycle_of(size);
@@ -285,8 +286,8 @@ private:
     for (Node node = 0; node < size; ++node) {
       if (candidate[node]) members[cycle_of[node]].push_back(node);
     }
-    // From the bottom up; in this order the members of a circle stand together.
-    std::vector<bool> blames(size, false); // a circle: another one with candidates, directly or not
+    // From the bottom up; in this order the members of a cycle are adjacent.
+    std::vector<bool> blames(size, false); // a cycle: another one with candidates, directly or not
     const std::vector<Node> order = topological_order(blame_.arrows());
     for (auto node = order.rbegin(); node != order.rend(); ++node) {
       for (const Node next : blame_.arrows()[*node]) {
@@ -302,7 +303,8 @@ private:
     return out;
   }
 
-  /// By a provider whose conditions are reported as impossible: a task may wait for that one for ever, and push for it.
+  /// Whether a provider with conditions reported as impossible waits for it: a task may wait for that one for ever, and
+  /// push for it.
   bool is_waited_for_as_is(ProviderId causer) const {
     const std::vector<const Graph::Causing*>& all = arrows_of_[causer];
     return std::any_of(all.begin(), all.end(), [&](const Graph::Causing* arrow) {

@@ -11,8 +11,8 @@ Overlaps::Overlaps(const Model& model, const Branches& branches)
       branches_(branches),
       lonely_(model.groups.size()),
       found_by_(model.groups.size(), no_group) {
-  // From the leaves up: who is on a circle never comes to have nothing left.
-  IdTable<GroupId, std::size_t> left(model.groups.size()); // edges to what is not known to be lonely
+  // From the leaves up: a group on a cycle always has an edge left.
+  IdTable<GroupId, std::size_t> left(model.groups.size()); // edges to groups that are not known to be lonely
   for (const Edge& edge : model.edges) {
     if (edge.requester) ++left[*edge.requester];
   }
@@ -33,9 +33,9 @@ Overlaps::Overlaps(const Model& model, const Branches& branches)
   }
 }
 
-// An entry stops where an earlier one has been, as that has gone on from there. No overlap is lost by it: where two
-// come to one group, either the later one meets the earlier one on its way, or another one that has been there between
-// the two, and that one has met the earlier one for the same reason.
+// An entry stops at groups that an earlier entry has visited, as that one has continued from there. This loses no
+// overlap: if two entries reach one group, the later one meets on its path either the earlier one, or a third one that
+// came between the two and has met the earlier one for the same reason.
 std::vector<bool> Overlaps::among(const std::vector<GroupId>& targets) {
   std::vector<bool> out(targets.size(), false);
   std::vector<GroupId> found, open;

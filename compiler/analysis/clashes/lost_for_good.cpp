@@ -66,7 +66,7 @@ private:
     found_.push_back({task, waiter, use, *causer, std::move(lost), std::move(stopping)});
   }
 
-  /// Of what stands at one place, and of what is lost with more than it takes, the least.
+  /// Chooses, of those at one place, and of those that are lost with superfluous conditions, the smallest.
   void choose() {
     std::vector<const Found*> all, kept;
     for (const Found& each : found_) all.push_back(&each);
@@ -79,11 +79,11 @@ private:
       });
       if (!is_noted) kept.push_back(each);
     }
-    std::sort(kept.begin(), kept.end()); // as they were found
+    std::sort(kept.begin(), kept.end()); // in the order of discovery
     for (const Found* each : kept) add(*each);
   }
 
-  /// Something makes it false: of the start it is not asked.
+  /// Whether something makes it false; the value at the start is not considered.
   bool is_spoilt_by(const Source& source, ConditionId id) const {
     if (source.values.subset_of(model_.conditions[id].accepts)) return false;
     if (source.provider)
@@ -93,8 +93,8 @@ private:
     return std::any_of(all.begin(), all.end(), [&](ProviderId each) { return facts_.active.contains(each); });
   }
 
-  /// Each may be lacking. Where it takes several, something makes one of them false that runs whether or not they hold:
-  /// what is taken away with them may see to it itself that they are never lost at one time.
+  /// Whether each may be false. If there are several, one of them must be made false by something that runs whether or
+  /// not they hold: otherwise the sources may ensure that the conditions are never lost together.
   bool is_credible(const Stopping& stopping) const {
     bool by_others = stopping.lost().size() == 1;
     for (const ConditionId id : stopping.lost()) {
@@ -147,7 +147,7 @@ private:
     return {};
   }
 
-  /// What it could bring back, and why it cannot run then.
+  /// Explains what the source could bring back, and why it cannot run then.
   void add_source(ProviderId id, const Source& source, const Stopping& stopping, std::vector<Note>& notes) {
     add_note({source.span, sets(source, id)}, notes);
     add_reason(id, stopping, notes);
@@ -175,7 +175,7 @@ private:
     }
   }
 
-  /// Providers of what is needed that lack something.
+  /// Needed providers that lack something.
   std::vector<std::pair<ProviderId, ConditionUse>> lacking_below(GroupId needed, const Stopping& stopping) const {
     std::vector<std::pair<ProviderId, ConditionUse>> out;
     for (const ProviderId id : model_.groups[needed].providers) {
@@ -195,7 +195,7 @@ private:
     }
   }
 
-  /// The first that makes it false, one that runs whether or not all this holds before the others.
+  /// Explains the first source that makes it false, with preference for one that runs whether or not all this holds.
   void add_spoiler(ConditionId id, const Stopping& stopping, std::vector<Note>& notes) {
     const Source* first = nullptr;
     for (const Source& source : sources_[model_.conditions[id].state]) {
@@ -212,7 +212,7 @@ private:
   IdTable<StateId, std::vector<Source>> sources_;
   Waiting waiting_;
   std::vector<Found> found_;
-  std::set<std::pair<dsl::Span, std::string>> noted_; ///< without words: nothing more is told there
+  std::set<std::pair<dsl::Span, std::string>> noted_; ///< without text: nothing more is reported there
   std::set<ProviderId> explained_now_;
   std::vector<LostForGood> out_;
 };

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What excludes each other, which more than one check asks for: found when the first one does and kept for the run, as
-// what is shared is, from which it follows.
+// Mutual exclusions that several checks use: computed on first use and kept for the run, like Shared, from which they
+// follow.
 
 #include "compiler/analysis/clashes/clashes.hpp"
 #include "compiler/analysis/conflicts/grants.hpp"
@@ -24,14 +24,15 @@ public:
   Conflicts(const Conflicts&) = delete;
   Conflicts& operator=(const Conflicts&) = delete;
 
-  /// All that a check sees.
+  /// The input of the checks.
   const Input& input() const { return input_; }
 
   const std::vector<Clash>& clashes() const;
   /// Of all packs and flat lists.
   const std::vector<PackConflict>& pack_conflicts() const;
   const std::vector<TaskCycle>& task_cycles() const;
-  /// It leads back to a group that is always above it: that it is never granted is told of the circle.
+  /// Whether it leads back to a group that is always above it: the finding about the cycle reports that it is never
+  /// granted.
   bool closes_cycle(EdgeId edge) const;
   /// Below all roots.
   const Grants& grants() const;

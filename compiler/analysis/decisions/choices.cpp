@@ -1,7 +1,7 @@
 // Header: compiler/analysis/decisions/pass.hpp. Test: tests/property/decisions_test.cpp.
 // SPDX-License-Identifier: MIT
-// semantics.md, 4.3: how a group can be granted: in which order its providers come, with which plans, and the first
-// combination of the members of a unit.
+// semantics.md, 4.3: how a group can be granted: the order of its providers, their plans, and the first combination of
+// the members of a unit.
 #include "compiler/analysis/decisions/pass.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ bool Pass::holds(Row condition) const {
   return (row.accepts & bit(last_.value[row.state])) != 0;
 }
 
-/// The push that stands on a group so far, if the picks say that one does.
+/// The push that is assumed to be in force on a group, according to the picks.
 const PossiblePush* Pass::standing(Row group) {
   const std::vector<PossiblePush>& pushes = gathered_.pushes;
   int& at = standing_[group];

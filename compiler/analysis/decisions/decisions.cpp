@@ -21,7 +21,7 @@ public:
     find_goals(model, facts);
   }
 
-  /// False: there is more than may be looked at, or nothing to tell.
+  /// False: it is above the limits, or there is nothing to report.
   bool run() {
     for (;;) {
       gathered_.pushes = gathered_.found;
@@ -56,8 +56,8 @@ private:
 
   enum class Closed { whole, again, not_at_all };
 
-  /// All moments that follow from the first one, given the pushes that are known so far. With each new one it begins
-  /// again: what was decided without it may be decided otherwise.
+  /// All moments that follow from the first one, with the pushes that are known so far. It restarts with each new push:
+  /// earlier decisions may be different with it.
   Closed close() {
     Moves moves(part_, gathered_, left_);
     seen_.clear();
@@ -94,7 +94,7 @@ private:
     }
   }
 
-  /// What may happen as far as the facts tell.
+  /// What may happen according to the facts.
   void find_goals(const Model& model, const Facts& facts) {
     const auto runs = [&](Row provider) { return facts.active.contains(part_.providers[provider].id); };
     const auto any_runs = [&](Row edge) {

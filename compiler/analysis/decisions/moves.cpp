@@ -8,7 +8,7 @@ namespace director::analysis {
 
 namespace {
 
-/// Steps that a pass takes besides those that it counts.
+/// Steps of each pass besides those that it counts.
 constexpr std::int64_t of_any_pass = 20;
 
 } // namespace
@@ -26,7 +26,7 @@ Moment Moves::first() const {
 
 bool Moves::from(const Moment& moment, const std::function<void(const Moment& next)>& visit) {
   visit_ = &visit;
-  if (moment.is_given()) { // before all else
+  if (moment.is_given()) { // before anything else
     Change change{moment, 0};
     for (std::size_t state = 0; state < part_.states.size(); ++state) {
       if (moment.given[state] != nothing) change.moment.value[state] = moment.given[state];
@@ -72,7 +72,7 @@ bool Moves::from(const Moment& moment, const std::function<void(const Moment& ne
   return left_ >= 0;
 }
 
-/// Nothing runs, and what was decided stays. What else it may come to is told.
+/// Visits other decisions that are possible at rest; false if something has still to run.
 bool Moves::is_at_rest(const Moment& moment) {
   Moment same = moment;
   same.open = 0;
@@ -95,13 +95,13 @@ void Moves::change_in_all_ways(const std::function<bool(Change&)>& make) {
   ways_.clear();
 }
 
-/// All that may come of it, once.
+/// Visits all outcomes of the decision, each once.
 void Moves::decide(Change change) {
   change.anew &= that_matter(change);
   if (decided_.add(change)) decide(change.moment, change.anew, *visit_);
 }
 
-/// A request that is made anew is news for a group that runs for it and has no other.
+/// A repeated request only concerns the group that runs for it and has no other reason to run.
 Rows Moves::that_matter(const Change& change) const {
   Rows out = 0;
   for (Row group = 0; group < part_.groups.size(); ++group) {
@@ -185,7 +185,7 @@ bool Moves::request(Change& change) {
   return change.anew != 0;
 }
 
-/// From outside, or what expires.
+/// Applies inputs from outside, and expired values.
 bool Moves::set(Change& change) {
   bool any = false;
   for (std::size_t state = 0; state < part_.states.size(); ++state) {

@@ -28,7 +28,7 @@ std::optional<Moment> Pass::run() {
   return finish();
 }
 
-/// Whether another way through the pass has come to where this one is, which has picked: then it may end here.
+/// Whether another way through the pass, with other picks, has reached the same point: then this one may end here.
 bool Pass::is_known() {
   if (!picks_.has_picked()) return false;
   Way way{candidates_, tried_,         refused_,       forgotten_, keeping_,
@@ -168,8 +168,8 @@ bool Pass::granted_before(Row edge) const {
   return last_.by[group] == edge && last_.has(group, Moment::granted);
 }
 
-/// Of those that nobody goes before one is picked: in what order they were requested is not known. Where what they may
-/// come to claim has nothing in common it does not matter.
+/// Picks one of the candidates that no other goes before: the order of their requests is unknown. If their possible
+/// claims have nothing in common, the order is irrelevant.
 Row Pass::first_candidate() {
   Few<Chain, Component::most_edges> all;
   for (const Row edge : each(candidates_)) all.push_back(claimed(edge));
@@ -184,7 +184,7 @@ Row Pass::first_candidate() {
     });
     if (!same_unit) first.push_back(edge);
   }
-  if (first.empty()) return all.front().edge(); // "equal" is not transitive; it cannot be
+  if (first.empty()) return all.front().edge(); // "equal" is not transitive; this cannot happen
   const auto below = [&](Row edge) {            // with its unit
     Rows out = 0;
     for (const Row other : each(candidates_)) {
@@ -207,7 +207,7 @@ Pass::Unit Pass::unit_of(Row first) {
   for (const Row edge : each(candidates_)) {
     if (!alone(edge) && requester(edge) == requester(first)) open.push_back(edge);
   }
-  // Siblings: by priority, and among equals in any order.
+  // Siblings: by priority, and equals in any order.
   while (!open.empty()) {
     Groups best; // of those that are open
     for (Row i = 0; i < open.size(); ++i) {
@@ -229,7 +229,7 @@ Pass::Unit Pass::unit_of(Row first) {
   return unit;
 }
 
-/// False: it may end here.
+/// False: this way may end here.
 bool Pass::take_candidates() {
   for (;;) {
     for (const Row edge : each(candidates_)) {
@@ -337,7 +337,7 @@ bool Pass::hand_over() {
     if (last_.active[group] != nothing) open_ |= bit(group);
   }
   while (open_ != 0) {
-    // In the old order, of which among equals nothing is known.
+    // In the old order, which is unknown among equals.
     Groups first;
     for (const Row group : each(open_)) {
       bool is_first = true;

@@ -47,7 +47,7 @@ private:
     }
   }
 
-  /// None of their members is told of.
+  /// Packs without a reported member that are never granted whole.
   void find_packs() {
     for (const ProviderId id : model_.providers.ids()) {
       const std::vector<Pack>& packs = model_.providers[id].packs;
@@ -58,7 +58,7 @@ private:
               return is_reported(task.span) || reported_in_packs_.count(task.span) != 0;
             }))
           continue;
-        // What keeps them from it may have a finding of its own.
+        // What prevents them may have a finding of its own.
         const auto blamed = happening_.to_blame.find({id, i});
         const bool has_blame = blamed != happening_.to_blame.end() && !happening_.granted.contains(blamed->second);
         if (!has_blame) out_.packs.emplace_back(id, i);
@@ -73,7 +73,7 @@ private:
     const Group& group = model_.groups[id];
     const std::vector<ProviderId>& all = group.providers;
     const auto runs = [&](ProviderId each) { return happening_.runs.contains(each); };
-    // What nobody ever asks for hangs on whoever would.
+    // A group that is never requested is explained by its requesters.
     std::vector<EdgeId> requested, refused;
     for (const EdgeId edge : group.requesters) {
       if (!happening_.requested.contains(edge)) continue;
@@ -112,7 +112,7 @@ private:
            (!all.empty() && std::all_of(all.begin(), all.end(), [&](const Task* task) { return is_in_vain(*task); }));
   }
 
-  /// Of a pack that a finding says is never granted whole, or one member of it never.
+  /// Whether a finding reports that its pack, or one member of it, is never granted.
   bool is_in_vain(const Task& task) const {
     const auto members = whole_only_.find(task.span);
     if (members == whole_only_.end()) return false;
@@ -120,10 +120,10 @@ private:
                                                                    [&](dsl::Span span) { return is_reported(span); });
   }
 
-  /// Another finding speaks of it, or of all that could serve a need of it, or it waits for what only others that never
-  /// run could bring about.
+  /// Whether another finding is about it, or about all that could serve a need of it, or it waits for what only others
+  /// that never run could cause.
   bool is_silent(ProviderId id) {
-    const auto [at, is_new] = silent_.emplace(id, false); // so it is while it is looked at, in a circle
+    const auto [at, is_new] = silent_.emplace(id, false); // the value while it is computed, in a cycle
     if (is_new) at->second = finds_silent(id);
     return at->second;
   }

@@ -17,10 +17,10 @@ using dsl::Note;
 
 namespace {
 
-/// Who reads more steps than this reads them in the file.
+/// Limit: a longer chain is easier to read in the file.
 constexpr std::size_t most_steps_in_notes = 12;
 
-/// Makes the first one that is left out tell of all of them.
+/// Makes the first note that is left out count all of them.
 void leave_out(Note& first, std::size_t count, std::string_view where) {
   first.message = fmt::format("and {} more of such notes, {}", count, where);
   first.link = Note::Link::aside;

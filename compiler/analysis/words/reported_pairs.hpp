@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Of many that are in conflict over one thing, each is told of with the first of them, and not with every other: fifty
-// tasks that want one group are 49 findings at most, not 1,225. Of lists as people write them every pair is told of:
-// who mends or allows one pair has not mended the others.
+// Limits the findings about many entries that conflict over one thing: each is reported with the first of them, and not
+// with every other: fifty tasks that want one group are at most 49 findings, not 1,225. In lists of usual length every
+// pair is reported, as correcting or allowing one pair does not correct the others.
 
 #include <cstddef>
 #include <map>
@@ -12,16 +12,16 @@
 
 namespace director::analysis {
 
-/// Of lists up to this long every pair is told of.
+/// In lists up to this long every pair is reported.
 inline constexpr std::size_t longest_with_all_pairs = 20;
 
-/// Entries of one list by their places in it. `Thing`: what makes two of them rivals, and them and a third one.
+/// Entries of one list by their indices. `Thing`: what makes two of them rivals, and them and a third one.
 template <class Thing>
 class ReportedPairs {
 public:
   explicit ReportedPairs(std::size_t entries) : conflicts_(entries) {}
 
-  /// The list is long, and both were told of with one and the same other entry, over the same thing.
+  /// Whether the list is long, and both were reported with the same other entry, over the same thing.
   bool covers(std::size_t a, std::size_t b) const {
     if (conflicts_.size() <= longest_with_all_pairs) return false;
     const std::set<std::size_t>&few = conflicts_[a].size() < conflicts_[b].size() ? conflicts_[a] : conflicts_[b],
