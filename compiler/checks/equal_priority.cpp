@@ -22,7 +22,7 @@ namespace {
 
 using dsl::Diagnostic;
 
-/// Each step once: two chains of one task often begin alike.
+/// Adds each step once: two chains of one task often begin alike.
 void add_new(const Model& model, const std::vector<ChainStep>& chain, dsl::Note::Link begins, Diagnostic& finding) {
   std::vector<dsl::Note> steps;
   add_chain(model, chain, steps, begins);
@@ -58,15 +58,16 @@ void report(const Model& model, const EqualPair& pair, Findings& findings) {
                              : "give one of them a higher priority";
 }
 
-/// So many entries of one list that compete at one priority, each with another one of them, are one finding: it is one
-/// decision that nobody took, and not as many as there are pairs. So are as many sets of a long list (told.hpp).
+/// Limit, from which entries of one list that compete at one priority, each with another one of them, are one finding:
+/// a list without priorities is one omission, not as many as it has pairs. The same for so many sets of a long list
+/// (reported_pairs.hpp).
 constexpr std::size_t many = 4;
 
 constexpr std::string_view winner_rule =
     "whichever takes it first keeps it, and of those that want it at once the one that is declared first takes it";
 constexpr std::string_view what_helps = "give them priorities that say which goes first";
 
-/// Entries that compete at one priority, by their places, and for what.
+/// Entries that compete at one priority, by index, and what they compete for.
 struct Crowd {
   std::int32_t priority = 0;
   std::set<std::size_t> entries;
@@ -76,7 +77,7 @@ struct Crowd {
   std::size_t second() const { return *std::next(entries.begin()); }
 };
 
-/// The pairs of one list, put together where they have a priority and an entry in common.
+/// The pairs of one list, merged if they share a priority and an entry.
 std::list<Crowd> find_crowds(const std::vector<EqualPair>& all) {
   std::list<Crowd> out;
   for (const EqualPair& pair : all) {
@@ -131,7 +132,7 @@ public:
   }
 
 private:
-  /// Who mends one set of a long list will look at the others as well. Takes out what it tells of.
+  /// Reports many sets of a long list together, and removes them: correcting one leads to the others.
   void report_list(std::list<Crowd>& crowds) {
     std::vector<Crowd> reported;
     for (const Crowd& crowd : crowds) {
@@ -174,7 +175,7 @@ private:
     finding.help = what_helps;
   }
 
-  /// Where it would stand by itself.
+  /// Whether an `allow` would cover a finding of its own.
   bool is_allowed(const Crowd& crowd) const {
     return std::any_of(model_.allowances.begin(), model_.allowances.end(), [&](const Allowance& allowance) {
       return allowance.id.value == "equal_priority" && allowance.scope.contains(tasks_[crowd.second()].span);

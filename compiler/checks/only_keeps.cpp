@@ -12,7 +12,7 @@ namespace director::checks {
 
 namespace {
 
-/// A requester whose body looks at whether this group is done; nothing: nobody waits for it.
+/// A requester whose body depends on whether this group is done; null: there is none.
 const Use<GroupId>* waiter(const Model& model, GroupId group) {
   for (const Provider& provider : model.providers) {
     for (const Use<GroupId>& use : provider.uses) {
@@ -32,7 +32,7 @@ void only_keeps(const CodeInput& input, Findings& findings) {
     const bool may_request =
         std::any_of(provider.packs.begin(), provider.packs.end(), [](const Pack& pack) { return !pack.tasks.empty(); });
     const Use<GroupId>* use = waiter(model, body.of.group);
-    // Whoever acts as long as it is asked to, and is waited for by nobody, has nothing else to say.
+    // A group that acts while it is requested, and that nothing waits for, needs no other answer.
     if (!may_request && use == nullptr) continue;
     dsl::Diagnostic& finding = findings.add(
         provider.span, fmt::format("every path of {} ends in `keep()`: it never {}", name_of(model, body.of),

@@ -18,7 +18,7 @@ namespace director::checks {
 
 namespace {
 
-/// Where nothing was decided all may happen.
+/// Of components that were not decided all may happen.
 Happening happening_of(const Model& model, const Decisions& decisions) {
   Happening out{decisions.runs, decisions.requested, decisions.granted, &decisions.whole, {}};
   for (const ProviderId id : model.providers.ids()) {
@@ -78,7 +78,7 @@ private:
     return requester ? name_of(model_, *requester) : "the program";
   }
 
-  /// None of its providers ever runs.
+  /// Reports that none of the group's providers ever runs.
   void report(GroupId id, const IdSet<EdgeId>& reported) {
     bool granted = false;
     for (const EdgeId edge : model_.groups[id].requesters) {
@@ -194,7 +194,8 @@ private:
     }
   }
 
-  /// What is held, at the need for it; what does not hold, at the condition. `begin`: whose they may be.
+  /// Adds a note for what is held, at the need for it, and for what does not hold, at the condition. `begin`: their
+  /// possible owners.
   void add_notes(const Kept& kept, dsl::Span otherwise, const std::vector<ProviderId>& begin,
                  dsl::Diagnostic& finding) const {
     const std::vector<ProviderId> all = with_needs(begin);
@@ -226,7 +227,7 @@ private:
     shorten_list(finding.notes);
   }
 
-  /// And those that their needs may come down to.
+  /// Adds the providers that their needs may lead to.
   std::vector<ProviderId> with_needs(std::vector<ProviderId> all) const {
     std::set<ProviderId> seen(all.begin(), all.end());
     for (std::size_t i = 0; i < all.size(); ++i) {

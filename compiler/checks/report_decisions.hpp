@@ -1,9 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What follows from all decisions together (compiler/analysis/decisions), in the words of the checks whose matter it
-// is: a provider that never runs is shadowed_provider, a task that is never granted starved_task or
-// optional_never_runs, a pack that is never granted whole possible_pack_conflict. It speaks last, of what none of them
-// has a better reason for.
+// Reports what follows from all decisions together (compiler/analysis/decisions), as findings of existing checks: a
+// provider that never runs is shadowed_provider, a task that is never granted starved_task or optional_never_runs, a
+// pack that is never granted whole possible_pack_conflict. It runs last, for what none of them has a better reason for.
 
 #include "compiler/checks/check.hpp"
 
@@ -11,7 +10,7 @@
 
 namespace director::checks {
 
-/// `reported`: what all checks have found.
+/// `findings`: of all checks.
 std::vector<dsl::Diagnostic> report_decisions(const Input& input, const std::vector<dsl::Diagnostic>& findings);
 
 } // namespace director::checks

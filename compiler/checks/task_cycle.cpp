@@ -18,7 +18,7 @@ void report(const Input& input, const TaskCycle& cycle, Findings& findings) {
       request_span(model, cycle.last_requester(), groups.back()),
       fmt::format("{}: {} is never granted", chain_in_words(model, groups, "requests"),
                   cycle.is_known ? "that one" : "the one of these that leads back to where the cycle was entered"));
-  finding.rules_out = {finding.span}; // which one it is depends on where the circle is entered
+  finding.rules_out = {finding.span}; // which one it is depends on where the cycle is entered
   for (std::size_t i = 0; i + 2 < groups.size(); ++i) {
     finding.notes.push_back({request_span(model, groups[i], groups[i + 1]),
                              fmt::format("{} requests {}", name_of(model, groups[i]), name_of(model, groups[i + 1])),

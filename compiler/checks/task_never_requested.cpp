@@ -15,7 +15,7 @@ void task_never_requested(const CodeInput& input, Findings& findings) {
   for (const Body& body : input.bodies) {
     if (!body.of.provider || !body.is_whole() || body.is_unwritten() || only_keeps_going(body)) continue;
     for (const Pack& pack : model.providers[*body.of.provider].packs) {
-      // Of a pack that nobody asks for, that is said of the pack.
+      // If a whole pack is never requested, the pack is reported.
       if (!pack.name.empty() && !requests_pack(body, pack)) continue;
       for (const Task& task : pack.tasks) {
         const bool requested = std::any_of(body.words.begin(), body.words.end(), [&](const CodeWord* word) {

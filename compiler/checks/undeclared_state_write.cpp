@@ -26,7 +26,7 @@ Declared declared_for(const Model& model, const BodyOf& body, StateId state) {
   return out;
 }
 
-/// All values that it can be, as far as they are known, and none of them is declared.
+/// All values that it may have, as far as they are known, if none of them is declared.
 std::vector<std::string> undeclared(const State& state, const CodeWord& word, const Declared& declared) {
   std::vector<std::string> out;
   for (const std::string& name : *word.values) {
