@@ -1,8 +1,8 @@
 // Header: the command line of director-clang. Test: tests/compiler/clang.
 // SPDX-License-Identifier: MIT
 //
-// Reads C++ for directorc, which calls it; nobody else has to. A word says what is asked, the rest is JSON on standard
-// input and output.
+// Reads C++ for directorc, which is its only intended caller. An argument names the subcommand; its input and output
+// are JSON.
 #include "compiler/base/version.hpp"
 #include "compiler/clang/subcommands.hpp"
 

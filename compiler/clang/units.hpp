@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Units in JSON: as requests name them, and what is told of how one was read.
+// Units in JSON: as in requests, and the report about how one was read.
 
 #include "compiler/base/json.hpp"
 #include "compiler/clang/parse.hpp"
