@@ -19,10 +19,10 @@ namespace director::compiler::cli {
 
 namespace {
 
-/// What was asked for with `--explain-reachable`.
+/// The result for `--explain-reachable`.
 struct Explained {
   std::string words;
-  std::optional<std::vector<dsl::Note>> steps; ///< nothing: it is not reachable
+  std::optional<std::vector<dsl::Note>> steps; ///< empty: it is not reachable
   std::vector<dsl::Note> missing;              ///< then: what it lacks, each thing before what that lacks
 
   std::string title() const {
@@ -32,7 +32,7 @@ struct Explained {
   const std::vector<dsl::Note>& notes() const { return steps ? *steps : missing; }
 };
 
-/// What keeps the goal from being: whoever could bring it about never runs.
+/// What prevents the goal: everything that could cause it never runs.
 std::vector<dsl::Note> missing_for(const Model& model, const analysis::Facts& facts, const analysis::Goal& goal) {
   std::vector<ProviderId> providers;
   if (const auto* group = std::get_if<GroupId>(&goal)) providers = model.groups[*group].providers;
@@ -109,7 +109,7 @@ public:
   }
 
 private:
-  /// What is wrong with the question; empty where it has an answer, or where errors come before it.
+  /// What is wrong with the query; empty if it has an answer, or if errors come before it.
   std::string explain(const Checked& checked) {
     if (!checked.resolved) return {};
     if (!checked.model.deployment)

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Where the line ends that begins there: not within what is quoted, such as a path, which may have any characters.
+/// The end of the line: not within a quotation, such as a path, which may have any characters.
 std::size_t end_of_line(std::string_view lines, std::size_t begin) {
   bool quoted = false;
   for (std::size_t at = begin; at < lines.size(); ++at) {
@@ -39,7 +39,7 @@ void print_message(Console& console, std::string_view lines) {
     if (end < lines.size()) out += '\n';
     begin = end + 1;
   }
-  console.err << out; // at once, as a line is broken that is written at once
+  console.err << out; // in one write, so that lines are wrapped as a whole
 }
 
 bool write(const std::vector<Output>& outputs, Console& console, std::string_view consequence) {

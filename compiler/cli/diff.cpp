@@ -52,7 +52,7 @@ std::optional<Checked> load_after(const Diff& request, dsl::Sources& sources, Co
   return load_from(files, request.after, request, sources, console);
 }
 
-/// git's difftool names nothing where a file is new, or gone. What is said of that; empty: there are two files.
+/// git's difftool names no file for a new or deleted one. The text for that; empty: there are two files.
 std::string only_side(const Diff& request) {
   const std::string nothing = "/dev/null";
   if (request.before == nothing) return fmt::format("`{}` is new: there is nothing to compare\n", request.after);

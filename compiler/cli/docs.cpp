@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The page, or what the command ends with.
+/// The page, and the exit status.
 std::pair<std::optional<std::string>, int> page_of(const std::string& file, const Docs& request, Console& console) {
   dsl::Sources sources;
   const std::optional<Checked> checked = load(file, {}, sources, console);

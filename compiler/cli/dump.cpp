@@ -15,7 +15,7 @@ int run(const Dump& request, Console& console) {
   const std::optional<Checked> checked = load(request.file, only_errors(), sources, console);
   if (!checked) return misused;
   const bool spec = request.stage == "spec", tables = request.stage == "tables";
-  // The spec is there whatever was wrong in it; what comes later only when it can be made.
+  // The spec exists even with errors; later stages only if they can be computed.
   const bool possible = spec || (tables ? checked->lowerable : checked->resolved);
   const std::vector<dsl::Diagnostic>& errors = checked->findings;
   if (spec || !possible) print_findings(errors, sources, console.err, console.err_colours, console.err_width);

@@ -17,7 +17,7 @@ std::string shown(std::string_view page, const Console& console) {
   return page_text(page, console.out_width, console.out_colours);
 }
 
-/// What stands for it here, if it is a key that other tools have.
+/// The right key, if it is a key of other tools.
 const std::string* help_for_slip(std::string_view key) {
   using namespace dsl;
   for (const Slips* slips : {&slips_of_group(), &slips_of_state(), &slips_of_task(), &slips_of_file(), &slips_of_cpp(),

@@ -18,11 +18,11 @@ namespace {
 
 using Findings = std::vector<dsl::Diagnostic>;
 
-/// What keeps the behaviour from being played; empty if nothing does. Other errors do not matter here.
+/// The errors that prevent the behaviour from being played; empty if there are none. Other errors do not matter here.
 Findings obstacles(const Checked& checked, const dsl::Word& behaviour) {
   if (!checked.spec.files.empty() && checked.lowerable) return {};
   if (checked.spec.files.empty() && checked.findings.size() == 1) {
-    dsl::Diagnostic finding = checked.findings.front(); // the file cannot be read: it is named in the scenario
+    dsl::Diagnostic finding = checked.findings.front(); // the file cannot be read: the scenario names it
     finding.span = behaviour.span;
     if (finding.help == dsl::relative_to_program) finding.help = dsl::relative_to_file;
     return {finding};
@@ -40,7 +40,7 @@ Findings obstacles(const Checked& checked, const dsl::Word& behaviour) {
   return errors;
 }
 
-/// Those that have not been told yet; from now on they have. Several scenarios are of one behaviour.
+/// Returns those that were not printed yet, and marks them as printed: several scenarios may share one behaviour.
 Findings not_among(std::set<std::string>& printed, const Findings& findings, const dsl::Sources& sources) {
   Findings out;
   for (const dsl::Diagnostic& finding : findings) {

@@ -12,7 +12,7 @@ namespace director::compiler::cli {
 
 namespace {
 
-/// What is wrong with the kinds, if something is.
+/// Returns an error, if the kinds are wrong.
 std::optional<Message> parse_kinds(const std::vector<std::string>& words, Breaking& breaking) {
   std::vector<std::string> known{"all", "code"};
   for (const ChangeKindPage& page : change_kinds()) known.emplace_back(page.id);

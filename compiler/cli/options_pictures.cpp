@@ -21,13 +21,13 @@ CLI::Option* add_transitions(CLI::App& app, std::vector<std::string>& groups) {
       ->allow_extra_args(false);
 }
 
-/// The ending of a picture that Graphviz makes of `dot`, without the dot before it; or empty.
+/// The file name's ending, without the dot, if Graphviz makes such a picture of `dot`; otherwise empty.
 std::string drawn_by_graphviz(const std::string& file) {
   return format_by_ending(
       file, {{".png", "png"}, {".pdf", "pdf"}, {".ps", "ps"}, {".jpg", "jpg"}, {".jpeg", "jpg"}, {".gif", "gif"}});
 }
 
-/// What the file's name says, where no format is named; or why there is no such picture.
+/// Takes the format from the file's name, if none is named; or returns why there is no such picture.
 std::optional<Message> take_format_of(DrawGraph& request) {
   const std::string name = format_by_ending(
       request.output,

@@ -1,8 +1,8 @@
 // Header: compiler/cli/parse.hpp. Test: tests/compiler/cli/parse_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// A row of the table is a subcommand: its name, its line in the help, and a function that adds its options and says how
-// they become a request; those are in options_*.cpp, by kind.
+// A row of the table is a subcommand: its name, its line in the help, and a function that adds its options and returns
+// how they become a request; those are in options_*.cpp, by kind.
 #include "compiler/cli/parse.hpp"
 
 #include "compiler/base/version.hpp"
@@ -20,7 +20,7 @@ namespace director::compiler::cli {
 
 namespace {
 
-/// A flag that may carry a value is written `--werror[=ID]`, and of a name that may stand several times, `FILE...`.
+/// A flag with an optional value is printed as `--werror[=ID]`, and a name that may be repeated as `FILE...`.
 class Help : public CLI::Formatter {
 public:
   std::string make_option_name(const CLI::Option* option, bool positional) const override {
@@ -60,7 +60,7 @@ const std::array<Subcommand, 16> subcommands{{
     {"dump", "Print what a stage of the compiler makes of a behaviour", dump_options},
 }};
 
-/// A word that is no subcommand, before CLI11 says something less helpful.
+/// An error for an unknown subcommand, before CLI11 reports a less helpful one.
 std::optional<Message> unknown_subcommand(const std::vector<std::string>& arguments) {
   if (arguments.empty() || arguments.front().starts_with('-')) return {};
   std::vector<std::string> names;
@@ -74,7 +74,7 @@ std::optional<Message> unknown_subcommand(const std::vector<std::string>& argume
                  true};
 }
 
-/// A value without a letter in it, as "$BUILD" where nobody has set BUILD.
+/// An error for an empty value, as of "$BUILD" if BUILD is not set.
 std::optional<Message> empty_value(const CLI::App& subcommand) {
   for (const CLI::Option* option : subcommand.get_options()) {
     const std::vector<std::string>& values = option->results();
@@ -85,7 +85,7 @@ std::optional<Message> empty_value(const CLI::App& subcommand) {
   return {};
 }
 
-/// What stands below the list of subcommands.
+/// The text below the list of subcommands.
 std::string last_words(const std::string& schemas) {
   std::string out =
       "Exit status: 0 clean; 1 errors were found, a scenario does not hold, an assertion is refuted, or too little is\n"
@@ -117,7 +117,7 @@ Request parse(const std::vector<std::string>& arguments, const std::string& sche
     make[i] = subcommands[i].options(*apps[i]);
   }
   try {
-    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend())); // CLI11 wants the last word first
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend())); // CLI11 expects the last word first
   } catch (const CLI::CallForHelp&) {
     for (const CLI::App* subcommand : apps) {
       if (subcommand->parsed()) return Message{subcommand->help("directorc"), false};

@@ -10,7 +10,7 @@
 
 namespace director::compiler::cli {
 
-/// There is nothing to do but to say something: help, the version, or what is wrong with the command line.
+/// A request to print a text only: help, the version, or an error in the command line.
 struct Message {
   std::string text;
   bool wrong = false;

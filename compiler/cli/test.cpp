@@ -67,12 +67,12 @@ public:
   }
 
 private:
-  /// A file, or those below a folder.
+  /// A file, or the scenarios below a folder.
   std::vector<std::string> scenarios(std::string named) {
     if ((named.ends_with(".yaml") || named.ends_with(".yml")) && !is_folder(named)) return {named};
     while (named.size() > 1 && named.ends_with('/')) named.pop_back();
     std::vector<std::string> below = console_.outputs.list(named);
-    if (below.empty() && !is_folder(named)) return {named}; // whatever it is: who reads it says so
+    if (below.empty() && !is_folder(named)) return {named}; // whatever it is: reading it reports the error
     std::erase_if(below, [](const std::string& path) { return !is_called_scenario(path) && !path.ends_with('/'); });
     return below;
   }
@@ -166,7 +166,7 @@ private:
     return result;
   }
 
-  /// Of the texts of all points, those of what is missing stay.
+  /// Keeps, of the texts of all points, those of the missing ones.
   static void finish(CoverageReport& report) {
     std::vector<CoverageReport::Missing> missing;
     for (std::size_t i = 0; i < report.missing.size(); ++i) {
@@ -194,7 +194,7 @@ private:
   Console& console_;
   std::size_t played_ = 0, holding_ = 0;
   std::vector<Json> rows_;
-  std::set<std::string> told_; ///< errors that keep scenarios from being played
+  std::set<std::string> told_; ///< errors that prevent scenarios from being played
   std::vector<CoverageReport>
       reports_; ///< a behaviour each, in the order of the files; texts of all points until the end
 };

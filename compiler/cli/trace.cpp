@@ -19,7 +19,7 @@ namespace director::compiler::cli {
 
 namespace {
 
-/// What `simulate --decisions --times` prints.
+/// The output of `simulate --decisions --times`.
 class Text final : public TraceFormat {
 public:
   explicit Text(const director::Names& names) : names_(names) {}
@@ -38,14 +38,14 @@ private:
   const director::Names names_;
 };
 
-/// The event; or what is wrong with a line that no recorder would have written like that, such as a time that is a
-/// text: damage that would else be shown as if it had happened.
+/// The event; or the fault of a line that no recorder writes, such as a time that is a text: such damage would
+/// otherwise be shown as an event.
 Lookup::Found event_of(const TraceLine& line, const Lookup& lookup, const director::Names& names) {
   Lookup::Found out = lookup.event(line.json);
   if (!out.problem.empty()) return out;
   std::string written;
   append_event(out.event, names, written);
-  // Blanks, as other programs put between the members, are no damage.
+  // Blanks, as other programs add between the members, are no damage.
   if (written != line.text && parse_json(written) != line.json)
     out.problem = "a recorder would have written it as " + written;
   return out;
@@ -56,7 +56,7 @@ std::unique_ptr<TraceFormat> format_of(const std::string& word, const director::
   return std::make_unique<Text>(names);
 }
 
-/// To the file, or to the terminal.
+/// Writes to the file, or to the terminal.
 int put(const Trace& request, std::string text, int status, Console& console) {
   if (request.output.empty()) {
     console.out << text;
@@ -94,7 +94,7 @@ int run(const Trace& request, Console& console) {
   const director::Names names = trace.recorded->names();
   const Lookup lookup(names);
   const std::unique_ptr<TraceFormat> format = format_of(request.to, names);
-  const bool as_it_is = request.to == "json"; // but for what cannot be read
+  const bool as_it_is = request.to == "json"; // except for what cannot be read
   std::string out;
   TraceLines lines(trace.text);
   const std::optional<TraceLine> header = lines.next();

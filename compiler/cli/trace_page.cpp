@@ -22,9 +22,9 @@ namespace director::compiler::cli {
 
 namespace {
 
-constexpr std::size_t first_events = 40; ///< that stand in the page as text
+constexpr std::size_t first_events = 40; ///< that are in the page as text
 
-/// Why the answers of `why` end somewhere; empty: they do not.
+/// Why the answers of `why` end early; empty: they do not.
 std::string end_of(const Waits& waits) {
   const Replayed& replayed = waits.replayed;
   if (replayed.dropped != 0)
@@ -40,7 +40,7 @@ std::string end_of(const Waits& waits) {
   return {};
 }
 
-/// The lines behind the header, as far as they are good.
+/// The lines behind the header, up to the first fault.
 class Reading {
 public:
   Reading(const director::Names& names, Recording& recording, PageRecording& page)
@@ -49,7 +49,7 @@ public:
         recording_(recording),
         page_(page) {}
 
-  /// False: it has been said what is wrong with a line.
+  /// False: the fault of a line was printed.
   bool read(TraceLines& lines, const std::string& file, Console& console) {
     std::string unused;
     while (const std::optional<TraceLine> line = lines.next()) {
@@ -108,10 +108,10 @@ std::pair<std::string, int> trace_page(const Trace& request, const LoadedTrace& 
   Recording recording(rows.names(), waits, why_ends);
   PageRecording page;
   bool whole = Reading(rows.names(), recording, page).read(lines, request.file, console);
-  if (whole && waits.replayed.difference) // else it is the line that is wrong
+  if (whole && waits.replayed.difference) // otherwise the fault is in the line
     print_message(
         console, fmt::format("{}:{}: note: {}\n", shown_path(request.file), waits.replayed.difference->line, why_ends));
-  if (whole && !waits.replayed.problem.empty()) { // only playing it shows that
+  if (whole && !waits.replayed.problem.empty()) { // only playing it finds that
     print_unreadable(request.file, waits.replayed.problem_line, waits.replayed.problem, console);
     whole = false;
   }

@@ -46,7 +46,7 @@ int run(const Verify& request, Console& console) {
   const std::optional<Checked> checked = load(request.file, only_errors(), sources, console, {request.build, {}});
   if (!checked) return misused;
   if (dsl::has_errors(checked->findings)) {
-    // Of a behaviour that is wrong nothing can be said of its C++. Whoever wants a report gets one with these.
+    // The C++ of a behaviour with errors cannot be verified. A requested report has these errors.
     Verified nothing;
     nothing.findings = checked->findings;
     if (request.format == Format::text) {
@@ -66,7 +66,7 @@ int run(const Verify& request, Console& console) {
   VerifyWorld world{console.programs, console.scanner, console.files, store, shown_path};
   Verified verified = verify(*checked, sources, {request.build, request.generated, request.excluded}, world);
   if (!verified.fault.empty()) {
-    print_undecided(verified.not_decided, console); // what Clang does not understand may be why
+    print_undecided(verified.not_decided, console); // code that Clang does not understand may be the reason
     print_message(console, fmt::format("directorc: {}\n", verified.fault));
     return misused;
   }
