@@ -1,7 +1,7 @@
 // Header: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// What belongs to no group and no state.
+// Compares what belongs to no group and no state.
 #include "compiler/diff/side.hpp"
 
 #include <fmt/format.h>
@@ -97,7 +97,7 @@ private:
       add(ChangeKind::api, fmt::format("the generated code no longer includes `{}`", each)).breaks_code = true;
   }
 
-  /// Modules that are written down. One that a file gives its name to changes with every move between files.
+  /// Modules that are declared. One that has its name from a file changes with every move between files.
   static std::map<std::string, dsl::Word> modules_of(const dsl::Spec& spec) {
     std::map<std::string, dsl::Word> out;
     for (const dsl::BehaviourSpec& file : spec.files) {

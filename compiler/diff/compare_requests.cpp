@@ -1,8 +1,8 @@
 // Header: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// What is asked for: by the program, and in each pack or list of a provider that both sides have. Priorities are
-// compared by what they decide, in compare_ranks.cpp.
+// Compares requests: of the program, and in each pack or list of a provider that both sides have. Priorities are
+// compared by the order that they define, in compare_ranks.cpp.
 #include "compiler/diff/side.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@ namespace director::compiler::diff {
 
 namespace {
 
-/// Entries that stand together, and who asks.
+/// A list of entries, and its requester.
 struct Requester {
   std::string subject; ///< `Striker.playing`
   std::string words;   ///< "the program", "`Striker.playing`, pack `attack`,"
