@@ -1,8 +1,7 @@
 // Header: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// The contexts that bodies and handlers get: what all have in common is in runtime/core/api/body.hpp, here are the
-// packs.
+// The contexts of bodies and handlers: their common part is in runtime/core/api/body.hpp, the packs are here.
 #include "compiler/base/and_list.hpp"
 #include "compiler/emit/cpp/parts.hpp"
 #include "dsl/duration.hpp"
@@ -26,7 +25,7 @@ std::string triggers_text(const Model& model, const Provider& provider) {
   return out;
 }
 
-/// What the specification says of it, a line for each word.
+/// The declarations of a provider, a line for each key.
 void describe(Code& code, const Model& model, const Provider& provider) {
   for (const std::string& line : words_of(model, provider)) code.comment(line);
 }
@@ -34,13 +33,13 @@ void describe(Code& code, const Model& model, const Provider& provider) {
 void open_class(Code& code, const CppEmission& e, const std::string& name, std::string_view base,
                 const dsl::Span& span) {
   const std::string& in = e.model.name_space;
-  // From the global namespace on: a module may be called like the namespace.
+  // Qualified from the global namespace: a module may have the name of the namespace.
   code.open(fmt::format("class {}::{} final : public director::{}<::{}::detail::Facts<::{}::{}>> {{", in, name, base,
                         in, in, name),
             span);
 }
 
-/// `number`: its place among the provider's packs.
+/// `number`: index among the provider's packs.
 void define_pack(Code& code, const CppEmission& e, const Pack& pack, ProviderId provider, std::size_t number) {
   const std::string packed = fmt::format("{}::pack_{}", facts_in(e, provider), number);
   const std::string requests = pack.tasks.empty() ? "Requests nothing." : tasks_text(e.model, pack.tasks) + ".";

@@ -25,7 +25,7 @@ std::optional<std::size_t> row_called(const Model& model, GroupId group, const s
 
 using Visit = std::function<void(GroupId, const Span&, const std::vector<dsl::ProviderSpec>&)>;
 
-/// Each place where a group's providers are written.
+/// Visits each place where a group's providers are declared.
 void each_group(const dsl::Spec& spec, const Model& model, const Visit& visit) {
   for (const dsl::BehaviourSpec& file : spec.files) {
     for (const dsl::GroupSpec& group : file.groups) {

@@ -14,7 +14,7 @@ namespace {
 
 using ArrowKind = PictureArrow::Kind;
 
-/// Beside one another, without what is empty or there already.
+/// Joins texts without empty ones and duplicates.
 void join(std::string& all, const std::string& more, std::string_view between) {
   if (more.empty() || all == more || all.starts_with(more + std::string(between)) ||
       all.find(std::string(between) + more + std::string(between)) != std::string::npos ||
@@ -32,7 +32,7 @@ std::string manner_words(const Manner& manner) {
   return out;
 }
 
-/// What one provider wants of one group.
+/// What one provider requests or needs of one group.
 struct Wanted {
   bool need = false;
   struct Request {
@@ -143,7 +143,7 @@ private:
     out.push_back(all);
   }
 
-  /// One arrow from the group where all its providers have the same, or where nobody wants to know who has it.
+  /// Merges arrows into one from the group, if all its providers have the same, or if details are not wanted.
   void merge(std::vector<GroupArrow>& arrows, std::size_t rows) const {
     const GroupArrow& first = arrows.front();
     const auto like_first = [&](const GroupArrow& other) {
@@ -166,7 +166,7 @@ private:
 
   const Model& model_;
   Detail detail_;
-  bool numbers_ = false; ///< of the group at hand: priorities are told
+  bool numbers_ = false; ///< of the current group: priorities are shown
 };
 
 } // namespace
@@ -221,7 +221,7 @@ std::vector<GroupArrow> find_pushes(const Model& model, const Graph& graph) {
     if (fresh) {
       arrow = {waits, pushed, row, {}, ArrowKind::push, false, false, {}, {}, causing.condition.span, {}};
     } else if (arrow.row != row) {
-      arrow.row.reset(); // several providers may be asked
+      arrow.row.reset(); // several providers may request it
     }
     const std::string& condition = model.conditions[causing.condition.id].text;
     join(arrow.label, condition, "\n");
@@ -282,7 +282,7 @@ std::vector<GroupArrow> pushes_of(const Model& model, const Moment& moment) {
 
 std::vector<GroupArrow> pushes_of(const Model& model, const Moment& moment, const std::vector<Moment>& frames) {
   const auto key = [](const GroupArrow& push) { return std::tuple(push.from, push.to, push.row, push.label); };
-  std::map<decltype(key({})), GroupArrow> all; // in one order, whatever is shown
+  std::map<decltype(key({})), GroupArrow> all; // in the same order, whatever is shown
   for (const Moment& frame : frames) {
     for (GroupArrow& push : pushes_of(model, frame)) {
       push.hidden = true;

@@ -47,14 +47,14 @@ Line line_of(Sample sample) {
   return {};
 }
 
-/// The lower border of a cell that is no higher than that: it lies at half the height of the words beside it.
+/// The lower border of a cell of that height: it is at half the height of the text beside it.
 std::string stroke(std::string_view colour, std::string_view style, int width) {
   return fmt::format("<TD FIXEDSIZE=\"TRUE\" WIDTH=\"30\" HEIGHT=\"{}\" CELLPADDING=\"0\" BORDER=\"{}\" SIDES=\"B\" "
                      "COLOR=\"{}\" STYLE=\"{}\"></TD>",
                      2 * width, width, colour, style);
 }
 
-/// A request and a need beside each other, as the arrow has them.
+/// A request and a need side by side, as in the arrow.
 std::string two_strokes() {
   return fmt::format("<TD ALIGN=\"RIGHT\"><TABLE BORDER=\"0\" CELLBORDER=\"0\" CELLSPACING=\"1\" CELLPADDING=\"0\">"
                      "<TR>{}</TR><TR>{}</TR></TABLE></TD>",
@@ -149,7 +149,7 @@ std::vector<LegendEntry> legend_of(const Picture& picture) {
 std::vector<std::string> legend_table(const Picture& picture) {
   std::vector<std::string> out;
   out.emplace_back("<TABLE BORDER=\"0\" CELLSPACING=\"0\" CELLPADDING=\"2\">");
-  constexpr std::size_t letter_width = 9; // more than any font needs, as of the boxes
+  constexpr std::size_t letter_width = 9; // more than any font needs, like that of the boxes
   const std::size_t letters = picture.longest_head == 0 ? 0 : picture.title.size() + 2 + picture.longest_head;
   const std::string room = letters == 0 ? "" : fmt::format(" WIDTH=\"{}\"", letters * letter_width);
   const auto line = [&](const std::string& text) {

@@ -1,7 +1,8 @@
 // Header: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/graph_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// A layer is a subgraph, and so is a group with several providers. Their ids are places: names may be words of Mermaid.
+// A layer is a subgraph, and so is a group with several providers. Their ids are numbers: names may be keywords of
+// Mermaid.
 #include "compiler/base/html.hpp"
 #include "compiler/emit/artefact/code.hpp"
 #include "compiler/emit/graph/formats.hpp"
@@ -180,7 +181,7 @@ private:
     std::string text;
     for (const LegendEntry& entry : legend_of(picture_)) {
       const bool is_text = entry.sample == LegendEntry::Sample::text;
-      if (entry.sign == "dashed box") continue; // the names of such a box say it
+      if (entry.sign == "dashed box") continue; // the names of such a box show it
       const std::string sign = !is_text                 ? std::string(sign_of(entry.sample))
                                : entry.sign == "\u25C7" ? "round box"
                                                         : entry.sign;

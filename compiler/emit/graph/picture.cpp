@@ -22,7 +22,7 @@ using ArrowKind = PictureArrow::Kind;
 using View = PictureOptions::View;
 using Fold = PictureOptions::Fold;
 
-/// With more boxes than this an arrow stands for all providers and packs of a group: who asks is told when asked.
+/// Limit: with more boxes an arrow represents all providers and packs of a group, and its tooltip names the requester.
 constexpr std::size_t most_boxes_in_detail = 40;
 
 bool is_seen(View view, ArrowKind kind) {
@@ -101,7 +101,7 @@ private:
     return "there are no groups";
   }
 
-  /// What these views show is between some groups only.
+  /// Whether these views show only the ends of their arrows.
   bool only_ends() const { return options_.view == View::pushes || options_.view == View::takes; }
 
   IdSet<GroupId> drawn() const {
@@ -179,7 +179,7 @@ private:
 
   static const Moment::Standing& standing(GroupId id, const Moment& moment) { return moment.groups[id.value]; }
 
-  /// The moments that are shown, and the arrows as they are marked in each.
+  /// Computes the shown moments, and the marked arrows of each.
   void find_marks() {
     moments_.clear();
     marked_.clear();
@@ -204,7 +204,7 @@ private:
       box.rows[row].is_active = standing(box.groups.front(), *options_.moment).active == group.providers[row];
   }
 
-  /// What is most of note among the groups of a box.
+  /// The most notable status of the groups of a box.
   static Moment::Standing standing_of(const PictureBox& box, const Moment& moment) {
     using Mark = Moment::Mark;
     const auto rank = [](Mark mark) {
@@ -266,7 +266,7 @@ private:
     return out;
   }
 
-  /// What is missing gets a box of its own, below who asks for it.
+  /// A missing group gets a box of its own, below its requester.
   void add_flaws() {
     for (const PictureFlaws::Line& line : options_.flaws.lines) {
       if (!drawn_.contains(line.group)) continue;
@@ -315,7 +315,7 @@ private:
   std::vector<const Moment*> moments_;                   ///< of all frames, or the one that is shown
   std::vector<std::vector<GroupArrow>> marked_;          ///< the arrows in each of these
   IdTable<GroupId, std::vector<std::size_t>> arrows_to_; ///< places of arrows
-  IdSet<GroupId> flawed_;                                ///< something is wrong there
+  IdSet<GroupId> flawed_;                                ///< with a fault
   IdSet<GroupId> drawn_;                                 ///< has a box
   IdSet<GroupId> leads_;                                 ///< an arrow begins there
   Picture picture_;
