@@ -1,8 +1,8 @@
 // Header: compiler/lower/steps.hpp. Test: tests/compiler/lower/lower_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// Only conditions that somebody waits for have rows: those in `when` and `stay`, and promises with a time limit. Who
-// causes them is found per state, so that the cost is that of the pairs which could fit.
+// Only conditions with effect have rows: those in `when` and `stay`, and promises with a time limit. Causing providers
+// are found per state, so that the cost is that of the possible pairs.
 
 #include "compiler/lower/steps.hpp"
 
