@@ -17,7 +17,7 @@ namespace director::compiler {
 
 namespace {
 
-/// What is generated includes the headers, and `#include` looks beside it first.
+/// The generated code includes the headers, and `#include` searches its own folder first.
 void check_header(Resolver& r, const Word& header) {
   for (const std::string& name : {header_name(r.main.name.value), facts_name(r.main.name.value)}) {
     if (std::filesystem::path(dsl::named_header(header.value).path).lexically_normal() != name) continue;
@@ -56,7 +56,9 @@ void name_the_whole(Resolver& r) {
   if (r.main.limits.trials) model.trials = {r.main.limits.trials->value, r.main.limits.trials->span};
   if (r.main.limits.pass) model.pass = {r.main.limits.pass->value, r.main.limits.pass->span};
   for (const dsl::BehaviourSpec& file : r.spec.files) {
-    if (!file.name.value.empty()) check_name(r, "behaviour", file.name); // else it is missing, and reported as such
+    if (!file.name.value.empty())
+      check_name(r, "behaviour", file.name); // otherwise it is missing, and reported as
+                                             // such
     for (const Word& header : file.cpp.headers) {
       check_header(r, header);
       if (std::find(model.headers.begin(), model.headers.end(), header.value) == model.headers.end())
