@@ -24,17 +24,17 @@ std::string legend_html() {
   return out + "</dl>\n";
 }
 
-/// Columns that A4 has room for beside the names of the rows.
+/// Columns that fit on A4 beside the names of the rows.
 constexpr std::size_t most_on_paper = 40;
 
-/// For paper, where nothing can be scrolled: the matrix once more, some columns at a time, each with all rows. Empty
-/// where it has room as it is.
+/// For print, which cannot be scrolled: the matrix once more, some columns at a time, each with all rows. Empty if it
+/// fits as a whole.
 std::string bands_html(const Json& rows) {
   const std::vector<Json>& all = rows.items();
   if (all.size() <= most_on_paper) return {};
   const std::size_t count = (all.size() + most_on_paper - 1) / most_on_paper;
   std::string out = "<div class=\"bands\">\n";
-  for (std::size_t band = 0; band < count; ++band) { // as wide as each other
+  for (std::size_t band = 0; band < count; ++band) { // of equal width
     const std::size_t begin = all.size() * band / count, end = all.size() * (band + 1) / count;
     out += fmt::format("<table>\n<caption>From the group of the row to that of the column; columns {} to {} of "
                        "{}</caption>\n<thead><tr><td></td>",
@@ -89,7 +89,7 @@ std::string scenario_html(const Json& cell, const Json& pieces) {
   return scenario_html(out);
 }
 
-/// Cells that have something of their own to tell, with their scenarios, then the others by kind.
+/// Cells with an explanation of their own, with their scenarios, then the others by kind.
 std::string row_html(const Json& transitions, const Json& row) {
   const Json& rows = transitions["rows"];
   std::string out = fmt::format("<article class=\"row\" id=\"{}\" tabindex=\"-1\">\n<h3>From {}</h3>\n<p>{}</p>\n",

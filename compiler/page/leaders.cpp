@@ -68,7 +68,7 @@ void LeaderFinder::look(const Pack& pack, EdgeId member, const Standing& standin
     }
     always = always || each_level;
   }
-  out.always = out.always && always && !pack.name.empty(); // of what has no name any part may be asked for
+  out.always = out.always && always && !pack.name.empty(); // of an unnamed pack any part may be requested
 }
 
 Ways::Ways(const Model& model)

@@ -12,12 +12,12 @@ namespace director::compiler::page {
 
 namespace {
 
-/// Those that are told, numbered anew.
+/// The listed ones, renumbered.
 class Decisions {
 public:
   explicit Decisions(const Json& all) : all_(all.items()) {}
 
-  /// A code is twice the place, and one more where the two sides are turned.
+  /// A code is twice the index, and one more if the two sides are exchanged.
   std::int64_t keep(std::int64_t code) {
     const auto [at, fresh] = places_.try_emplace(code / 2, kept_.items().size());
     if (fresh) {

@@ -14,7 +14,7 @@ namespace director::compiler::page {
 
 namespace {
 
-/// Of two that ask for one group; who wants all of them asks the page for the two.
+/// Limit for two requesters of one group; the page can show all of them for a selected pair.
 constexpr std::size_t most_decisions_listed = 8;
 
 } // namespace
@@ -92,7 +92,7 @@ std::vector<Rivals> rivals_in(const Json& ranks) {
   for (const Json& contended : ranks["contended"].items()) {
     for (const Json& row : contended["rivals"].items()) {
       Rivals rivals{contended["group"].as_text(), requester(row["first"]), requester(row["second"]), {}};
-      // One decision may fall either way, as each of the two is on each side of it: its words are the same.
+      // A decision may be listed for either order of the two, with the same text.
       for (const Json& code : row["decisions"].items()) {
         const std::string& words =
             ranks["decisions"].items()[static_cast<std::size_t>(code.as_number() / 2)]["words"].as_text();
