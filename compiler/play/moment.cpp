@@ -18,7 +18,7 @@ Mark mark_of_edge(const View& view, Index edge, Index target) {
   return view.holder(target) == edge ? Mark::held : Mark::inactive;
 }
 
-/// Without who it is that waits, and for whom: `until Stability == standing, which Walk.halting could cause`.
+/// Without the names of the waiting tasks: `until Stability == standing, which Walk.halting could cause`.
 std::string reason(const View& view, GroupId group, const Model& model, const Lowered& lowered) {
   const std::string text = reason_why(view, group, model, lowered).text;
   const std::size_t at = text.find("): ");

@@ -30,7 +30,7 @@ std::size_t inbox_size(const Scenario& scenario) {
   return std::bit_ceil(most);
 }
 
-/// Time goes no further: what is due the longest duration later still has a time.
+/// Time stops here, so that adding the longest duration does not overflow.
 constexpr Time end_of_time = never - 2 * dsl::longest_duration;
 
 class Player {
@@ -88,7 +88,7 @@ private:
     return false;
   }
 
-  /// The same, with a look after each micro-step.
+  /// The same, with a callback after each micro-step.
   StepResult step_by_step() {
     StepResult result = StepResult::budget_exhausted;
     for (std::uint32_t i = 0; i < play_budget && result == StepResult::budget_exhausted; ++i) {
@@ -98,7 +98,7 @@ private:
     return result;
   }
 
-  /// Each due time has a run of the engine to itself.
+  /// The engine runs once for each due time.
   bool advance(Time by) {
     Time until = std::min(now_ + by, end_of_time);
     if (options_.until) until = std::min(until, *options_.until);

@@ -19,7 +19,7 @@ std::vector<RequestedTask> whole(const Pack& pack) {
   return out;
 }
 
-/// An edge asked for twice: the last one counts.
+/// An edge that is requested twice: the last entry counts.
 void add_request(std::vector<RequestedTask>& request, RequestedTask entry) {
   const auto same =
       std::find_if(request.begin(), request.end(), [&](const RequestedTask& a) { return a.edge == entry.edge; });
@@ -47,7 +47,7 @@ const Pack* find_pack(ProviderId id, const Word& name, Names& names) {
   return nullptr;
 }
 
-/// What is in every pack of it stands in `packs`, so a bare list of tasks, or none at all, answers nothing.
+/// Each of its requests is in one of its `packs`, so a case must name a pack, not a bare list of tasks.
 void pack_is_missing(const dsl::CaseSpec& spec, ProviderId id, Names& names) {
   std::vector<std::string> known;
   for (const Pack& pack : names.model.providers[id].packs) known.push_back(pack.name);

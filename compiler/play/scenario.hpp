@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A scenario with every name looked up in the Model that it is about: what the player of scenarios works on.
+// A scenario with every name resolved in its Model: the input of the player.
 
 #include "compiler/model/model.hpp"
 #include "dsl/data.hpp"
@@ -14,7 +14,7 @@
 
 namespace director::compiler {
 
-/// A task as a body or the program asks for it.
+/// A request for a task by a body or the program.
 struct RequestedTask {
   EdgeId edge{};
   std::uint32_t level = 0; ///< of Edge::levels
@@ -28,11 +28,11 @@ struct Setting {
 };
 
 struct UseGuard {
-  std::optional<EdgeId> edge; ///< nothing: nobody of the group asks for it or needs it, so it reads `none`
+  std::optional<EdgeId> edge; ///< empty: no provider of the group requests or needs it, so it reads `none`
   dsl::UseState state = dsl::UseState::none;
 };
 
-/// One way in which a provider or a handler behaves: the first whose guards hold.
+/// One case of a provider or a handler: the first whose guards hold applies.
 struct Case {
   std::optional<dsl::Reason> reason;
   std::optional<TriggerId> trigger;
@@ -47,7 +47,7 @@ struct Case {
   std::vector<Setting> set;
   Microseconds wait = 0; ///< 0: none
 
-  /// Why this provider cannot behave so, where an entry is for several providers of a group and others can.
+  /// Why this provider cannot do it, if an entry is for several providers of a group and others can.
   std::optional<dsl::Diagnostic> refused;
 };
 
