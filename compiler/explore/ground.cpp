@@ -14,7 +14,7 @@ namespace director::compiler {
 
 namespace {
 
-/// All ways to take one option at each place, the first of each place first. Nothing if there are too many.
+/// All ways to take one option at each place, the first of each place first. Empty if there are too many.
 template <class T>
 std::optional<std::vector<std::vector<T>>> product(const std::vector<std::vector<std::optional<T>>>& places,
                                                    std::size_t most) {
@@ -35,7 +35,7 @@ std::optional<std::vector<std::vector<T>>> product(const std::vector<std::vector
   return out;
 }
 
-/// Where there are too many ways: the first of each place, none at all, and each option alone.
+/// For too many ways: the first of each place, none at all, and each option alone.
 template <class T>
 std::vector<std::vector<T>> few(const std::vector<std::vector<std::optional<T>>>& places) {
   std::vector<std::vector<T>> out(1);
@@ -244,7 +244,7 @@ private:
     for (const StateId id : model_.states.ids()) {
       const State& state = model_.states[id];
       if (!state.expires) continue;
-      if (state.external && state.expires->to) continue; // the outside may say the same
+      if (state.external && state.expires->to) continue; // an input may set the same
       const std::int32_t to = state.expires->to ? static_cast<std::int32_t>(*state.expires->to) : unset;
       g_.expiries.push_back({row(id), to});
     }

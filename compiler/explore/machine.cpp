@@ -1,11 +1,11 @@
 // Header: compiler/explore/machine.hpp. Test: tests/compiler/explore/search_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// Which choices are left out because others do as well, so that nothing is lost:
+// Choices that are left out because others have the same effect, so that nothing is lost:
 // - a body that answers `failed` instead of `done`: only other bodies can see the difference, and these do anything;
-// - a second `done` before a new task: it has no effect, as `continue` has none;
-// - a body that does not ask for a `wait`: one that asks for a very long one does the same. So every group that runs
-//   may be woken at rest, whenever one likes.
+// - a second `done` before a new task: it has no effect, like `continue`;
+// - a body that requests no `wait`: one that requests a very long one does the same. So every group that runs
+//   may be woken at rest, at any time.
 #include "compiler/explore/machine.hpp"
 
 #include <algorithm>
@@ -56,7 +56,7 @@ Bodies Machine::table() {
   return out;
 }
 
-/// Else to keep it is the same as to ask for it anew.
+/// Otherwise keep is the same as a new request.
 bool Machine::keeps(const RequestedPack& pack) const {
   const director::State& s = engine_.memory();
   return std::any_of(pack.begin(), pack.end(),
@@ -121,7 +121,7 @@ void Machine::list(std::vector<Happens>& out) const {
   for (Index i = 0; i < ground_.sets.size(); ++i) {
     const Puts& puts = ground_.sets[i];
     if (lean && puts.size() > 1) continue;
-    if (std::all_of(puts.begin(), puts.end(), [&](const Put& put) { // else a smaller input does the same
+    if (std::all_of(puts.begin(), puts.end(), [&](const Put& put) { // otherwise a smaller input does the same
           const ValueClasses& classes = ground_.classes[put.state];
           return classes.of(engine_.value(put.state)) != classes.of(put.value);
         }))
@@ -150,7 +150,7 @@ void Machine::list(std::vector<Happens>& out) const {
   }
 }
 
-/// The engine's next micro-step without an input calls a body.
+/// Whether the engine's next micro-step without an input calls a body.
 bool Machine::runs_next() const {
   const director::State& s = engine_.memory();
   const Index group = s.counters->queue_first;

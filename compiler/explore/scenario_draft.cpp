@@ -10,7 +10,7 @@ namespace director::compiler {
 
 namespace {
 
-constexpr Time tick = 1'000; ///< between a wait and what it is asked for, in microseconds
+constexpr Time tick = 1'000; ///< between a wait and its due time, in microseconds
 
 } // namespace
 

@@ -112,7 +112,7 @@ std::vector<std::optional<Verdict>> decide_early(const Ground& ground, SearchOpt
     }
     return searched.complete;
   };
-  // The shortest way where it is short; else one that leads there straight; else far and wide.
+  // A short breadth-first search; then one focused on the goal; then a full one.
   const std::size_t bound = options.bound, few = std::min(bound, states_of_focus);
   const bool all = look(ground, without_verdict(out), few);
   for (const std::size_t i : without_verdict(out)) {

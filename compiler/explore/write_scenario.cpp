@@ -48,8 +48,8 @@ std::string text_of(const ScenarioDraft& draft, const ScenarioHead& head,
 
 struct Play {
   bool good = false, exhausted = false;
-  std::vector<std::vector<std::string>> steps; ///< as `expect` has it
-  std::vector<std::string> lines;              ///< as Retelling::lines
+  std::vector<std::vector<std::string>> steps; ///< in the form of `expect`
+  std::vector<std::string> lines;              ///< as ScenarioDraft::lines
   std::vector<std::string> providers;          ///< that ran
 };
 
