@@ -57,7 +57,7 @@ bool mentions(std::string_view text, const Words& words) {
 bool derives(std::string_view text, const Words& names) {
   std::vector<std::string_view> words;
   each_word(text, [&](std::string_view word) { return words.push_back(word), false; });
-  /// What stands before a word, back to the one before it, without blanks.
+  /// The text before a word, back to the previous one, without blanks.
   const auto before = [&](std::size_t i) {
     const char* const begin = i == 0 ? text.data() : words[i - 1].data() + words[i - 1].size();
     std::string out;

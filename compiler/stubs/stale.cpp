@@ -19,10 +19,10 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r";
 
-/// What a comment says in the form that stubs have.
+/// The content of a comment in the form of stubs.
 struct CommentFacts {
   std::string place;              ///< `soccer.yaml:12`
-  std::vector<std::string> items; ///< `- needs: Legs`, each with single blanks, however it was broken into lines
+  std::vector<std::string> items; ///< `- needs: Legs`, each with single blanks, without line breaks
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -40,7 +40,7 @@ void add_words(std::string& out, std::string_view text) {
   }
 }
 
-/// `soccer.yaml:12`, of "Walks. (soccer.yaml:12)"; else empty.
+/// `soccer.yaml:12`, of "Walks. (soccer.yaml:12)"; otherwise empty.
 std::string place_in(std::string_view opening) {
   if (!opening.ends_with(')')) return {};
   const std::size_t open = opening.rfind('(');
@@ -71,7 +71,7 @@ std::optional<CommentFacts> read(const std::vector<std::string_view>& lines) {
   return out;
 }
 
-/// What stands behind `//` or `///`; nothing: the line is no comment alone.
+/// The text behind `//` or `///`; empty: the line is not only a comment.
 std::optional<std::string_view> comment_in(std::string_view line) {
   line = trimmed(line);
   if (!line.starts_with("//")) return {};
@@ -79,7 +79,7 @@ std::optional<std::string_view> comment_in(std::string_view line) {
   return line;
 }
 
-/// The lines of comment that end right above what begins at `begin`.
+/// The comment lines directly above `begin`.
 std::vector<std::string_view> comment_above(std::string_view text, std::size_t begin) {
   std::vector<std::string_view> out;
   std::size_t end = begin == 0 ? std::string_view::npos : text.rfind('\n', begin - 1);
