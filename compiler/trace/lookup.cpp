@@ -33,7 +33,7 @@ Lookup::Lookup(const director::Names& names)
 
 namespace {
 
-/// The first word of an enum that is called so.
+/// The enumerator with this name.
 template <class Word>
 bool find_word(Word& out, Word last, const std::string& name) {
   for (int i = 0; i <= static_cast<int>(last); ++i) {
@@ -123,7 +123,7 @@ private:
     e_.reasons = Reasons{bits};
   }
 
-  /// What another member has to be known for.
+  /// Members that depend on others.
   void finish() {
     edge("edge", e_.edge);
     if (e_.group == nil && e_.edge < l_.tables_.edges.size()) e_.group = l_.tables_.edges[e_.edge].target;
@@ -139,7 +139,7 @@ private:
     if (problem_.empty() && asks) level();
   }
 
-  /// What who handles the event takes for granted.
+  /// Members that a handler of the event assumes to be present.
   void whole() {
     using Kind = Event::Kind;
     const auto missing = [&](bool is, const char* what) {
