@@ -32,13 +32,13 @@ void Judge::judge(const Beginning& row, const Beginning& column, const Play& now
     out.bound = out.bound && push.within ? std::optional(*out.bound + *push.within) : std::nullopt;
 }
 
-/// It is a push, and not for what waits on the row's own side.
+/// Whether it is a push, and not for a task that waits on the row's own side.
 bool Judge::pushes(const Event& event, const Beginning& row) const {
   return event.kind == Event::Kind::push &&
          !row.rest.is_under(model_, model_.edges[EdgeId{event.edge}].target, row.way.last().edge);
 }
 
-/// Nothing was taken from the row's side before somebody was pushed.
+/// Whether nothing was taken from the row's side before the first push.
 bool Judge::pushed_first(const Beginning& row, const Trial& trial) const {
   const EdgeId edge = row.way.last().edge;
   std::uint64_t pushed = std::numeric_limits<std::uint64_t>::max();

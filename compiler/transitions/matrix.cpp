@@ -1,9 +1,9 @@
 // Header: compiler/transitions/matrix.hpp. Test: tests/compiler/transitions/matrix_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// A cell is two or three plays of a text: the row's beginning, then the column's request, then the row's Done. Which
-// values the outside changes for the column is tried, the fewest first: none, since what lacks may be pushed for; then
-// one of those that the column's conditions want and do not have; and so on.
+// A cell is two or three plays of a text: the row's beginning, then the column's request, then the row's done. The
+// values from outside for the column are searched, the fewest first: none, since what is missing may be pushed for;
+// then one of those that the column's conditions need; and so on.
 #include "compiler/transitions/matrix.hpp"
 
 #include "compiler/transitions/judge.hpp"
@@ -19,7 +19,7 @@ namespace director::compiler {
 
 namespace transitions {
 
-/// States of which every choice is tried; beyond them all or none.
+/// Limit for states of which every choice is tried; with more, all or none.
 constexpr std::size_t most_changes = 4;
 
 class TransitionFinder {
@@ -30,7 +30,7 @@ public:
         judge_(model, lowered, player_),
         behaviour_(std::move(behaviour)) {}
 
-  /// `only`: no rows but these; empty: all.
+  /// `only`: these rows; empty: all.
   TransitionMatrix find(const std::vector<GroupId>& only) {
     std::vector<std::pair<GroupId, std::vector<Way>>> wanted;
     for (const GroupId id : model_.groups.ids()) {
@@ -68,7 +68,7 @@ public:
 private:
   using Kind = Transition::Kind;
 
-  /// Nothing where no way leads there.
+  /// Empty if no chain leads there.
   std::optional<std::size_t> row_of(GroupId id) {
     const auto [at, fresh] = row_of_.try_emplace(id, std::nullopt);
     if (!fresh) return at->second;
@@ -107,7 +107,7 @@ private:
     return out;
   }
 
-  /// What the column wants from outside and does not have, with the first value that will do.
+  /// What the column needs from outside and does not have, each with the first suitable value.
   Values lacking(const Beginning& row, const Beginning& column) const {
     Values out;
     for (const auto& [id, wanted] : column.outside.wanted) {
@@ -186,7 +186,7 @@ private:
     return true;
   }
 
-  /// What the outside just said has another value by now.
+  /// Whether a value that was just set from outside has changed already.
   static bool is_undone(const Trial& trial, const Values& change) {
     return std::any_of(change.begin(), change.end(), [&](const auto& entry) {
       const auto at = trial.rest.values.find(entry.first);
@@ -194,7 +194,7 @@ private:
     });
   }
 
-  /// A promise takes time, and does not undo what is sensed.
+  /// A promise takes time, and does not change sensed values.
   bool runs_where_the_outside_stands(const Beginning& row, const Beginning& column, const Play& before,
                                      const Values& change, Transition& out, CellContext& context) {
     const Script script = script_of(model_, row.way, column.way, {row.runs, change});
@@ -233,7 +233,7 @@ private:
   std::string behaviour_;
   TransitionMatrix out_;
   std::vector<Beginning> beginnings_;                    ///< by row
-  std::map<GroupId, std::optional<std::size_t>> row_of_; ///< where rows are made when somebody asks for them
+  std::map<GroupId, std::optional<std::size_t>> row_of_; ///< indices of rows, which are made on first use
   std::unordered_map<std::string, std::size_t> numbers_;
 };
 

@@ -34,8 +34,8 @@ Rest rest_of(const View& view, const Model& model) {
   return out;
 }
 
-/// Who should have asked for it runs in another way, or its body has not come to it: with the provider that is in
-/// charge, where there are several.
+/// The expected requester runs another way, or its body has not come to it: names the active provider, if there are
+/// several.
 std::string why_not_requested(const View& view, const Model& model, GroupId requester, const Task& task) {
   const std::string& requested = model.groups[task.target].name.value;
   const Group& group = model.groups[requester];
@@ -46,7 +46,7 @@ std::string why_not_requested(const View& view, const Model& model, GroupId requ
   return fmt::format("{} runs{} and does not request {}", group.name.value, in, requested);
 }
 
-/// Of the first group on the way that does not run for it.
+/// For the first group of the chain that does not run for it.
 void explain_refusal(const View& view, const Model& model, const Lowered& lowered, const Way& way, Trial& out) {
   const auto state = [&](const Task& task) { return view.state(static_cast<Index>(task.edge.value)); };
   const auto runs = [&](const Task& task) { return state(task) == RunState::running; };

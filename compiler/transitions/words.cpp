@@ -30,7 +30,7 @@ namespace transitions {
 
 namespace {
 
-/// Behind another sentence, or nothing.
+/// Appended to another sentence; may be empty.
 std::string sentence(std::string text) {
   if (text.empty()) return {};
   if (text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 'a' + 'A');
