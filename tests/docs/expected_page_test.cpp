@@ -24,7 +24,7 @@ void stays(const std::string& comment, const std::string& block) {
 
 } // namespace
 
-TEST_CASE("a comment has a word, options and an argument") {
+TEST_CASE("a comment has a kind, options and an argument") {
   const Comment comment = read_comment("file, from \"a: b, c\", exit 1: some: thing\nmore\nlines");
   CHECK(comment.word == "file");
   CHECK(comment.options == std::map<std::string, std::string>{{"from", "a: b, c"}, {"exit", "1"}});
@@ -33,7 +33,7 @@ TEST_CASE("a comment has a word, options and an argument") {
   CHECK(read_comment("not run: because").word == "not run");
 }
 
-TEST_CASE("a command runs in its folder and tells how it ends") {
+TEST_CASE("a command runs in its folder and its exit status is compared") {
   const TemporaryFolder folder;
   const Ran ran = run_command("pwd && echo wrong >&2 && exit 3", folder.path());
   CHECK(ran.status == 3);
@@ -59,7 +59,7 @@ TEST_CASE("a block may be what a command prints") {
   CHECK(expected(page("run: echo b", "a\n")).text == page("run: echo b", "b\n"));
 }
 
-TEST_CASE("a block may be left alone, if it says why") { stays("not run: there is no robot here", "./walk\n"); }
+TEST_CASE("a block may be left alone, if it has a reason") { stays("not run: there is no robot here", "./walk\n"); }
 
 TEST_CASE("what cannot be found out is a fault, at its place") {
   const auto fault = [](const std::string& comment, const std::string& block = "") {

@@ -59,7 +59,7 @@ TEST_CASE("the reference has an example of each key") {
       FAIL_CHECK("docs/language.md: no example has the key `" << key << "` of scenarios");
 }
 
-TEST_CASE("each key has a row in a table of the reference, and `directorc explain` tells it") {
+TEST_CASE("each key has a row in a table of the reference, and `directorc explain` prints it") {
   const std::string page = read_file(source_dir() / "docs/language.md");
   CHECK(std::string(compiler::language_page()) == page);
   const std::vector<std::string> rows = compiler::keys_of(page);

@@ -50,7 +50,7 @@ std::string renderer(const std::string& svg) {
 
 } // namespace
 
-TEST_CASE("each block of a page says what it is said to come from", "[golden]") {
+TEST_CASE("each block of a page equals the source that it names", "[golden]") {
   for (const std::string& path : documentation()) {
     const ExpectedPage page = expected_page(path, read(path));
     for (const std::string& fault : page.faults) FAIL_CHECK(fault);
@@ -58,7 +58,7 @@ TEST_CASE("each block of a page says what it is said to come from", "[golden]") 
   }
 }
 
-TEST_CASE("code stands between fences, where a comment can tell where it comes from") {
+TEST_CASE("code is between fences, where a comment can name its source") {
   for (const std::string& path : documentation())
     for (const Inline& line : read(path).indented)
       FAIL_CHECK(path << ":" << line.line + 1 << ": code by its indentation alone");
@@ -97,7 +97,7 @@ TEST_CASE("files and commands that the pages name exist") {
   SUCCEED();
 }
 
-TEST_CASE("a page that says what lies beside it leads to each folder there") {
+TEST_CASE("a page that lists what is beside it leads to each folder there") {
   for (const std::string& path : maps)
     for (const std::string& fault : folder_faults(path, read(path))) FAIL_CHECK(fault);
   SUCCEED();

@@ -45,7 +45,7 @@ TEST_CASE("A task can carry a type of a name, of arguments, of the language, and
         (std::string(text) == "Box<0x1Fu, 1'0>" ? "`Box<0x1Fu, 1'0>` is no type of C++: expected `>`, found `'`" : ""));
 }
 
-TEST_CASE("A type is read to its end, and says what was expected where") {
+TEST_CASE("A type is read to its end, and the message has what was expected where") {
   const auto wrong = [](const std::string& text, const std::string& why) {
     CHECK(said_of(text) == "`" + text + "` is no type of C++: " + why);
   };
@@ -83,7 +83,7 @@ TEST_CASE("A type is read to its end, and says what was expected where") {
   CHECK(said_of("int\xE2\x80\xAE") == "this is no type of C++: it has control characters");
 }
 
-TEST_CASE("What the preprocessor replaces is no type, wherever it stands") {
+TEST_CASE("What the preprocessor replaces is no type, at any place") {
   const std::string macro = " is a macro of the standard headers of C++";
   CHECK(said_of("EOF") == "`EOF` is no type of C++: `EOF`" + macro);
   CHECK(said_of("robot::errno*") == "`robot::errno*` is no type of C++: `errno`" + macro);
@@ -114,7 +114,7 @@ TEST_CASE("What cannot be stored by value is refused, within arguments it is not
   CHECK(said_of("robot::voids").empty());
 }
 
-TEST_CASE("The first word of each name in a type is known, and how it is looked for") {
+TEST_CASE("The first word of each name in a type is known, and how it is looked up") {
   using Words = std::vector<FirstWord>;
   CHECK(
       first_words("std::array<robot::Course<a, ::b, ::c::d>, 3>") ==

@@ -35,7 +35,7 @@ TEST_CASE("A file on the disk is read byte by byte") {
   CHECK(read.value() == text);
 }
 
-TEST_CASE("What cannot be read says why") {
+TEST_CASE("What cannot be read has a reason") {
   const Folder folder;
   DiskFiles files;
   const auto missing = files.read((folder.path / "none.yaml").string(), 100);

@@ -12,7 +12,7 @@ TEST_CASE("Names, conditions, types and paths need no quotes") {
     CHECK(yaml_word(text) == text);
 }
 
-TEST_CASE("What YAML would take for something else is quoted") {
+TEST_CASE("What YAML would read as something else is quoted") {
   struct Row {
     const char* text;
     const char* written;

@@ -75,7 +75,7 @@ TEST_CASE("the fingerprint in generated code is the one that traces have") {
 
 constexpr int a_minute = 60'000;
 
-TEST_CASE("a game whose behaviour is replaced now and then by what was saved of it is the same game") {
+TEST_CASE("a game whose behaviour is replaced several times by its saved state is the same game") {
   for (const std::uint64_t seed : {1U, 2U}) {
     CAPTURE(seed);
     Player whole(seed), cut(seed);
@@ -117,7 +117,7 @@ Bytes some_state(Player& player) {
   return bytes;
 }
 
-TEST_CASE("a slot of data that is neither full nor empty, or empty where somebody lives on it, is refused") {
+TEST_CASE("a slot of data that is neither full nor empty, or empty although it is in use, is refused") {
   Player player(1);
   Bytes bytes = some_state(player);
   const std::size_t data = director::saved_bytes(soccer::detail::Whole::shape);
@@ -138,7 +138,7 @@ TEST_CASE("a slot of data that is neither full nor empty, or empty where somebod
   CHECK(player.behaviour->load(bytes, player.now()) == LoadResult::loaded);
 }
 
-TEST_CASE("a game that goes on from bytes that nobody saved does no harm") {
+TEST_CASE("a game that continues from bytes that were never saved does no harm") {
   Player origin(2);
   const Bytes state = some_state(origin);
   director::property::Random random(1);

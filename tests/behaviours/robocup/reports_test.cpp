@@ -54,7 +54,7 @@ std::map<std::string, Report> reports() {
 
 } // namespace
 
-TEST_CASE("the checks say of each of the team's roles what its golden says", "[golden]") {
+TEST_CASE("the findings for each of the team's roles are those of its golden", "[golden]") {
   std::map<std::string, std::string> texts;
   for (const auto& [role, report] : reports()) texts[role + ".txt"] = report.text;
   check_golden_folder("tests/behaviours/robocup/golden", texts);

@@ -48,12 +48,12 @@ std::set<std::string> group_names(const TeamGraph& graph) {
 
 } // namespace
 
-TEST_CASE("every module says of its groups, providers, packs, needs and priorities what the facts say, and no more") {
+TEST_CASE("the groups, providers, packs, needs and priorities of every module are those of the facts, and no more") {
   const Source source = GENERATE(Source::k1, Source::older);
   compare(read_facts(source).graph.modules, read_declared(folder(source)).modules);
 }
 
-TEST_CASE("every role loads the modules and requests the root tasks that the facts say, and no others") {
+TEST_CASE("the modules and root tasks of every role are those of the facts, and no others") {
   const Source source = GENERATE(Source::k1, Source::older);
   compare(read_facts(source).graph.roles, read_declared(folder(source)).roles);
 }
@@ -65,7 +65,7 @@ TEST_CASE("states and triggers are those of the facts") {
   CHECK(facts.triggers == told.triggers);
 }
 
-TEST_CASE("the place of every provider in the team's source stands in its module's file") {
+TEST_CASE("every provider's place in the team's source is in the file of its module") {
   const Source source = GENERATE(Source::k1, Source::older);
   for (const TeamFacts::Place& place : read_facts(source).places) {
     const std::string text = read_file(folder(source) / "modules" / (place.module + ".yaml"));
@@ -82,7 +82,7 @@ TEST_CASE("the whole of both graphs is there") {
   CHECK(older.roles.size() == 3);
 }
 
-TEST_CASE("nothing that the checks say of the team's graph is allowed away") {
+TEST_CASE("no finding about the team's graph is suppressed by an allow") {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder(Source::k1)))
     if (entry.path().extension() == ".yaml") {
       INFO(entry.path());

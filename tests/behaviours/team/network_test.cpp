@@ -153,7 +153,7 @@ TEST_CASE("the first of the team has the role soon after the start, and hands it
   CHECK(team.longest_with_two() == 0ms);
 }
 
-TEST_CASE("however robots come and go, two never strike for longer than a word takes") {
+TEST_CASE("however robots come and go, two never strike for longer than a message takes") {
   for (unsigned seed = 1; seed <= 60; ++seed) {
     Team team(seed);
     std::mt19937 draw(seed);
@@ -167,7 +167,7 @@ TEST_CASE("however robots come and go, two never strike for longer than a word t
   }
 }
 
-TEST_CASE("a network that loses every third word changes nothing") {
+TEST_CASE("a network that loses every third message changes nothing") {
   for (unsigned seed = 1; seed <= 30; ++seed) {
     Team team(seed);
     team.lose(0.3);
@@ -181,7 +181,7 @@ TEST_CASE("a network that loses every third word changes nothing") {
   }
 }
 
-TEST_CASE("robots that hear nobody all strike, and one is left soon after they hear each other") {
+TEST_CASE("robots that receive no messages all strike, and one remains soon after they hear each other") {
   for (unsigned seed = 1; seed <= 30; ++seed) {
     Team team(seed);
     team.part(true);

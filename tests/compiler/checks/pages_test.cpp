@@ -97,7 +97,7 @@ void try_out(const checks::Registered& check, const Specimen& specimen) {
   }
 }
 
-TEST_CASE("every page's specimens are found as it says") {
+TEST_CASE("the findings of every page's specimens are those on the page") {
   for (const checks::Registered& check : checks::registered()) {
     DYNAMIC_SECTION(check.id) {
       const Page page = read_page(check.page);

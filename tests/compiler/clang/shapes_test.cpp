@@ -157,7 +157,7 @@ std::vector<std::string> lines_with(const std::string& text, const std::string& 
   return out;
 }
 
-TEST_CASE("in whatever shape a body keeps its promise, that is seen, or it is told that it cannot be") {
+TEST_CASE("in whatever shape a body keeps its promise, that is recognised, or reported as undecided") {
   const Worked worked = verified(Workshop("shapes"), program());
   CHECK(worked.out == "");
   INFO(worked.err);
@@ -171,7 +171,7 @@ TEST_CASE("in whatever shape a body keeps its promise, that is seen, or it is to
   }
 }
 
-TEST_CASE("in whatever shape a body breaks its promise, it is told once") {
+TEST_CASE("in whatever shape a body breaks its promise, it is reported once") {
   Program broken = program();
   for (std::string* text : {&broken.source, &broken.elsewhere})
     *text = std::regex_replace(*text, std::regex("(S|T|SOtherFile)::on"), "$1::off");
@@ -249,7 +249,7 @@ const Home homes[] = {
     {"TemplateOfMine", "template <int size> class Mine : public deep::Robot { BODY };", false},
 };
 
-TEST_CASE("wherever a class stands its bodies are seen, or it is told that they are not") {
+TEST_CASE("wherever a class is its bodies are found, or it is reported that they are not") {
   const std::string body = "director::Outcome provide(deep::Walk::Default& run) override { return run.keep(); }";
   for (const Home& home : homes) {
     CAPTURE(home.name);
@@ -376,7 +376,7 @@ const Call calls[] = {
     {"Spin", "waits", "std::atomic<int> a; a.wait(1);"},
 };
 
-TEST_CASE("what blocks is told in whatever shape it comes, and what only looks like it is not") {
+TEST_CASE("what blocks is reported in whatever shape it comes, and what only looks like it is not") {
   Program program;
   program.yaml = "behaviour: deep\nlanguage: 1\nroots: [G]\ngroups:\n  G: {module: robot}\n";
   program.source = R"(#include "deep.hpp"

@@ -75,7 +75,7 @@ private:
   int events_ = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
 };
 
-TEST_CASE("a header that is a pipe is told of and not opened, also where another header includes it") {
+TEST_CASE("a header that is a pipe is reported and not opened, also if another header includes it") {
   const Workshop work("types-pipe");
   write_game(work);
   std::filesystem::remove(work.path("include/phase.hpp"));

@@ -26,7 +26,7 @@ struct Pipe {
 /// For a machine that is busy: what has happened before is told at once.
 constexpr auto long_enough = 60s;
 
-TEST_CASE("who sleeps is woken by what happens to a file or near it, and by nothing else") {
+TEST_CASE("a sleeper is woken by changes of a file or near it, and by nothing else") {
   const OwnFolder folder("notices");
   folder.write("a", "one");
   fs::create_directories(folder.path / "other");
@@ -54,7 +54,7 @@ TEST_CASE("who sleeps is woken by what happens to a file or near it, and by noth
   CHECK(notices.sleep(long_enough, pipe.ends[0]) == Woken::by_end);
 }
 
-TEST_CASE("a file that is named without a folder lies where the program runs") {
+TEST_CASE("a file that is named without a folder is in the working directory") {
   const OwnFolder folder("notices-here");
   const fs::path before = fs::current_path();
   fs::current_path(folder.path);
@@ -100,7 +100,7 @@ TEST_CASE("of a folder all below it is watched, but build trees") {
   CHECK(notices.sleep(long_enough, pipe.ends[0]) == Woken::by_change);
 }
 
-TEST_CASE("where the system tells nothing, somebody has to look") {
+TEST_CASE("if the system reports nothing, the caller has to poll") {
   const OwnFolder folder("notices-none");
   const Pipe pipe;
   ChangeNotices notices(ChangeNotices::By::looking);

@@ -198,7 +198,7 @@ TEST_CASE("500 groups can be read by their modules") {
   CHECK(boxes == 45);
 }
 
-TEST_CASE("a group of no layer stands below the band of each layer, whoever leads to whom") {
+TEST_CASE("a group of no layer is below the band of each layer, whichever leads to which") {
   if (!has_graphviz()) return;
   const OwnFolder folder("picture-no-layer");
   folder.write("bot.yaml", "behaviour: bot\nlanguage: 1\nlayers: [mission, skill]\nroots: [Top, Go]\ngroups:\n"

@@ -70,7 +70,7 @@ TEST_CASE("a trace as a page is that of docs with what was recorded") {
   CHECK(world.out == page);
 }
 
-TEST_CASE("a page that somebody else has written is not overwritten") {
+TEST_CASE("a page that directorc has not written is not overwritten") {
   World world = with_recording();
   world.outputs.files["run.html"] = "mine";
   CHECK(world.directorc({"trace", "runs/run.jsonl", "--to=html", "-o", "run.html"}) == 2);
@@ -117,7 +117,7 @@ TEST_CASE("of a trace with events missing, cut off or with a wrong line, the pag
   CHECK(world.outputs.files.count("bad.html") == 1);
 }
 
-TEST_CASE("where a replay goes another way the page says so, and is written") {
+TEST_CASE("if a replay differs the page reports it, and is written") {
   World world = with_recording();
   std::string other = trace_of(world);
   const std::string set = "\"state\":\"Power\",\"value\":\"on\"}";

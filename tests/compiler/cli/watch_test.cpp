@@ -202,7 +202,7 @@ TEST_CASE("scenarios of a folder are played again: one that changes, its behavio
   CHECK(next_run(program).starts_with("== TIME tests/a.scenario.yaml has changed\nfails tests/a.scenario.yaml\n"));
 }
 
-TEST_CASE("where the system tells of no changes, files are looked at again and again") {
+TEST_CASE("if the system reports no changes, files are polled") {
   const SavedFiles folder;
   folder.write("robot.yaml", robot("Legs"));
   RunningProgram program({"directorc", "check", "--watch", "robot.yaml"}, folder.path(), RunningProgram::To::pipe,
@@ -252,7 +252,7 @@ TEST_CASE("what is watched is text, of files that can be read again, and nothing
         "directorc test: --update excludes --watch\nTry `directorc test --help`.\n");
 }
 
-TEST_CASE("it ends where nobody reads what it prints") {
+TEST_CASE("it ends when its output is closed") {
   const SavedFiles folder;
   folder.write("robot.yaml", robot("Legs"));
   const Ran ran = run_command("directorc check --watch robot.yaml >&-", folder.path());

@@ -25,7 +25,7 @@ std::vector<std::string> told(const std::vector<FileChange>& changes) {
 
 using Told = std::vector<std::string>;
 
-TEST_CASE("what was read is compared with what lies there now, also what was looked for in vain") {
+TEST_CASE("what was read is compared with the present files, also what was not found") {
   const OwnFolder folder("watched-files");
   folder.write("a", "one");
   folder.write("b", "one");
@@ -70,7 +70,7 @@ TEST_CASE("a change between two reads of one run is a change") {
   CHECK(told(files.changes()) == Told{"written a"});
 }
 
-TEST_CASE("of a folder it is told which scenarios are new") {
+TEST_CASE("for a folder the new scenarios are reported") {
   const OwnFolder folder("watched-folders");
   folder.write("a.scenario.yaml", "");
   DiskOutputs disk;

@@ -60,7 +60,7 @@ TEST_CASE("the frontier uses again what was dropped, and keeps few states in lit
   CHECK(frontier.bytes() <= 1U << 17);
 }
 
-TEST_CASE("a state that is larger than what lies together finds its place") {
+TEST_CASE("a state that is larger than a chunk finds its place") {
   Frontier frontier;
   const Packed small(10, 1), large(50'000, 2);
   frontier.push({small, 0, 0});

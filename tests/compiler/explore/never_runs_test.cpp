@@ -30,7 +30,7 @@ NeverRuns explore(const std::string& text, std::size_t bound = 100'000) {
   return compiler::find_never_runs(checked.checked.model, bound, checked.checked.findings);
 }
 
-TEST_CASE("what never ran is told, and not what only that would have requested") {
+TEST_CASE("what never ran is reported, and not what only that would have requested") {
   // Reasoning finds this as well: its findings are left out.
   const tests::CheckedText checked = tests::check_text(door);
   REQUIRE(checked.checked.lowerable);
@@ -40,14 +40,14 @@ TEST_CASE("what never ran is told, and not what only that would have requested")
   CHECK(messages(explore(door)).empty());
 }
 
-TEST_CASE("where there are more states than the bound nothing is told") {
+TEST_CASE("with more states than the bound nothing is reported") {
   const NeverRuns never = explore(door, 2);
   CHECK_FALSE(never.complete);
   CHECK(never.states >= 2);
   CHECK(never.findings.empty());
 }
 
-TEST_CASE("what another finding tells is not told again") {
+TEST_CASE("what another finding reports is not reported again") {
   const NeverRuns never = explore("states: {Door: {values: [shut, open], initial: shut}}\nroots: [Enter]\ngroups:\n"
                                   "  Enter:\n    providers:\n      - {name: entering, when: [Door == open]}\n"
                                   "      - {name: knocking}\n");
@@ -70,7 +70,7 @@ TEST_CASE("of many requests that never succeed some are noted, and how many more
   CHECK(notes[7].message == "and 52 more of such notes, from here on");
 }
 
-TEST_CASE("a task that runs for others is told of at the entry where it never does") {
+TEST_CASE("a task that runs for others is reported at the entry where it never does") {
   // Nothing tells of a root task, which the program may as well not request; here the findings are left out.
   const tests::CheckedText checked =
       tests::check_text("roots: [Plan, Walk]\ngroups:\n  Plan: {needs: [Legs], packs: {go: {Step: {}}}}\n"

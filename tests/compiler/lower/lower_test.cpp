@@ -80,7 +80,7 @@ groups:
   CHECK(lowered.edges[c.edge("root>Boss").value].requester == nil);
 }
 
-TEST_CASE("only what somebody waits for, or promises within a time, has a row among the conditions") {
+TEST_CASE("only conditions that providers wait for, or promise within a time, have a row") {
   const Compiled c = compile(R"(
 behaviour: conditions
 language: 1
@@ -138,7 +138,7 @@ groups:
   CHECK(lowered.states[1].external);
 }
 
-TEST_CASE("a promise that nobody listens to fires nothing") {
+TEST_CASE("a promise without a listener fires nothing") {
   const Compiled c = compile(R"(
 behaviour: quiet
 language: 1
@@ -228,7 +228,7 @@ groups:
   CHECK(lowered.wide_aims.empty());
 }
 
-TEST_CASE("a group is used by itself and by all in whose plans it may be, a condition by who waits for it") {
+TEST_CASE("a group is used by itself and by all in whose plans it may be, a condition by the groups that wait for it") {
   const Compiled c = compile(R"(
 behaviour: uses
 language: 1

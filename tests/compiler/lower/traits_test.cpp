@@ -162,7 +162,7 @@ TEST_CASE("two tasks of one priority that lead to nothing in common make no equa
   for (const director::Group& group : it.lowered.groups) CHECK_FALSE((group.equals || group.deniable));
 }
 
-TEST_CASE("roots can be equal, also where a circle of requests lies below them") {
+TEST_CASE("roots can be equal, also if a cycle of requests is below them") {
   const Lowering it(R"(
 roots: {A: {priority: 1}, B: {priority: 1}, Apart: {priority: 1}}
 groups:

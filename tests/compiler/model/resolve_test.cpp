@@ -25,7 +25,7 @@ std::string lines_with(const compiler::Model& model, const std::string& begin) {
   return out;
 }
 
-TEST_CASE("edges stand by requester, in the order in which its providers first name them, needs last") {
+TEST_CASE("edges are ordered by requester, in the order in which its providers first name them, needs last") {
   const auto text = check_text(R"(
 roots: {B: {}, A: {}}
 groups:

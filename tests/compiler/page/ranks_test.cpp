@@ -162,7 +162,7 @@ TEST_CASE("what a member of a unit needs, or a need of the requester needs, goes
         "first, Play: Walk (priority 9) before Stand (priority 2)\n");
 }
 
-TEST_CASE("a member of a unit goes first of what stands behind another member, where that one is requested") {
+TEST_CASE("a member of a unit goes before what is behind another member, if that one is requested") {
   const auto pack = [](const std::string& tasks, const char* first, const char* second) {
     return told_of("roots: [Pack]\ngroups:\n  Pack: {" + tasks +
                        "}\n  Lift: {}\n  Hold: {}\n  Sort: {tasks: [Pick]}\n  Pick: {tasks: [Grip]}\n"
@@ -237,7 +237,7 @@ groups: {Rescue: {tasks: [Legs]}, Play: {tasks: [Legs]}, Legs: {}}
         R"({"first":"Rescue","second":"Play","decisions":[4]}]}])");
 }
 
-TEST_CASE("of more groups than a page can hold not every two are compared, and it says so") {
+TEST_CASE("of more groups than a page can hold not every two are compared, and it is reported") {
   const Compiled c = compile(about(compiler::most_compared + 1));
   const compiler::Json ranks = compiler::ranks_json(c.model);
   CHECK(ranks["left_out"].as_text() ==

@@ -52,7 +52,7 @@ TEST_CASE("what happens is written between brackets as a text in quotes") {
   check("steps: [request: Lamp]\n", "steps: [{request: Lamp, expect: \"run Lamp new_task\"}]\n");
 }
 
-TEST_CASE("only what is not as expected changes, and who expects nothing in one step goes on to") {
+TEST_CASE("only what is not as expected changes, and a step without expect remains so") {
   const std::string before = "steps:\n"
                              "  - request: Lamp\n"
                              "    expect: | # light\n"

@@ -13,7 +13,7 @@ using namespace director::tests;
 using namespace director::compiler::stubs;
 namespace fs = std::filesystem;
 
-TEST_CASE("the first files of a module say what the specification says, and leave everything as it is", "[golden]") {
+TEST_CASE("the first files of a module have the specification in comments, and leave everything as it is", "[golden]") {
   const Wanted wanted = wanted_of(walking_robot);
   std::string files;
   std::vector<ModuleClass> classes;

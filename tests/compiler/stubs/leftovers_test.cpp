@@ -65,17 +65,17 @@ TEST_CASE("a body whose provider or handler is gone is a leftover") {
         Said{"`start(b::Walk::Default&)` of `Legs` is left over: robot has no such provider or handler"});
 }
 
-TEST_CASE("a body whose group belongs to another module now is a leftover, and it is said which") {
+TEST_CASE("a body whose group belongs to another module now is a leftover, and the module is reported") {
   CHECK(said(function("Legs", "provide", "b::Look::Default", true)) ==
         Said{"`provide(b::Look::Default&)` of `Legs` is left over: it belongs to the module eyes, `b::Eyes`"});
 }
 
-TEST_CASE("a function of an implementing class that takes something else is the user's affair") {
+TEST_CASE("a function of an implementing class with another parameter is ignored") {
   CHECK(said(function("Legs", "start", "int", true)) == Said{});
   CHECK(said(function("Legs", "stop", "other::Walk::Stop", true)) == Said{});
 }
 
-TEST_CASE("a body in a class whose interface is gone is a leftover if it overrides or stands outside of its class") {
+TEST_CASE("a body in a class whose interface is gone is a leftover if it overrides or is outside of its class") {
   FoundFunction row = function("Arms", "provide", "::b::Wave::Default", false);
   CHECK(said(row) == Said{}); // maybe some other class
   row.overrides = true;

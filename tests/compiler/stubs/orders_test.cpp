@@ -84,7 +84,7 @@ TEST_CASE("whatever is edited in whatever order, the user's bytes stay in place 
   CHECK(counts.refused > 50);
 }
 
-TEST_CASE("of the steps of an order that fails those are told that it needs") {
+TEST_CASE("of the steps of an order that fails those are printed that it needs") {
   const auto needs_both = [](const std::vector<int>& steps) {
     const auto has = [&](int step) { return std::find(steps.begin(), steps.end(), step) != steps.end(); };
     return has(2) && has(5);

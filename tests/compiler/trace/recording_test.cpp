@@ -103,7 +103,7 @@ TEST_CASE("events come back without their times, each shape once, in order and n
   CHECK(out.head["why_ends"].is_null());
 }
 
-TEST_CASE("what bodies answer and which timer was due is left out; what is missing is told at its place") {
+TEST_CASE("what bodies answer and which timer was due is left out; what is missing is reported at its place") {
   const Decoded out =
       recorded({R"({"t":1,"n":1,"event":"input","input":"wait","group":"A"})",
                 R"({"t":1,"n":1,"event":"answer","group":"A","provider":"x","answer":"pack"})",

@@ -84,7 +84,7 @@ TEST_CASE("a value by number has the same slot as one by type") {
   CHECK(flooded.after_the_flood() == Lines{"lost 2", "Battery 7", "Mood hurried"});
 }
 
-TEST_CASE("several states are never split: where not all find room, none is set") {
+TEST_CASE("several states are never split: if not all have space, none is set") {
   Flooded flooded;
   CHECK(!flooded.behaviour.set(Battery{5}, post::Mood::hurried));
   CHECK(flooded.behaviour.set(Battery{6}));
@@ -142,7 +142,7 @@ TEST_CASE("requests and cancels that take one another's slot are counted as well
   CHECK(flooded.after_the_flood() == Lines{"lost 3", "root>Rest"}); // a Bell too
 }
 
-TEST_CASE("what was lost is seen from other threads, and told once") {
+TEST_CASE("what was lost is seen from other threads, and reported once") {
   Flooded flooded;
   courier::Behaviour::Snapshot snapshot;
   CHECK(flooded.behaviour.show(snapshot));
@@ -155,7 +155,7 @@ TEST_CASE("what was lost is seen from other threads, and told once") {
   CHECK(flooded.after_the_flood().empty());
 }
 
-TEST_CASE("what is lost while nothing else is posted is told at the next step, though that has nothing to take") {
+TEST_CASE("what is lost while nothing else is posted is reported at the next step, though that has nothing to take") {
   Flooded flooded;
   flooded.behaviour.step(0s);
   flooded.inputs.take();

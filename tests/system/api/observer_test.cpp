@@ -99,7 +99,7 @@ TEST_CASE("an observer that throws at the end of the budget is heard as well") {
   CHECK(watched.behaviour.state<Rest>() == RunState::running);
 }
 
-TEST_CASE("an observer that throws when it is told of lost inputs keeps none of the others") {
+TEST_CASE("an observer that throws at an event of lost inputs keeps none of the others") {
   Watched watched;
   watched.thrower.at = Kind::lost;
   while (watched.behaviour.fire<courier::Bell>()) {}
@@ -145,7 +145,7 @@ TEST_CASE("an observer may not call the behaviour, but post to it") {
   CHECK(behaviour.engine().value(2) == 7);
 }
 
-TEST_CASE("without an observer nobody is told") {
+TEST_CASE("without an observer no event is reported") {
   Plans plans;
   Skills skills;
   courier::Behaviour behaviour{plans, skills, Observer{}};

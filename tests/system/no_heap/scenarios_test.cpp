@@ -108,7 +108,7 @@ void play_file(const std::string& path) {
   CHECK(events > 0);
 }
 
-TEST_CASE("the trap sees what is asked of the heap, and only while it is armed") {
+TEST_CASE("the trap counts requests to the heap, and only while it is armed") {
   const auto ask = [] { // a compiler may leave out what nobody looks at
     static void* volatile kept = nullptr;
     kept = ::operator new(100);

@@ -38,7 +38,7 @@ TEST_CASE("a game of soccer uses no heap") {
   CHECK(count.runs > 5000);
 }
 
-TEST_CASE("a game of soccer that nobody observes uses no heap") {
+TEST_CASE("a game of soccer without an observer uses no heap") {
   sim::World world{1};
   player::Player<player::Servos> player{world};
   CHECK(heap_uses_in(world, player) == 0);

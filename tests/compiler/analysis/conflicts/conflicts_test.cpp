@@ -65,7 +65,7 @@ TEST_CASE("an optional task starves beside a mandatory one that takes what it mu
   CHECK(found.losers().empty());
 }
 
-TEST_CASE("nobody starves beside a task that may have to wait, or that takes something else") {
+TEST_CASE("no task starves beside one that may have to wait, or that takes something else") {
   const std::string play = "roots: [Play]\ngroups:\n  Play: {packs: {go: {Walk: {}, Look: {optional: true}}}}\n"
                            "  Look: {needs: [Legs]}\n  Legs: {}\n";
   const InConflict waiting("states: {Door: {values: [shut, open], initial: shut, external: true}}\n" + play +

@@ -106,7 +106,7 @@ TEST_CASE("members of one unit are granted before anything below them") {
           .mates("Plan") == "Legs from Walk by Legs in one unit steady below; ");
 }
 
-TEST_CASE("what somebody else may hold spoils it") {
+TEST_CASE("what another task may hold spoils it") {
   const std::string plan = "  Plan: {packs: {go: {Legs: {priority: 5, apart: true}, Walk: {apart: true}}}}\n"
                            "  Walk: {tasks: [Legs]}\n  Legs: {}\n";
   CHECK(Taking("roots: [Plan]\ngroups:\n" + plan).spoilers("Plan", "Legs", "Walk") == "");

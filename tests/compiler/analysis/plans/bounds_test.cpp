@@ -121,8 +121,8 @@ groups:
   CHECK(bounds.work_in_a_pass == (1 + 2) * sweep);               // Arm and Leg
 }
 
-TEST_CASE("who waits for a condition searches all that may make it true, once more than there are conditions, and once "
-          "for nothing") {
+TEST_CASE("a task that waits for a condition searches all that may make it true, once more than there are conditions, "
+          "and once for nothing") {
   const Bounds bounds = bounds_of(R"(
 states: {Pose: {values: [a, b], initial: a}, Hat: {values: [off, on], initial: off}}
 roots: [A, B, C]

@@ -67,7 +67,7 @@ Region random_region(std::mt19937& random, std::uint32_t count, std::uint32_t va
   return out;
 }
 
-TEST_CASE("what is said to be covered, and what is open, is so at every place") {
+TEST_CASE("what is reported as covered, and what is open, is so at every place") {
   std::mt19937 random(1);
   int open = 0;
   for (int round = 0; round < 600; ++round) {
