@@ -202,7 +202,7 @@ TEST_CASE("what is staged is compared, with what it imports, not the files on th
   repository.write("robot/walker.yaml", Repository::walker("[Legs, Arms]"));
   CHECK(repository.run("directorc diff --staged robot/walker.yaml").output.empty());
   CHECK(repository.run("git add . && directorc diff --staged robot/walker.yaml").output == needs_arms);
-  // The file in the folder has gone on since.
+  // The file in the folder has been changed since.
   repository.write("robot/walker.yaml", "no behaviour any more");
   CHECK(repository.run("directorc diff --staged robot/walker.yaml").output == needs_arms);
   CHECK(repository
@@ -284,7 +284,7 @@ TEST_CASE("the hook judges what is committed, not the files on the disk") {
   const Ran beside = repository.run("git add other.yaml && git commit --quiet -m other");
   CHECK(beside.output.empty());
   CHECK(beside.status == 0);
-  // One that is staged is, although the file has been put right since.
+  // One that is staged is, although the file has been corrected since.
   const std::string right = Repository::walker("[Legs]");
   CHECK(repository.run("git add robot/walker.yaml").status == 0);
   repository.write("robot/walker.yaml", right);

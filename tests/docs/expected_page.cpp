@@ -27,7 +27,7 @@ class BlockTexts {
 public:
   BlockTexts(const std::string& path, std::vector<std::string>& faults) : path_(path), faults_(faults) {}
 
-  /// `block` as it should be; `checked` is the one before, if `findings` tell of it.
+  /// `block` as it should be; `checked` is the one before, if `findings` are those of it.
   Lines expected_block(const Block& block, const Block* checked, bool has_findings) {
     block_ = &block;
     comment_ = read_comment(block.comment);
@@ -97,7 +97,7 @@ private:
     return lines.empty() ? fault("there is no command, a line that begins with $") : shortened(lines, block_->lines);
   }
 
-  /// A script at the root says what it does in lines `step '...'`; what it prints between them comes from programs.
+  /// A script at the root prints its actions in lines `step '...'`; the output between them comes from programs.
   Lines script() {
     static const std::map<std::string, std::map<std::string, std::string>> programs{
         {"./start",

@@ -16,7 +16,7 @@ using namespace director::tests;
 
 namespace {
 
-/// The keys that a schema describes, wherever they stand. JSON is YAML too.
+/// The keys that a schema describes, at any depth. JSON is YAML too.
 void collect(const dsl::YamlNode& node, std::set<std::string>& keys) {
   for (const dsl::YamlNode& item : node.items) collect(item, keys);
   for (const dsl::YamlPair& pair : node.pairs) {

@@ -25,7 +25,7 @@ std::vector<std::string> pages_in(const std::string& folder) {
   return paths;
 }
 
-/// The pages that say what lies in the folders beside them.
+/// The pages that list the folders beside them.
 const std::vector<std::string> maps{"compiler/README.md", "dsl/README.md", "runtime/README.md",
                                     "runtime/core/README.md", "tests/README.md"};
 
@@ -42,7 +42,7 @@ std::vector<std::string> documentation() {
 
 Markdown read(const std::string& path) { return read_markdown(read_file(source_dir() / path)); }
 
-/// The version that wrote a picture, which says it in a comment; another one may draw it otherwise.
+/// The version that drew a picture, which is in a comment; another one may draw it differently.
 std::string renderer(const std::string& svg) {
   const std::size_t at = svg.find("graphviz version");
   return at == std::string::npos ? "" : svg.substr(at, svg.find('\n', at) - at);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests dsl/cpp_type.hpp. What is said of each fault: compiler/checks/bad_type.md, bad_header.md.
+// Tests dsl/cpp_type.hpp. The messages: compiler/checks/bad_type.md, bad_header.md.
 #include "dsl/cpp_type.hpp"
 
 #include <catch2/catch.hpp>
@@ -90,7 +90,7 @@ TEST_CASE("What the preprocessor replaces is no type, at any place") {
   CHECK(said_of("std::vector<NULL>") == "`std::vector<NULL>` is no type of C++: `NULL`" + macro);
   CHECK(said_of("DIRECTOR_INLINE") ==
         "`DIRECTOR_INLINE` is no type of C++: names that begin with `DIRECTOR_` are macros of Director's own");
-  CHECK(said_of("linux::Course").empty()); // no namespace for all compilers, and one for some
+  CHECK(said_of("linux::Course").empty()); // a macro of some compilers, and a namespace for others
   CHECK(said_of("std::FILE*").empty());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands where a file should: behaviours and scenarios are refused in bounded time and memory.
+// Special files in place of a file: behaviours and scenarios are refused in bounded time and memory.
 #include "dsl/load_file.hpp"
 #include "tests/dsl/reading.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::chrono::milliseconds patience(20);
 
-/// A folder of its own, and the working directory, so that messages are the same everywhere.
+/// A folder of its own as the working directory, so that messages are the same everywhere.
 class HostileFolder {
 public:
   HostileFolder() {
@@ -63,7 +63,7 @@ void check_refused(const std::string& path, const std::string& id_and_message,
         "3:11 `" + path + "` " + id_and_message + " (" + (help_of_import.empty() ? help : help_of_import) + ")\n");
 }
 
-/// Does something as somebody who may not do everything.
+/// Runs something as a user without permissions.
 template <class Act>
 void as_nobody(const Act& act) {
   const bool root = geteuid() == 0;

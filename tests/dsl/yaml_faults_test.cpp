@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The faults of yaml-cpp that are known, one test each: what the reader makes of texts that yaml-cpp takes for
-// something else, or never comes back from.
+// The known faults of yaml-cpp, one test each: how the reader handles texts that yaml-cpp misreads, or never finishes.
 #include "tests/dsl/reading.hpp"
 
 #include <catch2/catch.hpp>
@@ -179,7 +178,7 @@ TEST_CASE("a key without its colon is reported at its place, not in the line beh
                   "4:22 `needs` yaml_syntax: expected `:` behind `needs`" + help);
   check_behaviour("groups: {Legs {}}\n", "3:10 `Legs` yaml_syntax: expected `:` behind `Legs`" + help);
   check_behaviour("groups:\n  Walk:\n    providers:\n      - {name a, needs: [Legs]}\n",
-                  "6:10 `name a` yaml_syntax: expected `:` behind `name a`\n"); // and no word that there is no name
+                  "6:10 `name a` yaml_syntax: expected `:` behind `name a`\n"); // and no report of a missing name
   CHECK(read_text("behaviour b\nlanguage: 1\n").findings() ==
         "1:1 `behaviour` yaml_syntax: expected `:` behind `behaviour`" + help);
   check_behaviour(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests dsl/yaml_text.hpp; that every text comes back is tested in tests/dsl/print_spec_test.cpp.
+// Tests dsl/yaml_text.hpp; that every text is read back is tested in tests/dsl/print_spec_test.cpp.
 #include "dsl/yaml_text.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Reads what behaviours/robocup says.
+// Reads what behaviours/robocup declares.
 
 #include "tests/behaviours/robocup/graph.hpp"
 

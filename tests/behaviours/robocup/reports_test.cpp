@@ -15,7 +15,8 @@ using namespace director::tests;
 
 namespace {
 
-// Paths count from the root of the source tree, wherever the test runs: so they are shown in the report.
+// Paths are relative to the root of the source tree, independent of the working directory: so they are printed in the
+// report.
 class SourceTree final : public dsl::FileAccess {
 public:
   std::string identity(const std::string& path) override { return disk_.identity((source_dir() / path).string()); }

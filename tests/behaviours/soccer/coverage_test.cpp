@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the scenarios of soccer exercise, as `directorc test --coverage` counts it.
+// The coverage by the scenarios of soccer, as `directorc test --coverage` prints it.
 #include "compiler/cli/parse.hpp"
 #include "tests/support/golden.hpp"
 

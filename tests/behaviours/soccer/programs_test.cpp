@@ -40,7 +40,7 @@ std::string game(const std::string& program, const std::string& arguments) {
 
 bool has(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
-/// Each part stands behind the one before.
+/// Each part comes after the one before.
 void check_order(std::string_view text, const std::vector<std::string_view>& parts) {
   std::size_t from = 0;
   for (const std::string_view part : parts) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests compiler/base/seconds.hpp and counted.hpp: numbers as people read them.
+// Tests compiler/base/seconds.hpp and counted.hpp: numbers in messages.
 #include "compiler/base/counted.hpp"
 #include "compiler/base/seconds.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rules that read C++, over facts as director-clang tells them: what needs no Clang to be tried.
+// The checks that read C++, with facts in the form of director-clang's: what can be tested without Clang.
 #include "compiler/checks/code_check.hpp"
 #include "compiler/pipeline.hpp"
 

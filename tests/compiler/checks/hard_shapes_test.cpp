@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Many of one kind of mistake: each has its place, and what is said does not grow with the square of them.
+// Many mistakes of one kind: each has its place, and the output does not grow quadratically.
 #include "tests/compiler/support/checked.hpp"
 #include "tests/support/environment.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 
 using namespace director;
 
-/// By id, how many there are and at how many places.
+/// By id, their number and the number of their places.
 std::map<std::string, std::pair<std::size_t, std::size_t>> count(const std::string& text) {
   const tests::CheckedText checked = tests::check_text(text);
   std::map<std::string, std::size_t> found;
@@ -64,7 +64,7 @@ TEST_CASE("of a hundred members of a pack that exclude each other one finding is
                     "itself alone");
 }
 
-/// Of a list of 24 two by two want one group and have one priority.
+/// In a list of 24 every two want one group and have one priority.
 std::string couples(const std::string& allow = "") {
   std::string out = "roots: [All]\ngroups:\n  All:\n    tasks:\n";
   for (std::size_t i = 0; i < 24; ++i)
@@ -134,7 +134,7 @@ TEST_CASE("of a chain of two hundred needs the first and the last steps are repo
   CHECK(notes[8].message == "`T193` needs `T194`");
 }
 
-/// Nothing of their equal rank: asked for together, none of them is granted.
+/// Without findings about their equal rank: requested together, none of them is granted.
 TEST_CASE("of twenty tasks of a list that want one group each is reported with every other, and nothing else") {
   CHECK(count(rivals(20, "tasks: [" + names(0, 20) + "]")) == Counts{{"possible_pack_conflict", {190, 19}}});
 }
@@ -258,7 +258,7 @@ TEST_CASE("no finding has more notes or words than one reads, however many parti
   }
 }
 
-/// All below a group, kept for each group of a chain, was 3 GB for this one.
+/// Keeping all groups below each group of a chain took 3 GB for this one.
 TEST_CASE("of a chain of five thousand groups that each request the next one and a leaf nothing is in common") {
   constexpr std::size_t size = 5'000;
   std::string text = "roots: [T0]\ngroups:\n";
@@ -277,7 +277,7 @@ TEST_CASE("of a chain of three thousand groups the two entries at its end that w
   CHECK(count(text) == Counts{{"equal_priority", {1, 1}}, {"unbounded_choice", {1, 1}}});
 }
 
-/// The way down begins again at the group, and there with what its other provider asks for.
+/// The path down begins again at the group, and there with the requests of its other provider.
 TEST_CASE("for a group that leads to itself no place is reported that the provider in question does not have") {
   CHECK(count(R"(
 states: {Pose: {values: [standing]}}

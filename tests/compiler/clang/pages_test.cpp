@@ -56,7 +56,7 @@ Said words_of(const Workshop& work, const std::string& text) {
   return out;
 }
 
-/// What `check` says with the program's flags; if that is nothing, what `verify` says of its C++.
+/// The findings of `check` with the program's flags; if there are none, those of `verify` about its C++.
 Said try_out(const Specimen& specimen, const std::string& name) {
   const Workshop work(name);
   std::vector<std::string> files;

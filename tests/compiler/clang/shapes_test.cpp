@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ways in which people write a body that does what the behaviour says: none is told of, and of each it is told if
-// it does something else. And what blocks, in what shape it may come, and what only looks as if it did.
+// Different ways to write a body that does what the behaviour declares: none is reported, and each is reported if it
+// does something else. Also what blocks, in different shapes, and what only looks as if it did.
 #include "tests/compiler/clang/workshop.hpp"
 
 #include <catch2/catch.hpp>
@@ -146,7 +146,7 @@ Worked verified(const Workshop& work, const Program& program) {
   return work.directorc({"verify", work.path("deep.yaml"), "-p", work.path(), "--generated", work.path("generated")});
 }
 
-/// What is said without places.
+/// The output without places.
 std::vector<std::string> lines_with(const std::string& text, const std::string& word) {
   std::vector<std::string> out;
   std::istringstream in(text);
@@ -177,7 +177,7 @@ TEST_CASE("in whatever shape a body breaks its promise, it is reported once") {
     *text = std::regex_replace(*text, std::regex("(S|T|SOtherFile)::on"), "$1::off");
   const Worked worked = verified(Workshop("broken-shapes"), broken);
   std::vector<std::string> expected;
-  const std::set<std::string> computed{"GenericLambda", "Function"}; // what they are given may be any value
+  const std::set<std::string> computed{"GenericLambda", "Function"}; // their parameters may have any value
   for (const Shape& shape : promises)
     if (computed.count(shape.name) == 0)
       expected.push_back(

@@ -23,7 +23,7 @@ struct Pipe {
   }
 };
 
-/// For a machine that is busy: what has happened before is told at once.
+/// For a busy machine: earlier events are reported at once.
 constexpr auto long_enough = 60s;
 
 TEST_CASE("a sleeper is woken by changes of a file or near it, and by nothing else") {
@@ -38,7 +38,7 @@ TEST_CASE("a sleeper is woken by changes of a file or near it, and by nothing el
   CHECK(notices.sleep(0ms, pipe.ends[0]) == Woken::by_time);
   const auto wakes = [&] {
     const bool woken = notices.sleep(long_enough, pipe.ends[0]) == Woken::by_change;
-    return woken && notices.sleep(0ms, pipe.ends[0]) == Woken::by_time; // all of it is told at once
+    return woken && notices.sleep(0ms, pipe.ends[0]) == Woken::by_time; // all of it is reported at once
   };
   folder.write("a", "two");
   CHECK(wakes());
@@ -82,7 +82,7 @@ TEST_CASE("what does not exist is waited for in the nearest folder that does, an
   expect();
   folder.write("deep/er/a", "");
   CHECK(notices.sleep(long_enough, pipe.ends[0]) == Woken::by_change);
-  // What lies above is not watched any more.
+  // The folders above are not watched any more.
   folder.write("deep/other", "");
   CHECK(notices.sleep(0ms, pipe.ends[0]) == Woken::by_time);
 }

@@ -37,7 +37,7 @@ TEST_CASE("a build or flags that cannot be read are reported, also if no type is
   CHECK(world.err == "directorc: cannot read `lamp.flags`: No such file or directory\n");
   CHECK(world.outputs.files.empty());
   world.files.add("build/compile_commands.json", "{");
-  CHECK(world.directorc({"check", "-p", "build", "lamp.yaml"}) == 0); // nobody looks into it
+  CHECK(world.directorc({"check", "-p", "build", "lamp.yaml"}) == 0); // the file is not read
   world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\ncpp: {headers: [a.hpp]}\nroots: [Lamp]\n"
                                "groups: {Lamp: {data: Level}}\n");
   CHECK(world.directorc({"check", "-p", "build", "lamp.yaml"}) == 2);
@@ -88,7 +88,7 @@ TEST_CASE("an error is reported, even with --allow") {
 }
 
 TEST_CASE("what is not decided within the bound is reported, and nothing is generated") {
-  if (director::tests::is_sanitized) return; // to give up takes as long as to try everything up to the bound
+  if (director::tests::is_sanitized) return; // giving up takes as long as trying everything up to the bound
   std::string states = "states:\n", roots = "roots: {Boss: {priority: 99}", groups;
   for (int i = 0; i < 16; ++i) {
     const std::string n = std::to_string(i);
@@ -111,7 +111,7 @@ TEST_CASE("what is not decided within the bound is reported, and nothing is gene
 }
 
 TEST_CASE("what only exploring finds is reported on request, with its extent if it was not complete") {
-  // `Look` always asks first for `Head`. Which of two equals does is not reasoned about where one has another rank too.
+  // `Look` always requests `Head` first. The order of two equals is not analysed if one has another rank too.
   const std::string head = "behaviour: look\nlanguage: 1\nroots: [Play]\ngroups:\n  Play:\n"
                            "    allow: [equal_priority]\n    because: who asks first keeps it\n    packs:\n"
                            "      attack: {Look: {priority: 10}, Head: {priority: 10, apart: true}}\n"

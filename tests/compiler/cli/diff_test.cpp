@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `directorc diff`: what it prints in each format, and with which status it ends. In a repository of git:
+// `directorc diff`: its output in each format, and its exit status. In a repository of git:
 // tests/docs/diff_git_test.cpp. What counts as a change: tests/compiler/diff.
 #include "compiler/base/json.hpp"
 #include "tests/compiler/cli/world.hpp"

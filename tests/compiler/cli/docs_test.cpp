@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `directorc docs`: which files it writes and when it does not. What stands in them: tests/compiler/page.
+// `directorc docs`: which files it writes and when it does not. Their content: tests/compiler/page.
 #include "tests/compiler/cli/world.hpp"
 
 #include <catch2/catch.hpp>

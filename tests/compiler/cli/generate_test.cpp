@@ -22,7 +22,7 @@ World lit() {
 TEST_CASE("header, facts, source, manifest and what they depend on are written, the header last") {
   World world = lit();
   CHECK(world.directorc({"generate", "lamp.yaml", "-o", "out", "--depfile", "out/lamp.d"}) == 0);
-  // Who is killed between two of them leaves an old header, which `verify` and a build tell.
+  // An interruption between two of them leaves an old header, which `verify` and a build report.
   CHECK(world.outputs.written ==
         Paths{"out/lamp.facts.hpp", "out/lamp.cpp", "out/manifest.json", "out/lamp.d", "out/lamp.hpp"});
   CHECK(world.outputs.files.at("out/lamp.d") ==

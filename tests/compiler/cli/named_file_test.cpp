@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A folder where a file is wanted.
+// A folder in place of a file.
 #include "compiler/cli/parse.hpp"
 #include "tests/support/own_folder.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 using namespace director::compiler::cli;
 namespace fs = std::filesystem;
 
-/// The status and what is said, of a command line whose paths are taken from this folder.
+/// The status and the output, of a command line whose paths are relative to this folder.
 std::string said(const fs::path& folder, const std::vector<std::string>& words) {
   const fs::path before = fs::current_path();
   fs::current_path(folder);

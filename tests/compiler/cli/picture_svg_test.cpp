@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What Graphviz makes of pictures, measured: as people see them. Where it is not installed, nothing is.
+// Measures the output of Graphviz for pictures. Without it, the tests do nothing.
 #include "dsl/file_access.hpp"
 #include "tests/compiler/cli/world.hpp"
 #include "tests/support/golden.hpp"

@@ -174,7 +174,7 @@ TEST_CASE("what happens is written into a scenario that is to be updated, and on
 }
 
 TEST_CASE("a scenario that cannot be written is reported, and so is one that a body ends") {
-  World world = lamp("run Lamp pushed"); // the disk has another one meanwhile
+  World world = lamp("run Lamp pushed"); // the file on the disk has changed meanwhile
   world.outputs.files["s.yaml"] = "something else\n";
   CHECK(world.directorc({"test", "--update", "s.yaml"}) == 2);
   CHECK(world.err == "directorc: `s.yaml`: it has changed meanwhile; run this again\n");
@@ -216,7 +216,7 @@ TEST_CASE("a folder stands for the scenarios below it") {
   CHECK(world.directorc({"test", "a/", "s.yaml"}) == 0);
   CHECK(world.out == "holds a/b/t.scenario.yaml\nholds a/s.scenario.yaml\nholds a/u.scenario.yml\nholds s.yaml: it "
                      "shines\n4 of 4 hold\n");
-  world.outputs.files["a/secret/"] = ""; // as the disk tells of one that nobody may read
+  world.outputs.files["a/secret/"] = ""; // as for a folder without permission
   CHECK(world.directorc({"test", "a"}) == 2);
   CHECK(world.out == "holds a/b/t.scenario.yaml\nholds a/s.scenario.yaml\nholds a/u.scenario.yml\n3 of 3 hold\n");
   CHECK(world.err == "directorc: cannot look into `a/secret/`, where scenarios may be\n");

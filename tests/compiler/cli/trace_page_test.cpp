@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `directorc trace --to=html`: what it needs, what it says, what it ends with. The bytes of a recording:
+// `directorc trace --to=html`: its requirements, output and exit status. The bytes of a recording:
 // tests/compiler/trace; the page: tests/browser.
 #include "tests/compiler/cli/world.hpp"
 
@@ -19,7 +19,7 @@ groups:
   Shine: {when: [Power == on]}
 )";
 
-/// Where `runs/run.jsonl` has been recorded of `lamp.yaml`.
+/// A world in which `runs/run.jsonl` has been recorded of `lamp.yaml`.
 World with_recording() {
   World world;
   world.files.add("lamp.yaml", recorded_lamp);
@@ -37,7 +37,7 @@ steps:
 
 std::string trace_of(World& world) { return world.outputs.files.at("run.jsonl"); }
 
-/// What stands in the section before its data.
+/// The section before its data.
 std::string section(const std::string& page) {
   const std::size_t begin = page.find("<p class=\"about\">", page.find("<section id=\"timeline\""));
   return page.substr(begin, page.find("<script", begin) - begin);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests compiler/cli/trace.cpp and replay.cpp, and what `simulate --trace` writes. All scenarios: tests/conformance.
+// Tests compiler/cli/trace.cpp and replay.cpp, and the output of `simulate --trace`. All scenarios: tests/conformance.
 #include "tests/compiler/cli/world.hpp"
 
 #include <catch2/catch.hpp>
@@ -25,7 +25,7 @@ groups:
   Wheels: {}
 )";
 
-/// Where `run.jsonl` has been recorded.
+/// A world in which `run.jsonl` has been recorded.
 World with_trace() {
   World world;
   world.files.add("rover.yaml", rover_that_is_recorded);
@@ -268,7 +268,7 @@ TEST_CASE("the same behaviour decides the same") {
 TEST_CASE("a damaged line ends a replay, and is never a decision") {
   World world = with_trace();
   std::string other = rover_that_is_recorded;
-  other.replace(other.find("priority: 20"), 12, "priority: 21"); // nothing is decided otherwise
+  other.replace(other.find("priority: 20"), 12, "priority: 21"); // no decision differs
   world.files.add("other.yaml", other);
   const auto replay_with = [&](std::size_t damaged, const std::string& text, const char* behaviour) {
     std::string some;
@@ -296,7 +296,7 @@ TEST_CASE("a damaged line ends a replay, and is never a decision") {
   CHECK(world.out.starts_with(
       "{\"trace\":\"bad.jsonl\",\"behaviour\":\"rover.yaml\",\"other_version\":false,\"events\":16,"
       "\"dropped\":0,\"unreadable\":{\"line\":18,\"problem\":\"a recorder would"));
-  // Whichever line it is.
+  // For each line.
   for (std::size_t damaged = 2; damaged <= 38; ++damaged) {
     const std::string at = std::to_string(damaged), before = std::to_string(damaged - 2);
     CHECK(replay_with(damaged, "{\"t\":0", "rover.yaml") ==
@@ -396,7 +396,7 @@ TEST_CASE("where the behaviour is found that a trace names") {
   World world = with_trace();
   world.files.add("runs/run.jsonl", trace_in(world));
   world.files.add("runs/rover.yaml", rover_that_is_recorded);
-  CHECK(world.directorc({"replay", "runs/run.jsonl"}) == 0); // as seen from here
+  CHECK(world.directorc({"replay", "runs/run.jsonl"}) == 0); // relative to the working directory
   World elsewhere;
   elsewhere.files.add("runs/run.jsonl", trace_in(world));
   elsewhere.files.add("runs/rover.yaml", rover_that_is_recorded);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests compiler/cli/change.hpp on the disk, and what the program makes of it.
+// Tests compiler/cli/change.hpp on the disk, and how the program uses it.
 #include "compiler/cli/change.hpp"
 #include "compiler/emit/artefact/notice.hpp"
 #include "tests/support/environment.hpp"
@@ -26,7 +26,7 @@ namespace {
 
 struct Folder : director::tests::OwnFolder {
   Folder() : OwnFolder("cli-write") {}
-  /// Names, sorted, with what is in them; `?` for a temporary file.
+  /// Names, sorted, with their content; `?` for a temporary file.
   std::string all() const {
     std::set<std::string> lines;
     for (const auto& entry : fs::directory_iterator(path)) {
@@ -44,14 +44,14 @@ struct Folder : director::tests::OwnFolder {
 bool anything(std::string_view) { return true; }
 bool nothing(std::string_view) { return false; }
 
-/// Ends like a program that is killed, at the n-th time that it looks.
+/// Ends like a killed program, at the n-th call.
 std::function<void()> killed_at(int n) {
   return [n, count = 0]() mutable {
     if (++count == n) ::_exit(9);
   };
 }
 
-/// In a child: what is done there, and its exit status.
+/// Runs it in a child, and returns the exit status.
 int in_child(const std::function<int()>& act) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -63,7 +63,7 @@ int in_child(const std::function<int()>& act) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-/// The exit status of directorc in this folder; what it said is in `said`.
+/// The exit status of directorc in this folder; its output is in `said`.
 int directorc(const Folder& folder, const std::string& words) {
   const std::string program = (binary_dir() / "bin/directorc").string();
   const std::string command = "cd '" + folder.path.string() + "' && timeout 20 '" + program + "' " + words;
@@ -83,8 +83,13 @@ TEST_CASE("whenever writing is cut off, each file is the old one or the new one,
     return out;
   };
   const std::vector<std::string> expected{
-      "?; a old; b old; c old; ", "?; a old; b old; c old; ", "?; a old; b old; c old; ", // all are written beside
-      "?; a new; b old; c old; ", "?; a new; b new; c old; ", "a new; b new; c new; ",
+      "?; a old; b old; c old; ",
+      "?; a old; b old; c old; ",
+      "?; a old; b old; c old; ", // all are written beside
+                                  // their places
+      "?; a new; b old; c old; ",
+      "?; a new; b new; c old; ",
+      "a new; b new; c new; ",
   };
   for (std::size_t moment = 0; moment < expected.size(); ++moment) {
     const Folder folder;
@@ -386,7 +391,7 @@ TEST_CASE("a part of a set that cannot be written leaves the set as it was") {
 TEST_CASE("folders that were made for what cannot be written are gone again") {
   const Folder folder;
   const std::string deep = folder.at("new/deep");
-  // The first one cannot take its place, as the second one makes a folder of it.
+  // The first one cannot be moved to its place, as the second one makes a folder of it.
   CHECK(write_on_disk({{deep + "/a", "one"}, {deep + "/a/b", "two"}}) == "`" + deep + "/a`: Is a directory");
   CHECK(!fs::exists(folder.at("new")));
   fs::create_directories(deep);

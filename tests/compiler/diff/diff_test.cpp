@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which changes of meaning are told, in which words. What planted defects and changes without meaning come to:
+// Which changes of meaning are reported, with which text. Planted defects and changes without meaning:
 // tests/defects/meaning.
 #include "compiler/diff/diff.hpp"
 #include "dsl/file_access.hpp"

@@ -42,7 +42,7 @@ using Names = std::set<std::string>;
 TEST_CASE("a group that changes changes the situation of those that lead to it, and of what is requested beside it") {
   TwoRobots after;
   after.walk = "needs: [Legs, Head]";
-  CHECK(changed({}, after) == Names{"Kick", "Play", "Walk"}); // Sit stands in another pack
+  CHECK(changed({}, after) == Names{"Kick", "Play", "Walk"}); // Sit is in another pack
   after = {};
   after.look = "needs: [Head], every: 1 s";
   CHECK(changed({}, after) == Names{"Look"});
@@ -75,7 +75,7 @@ TEST_CASE("comments and places change nothing") {
 }
 
 TEST_CASE("of a behaviour that is too large to play every pair, the number of those left out is reported") {
-  if (tests::is_sanitized) return; // as many are played as the bound lets
+  if (tests::is_sanitized) return; // as many are played as the bound allows
   const auto text = [](int groups, const char* last) {
     std::string out = "behaviour: robot\nlanguage: 1\nroots:\n";
     for (int i = 0; i < groups; ++i) out += fmt::format("  R{}: {{priority: {}}}\n", i, i);

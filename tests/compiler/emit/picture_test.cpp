@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a picture shows, before any format.
+// The content of a picture, before any format.
 #include "compiler/emit/graph/formats.hpp"
 #include "compiler/emit/graph/legend.hpp"
 #include "compiler/emit/graph/picture.hpp"

@@ -11,7 +11,7 @@ using director::tests::puts;
 
 namespace {
 
-/// Tidying, which the cup takes, is far away; a lamp, a door and a radio are not, and have nothing to do with it.
+/// Tidying, which the cup takes, is far away; a lamp, a door and a radio are not, and are independent of it.
 const std::string household = R"(behaviour: b
 language: 1
 states:
@@ -44,7 +44,7 @@ TEST_CASE("a focus leaves the inputs and answers that a plan takes") {
   focus_on(ground, {{group(compiled.model, "Grip")}, {}});
   CHECK(packs(ground, 0) == "|Grip |Search |");
   CHECK(puts(ground, ground.bodies[1].puts) == "|Cup=seen |");
-  CHECK(puts(ground, ground.bodies[2].puts) == "|"); // nobody waits for what it sets
+  CHECK(puts(ground, ground.bodies[2].puts) == "|"); // no provider waits for what it sets
   CHECK(puts(ground, ground.sets) == "Battery=0 |Battery=21 |");
   CHECK(ground.requests.size() == 1);
   CHECK(ground.triggers.empty());

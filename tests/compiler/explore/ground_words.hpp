@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A Ground in words, for tests.
+// A Ground as text, for tests.
 
 #include "compiler/explore/ground.hpp"
 

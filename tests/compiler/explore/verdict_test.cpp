@@ -11,7 +11,7 @@ using director::tests::explore_all;
 
 namespace {
 
-/// The verdict on the only assertion of a behaviour: `proven: why`. What is refuted is played.
+/// The verdict on the only assertion of a behaviour: `proven: why`. A refutation is played.
 std::string verdict_of(const std::string& groups, const std::string& assertion, std::size_t bound = 100'000) {
   const auto compiled =
       director::tests::compile("behaviour: b\nlanguage: 1\n" + groups + "assertions: [" + assertion + "]\n");

@@ -10,7 +10,7 @@ namespace {
 using namespace director::compiler;
 using Words = std::vector<std::string>;
 
-/// Answers every question alike, and counts them.
+/// Gives the same answer to every request, and counts them.
 class Compiler final : public Programs {
 public:
   Answer run(const Words& words, const std::string&) override {
@@ -101,7 +101,7 @@ TEST_CASE("the nearest compile_commands.json is in a folder, in its `build`, or 
     CHECK(found.fault.empty());
     CHECK(found.commands.size() == 1);
   }
-  files.add("/u/robot/src/compile_commands.json", "{"); // it is not passed over for one further away
+  files.add("/u/robot/src/compile_commands.json", "{"); // a farther one does not replace it
   CHECK(find_compile_commands("/u/robot/src", files).fault ==
         "`/u/robot/src/compile_commands.json` is wrong: it is no JSON list");
 }

@@ -13,7 +13,7 @@ namespace {
 using namespace director::compiler;
 namespace fs = std::filesystem;
 
-/// A child that answers what it is told to, and remembers what it was asked.
+/// A child that gives prepared answers, and records its requests.
 class Child final : public Programs {
 public:
   Answer run(const std::vector<std::string>& words, const std::string& text) override {

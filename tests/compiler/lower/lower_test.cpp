@@ -74,7 +74,7 @@ groups:
   CHECK(levels("Boss>D").empty());
   CHECK(lowered.edges[c.edge("Boss>A").value].need_urgency == 1);
   CHECK(lowered.edges[c.edge("Boss>B").value].need_urgency == 0);
-  CHECK(lowered.edges[c.edge("Boss>D").value].need_urgency == 2); // a need that nobody asks for counts 0
+  CHECK(lowered.edges[c.edge("Boss>D").value].need_urgency == 2); // a need without a request counts 0
   CHECK(lowered.root_edges == 1);
   CHECK(lowered.most_edges == 4);
   CHECK(lowered.edges[c.edge("root>Boss").value].requester == nil);
@@ -250,7 +250,7 @@ groups:
     return groups(c, lowered.view().list(lowered.groups[c.group(name).value].users));
   };
   CHECK(users("Kick") == Texts{"Kick"});
-  CHECK(users("Halt") == Texts{"Halt"}); // it asks for the leg and does not need it
+  CHECK(users("Halt") == Texts{"Halt"}); // it requests the leg and does not need it
   CHECK(users("Leg") == Texts{"Kick", "Leg"});
   CHECK(users("Motor") == Texts{"Kick", "Leg", "Motor"});
   const auto waiting = [&](const std::string& text) {

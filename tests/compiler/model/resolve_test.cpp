@@ -13,7 +13,7 @@ using tests::beginning;
 using tests::check_files;
 using tests::check_text;
 
-/// The lines of the printed model that begin so.
+/// The lines of the printed model with this beginning.
 std::string lines_with(const compiler::Model& model, const std::string& begin) {
   const std::string text = print_model(model);
   std::string out;

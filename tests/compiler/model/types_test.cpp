@@ -138,7 +138,7 @@ TEST_CASE("an enum of a hundred thousand values is a state's, and is compared wi
            ", external: true}}\nroots: [Walk]\ngroups: {Walk: {}}\n";
   };
   CHECK(findings(listing(numbered(many, "v")), types) == "");
-  // Nobody is told of a hundred names with each of a hundred thousand others.
+  // A hundred unknown names are not each compared with a hundred thousand others.
   const std::string all = findings(listing(numbered(many, "w")), types);
   CHECK(std::count(all.begin(), all.end(), '\n') == 2 * many);
 }

@@ -27,7 +27,7 @@ std::vector<std::string> possible_pushes(const std::string& behaviour) {
   return out;
 }
 
-/// Kick and Walk with these priorities; what Kick does.
+/// Kick and Walk with these priorities; the requests of Kick.
 std::string kicker(const std::string& kick, const std::string& walk, const std::string& with) {
   return "states: {Motion: {values: [moving, still], initial: moving}}\nroots: {Kick: {" + kick + "}, Walk: {" + walk +
          "}}\ngroups:\n  Kick: {" + with +

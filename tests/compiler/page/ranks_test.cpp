@@ -17,7 +17,7 @@ std::string about(std::size_t count) {
   return out + "  G" + std::to_string(count - 1) + ": {}\n";
 }
 
-/// What the page tells of two groups, a line for each decision.
+/// The page's text about two groups, a line for each decision.
 std::string told_of(const std::string& behaviour, const std::string& first, const std::string& second) {
   const Compiled c = compile("behaviour: test\nlanguage: 1\n" + behaviour);
   const compiler::Json ranks = compiler::ranks_json(c.model);
@@ -178,7 +178,7 @@ TEST_CASE("a member of a unit goes before what is behind another member, if that
   CHECK(pack(any, "Grip", "Grip") == "second, " + without_lift + "first, " + with_lift);
   CHECK(pack(any, "Grip", "Sort") == "second leads\nsecond, " + without_lift + "first, " + with_lift);
   CHECK(pack(any, "Grip", "Pick") == "second leads\nsecond, " + without_lift + "first, " + with_lift);
-  // What it needs comes with it, and what that asks for does not.
+  // Its needs are granted with it, and their requests are not.
   CHECK(pack(any, "Palm", "Sort") == "second leads\nsecond, " + without_lift +
                                          "first, Pack: what Grip (priority 0) needs before Sort (priority 20), as Grip "
                                          "is granted together with Lift (priority 50)\n");
@@ -194,7 +194,7 @@ TEST_CASE(
   };
   const std::string by_rank = "second, Pack: Sort (priority 20) before Grip (priority 0)";
   const std::string led = "first, Pack: Grip (priority 0) before Sort (priority 20), as Grip is granted together with ";
-  // A pack is asked for as a whole.
+  // A pack is requested as a whole.
   CHECK(grip("packs: {whole: {Lift: {priority: 50}, Hold: {priority: 20}, Sort: {priority: 20, apart: true}, Grip: "
              "{}}}") == led + "Lift (priority 50) or Hold (priority 20, if older)\n");
   CHECK(grip("packs: {whole: {Lift: {levels: {firm: {priority: 50}, spare: {priority: 50, optional: true}}}, Sort: "

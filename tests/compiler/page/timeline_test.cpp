@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests compiler/page/html_timeline.cpp. What the script makes of it: tests/browser.
+// Tests compiler/page/html_timeline.cpp. Its script: tests/browser.
 #include "compiler/page/html_parts.hpp"
 
 #include <catch2/catch.hpp>

@@ -24,7 +24,7 @@ Rewritten rewrite(const std::string& text) {
   return {updated.text.substr(head.size()), updated.steps};
 }
 
-/// What is written is what happens: then nothing has to be written any more.
+/// The written text is what happens: then nothing has to be written any more.
 void check(const std::string& before, const std::string& after) {
   CAPTURE(before);
   CHECK(rewrite(before).text == after);

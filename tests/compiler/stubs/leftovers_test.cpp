@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is said of code that serves nothing any more, and of what it is not said.
+// The reports about code without a purpose, and the cases without one.
 #include "compiler/stubs/leftovers.hpp"
 
 #include <catch2/catch.hpp>
@@ -77,7 +77,7 @@ TEST_CASE("a function of an implementing class with another parameter is ignored
 
 TEST_CASE("a body in a class whose interface is gone is a leftover if it overrides or is outside of its class") {
   FoundFunction row = function("Arms", "provide", "::b::Wave::Default", false);
-  CHECK(said(row) == Said{}); // maybe some other class
+  CHECK(said(row) == Said{}); // possibly another class
   row.overrides = true;
   const Said expected{"`provide(::b::Wave::Default&)` of `Arms` is left over: robot has no such provider or handler"};
   CHECK(said(row) == expected);

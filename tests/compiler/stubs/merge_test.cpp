@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where what is missing goes, and what is said where it can go nowhere: whole programs before and after.
+// Where missing functions are inserted, and the report if that is impossible: whole programs before and after.
 #include "compiler/stubs/merge.hpp"
 #include "tests/compiler/stubs/cheap_cpp.hpp"
 
@@ -21,7 +21,7 @@ const WantedFunction walk{Kind::provide, "b::Walk::Default", {"(b.yaml:1)"}};
 const WantedFunction stop{Kind::stop, "b::Walk::Stop", {"(b.yaml:2)"}};
 const WantedFunction jump{Kind::provide, "b::Jump::Default", {"(b.yaml:3)"}};
 
-/// As the cheap stand-in for Clang reads it, with the last words on what it has found.
+/// As the cheap stand-in for Clang reads it, with a last change of what it has found.
 template <class Change>
 Merge merged(const Wanted& wanted, const Texts& texts, Change change) {
   Found found = read_cheaply(texts, wanted);

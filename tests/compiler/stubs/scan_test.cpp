@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What director-clang is asked, as JSON, and what is made of its answers, also of those that make no sense.
+// Requests to director-clang, as JSON, and the parsing of its answers, also of invalid ones.
 #include "compiler/stubs/scan.hpp"
 
 #include <catch2/catch.hpp>

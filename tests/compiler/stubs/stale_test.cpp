@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which comments of stubs are told as not true any more, and which of them are the user's affair.
+// Which comments of stubs are reported as outdated, and which are left to the user.
 #include "compiler/stubs/stale.hpp"
 
 #include <catch2/catch.hpp>

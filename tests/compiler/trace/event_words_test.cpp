@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests compiler/trace/event_words.cpp: no event is without words, and no two that differ read alike.
+// Tests compiler/trace/event_words.cpp: every event has a text, and different events have different ones.
 #include "compiler/trace/event_words.hpp"
 #include "compiler/trace/lookup.hpp"
 #include "compiler/trace/recorded_names.hpp"

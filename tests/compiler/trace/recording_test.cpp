@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests compiler/trace/recording.cpp: the bytes are read by a decoder that knows nothing but the format in
-// recording.hpp. The page's own decoder: tests/browser.
+// Tests compiler/trace/recording.cpp: a decoder that depends only on the format in recording.hpp reads the bytes. The
+// page's own decoder: tests/browser.
 #include "compiler/trace/lookup.hpp"
 #include "compiler/trace/recorded_names.hpp"
 #include "compiler/trace/recording.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small behaviours, each named for the kind of the cell that is looked at; the whole cell is compared, and its
-// scenario.
+// Small behaviours, each named for the kind of its cell; the whole cell is compared, and its scenario.
 #include "compiler/lower/lower.hpp"
 #include "compiler/transitions/matrix.hpp"
 #include "tests/compiler/support/compiled.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a full inbox does with inputs: what it refuses, what waits outside of it, and who hears of what was lost.
+// How a full inbox handles inputs: what it refuses, what waits outside of it, and how lost inputs are reported.
 #include "tests/system/api/office.hpp"
 
 #include <catch2/catch.hpp>
@@ -99,7 +99,7 @@ TEST_CASE("what is set later comes later, through the inbox or outside of it") {
   Flooded flooded;
   std::vector<int> seen;
   CHECK(flooded.behaviour.set(Battery{1}));
-  flooded.plans.rest = [&](Rest::Default& run) { // in the middle of a step there is room again
+  flooded.plans.rest = [&](Rest::Default& run) { // in the middle of a step there is space again
     CHECK(flooded.behaviour.post().set(Battery{2}));
     CHECK(flooded.behaviour.post().set(Battery{3}, post::Mood::hurried));
     CHECK(flooded.behaviour.post().set(Battery{4}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Observers that throw, and that call whom they must not.
+// Observers that throw, and that call forbidden functions.
 #include "tests/system/api/office.hpp"
 
 #include <catch2/catch.hpp>
@@ -114,7 +114,7 @@ TEST_CASE("of what a body and an observer throw in one micro-step the first is t
   Watched watched;
   watched.plans.rest = [](Rest::Default&) -> Outcome { throw std::logic_error("cannot rest"); };
   watched.behaviour.request<Rest>();
-  CHECK_THROWS_AS(watched.behaviour.step(0s), std::runtime_error); // told of the run, before it
+  CHECK_THROWS_AS(watched.behaviour.step(0s), std::runtime_error); // the event of the run, before it
   CHECK(watched.behaviour.step(0s) == StepResult::quiescent);
 }
 

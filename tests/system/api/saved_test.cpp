@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The night watch saved and loaded: what of time goes on, what is refused, and what is not called.
+// The night watch saved and loaded: which timers continue, what is refused, and what is not called.
 #include "night_watch.hpp"
 #include "tests/support/numbers_of_event.hpp"
 
@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 namespace watch = night_watch;
 using Bytes = std::array<std::byte, watch::Behaviour::saved_bytes()>;
 
-/// The lamp blinks by itself, the round looks again after three seconds, and who leaves pushes the gate.
+/// The lamp blinks by itself, the round looks again after three seconds, and Leave pushes the gate.
 struct Guard final : watch::Guard {
   Outcome provide(watch::Round::Default& run) override {
     lines.push_back("round");

@@ -118,7 +118,7 @@ private:
   }
 
   std::string body(const compiler::Body& cases) {
-    // Ranges of rows that others add to meanwhile would not be in one piece.
+    // Ranges of rows would not be contiguous if others were added meanwhile.
     std::vector<std::string> rows;
     for (const Case& each : cases) rows.push_back(case_row(each));
     const std::size_t begin = cases_.all.size();
@@ -224,7 +224,7 @@ void PlanText::add(const std::string& title, const dsl::Sources& sources, const 
 
 std::string PlanText::text() const {
   Code code;
-  code.line("#include \"runtime/core/api/behaviour.hpp\""); // what generated code stands on
+  code.line("#include \"runtime/core/api/behaviour.hpp\""); // what generated code depends on
   code.line("#include \"tests/system/arm/target/plan.hpp\"");
   code.blank();
   code.line("#include <array>");

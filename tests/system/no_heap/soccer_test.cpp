@@ -15,7 +15,7 @@ struct Count {
   int runs = 0;
 };
 
-/// Uses of the heap in a minute of it, but for the world's.
+/// Uses of the heap in a minute of it, without those of the world.
 std::size_t heap_uses_in(sim::World& world, auto& player) {
   const std::size_t before = heap_uses();
   while (world.now() < 60'000) {

@@ -92,7 +92,7 @@ TEST_CASE("of two equals each is granted before anything below the other is trie
   CHECK(Taking("roots: [Plan]\ngroups:\n  Plan: {packs: {go: {Walk: {apart: true}, Legs: {}}}}\n  Walk: {tasks: "
                "[Legs]}\n  Legs: {}\n")
             .mates("Plan") == "Legs from Walk by Legs before steady below; ");
-  // Not what the earlier one needs itself.
+  // Without the needs of the earlier one.
   CHECK(Taking("roots: [Plan]\ngroups:\n  Plan: {packs: {go: {Walk: {apart: true}, Legs: {}}}}\n"
                "  Walk: {needs: [Legs], tasks: [Legs]}\n  Legs: {}\n")
             .mates("Plan")

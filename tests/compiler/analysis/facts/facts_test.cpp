@@ -112,7 +112,7 @@ TEST_CASE("a task that goes before one link of a chain and not before the next p
   const Found alone(ladder + "roots: {First: {priority: 9}, Second: {priority: 1}, Late: {priority: 5}}\n");
   CHECK(alone.pushed() == "");
   CHECK(alone.active() == "First.idle Second.idle ");
-  // Somebody else may bring the first link about, and then the second one can be pushed.
+  // Another provider may cause the first link, and then the second one can be pushed.
   const Found helped(ladder + "roots: {First: {priority: 8}, Early: {priority: 9}, Second: {priority: 1}, "
                               "Late: {priority: 5}}\n");
   CHECK(helped.pushed() == "First.acting Second.acting ");

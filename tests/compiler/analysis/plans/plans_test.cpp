@@ -36,7 +36,7 @@ TEST_CASE("plans are counted without those that use a group twice") {
 }
 
 TEST_CASE("a search that takes too long reports that it did not decide") {
-  // Twelve tasks that share eleven limbs: pigeons and holes, which no search of this kind finishes.
+  // Twelve tasks that share eleven limbs: pigeons and holes, which no such search finishes.
   std::string text = head + "  All: {needs: [";
   for (int i = 0; i < 12; ++i) text += (i == 0 ? "T" : ", T") + std::to_string(i);
   text += "]}\n";

@@ -10,7 +10,7 @@ namespace {
 using namespace director;
 using namespace director::analysis;
 
-/// What no way of the group covers, one combination a line.
+/// The gaps of the group, one combination a line.
 std::string gaps_of(const char* group, const std::string& text, bool with_stay = true) {
   const tests::Analysed test(text);
   const Model& model = test.model;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `directorc stubs` on programs as people write them, with director-clang and the real generated header.
+// `directorc stubs` on realistic programs, with director-clang and the real generated header.
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
@@ -308,7 +308,7 @@ TEST_CASE("a missing #include is reported, and what is there is not added again"
   const std::string header = shop.text("src/wheels.hpp"), source = shop.text("src/wheels.cpp");
   const std::string refusal = "directorc: this C++ cannot be read, so nothing is written\nstatus 1\n";
 
-  // Of the class: whatever the file is called.
+  // Of the class, whatever the name of the file.
   for (const std::string file : {"src/wheels.cpp", "src/bodies.cpp"}) {
     fs::remove(shop.folder() + "/src/wheels.cpp");
     shop.write(file, source.substr(source.find('\n') + 1));
@@ -316,7 +316,7 @@ TEST_CASE("a missing #include is reported, and what is there is not added again"
                               ":5:19: error: `cart` is not declared here: an `#include` is missing\n" + refusal);
     fs::remove(shop.folder() + "/" + file);
   }
-  // Of the behaviour: where the class is called otherwise than its first files would be.
+  // Of the behaviour, if the class has another name than its first files would have.
   std::string other = header;
   other.erase(other.find("#include \"cart.hpp\"\n"), 20);
   fs::remove(shop.folder() + "/src/wheels.hpp");
@@ -324,7 +324,7 @@ TEST_CASE("a missing #include is reported, and what is there is not added again"
   CHECK(shop.stubs() == "src/robot.hpp:5:29: error: `cart` is not declared here: an `#include` is missing\n" + refusal);
   CHECK(!fs::exists(shop.folder() + "/src/wheels.hpp"));
 
-  // What stands in a namespace that is known, and a behaviour that has changed: only the first is a fault.
+  // A name in a known namespace, and one of a changed behaviour: only the first is a fault.
   shop.write("src/robot.hpp", "#pragma once\n#include \"cart.hpp\"\nnamespace my { struct Wheels : cart::Wheels {\n  " +
                                   decl_stop + "\n  " + decl_rolling + "\n  " + decl_braking +
                                   "\n  void start(cart::Steer::Start&);\n}; }\n");
