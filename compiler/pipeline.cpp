@@ -44,7 +44,7 @@ bool any_has(const Diagnostics& findings, checks::Consequence consequence) {
                      [&](const dsl::Diagnostic& finding) { return has(finding, consequence); });
 }
 
-/// Errors that leave nothing to run: among them a group that would wait for itself.
+/// Whether there are errors without tables to run, like a group that would wait for itself.
 bool stops_lowering(const Model& model, const Diagnostics& findings) {
   return any_has(findings, checks::Consequence::nothing_runs) ||
          std::any_of(model.edges.begin(), model.edges.end(),
@@ -57,12 +57,12 @@ bool has_all_but_providers(const Diagnostics& findings) {
   });
 }
 
-bool says_never(const dsl::Diagnostic& finding) {
+bool reports_never(const dsl::Diagnostic& finding) {
   const checks::Registered* check = checks::find_registered(finding.id);
-  return check != nullptr && checks::says_never(*check);
+  return check != nullptr && checks::reports_never(*check);
 }
 
-/// What is found of something that only stands in for what is missing is not true of the file.
+/// Drops findings about a substitute for a missing thing, which are not about the file.
 Diagnostics without_stand_ins(const Diagnostics& before, Diagnostics found) {
   const auto is_missing = [&](dsl::Span span) {
     return std::any_of(before.begin(), before.end(), [&](const dsl::Diagnostic& finding) {
@@ -71,14 +71,14 @@ Diagnostics without_stand_ins(const Diagnostics& before, Diagnostics found) {
   };
   const bool any_missing = any_has(before, checks::Consequence::stand_in);
   std::erase_if(found, [&](const dsl::Diagnostic& finding) {
-    if (any_missing && says_never(finding)) return true;
+    if (any_missing && reports_never(finding)) return true;
     return is_missing(finding.span) || std::any_of(finding.notes.begin(), finding.notes.end(),
                                                    [&](const dsl::Note& note) { return is_missing(note.span); });
   });
   return found;
 }
 
-/// One decision of it does not try more than anybody waits for.
+/// Whether no decision has too many trials to wait for.
 bool is_quick_to_run(const Diagnostics& findings) {
   return !any_has(findings, checks::Consequence::nothing_is_explored);
 }
@@ -88,19 +88,19 @@ bool is_quick_to_run(const Diagnostics& findings) {
 Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sources, const CheckOptions& options) {
   Checked out;
 
-  // As it is written.
+  // Read the files.
   dsl::ReadResult read = dsl::read_behaviour(path, files, sources);
   out.spec = std::move(read.spec);
   out.findings = std::move(read.diagnostics);
 
-  // What the types of C++ are that it names. Most behaviours say all that is needed themselves.
+  // Read the C++ types that are named, if they are needed. Most behaviours are complete without them.
   std::optional<Types> types;
   if (options.types != nullptr) {
     if (const auto question = named_types(out.spec, options.types->thorough())) types = options.types->read(*question);
   }
   if (types) out.headers = types->files;
 
-  // What the names mean.
+  // Resolve the names.
   Resolved resolved = resolve(out.spec, sources, {ids_of_checks(), options.types, types ? &*types : nullptr});
   out.model = std::move(resolved.model);
   append(out.findings, without_lost_names(sources, out.findings, std::move(resolved.findings)));
@@ -110,7 +110,7 @@ Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sou
   }
   out.resolved = !dsl::has_errors(out.findings);
 
-  // Whether it makes sense. Only a deployment is a closed world.
+  // Run the checks. Only a deployment is a closed world.
   const bool checkable = has_all_but_providers(out.findings) && out.model.deployment;
   if (checkable) {
     const analysis::Facts facts = analysis::find_facts(out.model, out.graph);
@@ -119,14 +119,14 @@ Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sou
   }
   out.lowerable = out.resolved && checkable && !stops_lowering(out.model, out.findings);
 
-  // Whether what its author relies on is true. Errors that leave something to run say nothing about that.
+  // Decide the assertions. Errors that leave something to run do not affect them.
   if (options.decide && out.lowerable && is_quick_to_run(out.findings) && !out.model.assertions.empty()) {
     const std::vector<Verdict> verdicts = decide_assertions(Ground(out.model), states_of_check);
     append(out.findings, refuted_assertions(out.model, verdicts));
     out.undecided = undecided_assertions(out.model, verdicts);
   }
 
-  // What only exploring tells.
+  // Explore for what never runs.
   if (options.explore > 0 && out.lowerable && is_quick_to_run(out.findings)) {
     NeverRuns never = find_never_runs(out.model, options.explore, out.findings, options.progress);
     append(out.findings, std::move(never.findings));
@@ -135,8 +135,9 @@ Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sou
           "what never runs: {} states were found, and there are more; `--bound N` tries more", never.states));
   }
 
-  // What of all that is reported.
-  out.findings = checks::apply_allowances(out.model, std::move(out.findings), checkable && !options.selection.only_errors);
+  // Select the findings to report.
+  out.findings =
+      checks::apply_allowances(out.model, std::move(out.findings), checkable && !options.selection.only_errors);
   out.findings = checks::apply_selection(options.selection, std::move(out.findings));
   return out;
 }

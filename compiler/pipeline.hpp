@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// From a path to a checked model: what every command does first.
+// From a path to a checked model: the first step of every command.
 
 #include "compiler/checks/run_checks.hpp"
 #include "compiler/facts/types.hpp"
@@ -21,13 +21,13 @@ struct SearchProgress;
 
 struct CheckOptions {
   checks::Selection selection;
-  bool decide = false;     ///< also whether the assertions are true
-  std::size_t explore = 0; ///< also what never runs, as far as so many states tell; 0: not
-  std::function<void(const SearchProgress& so_far)> progress{}; ///< of exploring, now and then
-  TypeReader* types = nullptr; ///< what C++ is read with; nothing: it cannot be read here
+  bool decide = false;                                          ///< also decide whether the assertions are true
+  std::size_t explore = 0;                                      ///< also find what never runs, in so many states; 0: no
+  std::function<void(const SearchProgress& so_far)> progress{}; ///< of exploring, called now and then
+  TypeReader* types = nullptr;                                  ///< the reader of C++; null: none
 };
 
-/// Of who tells no warnings: they are not looked for, which takes most of the time of a check.
+/// For callers that report no warnings: searching them takes most of the time of a check.
 inline CheckOptions only_errors() {
   CheckOptions out;
   out.selection.only_errors = true;
@@ -35,14 +35,14 @@ inline CheckOptions only_errors() {
 }
 
 struct Checked {
-  dsl::Spec spec;                        ///< no file: the path itself cannot be read
-  Model model;                           ///< good only if `resolved`
+  dsl::Spec spec;                        ///< empty: the path itself cannot be read
+  Model model;                           ///< valid only if `resolved`
   Graph graph;                           ///< likewise
   bool resolved = false;                 ///< no errors of "Reading" and "Names and domains"
-  bool lowerable = false;                ///< resolved, and nothing stands in the way of running it in the engine
+  bool lowerable = false;                ///< resolved, and nothing prevents running it in the engine
   std::vector<dsl::Diagnostic> findings; ///< sorted by place
   std::vector<std::string> headers;      ///< the user's, that were read for their types
-  std::vector<std::string> undecided;    ///< what exploring leaves open, assertions first, each in a line
+  std::vector<std::string> undecided;    ///< assertions, and what exploring left open, each in a line
 };
 
 Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sources, const CheckOptions& options = {});

@@ -116,7 +116,7 @@ private:
                     scope.build, excluded.empty() ? "" : " that is not excluded", name));
   }
 
-  /// What stands in the build and cannot be read may have bodies.
+  /// An unreadable file of the build may have bodies.
   void note_unreadable(const std::string& file) {
     const auto read = world_.files.read(file, dsl::largest_file, dsl::Kinds::ordinary);
     if (read || !unreadable_.insert(file).second) return;
@@ -135,7 +135,7 @@ private:
     return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
   }
 
-  /// By its source or by what it is compiled to: CMake compiles a target into a folder of its own.
+  /// By its source or its output: CMake compiles a target into a folder of its own.
   static bool is_excluded(const CompileCommand& command, const std::vector<fs::path>& excluded,
                           std::vector<bool>& met) {
     const fs::path output = command.output.empty() ? fs::path{} : whole(fs::path(command.directory) / command.output);
@@ -156,15 +156,15 @@ private:
     return !headers_.emplace(header, ours ? text.value() : std::string{}).first->second.empty();
   }
 
-  /// False: what was generated is old, and all that follows from it would be told in vain.
+  /// False: the generated files are outdated, and all findings that follow would be useless.
   bool compare_generated() {
     const Lowered lowered = lower(checked_.model);
     const Deployment deployment{sources_, checked_.model, lowered};
     const std::string expected = header(deployment).text(), expected_facts = facts(deployment).text();
-    std::set<std::string> told;
+    std::set<std::string> reported;
     bool all_fresh = true;
     for (const Candidate& each : candidates_) {
-      if (each.header.empty() || !told.insert(each.header).second) continue;
+      if (each.header.empty() || !reported.insert(each.header).second) continue;
       const auto found =
           world_.files.read(fs::path(each.header).replace_filename(facts_name(checked_.model.name)).string(),
                             dsl::largest_file, dsl::Kinds::ordinary);
@@ -182,7 +182,7 @@ private:
     std::vector<std::string> questions;
     Json units = Json::list({});
     std::vector<Json> answers(wanted.size());
-    std::vector<std::size_t> asked;
+    std::vector<std::size_t> missing;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       wanted[i]->scanned = true;
       Json unit = unit_of(*wanted[i]);
@@ -194,18 +194,18 @@ private:
         answers[i] = std::move(*known);
       } else {
         units.add(std::move(unit));
-        asked.push_back(i);
+        missing.push_back(i);
       }
     }
-    if (!asked.empty()) {
+    if (!missing.empty()) {
       const Scan answer = scanner_.ask(
           "facts", Json::object({{"units", std::move(units)}, {"namespace", Json::text(checked_.model.name_space)}}));
       if (!answer) return fail(answer.error().message);
-      const std::vector<Json>& told = answer.value()["units"].items();
-      if (told.size() != asked.size()) return fail("director-clang left out some files");
-      for (std::size_t i = 0; i < asked.size(); ++i) {
-        cache_.keep(questions[asked[i]], told[i]);
-        answers[asked[i]] = told[i];
+      const std::vector<Json>& units = answer.value()["units"].items();
+      if (units.size() != missing.size()) return fail("director-clang left out some files");
+      for (std::size_t i = 0; i < missing.size(); ++i) {
+        cache_.keep(questions[missing[i]], units[i]);
+        answers[missing[i]] = units[i];
       }
     }
     for (std::size_t i = 0; i < wanted.size(); ++i) {
@@ -236,7 +236,7 @@ private:
                                            more));
   }
 
-  /// Files that may have the bodies of functions that are called and matter: called like the header that declares them.
+  /// Files that may have the bodies of relevant functions: with the name of the header that declares them.
   std::vector<Candidate*> helpers(const analysis::CodeInput& input) {
     std::set<std::string> stems;
     for (const analysis::Body& body : input.bodies) {
@@ -267,7 +267,7 @@ private:
     }
     out_.bodies = input.names.contexts.size();
     out_.seen = seen.size();
-    // Where there are classes, the build is the right one, and what is missing is told in the findings.
+    // If there are classes, the build is the right one, and findings report what is missing.
     if (seen.empty() && code_.classes.empty() && !code_.has_templates) {
       fail(fmt::format("no body of `{}` was found in the {} of `{}` that could have one", checked_.model.name,
                        out_.files == 1 ? "file" : fmt::format("{} files", out_.files), build));
@@ -282,9 +282,9 @@ private:
 
   void note_unseen(const analysis::Body& body) {
     const bool realtime = checked_.model.groups[body.of.group].realtime;
-    std::set<std::string> told;
+    std::set<std::string> reported;
     for (const analysis::Unseen& each : body.unseen) {
-      if ((!each.carries && !realtime) || !told.insert(each.what).second) continue;
+      if ((!each.carries && !realtime) || !reported.insert(each.what).second) continue;
       const dsl::SourceFile& file = sources_[each.span.file];
       const dsl::Place place = file.place(each.span.begin);
       out_.not_decided.push_back(fmt::format("{}: nobody can see {}: {}:{}:{}: {}",
@@ -302,10 +302,10 @@ private:
   Includes includes_;
   FactCache cache_;
   CodeFiles code_files_;
-  bool is_realtime_; ///< so that it matters what blocks
+  bool is_realtime_; ///< so that blocking calls matter
   std::vector<CompileCommand> commands_;
   std::vector<Candidate> candidates_;
-  std::map<std::string, std::string> headers_; ///< path -> text; empty: it is none of ours
+  std::map<std::string, std::string> headers_; ///< path -> text; empty: it is not generated
   std::set<std::string> unreadable_;
   CodeFacts code_;
   Verified out_;

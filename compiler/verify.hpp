@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The user's C++ against the behaviour: what every function of the build that matters does, and what the checks that
-// read C++ say of it.
+// Checks the user's C++ against the behaviour: the facts of every relevant function of the build, and the findings of
+// the checks that read C++.
 
 #include "compiler/facts/cache.hpp"
 #include "compiler/facts/programs.hpp"
@@ -17,20 +17,20 @@ struct VerifyWorld {
   std::string scanner; ///< director-clang
   dsl::FileAccess& files;
   FactStore& store;
-  std::string (*shown)(const std::string&); ///< a path for people
+  std::string (*shown)(const std::string&); ///< a path for messages
 };
 
 struct Verified {
-  std::string fault;                     ///< why nothing could be looked at; else empty
+  std::string fault;                     ///< why nothing could be read; otherwise empty
   std::vector<dsl::Diagnostic> findings; ///< all levels, nothing suppressed
-  std::vector<std::string> not_decided;  ///< what nobody could see, each in a line
-  std::vector<std::string> remarks;      ///< on what was asked, each in a line
+  std::vector<std::string> not_decided;  ///< what could not be determined, each in a line
+  std::vector<std::string> remarks;      ///< on the scope, each in a line
   std::vector<std::string> unwritten;    ///< bodies that are as `directorc stubs` wrote them: `Walk.halting`
   std::size_t files = 0;                 ///< that were read
   std::size_t bodies = 0, seen = 0;      ///< of providers and handlers
 };
 
-/// What of a build is looked at.
+/// The part of a build that is examined.
 struct VerifyScope {
   std::string build;                 ///< a folder with compile_commands.json
   std::string generated;             ///< if not empty: only what is compiled with the header in this folder

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Kinds of characters, whatever the locale says: of ASCII, the others are none of them.
+// Classes of ASCII characters, independent of the locale; characters beyond ASCII are in none of them.
 
 #include <cstddef>
 #include <string_view>
@@ -12,14 +12,14 @@ constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' &&
 constexpr bool is_alphanumeric(char c) { return is_letter(c) || is_digit(c); }
 constexpr bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-/// What a name has.
+/// Whether a name may have the character, anywhere but at its beginning.
 constexpr bool is_word(char c) { return is_alphanumeric(c) || c == '_'; }
-/// One at least.
+/// Whether `text` is not empty and has only these characters.
 constexpr bool all_among(std::string_view text, std::string_view characters) {
   return !text.empty() && text.find_first_not_of(characters) == std::string_view::npos;
 }
 
-/// How many bytes the well-formed UTF-8 character at `at` has (Unicode, table 3-7); 0: there is none.
+/// The length in bytes of the well-formed UTF-8 character at `at` (Unicode, table 3-7); 0 if there is none.
 constexpr std::size_t utf8_length(std::string_view text, std::size_t at) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
   const auto follows = [&](std::size_t i, unsigned low = 0x80U, unsigned high = 0xBFU) {

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Colours of a terminal (ECMA-48, SGR). One meaning a colour, wherever text is printed; nothing is told by colour
-// alone.
+// Colours of a terminal (ECMA-48, SGR). Each colour has one meaning wherever text is printed; nothing is shown by
+// colour alone.
 
 #include <string>
 #include <string_view>
@@ -15,7 +15,7 @@ inline constexpr std::string_view grey = "\033[90m", bold_red = "\033[1;31m", bo
 inline constexpr std::string_view bold_blue = "\033[1;34m", bold_magenta = "\033[1;35m", bold_cyan = "\033[1;36m";
 } // namespace colours
 
-/// `text` in a colour; as it is where there are no colours, or where the colour is empty.
+/// `text` in a colour; unchanged without colours, or if the colour is empty.
 inline std::string painted(std::string_view text, std::string_view colour, bool has_colours) {
   if (!has_colours || colour.empty()) return std::string(text);
   return std::string(colour).append(text).append(colours::reset);

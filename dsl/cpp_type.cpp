@@ -15,7 +15,7 @@ namespace director::dsl {
 
 namespace {
 
-/// In the one order in which they are read.
+/// In the only order in which they are accepted.
 constexpr std::array<std::string_view, 27> built_in{"bool",
                                                     "char",
                                                     "char16_t",
@@ -45,11 +45,11 @@ constexpr std::array<std::string_view, 27> built_in{"bool",
                                                     "wchar_t"};
 static_assert(std::is_sorted(built_in.begin(), built_in.end()));
 
-/// Brackets within brackets; nobody has more.
+/// Limit for nested brackets, above all real types.
 constexpr int deepest = 16;
 
-/// Also marks that turn the direction of text: with these a line reads otherwise than it is compiled. Their UTF-8
-/// begins with E2 80 or E2 81.
+/// Also finds the marks that change the direction of text: with them a line reads differently from how it is compiled.
+/// Their UTF-8 begins with E2 80 or E2 81.
 bool has_controls(std::string_view text) {
   if (text.find("\xE2\x80") != std::string_view::npos || text.find("\xE2\x81") != std::string_view::npos) return true;
   return std::any_of(text.begin(), text.end(), [](char c) {
@@ -58,7 +58,7 @@ bool has_controls(std::string_view text) {
   });
 }
 
-/// A whole number as C++ has it, with what it may end with: `3`, `0x1F`, `8u`.
+/// Whether the word is an integer literal of C++, with its suffix: `3`, `0x1F`, `8u`.
 bool is_number(std::string_view word) {
   constexpr std::array<std::string_view, 7> endings{"u", "l", "ul", "lu", "ll", "ull", "llu"};
   std::string text(word);
@@ -192,7 +192,7 @@ private:
     }
   }
 
-  /// What the preprocessor leaves of it is no type.
+  /// A macro would be replaced by something that is no type.
   void refuse_macro(std::string_view word) {
     if (is_cpp_macro(word)) fault_ = fmt::format("`{}` is a macro of the standard headers of C++", word);
     if (is_director_macro(word)) fault_ = "names that begin with `DIRECTOR_` are macros of Director's own";
@@ -233,7 +233,7 @@ private:
   std::string fault_;
 };
 
-/// The beginning of a long text.
+/// The beginning of a long text, for messages.
 std::string shown(std::string_view text) {
   constexpr std::size_t most = 100;
   return text.size() <= most ? std::string(text) : fmt::format("{}...", text.substr(0, most));

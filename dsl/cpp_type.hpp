@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a behaviour says in words of C++, which the generated code repeats as they stand: so they are read here, and
-// nothing passes that could say more there than one type, or one header.
+// Checks types and headers that a behaviour names in C++. The generated code repeats them as they are, so each text
+// must be exactly one type, or one header.
 
 #include <optional>
 #include <string>
@@ -15,14 +15,14 @@ struct CppFault {
   bool operator==(const CppFault&) const = default;
 };
 
-/// A type that a task can carry by value: names, `::`, template arguments, the built-in types, pointers.
+/// Why the text is no type that a task can carry by value: names, `::`, template arguments, built-in types, pointers.
 std::optional<CppFault> data_fault(std::string_view text);
-/// The name of an enum.
+/// Why the text is no name of an enum.
 std::optional<CppFault> enum_fault(std::string_view text);
-/// A path behind `#include`, bare or in angle brackets.
+/// Why the text is no path for `#include`, bare or in angle brackets.
 std::optional<CppFault> header_fault(std::string_view text);
 
-/// A header as it is named, which must be without faults: where it is looked for, and what includes it.
+/// A header without faults, as it is named: where it is searched, and how it is included.
 struct NamedHeader {
   std::string_view path; ///< without angle brackets
   bool angled = false;

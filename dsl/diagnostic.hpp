@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What is wrong with the user's input: a value that every stage returns and only the command line prints.
+// A fault in the user's input: a value that every stage returns and only the command line prints.
 
 #include "dsl/span.hpp"
 
@@ -14,9 +14,9 @@ enum class Level { error, warning, lint };
 
 std::string_view name_of(Level level); ///< "error", "warning", "lint"
 
-/// Another party of a finding, with its own place.
+/// A further place of a finding, with its own message.
 struct Note {
-  /// Some notes lead from one thing to the next: a way through the specification.
+  /// Notes may form a path through the specification, from one to the next.
   enum class Link {
     aside, ///< it stands for itself
     first, ///< a way begins here, at the finding's own place
@@ -35,14 +35,14 @@ struct Diagnostic {
   std::string message; ///< without the id
   std::vector<Note> notes;
   std::string help; ///< what to do; empty if there is nothing to propose
-  /// What never happens, as it says, or could only by what it says is missing: the place of a provider, a condition of
-  /// one, a need, an entry, or the name of a group. Nobody needs to say so again.
+  /// Spans of what never happens because of this finding: of a provider, a condition of one, a need, an entry, or the
+  /// name of a group. Other checks do not report these again.
   std::vector<Span> rules_out{};
   std::vector<Span> rules_out_together{}; ///< entries that may happen each, and never all of them at once
   bool operator==(const Diagnostic&) const = default;
 };
 
-/// By file, begin, end; at one place by id, then message. Equal ones are merged.
+/// Sorts by file, begin, end, then id and message; equal findings are merged.
 void sort_by_place(std::vector<Diagnostic>& diagnostics);
 
 bool has_errors(const std::vector<Diagnostic>& diagnostics);

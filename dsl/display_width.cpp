@@ -16,7 +16,8 @@ locale_t utf8_locale() {
   return made;
 }
 
-/// Only in this thread, and only while it lives: nothing else that the program prints depends on a locale.
+/// Sets the locale of this thread only, and only during its lifetime: nothing else that the program prints depends on a
+/// locale.
 class InLocale {
 public:
   explicit InLocale(locale_t locale) : before_(uselocale(locale)) {}

@@ -1,9 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// How many columns a character takes on a terminal: one, two (Chinese, emoji), or none (an accent on the one before).
-// As the C library says (wcwidth), in the locale C.UTF-8; without that locale every character takes one.
-// Some terminals draw several characters as one picture, or newer ones otherwise: there marks may stand beside their
-// place.
+// How many columns a character takes on a terminal: one, two (Chinese, emoji), or none (a combining accent). It is what
+// the C library (wcwidth) returns in the locale C.UTF-8; without that locale every character takes one. Some terminals
+// draw several characters as one, or newer characters with another width: there marks may be misplaced.
 
 #include <cstddef>
 #include <string_view>
@@ -16,7 +15,7 @@ struct Glyph {
   bool printable = true; ///< false for control characters, and for a byte that is not UTF-8
 };
 
-/// It is a byte of a character of UTF-8, and not the first one.
+/// Whether the byte is part of a UTF-8 character, but not its first.
 constexpr bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
 /// The character that begins at `text[at]`. `at` lies within `text`.

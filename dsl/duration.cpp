@@ -12,7 +12,8 @@ namespace director::dsl {
 
 namespace {
 
-/// The most is what a pattern of the JSON schemas can say as well, so many nines, and within longest_duration.
+/// Its largest amount has only nines, so that a pattern of the JSON schemas can express the limit, and is within
+/// longest_duration.
 struct Unit {
   TimeUnit unit;
   std::string_view name;

@@ -20,11 +20,11 @@ struct Duration {
 
 constexpr std::int64_t longest_duration = 1'000'000'000'000'000'000; ///< microseconds; some 31,700 years
 
-/// Nothing unless `text` is a whole number from 0, a unit, and at most blanks between and around them; nor where it is
-/// longer than durations may be.
+/// Empty unless `text` is a whole number from 0 and a unit, with nothing but blanks between and around them; also if it
+/// is longer than a duration may be.
 std::optional<Duration> parse_duration(std::string_view text);
 
-/// Where `text` would be a duration if it were not too long: the longest that can be written in its unit.
+/// The longest duration in the unit of `text`, if `text` is a duration that is too long.
 std::optional<Duration> most_instead_of(std::string_view text);
 
 std::string to_text(const Duration& duration); ///< `500 ms`

@@ -20,7 +20,7 @@ namespace director::dsl {
 
 namespace {
 
-/// Nobody minds to wait that long without a word.
+/// A wait below this is not reported.
 constexpr std::chrono::milliseconds a_moment{300};
 
 bool is_pipe(const std::string& path) {
@@ -46,14 +46,14 @@ Result<std::string, FileError> DiskFiles::fetch(const std::string& path, std::si
                                         : Kind::not_readable,
                      std::generic_category().message(number)};
   };
-  // The system would read the path up to there, and open another file than the one that is named.
+  // The system would read the path only up to the NUL, and open another file than the named one.
   if (path.find('\0') != path.npos) return error(ENOENT);
   const bool waits = kinds == Kinds::any;
   if (!waits && is_pipe(path)) return FileError{FileError::Kind::pipe, "it is a pipe, and no ordinary file"};
-  // A pipe is opened without waiting for who writes to it: that may be nobody.
+  // A pipe is opened without waiting for a writer: there may never be one.
   const Descriptor file{open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)};
   if (file.number < 0) return error(errno);
-  // Read and not asked for its size: what is no plain file has none.
+  // Read to its end instead of asking for its size: only a regular file has one.
   std::string text;
   std::array<char, 1 << 16> part{};
   const std::chrono::milliseconds patience = waits ? patience_ : std::chrono::milliseconds(0);

@@ -19,7 +19,7 @@ struct FileError {
   std::string message; ///< what the system says: "no such file", "is a directory"
 };
 
-/// What a path may lead to.
+/// Which kinds of files may be opened.
 enum class Kinds {
   any,     ///< also to a pipe, and who writes to it is waited for
   ordinary ///< to nothing that has to be waited for: a pipe is not even opened
@@ -27,13 +27,13 @@ enum class Kinds {
 
 class FileAccess {
 public:
-  /// The whole content. More than `most` bytes: too_large, and no more than that is read.
+  /// Reads the whole content. If it has more than `most` bytes: too_large, and no more than that is read.
   Result<std::string, FileError> read(const std::string& path, std::size_t most, Kinds kinds = Kinds::any) {
     return fetch(path, most, kinds);
   }
-  /// Equal for two ways of writing the path of one file, whether or not it exists.
+  /// A path that is equal for all spellings of the path of one file, whether or not it exists.
   virtual std::string identity(const std::string& path) = 0;
-  /// The path of what `file` names relative to itself.
+  /// The path of a file that `file` names relative to itself.
   virtual std::string beside(const std::string& file, const std::string& relative);
 
 protected:
@@ -45,10 +45,10 @@ private:
 
 class DiskFiles final : public FileAccess {
 public:
-  /// Is told which file keeps its reader waiting, and how long it will at most.
+  /// Called with the file that a read waits for, and the longest time that it will wait.
   using Waiting = std::function<void(const std::string& path, std::chrono::milliseconds longest)>;
-  /// Who reads a pipe waits that long for somebody to write to it. After a moment that a program at its other end may
-  /// take to begin, `waiting` is told, once for each file.
+  /// A read from a pipe waits up to `patience` for a writer. After a moment in which a program at its other end may
+  /// start, `waiting` is called, once for each file.
   explicit DiskFiles(std::chrono::milliseconds patience = std::chrono::seconds(10), Waiting waiting = {})
       : patience_(patience),
         waiting_(std::move(waiting)) {}
@@ -61,7 +61,7 @@ private:
   Waiting waiting_;
 };
 
-/// path -> text.
+/// Files in memory, by path.
 class MemoryFiles final : public FileAccess {
 public:
   void add(const std::string& path, std::string text);

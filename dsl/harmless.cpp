@@ -12,7 +12,7 @@ unsigned byte_at(std::string_view text, std::size_t at) {
   return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U;
 }
 
-/// Of the characters U+2000 to U+207F at this place; 0: none of them is here.
+/// The character from U+2000 to U+207F at this place, as its number; 0 if there is none.
 unsigned general_punctuation(std::string_view text, std::size_t at) {
   const unsigned second = byte_at(text, at + 1), third = byte_at(text, at + 2);
   const bool is_here =
@@ -20,13 +20,13 @@ unsigned general_punctuation(std::string_view text, std::size_t at) {
   return is_here ? 0x2000U + ((second & 0x3FU) << 6U) + (third & 0x3FU) : 0U;
 }
 
-/// Marks, embeddings, overrides and isolates of Unicode's bidirectional algorithm.
+/// Whether it is a mark, embedding, override or isolate of Unicode's bidirectional algorithm.
 bool turns(unsigned character) {
   return character == 0x200EU || character == 0x200FU || (character >= 0x202AU && character <= 0x202EU) ||
          (character >= 0x2066U && character <= 0x2069U);
 }
 
-/// `kept`: control characters that stay.
+/// `kept`: control characters that remain.
 std::string spelled_out(std::string_view text, std::string_view kept) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {

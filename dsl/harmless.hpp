@@ -1,20 +1,20 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Text of a user's, which may hold anything, as a terminal may have it.
+// Makes text from a user, which may have any bytes, safe for a terminal.
 
 #include <string>
 #include <string_view>
 
 namespace director::dsl {
 
-/// What would move a terminal's cursor, change its colours or turn the direction of what stands behind it is spelled
-/// out: `\x1B`, `\u202E`.
+/// Escapes what would move a terminal's cursor, change its colours or turn the direction of the text after it: `\x1B`,
+/// `\u202E`.
 std::string harmless(std::string_view text);
 
-/// The same of a text of several lines, which stay lines.
+/// The same for a text of several lines, which remain lines.
 std::string harmless_lines(std::string_view text);
 
-/// The same of what a file says, whose tabs stay tabs too.
+/// The same for the content of a file, which also keeps its tabs.
 std::string harmless_code(std::string_view text);
 
 } // namespace director::dsl

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Fetches the text of a file that was named on the command line or in another file.
+// Loads a file that is named on the command line or in another file.
 
 #include "dsl/diagnostic.hpp"
 #include "dsl/file_access.hpp"
@@ -12,10 +12,11 @@
 
 namespace director::dsl {
 
-/// A behaviour of a thousand groups has about 200 KB. More than this is a mistake, or somebody who wants our memory.
+/// A behaviour of a thousand groups has about 200 KB. A file above this limit is a mistake, or an attempt to exhaust
+/// memory.
 inline constexpr std::size_t largest_file = 64U * 1024 * 1024;
 
-/// What is said of a path that leads nowhere: on the command line, and in a file.
+/// Help for a path without a file: on the command line, and in a file.
 inline constexpr const char* relative_to_program = "a path is relative to the folder in which the program runs";
 inline constexpr const char* relative_to_file = "a path is relative to the file that it stands in";
 
@@ -24,15 +25,15 @@ struct LoadedFile {
   bool readable = false;
 };
 
-/// Adds the file to `sources`. Where it cannot be read that is an empty text, and import_not_found or input_limit at
-/// its beginning.
+/// Adds the file to `sources`. If it cannot be read, that is an empty text, with import_not_found or input_limit at its
+/// beginning.
 LoadedFile load_file(const std::string& path, FileAccess& files, Sources& sources,
                      std::vector<Diagnostic>& diagnostics);
 
 /// Why a file cannot be read, as a finding at the place that names it.
 Diagnostic unreadable(const std::string& path, const FileError& error, Span place);
 
-/// The path of what `file` names relative to itself.
+/// The path of a file that `file` names relative to itself.
 std::string beside(const std::string& file, const std::string& relative);
 
 } // namespace director::dsl

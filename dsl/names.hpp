@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a name may look like. Source: the language page, "Names". Which of these rules a thing must follow is decided
-// where names are resolved.
+// The rules for names. Source: the language page, "Names". Which of them apply to a name is decided by the stage that
+// resolves it.
 
 #include <string>
 #include <string_view>
@@ -12,21 +12,21 @@ namespace director::dsl {
 bool is_identifier(std::string_view text);
 /// Of C++20, with its alternative spellings (`and`, `xor`); they end where a name becomes a C++ name.
 bool is_cpp_keyword(std::string_view text);
-/// What the compiler and its library keep for themselves: `__LINE__`, `_Complex`.
+/// Whether C++ reserves it for the compiler and its library: `__LINE__`, `_Complex`.
 bool is_reserved_in_cpp(std::string_view text);
-/// Of the standard headers, like `EOF` and `errno`.
+/// Whether a standard header defines a macro of this name, like `EOF` and `errno`.
 bool is_cpp_macro(std::string_view text); // standard_names.cpp, as the next one
-/// What the standard headers and those of POSIX declare outside of all namespaces, like `abs`, `FILE` and `stat`.
+/// Whether the headers of the standard or of POSIX declare it in the global namespace, like `abs`, `FILE` and `stat`.
 bool is_cpp_global(std::string_view text);
-/// Begins with `DIRECTOR_`, like all macros of the runtime, and what a program defines for it.
+/// Whether it begins with `DIRECTOR_`, like all macros of the runtime, and those that a program defines for it.
 bool is_director_macro(std::string_view text);
 /// `start`, `stop`, `default`, `root`, `limbo`, with either case of the first letter.
 bool is_reserved(std::string_view text);
-/// What a run's context is asked for (`task`, `request`, `done` ...): no pack can be called so.
+/// Whether it is a member of a run's context (`task`, `request`, `done` ...): no pack can have its name.
 bool is_context_word(std::string_view text);
-/// What YAML 1.1 tools take for booleans: yes, no, on, off, y, n, in any case.
+/// Whether YAML 1.1 tools read it as a boolean: yes, no, on, off, y, n, in any case.
 bool is_yaml_word_trap(std::string_view text);
-/// With its first letter in upper case: what a name becomes in C++.
+/// The name with its first letter in upper case, as in C++.
 std::string capitalised(std::string_view name);
 
 } // namespace director::dsl

@@ -1,8 +1,8 @@
 // Header: dsl/print_spec.hpp. Test: tests/dsl/print_spec_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// A function that returns Pairs gives the `key: value` texts of one mapping. Whether they stand in braces or on lines
-// of their own is for the mapping around them to say.
+// A function that returns Pairs returns the `key: value` texts of one mapping; the caller that prints the mapping
+// decides between braces and separate lines.
 #include "dsl/print_spec.hpp"
 
 #include "dsl/read_condition.hpp"
@@ -93,7 +93,7 @@ Pairs tasks_pairs(const std::vector<TaskSpec>& tasks) {
   return pairs;
 }
 
-/// A list where nothing but names is said.
+/// A list, if the tasks have nothing but names.
 std::string tasks_text(const std::vector<TaskSpec>& tasks) {
   const bool bare =
       std::all_of(tasks.begin(), tasks.end(), [](const TaskSpec& task) { return task_pairs(task).empty(); });

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A Spec as text: the behaviour files in normal form, every key in the order of the language page, no comments. Reading
-// it again gives an equal Spec apart from the places. This is what `directorc dump --stage=spec` prints.
+// A Spec as text: the behaviour files in normal form, with every key in the order of the language page, without
+// comments. Reading it again gives an equal Spec apart from the places. `directorc dump --stage=spec` prints it.
 
 #include "dsl/source_file.hpp"
 #include "dsl/spec.hpp"

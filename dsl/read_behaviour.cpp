@@ -70,7 +70,7 @@ private:
              "import it from a file nearer to the main one");
       return std::nullopt;
     }
-    // Only the main file may be a pipe: who imports one would wait for each of its writers in turn.
+    // Only the main file may be a pipe: an import of one would wait for its writers one after the other.
     auto text = files_.read(path, largest_file, Kinds::ordinary);
     if (!text) {
       result_.diagnostics.push_back(unreadable(path, text.error(), import.span));
@@ -95,7 +95,7 @@ private:
     return chain + fmt::format("`{}`", open_[first].path);
   }
 
-  /// Where each file of the circle but the last imports the next.
+  /// Adds the place of each import in the cycle but the last.
   void add_way(std::size_t first, Diagnostic& finding) const {
     for (std::size_t i = first + 1; i < open_.size(); ++i)
       finding.notes.push_back({*open_[i].import, fmt::format("`{}` imports `{}`", open_[i - 1].path, open_[i].path),

@@ -1,8 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Reads a behaviour file and everything that it imports, each file once. All mistakes are collected; what could be read
-// is in the Spec all the same, so that a second stage may look at it where there are no errors. Source: the language
-// page.
+// Reads a behaviour file and everything that it imports, each file once. All mistakes are collected; the Spec has all
+// that could be read, so that a second stage can check the parts without errors. Source: the language page.
 
 #include "dsl/diagnostic.hpp"
 #include "dsl/file_access.hpp"
@@ -15,7 +14,7 @@
 
 namespace director::dsl {
 
-/// A file imports a file that imports a file: each costs a frame of the reader's stack.
+/// Limit for chains of imports: each file costs a frame of the reader's stack.
 inline constexpr std::size_t deepest_import = 200;
 
 struct ReadResult {

@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 6> ops{"==", "!=", "<", "<=", ">", ">="};
 constexpr std::string_view one_by_one = "each condition is an entry of its own in the list; all must hold";
 constexpr std::string_view known_ops = "one of ==, !=, <, <=, >, >=";
 
-/// What people write who know other languages.
+/// Spellings from other languages.
 struct Habit {
   std::string_view written, help;
 };
@@ -45,7 +45,7 @@ std::string habit_help(std::string_view token) {
   return "";
 }
 
-/// No state is called like that.
+/// Whether the word is a number, which no name of a state is.
 bool is_in_digits(std::string_view word) {
   if (!word.empty() && word.front() == '-') word.remove_prefix(1);
   return !word.empty() && std::all_of(word.begin(), word.end(), is_digit);
@@ -72,7 +72,7 @@ public:
         text_(node.text),
         use_(use) {}
 
-  /// Complete unless there is a fault.
+  /// The condition; complete unless there is a fault.
   ConditionSpec condition() {
     ConditionSpec out;
     out.span = node_.span;
@@ -101,7 +101,7 @@ private:
   std::string_view text(Token token) const { return text_.substr(token.begin, token.end - token.begin); }
   Span span(Token token) const { return places_.span(token.begin, token.end); }
 
-  /// A word, a `|`, or a run of other characters. Empty at the end.
+  /// The next token: a word, a `|`, or a run of other characters. Empty at the end.
   Token peek() const {
     std::size_t begin = at_;
     while (begin < text_.size() && is_space(text_[begin])) ++begin;
@@ -125,7 +125,7 @@ private:
 
   bool at_end() const { return peek().begin == text_.size(); }
 
-  /// What stands behind a whole condition.
+  /// Help for text after a complete condition.
   static std::string rest_help(const ConditionSpec& condition, std::string_view rest) {
     if (std::find(ops.begin(), ops.end(), rest) != ops.end()) return std::string(one_by_one);
     const bool number = !condition.values.empty() && is_in_digits(condition.values.back().value);
@@ -135,7 +135,7 @@ private:
     return habit_help(rest);
   }
 
-  /// The first fault counts: what follows it is read for nothing.
+  /// Only the first fault is reported: later ones may follow from it.
   void fail(Token place, std::string message, std::string help = "") {
     if (!fault_) fault_ = Fault{span(place), std::move(message), std::move(help)};
   }

@@ -13,7 +13,7 @@
 
 namespace director::dsl {
 
-/// `when` and `stay` are plain comparisons; `causing` may say `within 2 s`; `sets` may name a state alone.
+/// `when` and `stay` have plain comparisons; `causing` may have `within 2 s`; `sets` may name a state alone.
 enum class ConditionUse { comparison, causing, sets };
 
 std::optional<ConditionSpec> read_condition(Reader& reader, const YamlNode& node, std::string_view subject,
@@ -22,7 +22,7 @@ std::optional<ConditionSpec> read_condition(Reader& reader, const YamlNode& node
 std::vector<ConditionSpec> read_conditions(Reader& reader, const YamlNode* node, std::string_view subject,
                                            ConditionUse use);
 
-/// What the comparison is with its sides exchanged.
+/// The operator for the comparison with its sides exchanged.
 Op turned(Op op);
 std::string_view to_text(Op op);
 /// The normal form: `Phase == ready|set`, `Pose == standing within 2 s`.

@@ -8,10 +8,10 @@
 
 namespace director::dsl {
 
-/// What is null or broken becomes an empty text.
+/// The value as Data; null or broken values become an empty text.
 Data data_of(const YamlNode& node);
 
-/// The same, where nulls are reported.
+/// The same, but nulls are reported.
 Data read_data(Reader& reader, const YamlNode& node, std::string_view subject);
 
 } // namespace director::dsl

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::int64_t known_language = 1;
 
-/// Whether the rest of the file can be understood.
+/// Whether the file is in this language, so that the rest can be read.
 bool read_language(Reader& reader, const YamlNode& root) {
   const auto version = reader.number(root.find("language"), "language");
   if (!version || version->value == known_language) return true;

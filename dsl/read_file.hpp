@@ -1,13 +1,13 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Reads the top of one behaviour file: everything but what its imports say.
+// Reads the top level of one behaviour file, without its imports.
 
 #include "dsl/reader.hpp"
 #include "dsl/spec.hpp"
 
 namespace director::dsl {
 
-/// `root` is a mapping. Nothing more than `language` is looked at if that is not this language.
+/// `root` is a mapping. If `language` is not this one, nothing else is read.
 BehaviourSpec read_file(Reader& reader, const YamlNode& root);
 
 } // namespace director::dsl

@@ -15,11 +15,11 @@ namespace director::dsl {
 
 namespace {
 
-/// Words of a provider that cannot stand beside `providers`; `sets`, `uses` and `triggers` can, and are for all of
-/// them.
+/// Keys of a provider that are forbidden beside `providers`; `sets`, `uses` and `triggers` are allowed there, and apply
+/// to all providers.
 constexpr std::array<std::string_view, 7> provider_only{"when", "stay", "causing", "needs", "every", "tasks", "packs"};
 
-/// Not `name`, `doc` and `allow`, which a group has for itself.
+/// Reads all keys but `name`, `doc` and `allow`, which belong to the group if the provider is direct.
 void read_provider_words(Reader& reader, const YamlNode& mapping, ProviderSpec& provider) {
   const auto conditions = [&](std::string_view key, ConditionUse use) {
     return read_conditions(reader, mapping.find(key), key, use);
@@ -92,7 +92,7 @@ std::vector<ProviderSpec> read_providers(Reader& reader, const YamlNode* node) {
   return out;
 }
 
-/// The group writes its provider's words directly.
+/// Reads the provider of a group that has the provider's keys itself.
 ProviderSpec read_direct_provider(Reader& reader, const YamlNode& mapping, const GroupSpec& group) {
   ProviderSpec provider;
   provider.name = {"default", group.name.span};
@@ -109,7 +109,7 @@ std::optional<HandlerSpec> read_handler(Reader& reader, const YamlNode* node, st
   if (node->kind == YamlNode::Kind::scalar && !node->quoted() && node->text == "true") return handler;
   const YamlNode* sets = node->find("sets");
   if (node->kind == YamlNode::Kind::mapping) {
-    // Of a mapping, the first key that it cannot have.
+    // The first key that the mapping cannot have.
     const auto other = std::find_if(node->pairs.begin(), node->pairs.end(),
                                     [](const YamlPair& pair) { return pair.key.value != "sets"; });
     if (other != node->pairs.end()) {
@@ -142,7 +142,7 @@ std::string help_for_short_group(const YamlPair& pair) {
                      pair.key.value, is_word ? value.text : "...");
 }
 
-/// A structure is C++'s own matter.
+/// The members of a struct are left to C++.
 std::optional<Word> read_type_of_data(Reader& reader, const YamlNode* node) {
   constexpr std::string_view expected = "a C++ type";
   if (node == nullptr || (node->pairs.empty() && node->items.empty()))

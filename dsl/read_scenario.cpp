@@ -29,8 +29,8 @@ Keys with(Keys keys, std::initializer_list<std::string> more) {
   return keys;
 }
 
-/// Exactly one of `words` is what the mapping is about; nothing, and reported, if there is none. Silent about a mapping
-/// with a key that is none of `keys`: that was reported, and is probably the one.
+/// Returns the only one of `words` among the keys of the mapping; reports if there is none or more than one. Does not
+/// report if the mapping has a key that is not in `keys`: that was reported, and is probably a misspelt one of `words`.
 std::optional<std::size_t> only_word(Reader& reader, const YamlNode& mapping, std::string_view thing, const Keys& words,
                                      const Keys& keys) {
   std::optional<std::size_t> found;
@@ -51,7 +51,7 @@ std::optional<std::size_t> only_word(Reader& reader, const YamlNode& mapping, st
   return found;
 }
 
-/// A root, several of them in a list, or `{Kick: {level: urgent, data: 1}}`.
+/// Reads a root, a list of roots, or `{Kick: {level: urgent, data: 1}}`.
 std::vector<RequestSpec> read_root_requests(Reader& reader, const YamlNode& node) {
   static const Keys keys{"level", "data"};
   if (node.kind == YamlNode::Kind::mapping) return read_request_mapping(reader, node, keys);

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Reads a scenario file (not the behaviour that it names). Source: the second half of the language page.
+// Reads a scenario file, without the behaviour that it names. Source: the second half of the language page.
 
 #include "dsl/diagnostic.hpp"
 #include "dsl/file_access.hpp"

@@ -39,7 +39,7 @@ std::vector<UseGuardSpec> read_use_guards(Reader& reader, const YamlNode* node) 
   return out;
 }
 
-/// `done: true` and its like: true, or left out.
+/// Reads `done: true` and the like: only true is a value.
 bool read_answer_flag(Reader& reader, const YamlNode* node, std::string_view key) {
   const auto flag = reader.flag(node, key);
   if (flag && !flag->value) reader.unexpected(*node, key, "true", "leave it out where it is not so");

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Reads what a scenario's bodies do: the entries of `script`. The lists of requests and settings in it also stand in
-// steps.
+// Reads the scripted bodies of a scenario, the entries of `script`. The lists of requests and settings in it also occur
+// in steps.
 
 #include "dsl/reader.hpp"
 #include "dsl/scenario_spec.hpp"
@@ -16,8 +16,8 @@ ScriptEntrySpec read_script_entry(Reader& reader, const YamlPair& pair);
 /// `{Pose: standing, Charge: 3}`.
 std::vector<SettingSpec> read_settings(Reader& reader, const YamlNode* node, std::string_view subject);
 
-/// `[Legs, Kick: {level: urgent, data: 3, keep: true}]`; each item a name or a mapping. `keys`: the words that an entry
-/// has.
+/// `[Legs, Kick: {level: urgent, data: 3, keep: true}]`; each item a name or a mapping. `keys`: the keys that an entry
+/// may have.
 std::vector<RequestSpec> read_requests(Reader& reader, const YamlNode* node, std::string_view subject,
                                        const Keys& keys);
 /// `{Kick: {level: urgent}}`.

@@ -54,15 +54,16 @@ std::string help_for_short_state(const YamlPair& pair) {
   return builtin ? *help_for_type(pair.value.text) : "";
 }
 
-/// A type that C++ has itself is not taken for the name of an enum: nobody should look for its values.
+/// A type of C++ itself is not accepted as the name of an enum, so that its enumerators are not searched.
 std::optional<Word> read_type(Reader& reader, const YamlNode& mapping) {
   constexpr std::string_view expected = "a C++ enum";
   const YamlNode* node = mapping.find("type");
   const bool scalar = node != nullptr && node->kind == YamlNode::Kind::scalar;
   const std::string* help = scalar ? help_for_type(node->text) : nullptr;
   if (help == nullptr) return reader.cpp_word(node, "type", expected, "bad_type", enum_fault);
-  const bool said = mapping.find("values") || mapping.find("range");
-  reader.unexpected(*node, "type", expected, said ? "leave it out: what the state can be is said beside it" : *help);
+  const bool has_values = mapping.find("values") || mapping.find("range");
+  reader.unexpected(*node, "type", expected,
+                    has_values ? "leave it out: what the state can be is said beside it" : *help);
   return std::nullopt;
 }
 
@@ -81,7 +82,7 @@ StateSpec read_state(Reader& reader, const YamlPair& pair) {
   reader.know_keys(mapping, thing, keys, slips_of_state());
   reader.exclude(mapping, "range", "values", "leave out one: `range` is for whole numbers, `values` is for words");
   const YamlNode* type = mapping.find("type");
-  if (!type || !help_for_type(type->text)) // that is told of `type` alone
+  if (!type || !help_for_type(type->text)) // its message is about `type` alone
     reader.exclude(mapping, "range", "type", "leave out one: `range` is for whole numbers, `type` for an enum of C++");
   reader.exclude(mapping, "of", "external", "leave out `of` if the outside may set it, else `external`");
   if (reader.lacks(mapping, "values") && reader.lacks(mapping, "range") && reader.lacks(mapping, "type"))

@@ -13,7 +13,7 @@ namespace {
 
 constexpr Bounds priorities{std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()};
 
-/// With its defaults at the place of what it belongs to.
+/// A level with its defaults, at the place of the task.
 LevelSpec level_at(Span span) { return {{"", span}, {0, span}, {false, span}, {false, span}}; }
 
 void read_priority(Reader& reader, const YamlNode* node, LevelSpec& level) {
@@ -39,7 +39,7 @@ std::string help_for_short_task(const YamlPair& pair) {
   for (const std::string_view word : {"optional", "apart"})
     if (value.text == word) return fmt::format("write `{}: {{{}: true}}`", name, word);
   if (value.text == "true") return fmt::format("write `{}: {{}}`", name);
-  // What has blanks may be a key that lacks its colon.
+  // A value with blanks may be a key without its colon.
   if (value.text.find(' ') != std::string::npos) return "";
   return fmt::format("a priority is a whole number: `{}: {{priority: 10}}`", name);
 }
@@ -52,7 +52,7 @@ bool names_a_level(Reader& reader, const YamlNode& mapping, std::string_view sub
   return !mapping.pairs.empty();
 }
 
-/// `priority: {normal: 10, urgent: 80}`: each as the task's other words say.
+/// `priority: {normal: 10, urgent: 80}`: each level has the other keys of the task.
 std::vector<LevelSpec> read_priorities(Reader& reader, const YamlNode& mapping, const LevelSpec& model) {
   std::vector<LevelSpec> levels;
   for (const YamlPair& pair : mapping.pairs) {

@@ -27,7 +27,7 @@ std::string in_quotes(std::string_view text) {
   return fmt::format("`{}…`", text.substr(0, size));
 }
 
-/// Of `open|shut` and `open, shut` each of both.
+/// The parts of both `open|shut` and `open, shut`.
 std::vector<std::string_view> parts_of(std::string_view text) {
   std::vector<std::string_view> out;
   while (!text.empty()) {
@@ -59,7 +59,7 @@ std::optional<std::int64_t> parse_number(std::string_view text) {
   const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (failed != std::errc() || end != text.data() + text.size()) return std::nullopt;
   const std::string_view digits = text.starts_with('-') ? text.substr(1) : text;
-  if (digits.starts_with('0') && text != "0") return std::nullopt; // octal for some tools
+  if (digits.starts_with('0') && text != "0") return std::nullopt; // octal in some tools
   return value;
 }
 
@@ -170,7 +170,7 @@ std::vector<Word> Reader::words(const YamlNode* node, std::string_view subject, 
   std::vector<std::string_view> keys; // of a mapping that stands there instead
   if (node)
     for (const YamlPair& pair : node->pairs) keys.push_back(pair.key.value);
-  // Or a list in the spelling of another tool, `open|shut`.
+  // Also for a list in the spelling of another tool, `open|shut`.
   if (node && node->kind == YamlNode::Kind::scalar) keys = parts_of(node->text);
   const bool named = !keys.empty() && keys.size() <= most_quoted_words;
   if (!is_list(node, subject, "a list", named ? fmt::format("write `[{}]`", fmt::join(keys, ", ")) : "")) return out;
@@ -216,7 +216,7 @@ std::optional<Located<bool>> Reader::flag(const YamlNode* node, std::string_view
   return std::nullopt;
 }
 
-/// A number that no 64 bits hold.
+/// Whether the number is outside of 64 bits.
 static bool is_huge(std::string_view text) {
   std::string_view digits = text;
   if (digits.starts_with('-')) digits.remove_prefix(1);

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What the readers of behaviour and scenario files share: each function looks at one node, reports what is wrong with
-// it, and returns what it says. A node that was reported already (`broken`) is passed over in silence. Nodes are given
-// as pointers where they may be absent; then nothing is reported either.
+// What the readers of behaviour and scenario files share: each function reads one node, reports its faults, and returns
+// its value. A node that was reported already (`broken`) is not reported again. Nodes are pointers where they may be
+// absent; that is not reported either.
 
 #include "dsl/cpp_type.hpp"
 #include "dsl/diagnostic.hpp"
@@ -21,7 +21,7 @@
 
 namespace director::dsl {
 
-/// Kinds of things and the keys that they may have.
+/// The keys that a kind of mapping may have.
 using Keys = std::vector<std::string>;
 
 struct Bounds {
@@ -35,41 +35,42 @@ public:
 
   std::string_view source() const { return source_; }
 
-  /// `help`: what to do, unless the message says what was expected.
+  /// `help`: what to do, unless the message states what was expected.
   void error(std::string id, Span span, std::string message, std::string help, std::vector<Note> notes = {});
   /// wrong_node_kind: "`subject`: expected `expected`, found ...".
   void unexpected(const YamlNode& node, std::string_view subject, std::string_view expected, std::string help = "");
 
-  /// False, and reported, unless the node is there and has this kind. `help`: what to write instead of what stands
-  /// there; without it, what can be said of any.
+  /// False, and reported, unless the node is there and has this kind. `help`: what to write instead; by default a help
+  /// for its kind.
   bool is_mapping(const YamlNode* node, std::string_view subject, std::string_view expected = "a mapping",
                   std::string help = "");
   bool is_list(const YamlNode* node, std::string_view subject, std::string_view expected = "a list",
                std::string help = "");
   bool is_scalar(const YamlNode* node, std::string_view subject, std::string_view expected);
 
-  /// unknown_key for every other key of the mapping. `thing`: "a group", "provider `walking`". Comes before lacks() and
-  /// require(), which are silent about a key that is only misspelt, or was reported by the reader of YAML.
+  /// Reports unknown_key for every other key of the mapping. `thing`: "a group", "provider `walking`". Call it before
+  /// lacks() and require(), which do not report a key as missing if it is only misspelt, or if the YAML reader reported
+  /// it.
   void know_keys(const YamlNode& mapping, std::string_view thing, const Keys& keys, const Slips& slips = {});
   /// exclusive_keys at the later of the two, if both are there.
   void exclude(const YamlNode& mapping, std::string_view key, std::string_view other, std::string_view help);
   bool lacks(const YamlNode& mapping, std::string_view key) const;
-  /// The value of a key that must be there: missing_key at `place`. `example`: the key with a value.
+  /// The value of a required key: missing_key at `place`. `example`: the key with a value.
   const YamlNode* require(const YamlNode& mapping, std::string_view key, std::string_view thing, Span place,
                           std::string_view example);
   /// The key itself, with its place; it must be there.
   static const Word& key_of(const YamlNode& mapping, std::string_view key);
 
-  /// A name or a value: any scalar. Warns of words that YAML 1.1 takes for booleans.
+  /// A name or a value: any scalar. Warns of words that YAML 1.1 reads as booleans.
   std::optional<Word> word(const YamlNode* node, std::string_view subject, std::string_view expected);
   /// A list of them.
   std::vector<Word> words(const YamlNode* node, std::string_view subject, std::string_view expected);
-  /// A word that is C++, unless `fault` finds one in it, which is reported as `id`.
+  /// A C++ word; if `fault` finds a fault in it, that is reported as `id`.
   std::optional<Word> cpp_word(const YamlNode* node, std::string_view subject, std::string_view expected,
                                std::string_view id, std::optional<CppFault> (*fault)(std::string_view));
-  /// A key that is a name. Empty ones are reported: later stages take an empty name for one that is missing.
+  /// A key that is a name. Empty ones are reported: later stages treat an empty name as missing.
   Word name(const YamlPair& pair);
-  /// Text for people.
+  /// A text of documentation.
   std::optional<Word> text(const YamlNode* node, std::string_view subject);
   std::optional<Located<bool>> flag(const YamlNode* node, std::string_view subject);
   std::optional<Located<std::int64_t>> number(const YamlNode* node, std::string_view subject, Bounds bounds = {});
@@ -84,7 +85,7 @@ private:
   std::vector<std::pair<const YamlNode*, std::string>> misspelt_; ///< mapping, and the key that was probably meant
 };
 
-/// What a person would call the node: "a list", "nothing", "`yes`".
+/// The node in a message: "a list", "nothing", "`yes`".
 std::string found(const YamlNode& node);
 
 /// A whole number as the language writes it: no leading zeros, no plus, nothing but decimal digits.

@@ -40,9 +40,9 @@ std::string_view colour_of(Level level) {
 constexpr std::size_t tab_stop = 4;
 constexpr std::string_view ellipsis = "…";
 constexpr std::size_t most_bytes_a_column =
-    16; ///< of what is shown: a letter and some accents; accents alone have no end
+    16; ///< of the excerpt: a letter and some accents; a sequence of accents has no end
 
-/// A line as it is shown, and the columns in it (as on a terminal; tabs are blanks) that a span covers.
+/// A line as it is printed, and the columns in it that a span covers; tabs are blanks.
 struct Excerpt {
   std::string text;
   std::size_t begin = 0, end = 0;
@@ -66,7 +66,7 @@ Excerpt excerpt(std::string_view line, std::size_t begin, std::size_t end, std::
     const Glyph glyph = glyph_at(line, at);
     const std::size_t next = at + glyph.bytes;
     const std::size_t wide = line[at] == '\t' ? tab_stop - column % tab_stop : glyph.columns;
-    // An accent belongs to the place of its letter.
+    // A combining accent has the place of its letter.
     if (begin >= at && begin < next) out.begin = wide == 0 && column > 0 ? column - 1 : column;
     if (end >= at && end < next) out.end = column;
     if (line[at] == '\t')
@@ -90,7 +90,7 @@ std::string numbered(std::string_view number, std::string_view line) {
   return out + "\n";
 }
 
-/// One line with marks below: `^` begins what the finding is about, `~` goes on with it.
+/// One line with marks below it: `^` at the beginning of the span, `~` on the rest.
 std::string marked_line(const SourceFile& file, std::uint32_t line, std::size_t begin, std::size_t end, bool first,
                         const RenderOptions& options, const Palette& colour) {
   const Excerpt shown = excerpt(file.line_text(line), begin, end, options.width);
@@ -120,7 +120,7 @@ std::string headline(const SourceFile& file, const Span& span, std::string_view 
                      colour.reset, colour.level, kind, colour.reset, colour.bold, harmless(message), colour.reset);
 }
 
-/// The last one that is shown of so many that say the same.
+/// The last finding that is printed of many with equal messages; it counts the others.
 Diagnostic last_of(const std::vector<const Diagnostic*>& all) {
   const Diagnostic& last = *all[most_alike_findings - 1];
   const std::size_t more = all.size() - most_alike_findings;
@@ -154,7 +154,7 @@ std::string render(const Diagnostic& diagnostic, const Sources& sources, const R
 }
 
 std::string render(const std::vector<Diagnostic>& diagnostics, const Sources& sources, const RenderOptions& options) {
-  // One cause may show at very many places, as what a hundred packs have in common does in each of them.
+  // One cause may have very many places, like a fault that a hundred packs share.
   std::map<std::pair<std::string_view, std::string_view>, std::vector<const Diagnostic*>> alike;
   for (const Diagnostic& diagnostic : diagnostics) alike[{diagnostic.id, diagnostic.message}].push_back(&diagnostic);
   std::string out;

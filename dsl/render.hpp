@@ -23,11 +23,11 @@ struct RenderOptions {
 
 std::string render(const Diagnostic& diagnostic, const Sources& sources, const RenderOptions& options = {});
 
-/// So many findings that say the same of different places are shown; what is for programs has all of them.
+/// Limit for printed findings with equal messages at different places; formats for programs have all of them.
 constexpr std::size_t most_alike_findings = 8;
 
-/// All of them, and a closing line that counts: "2 errors, 1 warning". Nothing at all for an empty list. Of more than
-/// that which say the same the last one that is shown tells at how many other places it is so.
+/// All of them, and a closing line that counts: "2 errors, 1 warning". Empty for an empty list. Of more findings with
+/// equal messages than the limit, the last one that is printed counts the other places.
 std::string render(const std::vector<Diagnostic>& diagnostics, const Sources& sources,
                    const RenderOptions& options = {});
 

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A value, or why there is none.
+// A value, or the reason why there is none.
 
 #include <utility>
 #include <variant>

@@ -20,7 +20,7 @@ struct SettingSpec {
   bool operator==(const SettingSpec&) const = default;
 };
 
-/// An entry of a script's `tasks` or `with`, or of a step's `request` (there never `keep`).
+/// An entry of a script's `tasks` or `with`, or of a step's `request` (which has no `keep`).
 struct RequestSpec {
   Word group;
   std::optional<Word> level;
@@ -38,7 +38,7 @@ struct UseGuardSpec {
   bool operator==(const UseGuardSpec&) const = default;
 };
 
-/// What a case answers. `nothing`: none of the words was written, which is an empty pack.
+/// The answer of a case. `nothing`: no answer is written, which is an empty pack.
 enum class Answer { nothing, pack, tasks, done, failed, keep };
 
 struct CaseSpec {
@@ -51,7 +51,7 @@ struct CaseSpec {
   // Effects.
   Located<Answer> answer;         ///< `continue: true` is `keep`
   std::optional<Word> pack;       ///< with Answer::pack
-  std::vector<RequestSpec> tasks; ///< with Answer::tasks; with Answer::pack what `with` says
+  std::vector<RequestSpec> tasks; ///< with Answer::tasks; with Answer::pack those of `with`
   std::vector<SettingSpec> set;
   std::optional<Located<Duration>> wait;
   Span span{};

@@ -12,7 +12,7 @@ namespace director::dsl {
 
 namespace {
 
-/// Three quarters of what is kept are of the beginning. No character is cut in two.
+/// Keeps the beginning and the end, three to one, and cuts no character in two.
 std::string cut(std::string_view text, std::size_t most) {
   if (text.size() <= most) return std::string(text);
   constexpr std::string_view mark = "…";

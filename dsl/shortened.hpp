@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What messages repeat of a user's text, which may be of any length: as much as somebody reads.
+// Shortens parts of messages that repeat the user's text, which may have any length.
 
 #include <cstddef>
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace director::dsl {
 
-/// Bytes of what stands between two backquotes. Paths of people are shorter, and the source is shown below.
+/// Limit in bytes for text between two backquotes. Real paths are shorter, and the source is printed below.
 inline constexpr std::size_t longest_quotation = 500;
-/// Bytes of a message, or of a line for people, with all that it quotes.
+/// Limit in bytes for a message, or a printed line, with its quotations.
 inline constexpr std::size_t longest_message = 5000;
 inline constexpr std::size_t most_names_listed = 100;
 
-/// The message, its quotations and then itself at most that long: of what is longer the beginning and the end, and a
-/// `…` between them.
+/// Shortens the quotations of the message, then the message itself: what is too long keeps its beginning and its end,
+/// with a `…` between them.
 std::string shortened(std::string_view message);
 
 /// "a, b, c"; of very many "a, b, c and 97 more".

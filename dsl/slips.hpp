@@ -1,7 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Keys that the language does not have and that people write all the same, because other tools have them: for each what
-// to write instead.
+// Keys that the language does not have, but other tools do: for each the right one.
 
 #include <string>
 #include <string_view>
@@ -15,7 +14,7 @@ struct Slip {
 };
 using Slips = std::vector<Slip>;
 
-/// The help for this key; null: it is none of them.
+/// The help for this key; null if it is not in the list.
 const std::string* help_for(const Slips& slips, std::string_view key);
 
 const Slips& slips_of_file();
@@ -26,8 +25,7 @@ const Slips& slips_of_group(); ///< and of a provider
 const Slips& slips_of_task();
 const Slips& slips_of_step();
 
-/// What is wrong with a type that C++ or another language has itself where an enum is wanted, as help; null: none has
-/// such a type.
+/// Help for a type of C++ or another language in place of an enum; null if the type is in no such language.
 const std::string* help_for_type(std::string_view type);
 
 } // namespace director::dsl

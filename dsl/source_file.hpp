@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The texts that a run has read, and lines and columns in them. Lines and columns count from 1, columns in UTF-8 bytes.
+// The texts that a run has read, and lines and columns in them. Both count from 1, columns in UTF-8 bytes.
 
 #include "dsl/span.hpp"
 
@@ -21,7 +21,7 @@ struct Place {
 
 class SourceFile {
 public:
-  /// `path` as it is shown to people: relative to the working directory, as it was given.
+  /// `path` as it is printed: relative to the working directory, as it was given.
   SourceFile(std::string path, std::string text);
 
   const std::string& path() const { return path_; }

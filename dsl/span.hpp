@@ -22,7 +22,7 @@ struct Span {
   bool contains(const Span& other) const { return file == other.file && begin <= other.begin && other.end <= end; }
 };
 
-/// A value and where it was written. A default that nobody wrote has the place of the thing that it belongs to.
+/// A value and its place. A default has the place of the thing that it belongs to.
 template <class T>
 struct Located {
   T value{};

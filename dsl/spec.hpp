@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // The Spec: behaviour files as they are written, every leaf with its place, no name resolved. Source: the language
-// page. Where a thing has a `span`, it covers the whole of it, from its key (or dash) to its last character;
-// `name.span` is its name alone. Lists keep the order of the file.
+// page. A `span` covers a whole thing, from its key (or dash) to its last character; `name.span` is its name alone.
+// Lists keep the order of the file.
 
 #include "dsl/duration.hpp"
 #include "dsl/span.hpp"
@@ -59,7 +59,7 @@ struct PackSpec {
 };
 
 struct ProviderSpec {
-  Word name;           ///< `default`, at the place of the group's name, where the group writes its words directly
+  Word name;           ///< `default`, at the place of the group's name, where the group has the provider's keys itself
   bool direct = false; ///< ... and then true; `doc` and `allow` are the group's
   std::vector<ConditionSpec> when, stay, causing, sets;
   std::vector<Word> needs, uses, triggers; ///< a trigger may be a promise: `Walk.halting.broken`
@@ -175,7 +175,7 @@ struct BehaviourSpec {
   bool operator==(const BehaviourSpec&) const = default;
 };
 
-/// In order of declaration: what is imported before what imports it, the main file last.
+/// In order of declaration: imported files before those that import them, the main file last.
 struct Spec {
   std::vector<BehaviourSpec> files;
   bool operator==(const Spec&) const = default;

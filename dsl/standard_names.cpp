@@ -1,13 +1,13 @@
 // Header: dsl/names.hpp. Test: tests/dsl/names_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// Names that the headers of standard C++ and C take, with all that they include: as g++ 12 and Clang 19 find them with
-// glibc 2.36. Without those that C++ reserves in any case, with two underscores, or one and a capital letter. How they
-// were listed: macros with `g++ -std=gnu++20 -dM -E` behind all these headers; globals are the words of what the
-// preprocessor leaves that cannot be called so: `namespace abs {}` is an error behind them. Globals are also those of
-// POSIX for files, sockets, threads, memory and terminals (tests/system/names/words.cpp lists the headers, besides
-// netdb.h, net/if.h, netinet/tcp.h, sys/resource.h, sys/uio.h and sys/un.h). Macros of POSIX are not: some are names
-// that robots have (`B0`, `ECHO`, `TAB1` of terminals), and few programs include these headers.
+// Names of the headers of standard C++ and C, and of all that they include, with g++ 12, Clang 19 and glibc 2.36. Names
+// that C++ reserves in any case (two underscores, or one and a capital letter) are left out. To list them again: macros
+// with `g++ -std=gnu++20 -dM -E` on all these headers; globals are the words of the preprocessed headers for which
+// `namespace abs {}` behind them is an error. Globals include those of POSIX for files, sockets, threads, memory and
+// terminals (tests/system/names/words.cpp lists the headers, besides netdb.h, net/if.h, netinet/tcp.h, sys/resource.h,
+// sys/uio.h and sys/un.h). Macros of POSIX are left out: some are names that robots have (`B0`, `ECHO`, `TAB1` of
+// terminals), and few programs include these headers.
 #include "dsl/names.hpp"
 
 #include <algorithm>

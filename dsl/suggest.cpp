@@ -13,10 +13,10 @@ namespace director::dsl {
 
 namespace {
 
-/// Names of people are not longer; what is longer costs time and helps nobody.
+/// Limit for compared words: real names are shorter, and longer words only cost time.
 constexpr std::size_t longest = 100;
 
-/// What an edit costs; a letter in the wrong case costs one.
+/// The cost of an edit; that of a letter in the wrong case is 1.
 constexpr std::size_t edit = 4;
 
 std::size_t distance(std::string_view a, std::string_view b) {
@@ -38,7 +38,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-/// The only candidate that begins like this.
+/// The only candidate that begins with the word.
 std::optional<std::string> continued(std::string_view word, const std::vector<std::string>& candidates) {
   constexpr std::size_t shortest = 3;
   const auto begins_so = [&](const std::string& candidate) { return candidate.starts_with(word) && candidate != word; };
@@ -58,7 +58,7 @@ std::optional<std::string> suggest(std::string_view word, const std::vector<std:
     const std::size_t length = std::max(word.size(), candidate.size());
     if (candidate.size() > longest || candidate == word) continue;
     const std::size_t edits = distance(word, candidate);
-    // A third of the letters; a word of one or two letters may differ in the case only.
+    // At most a third of the letters may differ; a word of one or two letters may differ in the case only.
     if (edits * 3 > edit * std::max<std::size_t>(length, 1) || (best && edits >= least)) continue;
     best = candidate;
     least = edits;

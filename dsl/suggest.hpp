@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// "Did you mean": the known word that a misspelt one is nearest to.
+// "Did you mean": the known word nearest to a misspelt one.
 
 #include <cstddef>
 #include <optional>
@@ -11,15 +11,15 @@
 namespace director::dsl {
 
 /// The candidate with the fewest edits (insert, remove, replace or swap two neighbours; the case of a letter counts a
-/// quarter); of several the first. Where even that one differs in more than a third of its letters, the only candidate
-/// that begins with the word; else nothing.
+/// quarter); the first of several. If that differs in more than a third of its letters: the only candidate that begins
+/// with the word, if there is one.
 std::optional<std::string> suggest(std::string_view word, const std::vector<std::string>& candidates);
 
-/// Words that are compared with misspelt ones in a run, about.
+/// Approximate limit for comparisons with misspelt words in one run.
 inline constexpr std::size_t most_compared = 2'000'000;
 
-/// Whether it is worth while to compare so many candidates, when so much was found already: where very much is
-/// misspelt it was no slip of the pen.
+/// Whether comparing so many candidates is worth its time after so many findings: a file with very many unknown words
+/// has another cause than misspelling.
 constexpr bool is_slip(std::size_t candidates, std::size_t findings) { return candidates * findings <= most_compared; }
 
 } // namespace director::dsl

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
 
-/// Behind the last byte of a word that ends at a byte of `ends`.
+/// The end of a word, which is a byte of `ends`.
 std::size_t end_of_word(std::string_view text, std::size_t at, std::string_view ends) {
   return std::min(text.find_first_of(ends, at), text.size());
 }
@@ -24,7 +24,7 @@ std::size_t column_of(std::string_view text, std::size_t at) {
   return newline == std::string_view::npos ? at : at - newline - 1;
 }
 
-/// How long the word at the beginning is that YAML takes for null; 0 if there is none.
+/// The length of the word at the beginning that YAML reads as null; 0 if there is none.
 std::size_t null_word(std::string_view text) {
   for (const std::string_view word : {"~", "null", "Null", "NULL"})
     if (text.starts_with(word)) return word.size();
@@ -114,7 +114,7 @@ void TreeBuilder::start(YamlNode::Kind kind, std::size_t at, bool flow) {
            "the language needs ten at most: leave out what nests the others");
     throw Stop{};
   }
-  // In `[a: 1]` the mapping has no braces: it ends where its value ends.
+  // The mapping in `[a: 1]` has no braces: it ends where its value ends.
   const bool brackets = flow && at < text_.size() && (text_[at] == '[' || text_[at] == '{');
   open_.push_back({begin(kind, at, at), brackets});
   cursor_ = std::max(cursor_, brackets ? at + 1 : at);
@@ -137,7 +137,7 @@ void TreeBuilder::finish() {
   end(std::move(frame.node));
 }
 
-/// Anchors and tags. Where the value itself begins.
+/// Reports anchors and tags, and returns where the value itself begins.
 std::size_t TreeBuilder::refuse_properties(std::size_t at) {
   while (at < text_.size() && (text_[at] == '&' || text_[at] == '!')) {
     const std::size_t last = end_of_word(text_, at + 1, blanks);
@@ -172,7 +172,7 @@ YamlNode TreeBuilder::begin(YamlNode::Kind kind, std::size_t first, std::size_t 
   return node;
 }
 
-/// The node is complete: it goes to where it belongs.
+/// Adds the complete node to its parent.
 void TreeBuilder::end(YamlNode node) {
   cursor_ = std::max<std::size_t>(cursor_, node.span.end);
   if (open_.empty()) {

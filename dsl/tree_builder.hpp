@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Builds a YAML tree from a parser's events. A parser says where things begin; where they end, and what it took without
-// complaint although the language refuses it, is found here in the text. Offsets are bytes of the text.
+// Builds a YAML tree from a parser's events. A parser reports where things begin; this class finds in the text where
+// they end, and reports what the parser accepts although the language forbids it. Offsets are bytes of the text.
 
 #include "dsl/diagnostic.hpp"
 #include "dsl/yaml_node.hpp"
@@ -16,15 +16,15 @@
 
 namespace director::dsl {
 
-/// Lists and mappings inside one another.
+/// Limit for nested lists and mappings.
 inline constexpr std::size_t deepest_nesting = 64;
-/// Keys, scalars, lists and mappings of one file. A group has about 30; each costs 200 bytes here and about as much
-/// later.
+/// Limit for keys, scalars, lists and mappings in one file. A group has about 30; each costs 200 bytes here and about
+/// as much later.
 inline constexpr std::size_t most_values = 2'000'000;
 
 class TreeBuilder {
 public:
-  /// Ends the reading: its diagnostic has been given.
+  /// Thrown to end the reading; its diagnostic has been added.
   struct Stop {};
 
   TreeBuilder(FileId file, std::string_view text, std::vector<Diagnostic>& diagnostics);
@@ -38,19 +38,19 @@ public:
   void finish();
 
   YamlNode take_root() { return std::move(root_); }
-  /// Everything before it has been understood.
+  /// The parser has read everything before this offset.
   std::size_t cursor() const { return cursor_; }
   /// The innermost list or mapping in brackets that is still open.
   std::optional<std::size_t> open_bracket() const;
-  /// A parser that met the end inside brackets makes the last word a key: what was said about that one is taken back.
+  /// A parser that meets the end inside brackets makes the last word a key: this removes the diagnostic about that key.
   void forget_last_key();
   void refuse_long_key(const yaml_scan::BareKey& key);
-  /// The parser gives up behind it.
+  /// The parser cannot continue after it.
   bool refused_long_key() const { return refused_long_key_; }
 
   void report(std::string id, std::size_t begin, std::size_t end, std::string message, std::string help = "",
               std::vector<Note> notes = {});
-  /// Never behind the last byte of the text that is not blank.
+  /// A span that ends at the last byte of the text that is not blank, or before.
   Span span(std::size_t begin, std::size_t end) const;
 
 private:

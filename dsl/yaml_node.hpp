@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A piece of a YAML file with its place. Nothing is converted: a scalar is its text, and whether it was quoted.
+// A node of a YAML file with its place. Nothing is converted: a scalar is its text, and whether it was quoted.
 
 #include "dsl/span.hpp"
 
@@ -43,8 +43,8 @@ struct YamlPair {
   Span span{}; ///< from the key to the end of the value
 };
 
-/// The places of the parts of a scalar's text; the place of the whole scalar where escapes or folding make that
-/// impossible to say. Both texts are looked through once, however many parts are asked for.
+/// The places of the parts of a scalar's text; the place of the whole scalar if escapes or folding hide them. Both
+/// texts are scanned once, for any number of parts.
 class PlacesWithin {
 public:
   PlacesWithin(const YamlNode& scalar, std::string_view source);
@@ -58,7 +58,7 @@ private:
   bool known_ = true;
 };
 
-/// The lines of a scalar, each without the blanks around it, and each with its place if the scalar is a literal (`|`).
+/// The lines of a scalar, each trimmed, and each with its place if the scalar is a literal (`|`).
 std::vector<Word> lines_of(const YamlNode& scalar, std::string_view source);
 
 } // namespace director::dsl

@@ -80,7 +80,7 @@ std::optional<std::size_t> unclosed_quote(std::string_view text, std::size_t fro
 
 namespace {
 
-/// What a line says, without its indentation, the dashes of lists, and what is behind the text: a piece of the text.
+/// The content of a line, as a part of the text: without indentation, the dashes of lists, and what is behind the text.
 std::string_view content_of(std::string_view line) {
   while (!line.empty() && (is_space(line.front()) || line.starts_with("- "))) line.remove_prefix(1);
   for (std::size_t at = 0; at < line.size(); ++at)
@@ -93,7 +93,7 @@ bool has_key(std::string_view content) {
   return content.ends_with(':') || content.find(": ") != std::string_view::npos;
 }
 
-/// It may be what is left of a key and its value: a word first, and brackets that are closed.
+/// Whether it may be the rest of a key and its value: a word first, and closed brackets.
 bool may_be_bare_key(std::string_view content) {
   if (content.empty() || std::string_view("[]{},\"'|>#&*!%@`?-").find(content.front()) != std::string_view::npos)
     return false;
@@ -182,9 +182,9 @@ std::size_t skip_properties(std::string_view text, std::size_t at) {
 
 namespace {
 
-/// Says of each byte of the value where it stands; returns its end.
-template <class Say>
-std::size_t walk_plain(std::string_view text, std::size_t begin, std::string_view value, const Say& say) {
+/// Calls `report` for each byte of the value with its place; returns the end.
+template <class Report>
+std::size_t walk_plain(std::string_view text, std::size_t begin, std::string_view value, const Report& report) {
   std::size_t at = begin;
   std::size_t end = begin; // behind the last byte that was found
   for (const char c : value) {
@@ -192,7 +192,7 @@ std::size_t walk_plain(std::string_view text, std::size_t begin, std::string_vie
     if (at < text.size() && text[at] != c && is_space(text[at]))
       while (at < text.size() && text[at] != c && is_space(text[at])) ++at;
     const bool found = at < text.size() && text[at] == c;
-    say(found ? at : end);
+    report(found ? at : end);
     if (found) end = ++at;
   }
   return end;

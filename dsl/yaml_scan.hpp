@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Looks at YAML text itself for what yaml-cpp does not say: bytes that must not be there, tabs, and where things end.
-// Offsets are bytes of `text`.
+// Scans YAML text for what yaml-cpp does not report: forbidden bytes, tabs, and where things end. Offsets are bytes of
+// `text`.
 
 #include <cstddef>
 #include <optional>
@@ -18,44 +18,44 @@ struct Fault {
   std::string help;
 };
 
-/// The first byte that no file of ours may have: not UTF-8, a NUL or another control character, a byte order mark.
+/// The first forbidden byte: not UTF-8, a NUL or another control character, a byte order mark.
 std::optional<Fault> forbidden_bytes(std::string_view text);
 
-/// Where the line's indentation holds a tab in front of something that is neither a comment nor the end of the line.
-/// `at` is any place in the line.
+/// The first tab in the line's indentation, unless only a comment or the end of the line follows. `at` is any place in
+/// the line.
 std::optional<std::size_t> tab_in_indentation(std::string_view text, std::size_t at);
 
-/// Behind the closing quote; nothing if there is none. `begin` is at the opening one.
+/// The offset behind the closing quote; empty if there is none. `begin` is at the opening one.
 std::optional<std::size_t> end_of_quoted(std::string_view text, std::size_t begin);
 
-/// The first quote from `from` on that opens something and is never closed.
+/// The first quote from `from` on that opens a scalar and is never closed.
 std::optional<std::size_t> unclosed_quote(std::string_view text, std::size_t from);
 
-/// A word that was meant to be a key: `needs [Legs]`, or `needs:[Legs]`, which YAML takes for text that goes on in the
+/// A word that was meant as a key: `needs [Legs]`, or `needs:[Legs]`, which YAML reads as text that continues in the
 /// next line.
 struct BareKey {
   std::size_t begin = 0, end = 0;
   bool blank = false; ///< the colon is there, and the blank behind it is not
 };
-/// The one above a `:` that belongs to no key. `at`: that colon.
+/// The bare key above a `:` that belongs to no key. `at`: that colon.
 std::optional<BareKey> bare_key_above(std::string_view text, std::size_t at);
 
-/// The one before a bracket, in a mapping between brackets: `{needs [Legs]}`. `at`: the second bracket.
+/// The bare key before a bracket, in a mapping between brackets: `{needs [Legs]}`. `at`: the second bracket.
 std::optional<BareKey> bare_key_before(std::string_view text, std::size_t at);
 
-/// As YAML has it, for what has its colon in the same line.
+/// The limit of YAML for a key with its colon in the same line.
 constexpr std::size_t longest_key = 1024;
-/// The first text of a line, or what begins at `from` between brackets, where it has its colon in the same line and is
-/// longer than YAML lets a key be. `at`: where the parser gave up.
+/// The first text of a line, or the text from `from` between brackets, if its colon is in the same line and it is
+/// longer than a key may be. `at`: where the parser stopped.
 std::optional<BareKey> too_long_key(std::string_view text, std::size_t from, std::size_t at);
 
-/// Both are the first in their lines, and the first one is not indented deeper.
+/// Whether both are the first in their lines, and the first one is not indented deeper.
 bool begins_line_before(std::string_view text, std::size_t first, std::size_t second);
 
-/// Behind blanks, line breaks and comments.
+/// The offset behind blanks, line breaks and comments.
 std::size_t skip_blanks(std::string_view text, std::size_t at);
 
-/// Behind an anchor or a tag (and blanks) that stands before a value.
+/// The offset behind an anchor or a tag (and blanks) before a value.
 std::size_t skip_properties(std::string_view text, std::size_t at);
 
 /// The places in the text of the bytes of a plain scalar's value, and, last, of its end.

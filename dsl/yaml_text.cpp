@@ -20,7 +20,7 @@ bool is_null_word(std::string_view text) {
   return std::find(words.begin(), words.end(), text) != words.end();
 }
 
-/// A subset of what YAML allows without quotes: what names, conditions, paths, types and plain sentences need.
+/// Whether text needs no quotes, for a subset of YAML: names, conditions, paths, types and plain sentences.
 bool is_plain(std::string_view text) {
   if (text.empty() || is_null_word(text) || is_yaml_word_trap(text)) return false;
   const bool negative = text.size() > 1 && text[0] == '-' && is_alphanumeric(text[1]);

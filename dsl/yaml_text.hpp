@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Writes YAML that read_yaml reads back as it was: words and texts, quoted where they must be.
+// Writes YAML that read_yaml reads back unchanged: words and texts, quoted where needed.
 
 #include <string>
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace director::dsl {
 
-/// In any place, in brackets too.
+/// The word, valid at any place, also in brackets.
 std::string yaml_word(std::string_view text);
 
 /// `[a, b]`

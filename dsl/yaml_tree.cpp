@@ -1,14 +1,13 @@
 // Header: dsl/yaml_tree.hpp. Test: tests/dsl/yaml_tree_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// yaml-cpp is asked for events, not for its own tree (a file of 64 MiB would cost it 3.5 GB), and is trusted with
-// little: it accepts much that the language refuses, and drops some of what it reads. What it is known to get wrong:
-//   - the document `,` is read for ever when documents are asked for one after another;
-//   - text behind the end of the first document is ignored until the next document is asked for;
-//   - a quote that is never closed ends the text without a word, unless `...` follows;
-//   - duplicate keys, invalid UTF-8 and null keys are taken as they come, tabs often;
-//   - what begins with a bracket may be a key, so it is read to its end, at some 200 bytes a token, before the first
-//   event.
+// yaml-cpp is used for its events, not for its tree (a file of 64 MiB would cost 3.5 GB), and is not relied on: it
+// accepts much that the language forbids, and drops some input. Its known faults:
+//   - it never finishes the document `,` if further documents are requested;
+//   - it ignores text behind the end of the first document until the next document is requested;
+//   - it ends the text silently at a quote that is never closed, unless `...` follows;
+//   - it accepts duplicate keys, invalid UTF-8 and null keys, and tabs often;
+//   - it reads a bracket to its end, as it may be a key, at some 200 bytes a token, before the first event.
 #include "dsl/yaml_tree.hpp"
 
 #include "dsl/tree_builder.hpp"
@@ -34,19 +33,19 @@ using YAML::anchor_t;
 using YAML::Mark;
 using Style = YAML::EmitterStyle::value;
 
-/// Brackets, commas, quotes and the like that yaml-cpp may read before it says what they are: 200 MB of its tokens.
+/// Limit for brackets, commas, quotes and the like that yaml-cpp reads before its next event: 200 MB of its tokens.
 constexpr std::size_t most_pending = 1'000'000;
 struct TooFarAhead {};
 
 std::size_t offset(const Mark& mark) { return static_cast<std::size_t>(std::max(mark.pos, 0)); }
 
-/// Gives the text to yaml-cpp and stops it where it reads ahead too far.
+/// Gives the text to yaml-cpp and stops it if it reads too far ahead.
 class Feed final : public std::streambuf {
 public:
   explicit Feed(std::string_view text) : text_(std::string(text) + "\n...\n") {
     setg(text_.data(), text_.data(), text_.data() + text_.size());
   }
-  /// Something was understood: what is read from here on is ahead of it.
+  /// Called at each event: what is read from here on is ahead of it.
   void understood() { pending_ = 0; }
 
 private:
@@ -93,7 +92,7 @@ private:
   Feed& feed_;
 };
 
-/// Asks for a second document, and leaves at its first event.
+/// Requests a second document, and stops at its first event.
 class NothingMore final : public YAML::EventHandler {
 public:
   struct More {
@@ -112,7 +111,7 @@ private:
   void OnMapEnd() override {}
 };
 
-/// What yaml-cpp says, in words that help.
+/// Messages of yaml-cpp, and ours for them, with help.
 struct Words {
   std::string_view theirs, message, help;
 };
@@ -150,7 +149,7 @@ void report_bare_key(TreeBuilder& builder, std::string_view text, const yaml_sca
 
 void report_exception(TreeBuilder& builder, std::string_view text, const YAML::Exception& exception) {
   const std::size_t at = std::min(offset(exception.mark), text.size());
-  // The parser may notice a tab, or a quote that does not end, only far behind it.
+  // The parser may report a tab, or an unclosed quote, only far behind it.
   if (report_tab(builder, text, at) || report_tab(builder, text, yaml_scan::skip_blanks(text, builder.cursor())))
     return;
   if (exception.msg.find("in scalar") != std::string::npos)
@@ -160,7 +159,7 @@ void report_exception(TreeBuilder& builder, std::string_view text, const YAML::E
   if (builder.refused_long_key()) return;
   if (const auto key = yaml_scan::too_long_key(text, yaml_scan::skip_blanks(text, builder.cursor()), at))
     return builder.refuse_long_key(*key);
-  // A comment behind the word without a colon ends its text; the next key then stands where none may.
+  // A comment behind a word without a colon ends its text; the next key is then reported.
   const bool next_key = exception.msg == "end of map not found";
   if (exception.msg == "illegal map value" || next_key) {
     const auto key = yaml_scan::bare_key_above(text, at);
@@ -196,7 +195,7 @@ void report_more(TreeBuilder& builder, std::string_view text, std::size_t at) {
     builder.report("yaml_syntax", at, at + 1, "text behind the end of the document", std::string(indented));
 }
 
-/// yaml-cpp lets tabs indent what stands in brackets, and the first line.
+/// yaml-cpp accepts tabs as indentation in brackets and in the first line.
 void refuse_tabs(TreeBuilder& builder, std::string_view text, const YamlNode& node) {
   const auto look = [&](std::size_t at) {
     std::size_t line = at; // back over blanks only: a line may be long, and have many values

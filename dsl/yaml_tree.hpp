@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A YAML file as a tree with places: what the readers of behaviours, scenarios and other files of ours begin with. The
-// YAML is the strict part that the language page allows: one document, no aliases, tags, merge keys or duplicate keys.
+// Reads a YAML file as a tree with places, for the readers of behaviours, scenarios and other files. Only the strict
+// subset of the language page is accepted: one document, no aliases, tags, merge keys or duplicate keys.
 
 #include "dsl/diagnostic.hpp"
 #include "dsl/span.hpp"
@@ -12,7 +12,7 @@
 
 namespace director::dsl {
 
-/// Returns what could be read; after a mistake that ends the reading the root is broken. Finds yaml_syntax,
+/// Returns what could be read; after a mistake that ends the reading, the root is broken. Finds yaml_syntax,
 /// duplicate_key, input_limit, and wrong_node_kind for keys that are no words.
 YamlNode read_yaml(FileId file, std::string_view text, std::vector<Diagnostic>& diagnostics);
 

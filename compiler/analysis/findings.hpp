@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Takes what one check finds.
+// Collects the findings of one check.
 
 #include "dsl/diagnostic.hpp"
 

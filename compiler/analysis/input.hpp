@@ -1,21 +1,21 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What is asked of a whole behaviour: the model, its graph, and what was found out about them.
+// The input of analyses of a whole behaviour: the model, its graph, and the results of other analyses.
 
 #include "compiler/graph/graph.hpp"
 #include "compiler/model/model.hpp"
 
 namespace director::analysis {
 
-using namespace director::compiler; // an analysis speaks of nothing but groups, providers, states
+using namespace director::compiler; // an analysis uses the model throughout
 
 struct Facts;
 class Shared;
 class Conflicts;
 struct CodeInput;
 
-/// What every check sees. The facts are computed once for all of them, and so is what is shared and what is in
-/// conflict, if somebody asks.
+/// The input of every check. The facts are computed once for all checks; what is shared and what is in conflict is
+/// computed on first use.
 struct Input {
   const Model& model;
   const Graph& graph;

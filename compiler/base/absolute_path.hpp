@@ -5,7 +5,7 @@
 
 namespace director::compiler {
 
-/// The path from the root, `.` for an empty one; as it is where the working directory is gone.
+/// The path from the root, `.` for an empty one; unchanged if the working directory is gone.
 std::filesystem::path absolute_path(const std::filesystem::path& path);
 
 } // namespace director::compiler

@@ -11,7 +11,7 @@ std::string without_controls(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto letter = static_cast<unsigned char>(text[i]);
     const std::size_t length = dsl::utf8_length(text, i);
-    if (length == 0) { // as a path may be
+    if (length == 0) { // possible in a path
       out += "\uFFFD";
       continue;
     }

@@ -10,7 +10,7 @@ namespace director::compiler {
 
 namespace {
 
-/// What anybody writes nests ten deep. Values are read and written by recursion, which has an end.
+/// Limit for nesting, which real input has ten deep. Values are read and written by recursion.
 constexpr std::size_t deepest = 500;
 
 bool is_too_deep(std::string_view text) {
@@ -28,7 +28,7 @@ bool is_too_deep(std::string_view text) {
   return false;
 }
 
-/// The nearest there is.
+/// The nearest integer of 64 bits.
 std::int64_t whole_number(const nlohmann::ordered_json& from) {
   using Limits = std::numeric_limits<std::int64_t>;
   if (from.is_number_float()) {
@@ -60,7 +60,7 @@ struct JsonAccess {
     case Json::Kind::object: break;
     }
     nlohmann::ordered_json out = nlohmann::ordered_json::object();
-    // Not by key: the library would look for each among those before it.
+    // Appends without a lookup: the library would compare each key with those before it.
     using Members = nlohmann::ordered_json::object_t;
     Members::Container& members = out.get_ref<Members&>();
     members.reserve(json.keys_.size());

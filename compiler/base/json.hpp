@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// JSON as a value: what is built comes out in the order in which it was built. The library behind it stays in json.cpp.
+// JSON as a value, whose members keep their order. Only json.cpp includes the library.
 
 #include <cstdint>
 #include <optional>
@@ -19,16 +19,16 @@ public:
   static Json boolean(bool value);
   static Json number(std::int64_t value);
   static Json count(std::size_t value) { return number(static_cast<std::int64_t>(value)); }
-  static Json text(std::string_view value); ///< UTF-8; what is not becomes U+FFFD
+  static Json text(std::string_view value); ///< UTF-8; invalid bytes become U+FFFD
   static Json list(std::vector<Json> items);
   static Json texts(const std::vector<std::string>& values); ///< a list of them
-  static Json object(Members members);                       ///< the caller gives each key once
+  static Json object(Members members);                       ///< the caller adds each key once
 
-  /// Behind the last one.
+  /// Appends a member.
   Json& add(std::string_view key, Json value) &;
   Json& add(Json item) &;
 
-  // Looking at it. What is of another kind is empty, 0 or false, so that a reader need not ask at each step.
+  // Accessors. A value of another kind is empty, 0 or false, so that a reader need not check each step.
   const std::string& as_text() const { return text_; }
   std::int64_t as_number() const { return kind_ == Kind::number ? number_ : 0; }
   bool as_boolean() const { return kind_ == Kind::boolean && number_ != 0; }
@@ -39,7 +39,7 @@ public:
   bool is_object() const { return kind_ == Kind::object; }
   bool is_list() const { return kind_ == Kind::list; }
   bool is_text() const { return kind_ == Kind::text; }
-  /// null where there is no such key.
+  /// null if there is no such key.
   const Json& operator[](std::string_view key) const;
 
   bool operator==(const Json&) const = default;
@@ -61,8 +61,8 @@ std::string to_line(const Json& json);
 /// On many lines, indented by two, with a line break at the end.
 std::string to_lines(const Json& json);
 
-/// Nothing where the text is no JSON, or nests deeper than anybody writes. A number that is not whole is rounded
-/// towards 0; of one that has no room in 64 bits the nearest is taken.
+/// Empty if the text is no JSON, or nests too deep. A number with a fraction is rounded towards 0; one outside of 64
+/// bits becomes the nearest.
 std::optional<Json> parse_json(std::string_view text);
 
 } // namespace director::compiler

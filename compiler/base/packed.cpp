@@ -15,7 +15,7 @@ std::string packed(std::string_view bytes) {
   const int status =
       compress2(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
                 static_cast<uLong>(bytes.size()), Z_DEFAULT_COMPRESSION);
-  if (status != Z_OK) throw std::runtime_error("zlib: no memory"); // there is room for any result
+  if (status != Z_OK) throw std::runtime_error("zlib: no memory"); // the buffer is large enough for any result
   out.resize(size);
   return out;
 }

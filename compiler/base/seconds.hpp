@@ -13,7 +13,7 @@ inline std::string in_seconds(std::int64_t microseconds) {
   return fmt::format("{:.6f}", static_cast<double>(microseconds) / 1e6);
 }
 
-/// "250 us", "1.5 s", "59 min 59.99 s", "1 h 0 min 3 s": with three digits at most where the rest says nothing more.
+/// "250 us", "1.5 s", "59 min 59.99 s", "1 h 0 min 3 s": at most three digits after the point, without trailing zeros.
 inline std::string as_duration(std::int64_t microseconds) {
   constexpr std::int64_t thousand = 1000, minute = 60'000'000, hour = 60 * minute;
   const auto plain = [](double number) {
@@ -23,7 +23,7 @@ inline std::string as_duration(std::int64_t microseconds) {
     return out;
   };
   if (microseconds < thousand && microseconds != 0) return fmt::format("{} us", microseconds);
-  // To the millisecond first: else 59.9996 s would become 60 s of a minute.
+  // To the millisecond first: otherwise 59.9996 s would become 60 s of a minute.
   const std::int64_t rounded = (microseconds + thousand / 2) / thousand * thousand;
   std::string out;
   if (rounded >= hour) out += fmt::format("{} h ", rounded / hour);

@@ -5,8 +5,7 @@
 
 namespace director::compiler {
 
-// The version of Director, "1.2.3": what `directorc --version` and every manifest say. It stands in the top
-// CMakeLists.txt.
+// The version of Director, "1.2.3", in `directorc --version` and every manifest. It is set in the top CMakeLists.txt.
 std::string_view version();
 
 } // namespace director::compiler

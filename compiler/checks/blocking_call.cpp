@@ -11,12 +11,12 @@ namespace director::checks {
 
 void blocking_call(const CodeInput& input, Findings& findings) {
   const Model& model = input.model;
-  std::set<std::pair<const CodeBlock*, GroupId>> told; // a function that several bodies of a group call
+  std::set<std::pair<const CodeBlock*, GroupId>> reported; // a function that several bodies of a group call
   for (const Body& body : input.bodies) {
     const Group& group = model.groups[body.of.group];
     if (!group.realtime) continue;
     for (const Blocked& blocked : body.blocks) {
-      if (!told.emplace(blocked.block, body.of.group).second) continue;
+      if (!reported.emplace(blocked.block, body.of.group).second) continue;
       dsl::Diagnostic& finding =
           findings.add(blocked.block->span, fmt::format("`{}` {}, and {} is `realtime`", blocked.block->name,
                                                         blocked.block->why, name_of(model, body.of.group)));

@@ -19,7 +19,7 @@ bool is_optional(const Model& model, const Task& task) {
   });
 }
 
-/// Of several levels the one that decides: of what goes first the lowest, of what waits the highest.
+/// With several levels the one that decides: the lowest of what goes first, the highest of what waits.
 std::string rank_of(const Model& model, const Task& task, bool lowest) {
   const auto level_of = [&](const Task::NamedLevel& named) { return model.edges[task.edge].levels[named.level]; };
   const auto comes_before = [&](const Task::NamedLevel& a, const Task::NamedLevel& b) {
@@ -50,7 +50,7 @@ void causer_goes_first(const Input& input, Findings& findings) {
         one.first->target == causing ? "" : fmt::format(", which leads to {},", name_of(model, causing));
     finding.notes.push_back({one.first->span, fmt::format("{}{} {}", first, way, rank_of(model, *one.first, true))});
     finding.notes.push_back({one.waits->span, fmt::format("and {} {}", waits, rank_of(model, *one.waits, false))});
-    // Without either word it would be of one unit with the other one.
+    // Otherwise it would be in one unit with the other one.
     finding.help =
         is_optional(model, *one.waits)
             ? fmt::format("make {} `apart` instead of `optional`, with a higher priority than {}", waits, first)

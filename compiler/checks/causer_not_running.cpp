@@ -47,7 +47,7 @@ private:
     std::vector<GroupId> groups;
     for (const ProviderId id : shared_.causers()[use.id]) {
       const GroupId group = model_.providers[id].group;
-      // What never runs for another reason is reported with that.
+      // What never runs for another reason is reported by another check.
       if (group == task || !facts_.capable.contains(id)) continue;
       if (explained_.count(id) != 0 || shared_.promises().explained.contains(id)) return;
       causers.push_back(id);
@@ -100,7 +100,7 @@ private:
                   group);
   }
 
-  /// In a pack it would be granted only together with what waits, as no entry of it stands alone yet.
+  /// In a pack it would be granted only together with what waits, as the pack has no separate entry yet.
   bool must_be_apart(const Request& request, const std::vector<ProviderId>& causers) const {
     const std::vector<Task>& tasks = request.pack->tasks;
     return shares_unit(model_, *request.task) && std::none_of(tasks.begin(), tasks.end(), [&](const Task& entry) {

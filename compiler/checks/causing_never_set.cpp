@@ -11,11 +11,11 @@ namespace director::checks {
 
 namespace {
 
-/// Some value that the word may set is one that the promise is about.
+/// Whether some value that the body may set satisfies the promise.
 bool may_keep(const CodeInput& input, const CodeWord& word, const Condition& promise) {
   if (word.kind != CodeWord::Kind::set) return false;
   const auto state = input.names.states.find(word.state);
-  if (state == input.names.states.end()) return true; // of which nothing is known
+  if (state == input.names.states.end()) return true; // unknown states are ignored
   if (state->second != promise.state) return false;
   if (!word.values) return true;
   return std::any_of(word.values->begin(), word.values->end(), [&](const std::string& name) {

@@ -1,7 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A check that reads the user's C++: its page says `Reads: C++`, and its function takes a CodeInput instead of an
-// Input.
+// A check that reads the user's C++: its page has `Reads: C++`, and its function takes a CodeInput instead of an Input.
 
 #include "compiler/analysis/code/code.hpp"
 #include "compiler/checks/check.hpp"

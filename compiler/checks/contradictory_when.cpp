@@ -10,7 +10,7 @@ namespace director::checks {
 
 namespace {
 
-/// The condition with which nothing is left, and the earlier ones that it clashes with.
+/// The condition after which no value is left, and the earlier ones that conflict with it.
 struct Contradiction {
   ConditionUse last{};
   std::vector<ConditionUse> others;
@@ -26,7 +26,7 @@ Contradiction find_contradiction(const Model& model, const Impossible& fault) {
     if (left.empty()) break;
     clash.others.push_back(use);
   }
-  // One that clashes with the last alone is reason enough.
+  // One that conflicts with the last alone is enough.
   for (const ConditionUse& use : clash.others) {
     if (accepted(use).intersected(accepted(clash.last)).empty()) {
       clash.others = {use};

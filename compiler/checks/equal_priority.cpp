@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/equals.hpp"
 #include "compiler/analysis/words/notes.hpp"
-#include "compiler/analysis/words/told.hpp"
+#include "compiler/analysis/words/reported_pairs.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/base/counted.hpp"
 #include "compiler/checks/check.hpp"
@@ -22,7 +22,7 @@ namespace {
 
 using dsl::Diagnostic;
 
-/// Each step once: two chains of one task often begin alike.
+/// Adds each step once: two chains of one task often begin alike.
 void add_new(const Model& model, const std::vector<ChainStep>& chain, dsl::Note::Link begins, Diagnostic& finding) {
   std::vector<dsl::Note> steps;
   add_chain(model, chain, steps, begins);
@@ -58,15 +58,16 @@ void report(const Model& model, const EqualPair& pair, Findings& findings) {
                              : "give one of them a higher priority";
 }
 
-/// So many entries of one list that compete at one priority, each with another one of them, are one finding: it is one
-/// decision that nobody took, and not as many as there are pairs. So are as many sets of a long list (told.hpp).
+/// Limit, from which entries of one list that compete at one priority, each with another one of them, are one finding:
+/// a list without priorities is one omission, not as many as it has pairs. The same for so many sets of a long list
+/// (reported_pairs.hpp).
 constexpr std::size_t many = 4;
 
-constexpr std::string_view who_wins =
+constexpr std::string_view winner_rule =
     "whichever takes it first keeps it, and of those that want it at once the one that is declared first takes it";
 constexpr std::string_view what_helps = "give them priorities that say which goes first";
 
-/// Entries that compete at one priority, by their places, and for what.
+/// Entries that compete at one priority, by index, and what they compete for.
 struct Crowd {
   std::int32_t priority = 0;
   std::set<std::size_t> entries;
@@ -76,7 +77,7 @@ struct Crowd {
   std::size_t second() const { return *std::next(entries.begin()); }
 };
 
-/// The pairs of one list, put together where they have a priority and an entry in common.
+/// The pairs of one list, merged if they share a priority and an entry.
 std::list<Crowd> find_crowds(const std::vector<EqualPair>& all) {
   std::list<Crowd> out;
   for (const EqualPair& pair : all) {
@@ -120,7 +121,7 @@ public:
       if (pair.mutual_wait) report(model_, pair, findings_);
     }
     std::list<Crowd> crowds = find_crowds(list_.pairs);
-    if (tasks_.size() > told_in_pairs) report_list(crowds);
+    if (tasks_.size() > longest_with_all_pairs) report_list(crowds);
     for (const Crowd& crowd : crowds) {
       if (crowd.entries.size() >= many) {
         report_many(crowd);
@@ -131,26 +132,26 @@ public:
   }
 
 private:
-  /// Who mends one set of a long list will look at the others as well. Takes out what it tells of.
+  /// Reports many sets of a long list together, and removes them: correcting one leads to the others.
   void report_list(std::list<Crowd>& crowds) {
-    std::vector<Crowd> told;
+    std::vector<Crowd> reported;
     for (const Crowd& crowd : crowds) {
-      if (!is_allowed(crowd)) told.push_back(crowd);
+      if (!is_allowed(crowd)) reported.push_back(crowd);
     }
-    if (told.size() < many) return;
+    if (reported.size() < many) return;
     crowds.remove_if([&](const Crowd& crowd) { return !is_allowed(crowd); });
-    std::sort(told.begin(), told.end(), [](const Crowd& a, const Crowd& b) {
+    std::sort(reported.begin(), reported.end(), [](const Crowd& a, const Crowd& b) {
       return std::pair(*a.entries.begin(), a.priority) < std::pair(*b.entries.begin(), b.priority);
     });
     std::set<std::size_t> entries;
-    for (const Crowd& crowd : told) entries.insert(crowd.entries.begin(), crowd.entries.end());
+    for (const Crowd& crowd : reported) entries.insert(crowd.entries.begin(), crowd.entries.end());
     const auto by = list_.together->provider;
     Diagnostic& finding = findings_.add(
-        tasks_[told.front().second()].span,
+        tasks_[reported.front().second()].span,
         fmt::format(
             "of the tasks that {} requests {} have equal rank with others that may want the same, in {} sets: {}",
-            by ? name_of(model_, *by) : "the program", entries.size(), told.size(), who_wins));
-    for (const Crowd& crowd : told) {
+            by ? name_of(model_, *by) : "the program", entries.size(), reported.size(), winner_rule));
+    for (const Crowd& crowd : reported) {
       finding.notes.push_back(
           {tasks_[*crowd.entries.begin()].span, fmt::format("{} have priority {} and may want {}", few_of(names(crowd)),
                                                             crowd.priority, few_of(groups(crowd), "or"))});
@@ -163,8 +164,8 @@ private:
     const std::string what = wanted.size() == 1 ? fmt::format(" and may all want {}", wanted.front())
                                                 : fmt::format(", and each may want what another one of them wants, {}",
                                                               few_of(wanted, "or"));
-    Diagnostic& finding = findings_.add(tasks_[crowd.second()].span,
-                                        fmt::format("{} have equal rank{}: {}", few_of(names(crowd)), what, who_wins));
+    Diagnostic& finding = findings_.add(
+        tasks_[crowd.second()].span, fmt::format("{} have equal rank{}: {}", few_of(names(crowd)), what, winner_rule));
     for (const std::size_t entry : crowd.entries) {
       if (entry == crowd.second()) continue;
       finding.notes.push_back({tasks_[entry].span, fmt::format("{} is requested here, with the same priority {}",
@@ -174,7 +175,7 @@ private:
     finding.help = what_helps;
   }
 
-  /// Where it would stand by itself.
+  /// Whether an `allow` would cover a finding of its own.
   bool is_allowed(const Crowd& crowd) const {
     return std::any_of(model_.allowances.begin(), model_.allowances.end(), [&](const Allowance& allowance) {
       return allowance.id.value == "equal_priority" && allowance.scope.contains(tasks_[crowd.second()].span);

@@ -35,7 +35,7 @@ std::optional<GroupId> group_in(const Model& model, const std::string& type) {
   return {};
 }
 
-/// Functions that another one calls, or may call.
+/// Functions that others call, or may call.
 std::set<std::string_view> called_functions(const CodeFacts& code) {
   std::set<std::string_view> out;
   for (const CodeFunction& function : code.functions) {
@@ -78,7 +78,7 @@ void handler_without_provider(const CodeInput& input, Findings& findings) {
       }
       const std::string type = type_in(stray.wrote);
       const std::optional<GroupId> group = group_in(model, type);
-      if (!group) continue; // nobody knows what it is meant for
+      if (!group) continue; // its purpose is unknown
       dsl::Diagnostic& finding =
           findings.add(stray.span, fmt::format("the behaviour has nothing for this body: there is no `{}`", type));
       finding.notes.push_back({model.groups[*group].name.span, fmt::format("{} is here", name_of(model, *group))});

@@ -16,7 +16,7 @@ namespace director::checks {
 
 namespace {
 
-/// Something worth a soft end: it is told when it stops, or it can be pushed to come to rest.
+/// Whether an abrupt end of it matters: it has a stop handler, or can be pushed to come to rest.
 bool is_skill(const Model& model, GroupId group) {
   const Group& row = model.groups[group];
   return row.stop || std::any_of(row.providers.begin(), row.providers.end(),
@@ -30,11 +30,11 @@ struct Course {
   const Task* task = nullptr;
 };
 
-/// Why a planner may leave a skill alone although it asks for it otherwise.
+/// Why a planner may stop requesting a skill while it runs.
 struct Gap {
   const Pack* pack = nullptr; ///< one that does not lead to the skill, of this provider
   ProviderId provider{};
-  std::optional<ConditionUse> waits_for; ///< or what the planner may have to wait for
+  std::optional<ConditionUse> waits_for; ///< or the condition that the planner may have to wait for
 };
 
 class HandOvers {
@@ -73,7 +73,7 @@ private:
     return out;
   }
 
-  /// Those that the task's group requests, the nearest on each way: what is below them follows them.
+  /// The skills that the task's group requests, the nearest on each path: those below follow them.
   const std::vector<GroupId>& skills_below(GroupId task) {
     const auto [at, is_new] = skills_.try_emplace(task);
     if (!is_new) return at->second;
@@ -99,7 +99,7 @@ private:
                        [&](const Task& task) { return leads_to(task.target, to); });
   }
 
-  /// Another task of the same pack asks for the skill too, and may keep it going.
+  /// Whether another task of the same pack requests the skill too, and may keep it running.
   bool is_led_to_otherwise(const Course& course, GroupId skill) const {
     return std::any_of(course.pack->tasks.begin(), course.pack->tasks.end(), [&](const Task& task) {
       return task.target != course.task->target && leads_to(task.target, skill);

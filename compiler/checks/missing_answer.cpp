@@ -10,10 +10,10 @@
 namespace director::checks {
 
 void missing_answer(const CodeInput& input, Findings& findings) {
-  std::set<const CodeFunction*> told; // a function that several bodies call
+  std::set<const CodeFunction*> reported; // a function that several bodies call
   for (const Body& body : input.bodies) {
     for (const CodeFunction* function : body.open_ends) {
-      if (!told.insert(function).second) continue;
+      if (!reported.insert(function).second) continue;
       const bool is_body = function == body.function;
       const std::string name = is_body ? name_of(input.model, body.of) : fmt::format("`{}`", function->name);
       dsl::Diagnostic& finding =

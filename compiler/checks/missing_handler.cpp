@@ -12,7 +12,7 @@ namespace director::checks {
 void missing_handler(const CodeInput& input, Findings& findings) {
   const std::vector<CodeClass>& classes = input.code.classes;
   for (const CodeClass& each : classes) {
-    // What a class leaves open, one that is derived from it may have.
+    // What a class leaves undefined, a derived class may define.
     const bool goes_on = std::any_of(classes.begin(), classes.end(), [&](const CodeClass& other) {
       return std::find(other.bases.begin(), other.bases.end(), each.key) != other.bases.end();
     });

@@ -16,7 +16,7 @@ namespace {
 
 using dsl::Diagnostic;
 
-/// Two needs of a provider, and a group that neither can do without.
+/// Two needs of a provider, and a group that is indispensable for both.
 struct CommonGroup {
   const Use<GroupId>* first = nullptr;
   const Use<GroupId>* second = nullptr;
@@ -24,10 +24,10 @@ struct CommonGroup {
   std::vector<ChainStep> from_first, from_second;
 };
 
-/// For so many groups the chains are found, to choose the shortest of them.
+/// Limit for the groups whose chains are compared to find the shortest.
 constexpr int most_compared = 200;
 
-/// The one with the shortest chains, of these the first.
+/// The one with the shortest chains; the first of several.
 std::optional<CommonGroup> find_common_group(const Model& model, const Provider& provider,
                                              const Indispensable& indispensable) {
   std::optional<CommonGroup> best;
@@ -37,7 +37,7 @@ std::optional<CommonGroup> find_common_group(const Model& model, const Provider&
     for (std::size_t i = 0; i < j; ++i) {
       const Use<GroupId>& a = provider.needs[i];
       const Use<GroupId>& b = provider.needs[j];
-      for (const GroupId group : indispensable.in_common(a.id, b.id)) { // none in a cycle, which is reported as one
+      for (const GroupId group : indispensable.in_common(a.id, b.id)) { // none in a cycle, which another check reports
         if (compared++ == most_compared) return best;
         CommonGroup clash{&a, &b, group, need_path(model, a.id, group), need_path(model, b.id, group)};
         const std::size_t steps = clash.from_first.size() + clash.from_second.size();
@@ -73,7 +73,7 @@ void report_common_group(const Model& model, ProviderId id, const CommonGroup& c
       fmt::format("need only one of them, or give one a provider that does without {}", name_of(model, clash.group));
 }
 
-/// What a way of having a need takes: what it needs itself, and what that comes down to whatever provider is picked.
+/// The groups that a way to meet a need takes: its own needs, and what these lead to with any provider.
 std::string taken_by(const Model& model, const Provider& way, const Indispensable& indispensable) {
   std::vector<GroupId> own, below;
   const auto has = [](const std::vector<GroupId>& list, GroupId id) {
@@ -94,7 +94,7 @@ std::string taken_by(const Model& model, const Provider& way, const Indispensabl
   return below.empty() ? named(own) : fmt::format("{}, and with it {}", named(own), named(below));
 }
 
-/// Which groups each way of having a need takes, for a clash that no two needs have by themselves.
+/// Lists the groups that each way to meet a need takes, for a conflict of more than two needs.
 void report_crowd(const Model& model, ProviderId id, const Indispensable& indispensable, Findings& findings) {
   const Provider& provider = model.providers[id];
   std::vector<std::string> names;
@@ -130,7 +130,7 @@ void report_undecided(const Input& input, const std::vector<ProviderId>& undecid
 void needs_conflict(const Input& input, Findings& findings) {
   const Model& model = input.model;
   const std::vector<ProviderId> conflicts = find_need_conflicts(model, input.facts, input.shared.budget());
-  std::vector<ProviderId> undecided; // one finding: there may be as many as providers
+  std::vector<ProviderId> undecided; // one finding for all of them
   for (const ProviderId id : conflicts) {
     if (const auto clash = find_common_group(model, model.providers[id], input.shared.indispensable())) {
       report_common_group(model, id, *clash, findings);

@@ -12,29 +12,29 @@ namespace director::checks {
 
 namespace {
 
-void report(const Model& model, const std::vector<ChainStep>& circle, Findings& findings) {
+void report(const Model& model, const std::vector<ChainStep>& cycle, Findings& findings) {
   std::vector<GroupId> groups;
-  for (const ChainStep& step : circle) groups.push_back(step.from);
-  groups.push_back(circle.back().to);
+  for (const ChainStep& step : cycle) groups.push_back(step.from);
+  groups.push_back(cycle.back().to);
   if (groups.size() == 2) {
-    dsl::Diagnostic& finding = findings.add(circle[0].span, fmt::format("{} needs itself", name_of(model, groups[0])));
-    finding.rules_out = {circle[0].span};
+    dsl::Diagnostic& finding = findings.add(cycle[0].span, fmt::format("{} needs itself", name_of(model, groups[0])));
+    finding.rules_out = {cycle[0].span};
     finding.help = "a provider holds its own group already: remove the need";
     return;
   }
   dsl::Diagnostic& finding = findings.add(
-      circle[0].span, fmt::format("{}: no plan gets out of this cycle", chain_in_words(model, groups, "needs")));
-  for (const ChainStep& step : circle) finding.rules_out.push_back(step.span);
-  add_chain(model, std::vector<ChainStep>(circle.begin() + 1, circle.end()), finding.notes);
+      cycle[0].span, fmt::format("{}: no plan gets out of this cycle", chain_in_words(model, groups, "needs")));
+  for (const ChainStep& step : cycle) finding.rules_out.push_back(step.span);
+  add_chain(model, std::vector<ChainStep>(cycle.begin() + 1, cycle.end()), finding.notes);
   finding.help = fmt::format("remove one of these needs, or give {} a provider that does without",
-                             name_of(model, circle.back().from));
+                             name_of(model, cycle.back().from));
 }
 
 } // namespace
 
 void needs_cycle(const Input& input, Findings& findings) {
-  for (const std::vector<ChainStep>& circle : find_need_circles(input.model, input.facts, input.shared.budget()))
-    report(input.model, circle, findings);
+  for (const std::vector<ChainStep>& cycle : find_need_cycles(input.model, input.facts, input.shared.budget()))
+    report(input.model, cycle, findings);
 }
 
 } // namespace director::checks

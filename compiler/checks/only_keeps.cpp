@@ -12,7 +12,7 @@ namespace director::checks {
 
 namespace {
 
-/// A requester whose body looks at whether this group is done; nothing: nobody waits for it.
+/// A requester whose body depends on whether this group is done; null: there is none.
 const Use<GroupId>* waiter(const Model& model, GroupId group) {
   for (const Provider& provider : model.providers) {
     for (const Use<GroupId>& use : provider.uses) {
@@ -29,18 +29,18 @@ void only_keeps(const CodeInput& input, Findings& findings) {
   for (const Body& body : input.bodies) {
     if (!body.of.provider || !body.is_whole() || body.is_unwritten() || !only_keeps_going(body)) continue;
     const Provider& provider = model.providers[*body.of.provider];
-    const bool may_ask =
+    const bool may_request =
         std::any_of(provider.packs.begin(), provider.packs.end(), [](const Pack& pack) { return !pack.tasks.empty(); });
     const Use<GroupId>* use = waiter(model, body.of.group);
-    // Whoever acts as long as it is asked to, and is waited for by nobody, has nothing else to say.
-    if (!may_ask && use == nullptr) continue;
+    // A group that acts while it is requested, and that nothing waits for, needs no other answer.
+    if (!may_request && use == nullptr) continue;
     dsl::Diagnostic& finding = findings.add(
         provider.span, fmt::format("every path of {} ends in `keep()`: it never {}", name_of(model, body.of),
-                                   may_ask ? "requests anything, and is never done" : "says that it is done"));
-    finding.help = may_ask ? "let it request its tasks, or leave them out of the behaviour"
-                           : "let it say `done()`, or leave the group out of `uses`";
+                                   may_request ? "requests anything, and is never done" : "says that it is done"));
+    finding.help = may_request ? "let it request its tasks, or leave them out of the behaviour"
+                               : "let it say `done()`, or leave the group out of `uses`";
     finding.notes.push_back({body.function->span, "its body"});
-    if (!may_ask)
+    if (!may_request)
       finding.notes.push_back({use->span, fmt::format("{} is looked at here", name_of(model, body.of.group))});
   }
 }

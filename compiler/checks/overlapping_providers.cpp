@@ -13,7 +13,7 @@ namespace director::checks {
 
 namespace {
 
-/// Where both can run, as far as one state at a time tells; nothing: nowhere.
+/// Where both can run, each state by itself; empty: nowhere.
 std::optional<Region> find_overlap(const Input& input, ProviderId a, ProviderId b) {
   const Model& model = input.model;
   Region out = region_of(model, model.providers[a].when);
@@ -33,8 +33,8 @@ std::string overlap_in_words(const Input& input, const Region& overlap) {
   return list_of(things);
 }
 
-/// Where the first one can run the second one can too, and not the other way round: it says more, and so it stands
-/// first.
+/// Whether the second one can run wherever the first one can, but not the reverse: the first is more specific, so its
+/// place before the second is intended.
 bool is_special_case(const Model& model, const Provider& first, const Provider& second) {
   const Region narrow = region_of(model, first.when), wide = region_of(model, second.when);
   return narrow.states != wide.states && std::all_of(wide.states.begin(), wide.states.end(), [&](const auto& entry) {
@@ -72,7 +72,7 @@ void look_at(const Input& input, ProviderId later, Findings& findings) {
 
 void overlapping_providers(const Input& input, Findings& findings) {
   for (const ProviderId id : input.model.providers.ids()) {
-    // Without a condition it is what is left when all others cannot run: there the order speaks for itself.
+    // A provider without conditions is the fallback: its place at the end is intended.
     if (!input.model.providers[id].when.empty() && input.facts.active.contains(id)) look_at(input, id, findings);
   }
 }

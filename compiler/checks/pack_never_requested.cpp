@@ -13,7 +13,7 @@ void pack_never_requested(const CodeInput& input, Findings& findings) {
   for (const Body& body : input.bodies) {
     if (!body.of.provider || !body.is_whole() || only_keeps_going(body)) continue;
     for (const Pack& pack : model.providers[*body.of.provider].packs) {
-      if (pack.name.empty() || asks_for_pack(body, pack)) continue;
+      if (pack.name.empty() || requests_pack(body, pack)) continue;
       dsl::Diagnostic& finding =
           findings.add(pack.span, fmt::format("no path of {} requests `{}`", name_of(model, body.of), pack.name));
       finding.notes.push_back({body.function->span, "its body"});

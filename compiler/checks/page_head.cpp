@@ -1,6 +1,6 @@
 // Header: compiler/checks/check.hpp. Test: tests/compiler/checks/run_checks_test.cpp.
 // SPDX-License-Identifier: MIT
-// What the head of a check's page says: the lines between its title and its first paragraph.
+// The head of a check's page: the lines between its title and its first paragraph.
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@ namespace director::checks {
 
 namespace {
 
-/// The rest of the line of the page that begins like this.
+/// The rest of the line of the page with this beginning.
 std::string_view header_of(const Registered& check, std::string_view label) {
   const std::size_t at = check.page.find(label);
   if (at == std::string_view::npos) return {};
@@ -39,7 +39,7 @@ std::string_view certainty_of(const Registered& check) {
 }
 
 std::string summary_of(const Registered& check) {
-  // The first paragraph behind the title and what is said in one word.
+  // The first paragraph after the title and the lines of the head.
   const std::size_t begin = check.page.find("\n\n");
   const std::string_view rest = begin == std::string_view::npos ? "" : check.page.substr(begin + 2);
   std::string out(rest.substr(0, rest.find("\n\n")));
@@ -61,6 +61,6 @@ Consequence consequence_of(const Registered& check) {
   throw std::logic_error(fmt::format("{}.md names a consequence that nobody knows", check.id));
 }
 
-bool says_never(const Registered& check) { return header_of(check, "\nSays: ") == "never"; }
+bool reports_never(const Registered& check) { return header_of(check, "\nSays: ") == "never"; }
 
 } // namespace director::checks

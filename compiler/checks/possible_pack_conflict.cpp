@@ -4,7 +4,7 @@
 #include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/choice.hpp"
-#include "compiler/analysis/words/told.hpp"
+#include "compiler/analysis/words/reported_pairs.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -19,17 +19,17 @@ namespace director::checks {
 
 namespace {
 
-/// With more ways than this to meet one task, two of them are not compared.
+/// Limit: tasks with more ways to run are not compared.
 constexpr std::size_t most_ways = 64;
 
-/// One way to meet a task.
+/// One way to run a task.
 struct Way {
   Combination combination;
   std::vector<GroupId> groups; ///< that it takes; sorted
   ProviderId provider() const { return combination.picks.front().provider; }
 };
 
-/// Nothing: there are too many.
+/// Empty: there are too many.
 std::optional<std::vector<Way>> find_ways(Units& units, GroupId group) {
   std::vector<Way> out;
   const bool complete = units.visit({group}, false, [&](const Combination& combination) {
@@ -53,10 +53,10 @@ std::optional<GroupId> group_in_common(const Way& a, const Way& b) {
 struct ClashingWays {
   const Way* first = nullptr;
   const Way* second = nullptr;
-  const Way* first_instead = nullptr; ///< two that do not
+  const Way* first_instead = nullptr; ///< two ways that do not
   const Way* second_instead = nullptr;
-  std::vector<ProviderId> losers; ///< of the two, those that never work here
-  bool always = false;            ///< the preferred provider of one of them is of no use here, whatever the states are
+  std::vector<ProviderId> losers; ///< of the two, those that never run here
+  bool always = false;            ///< the preferred provider of one of them never runs here, with all values of states
 };
 
 class PairSearch {
@@ -103,7 +103,7 @@ private:
     return out;
   }
 
-  /// A clash of a provider that is preferred to all that ever work here.
+  /// A conflict of a provider that is preferred to all that ever run here.
   const Pair* find_useless() const {
     const auto before_all = [&](const Way* way, const Way* Pair::*side) {
       return std::all_of(working_.begin(), working_.end(),
@@ -119,7 +119,7 @@ private:
   std::vector<Pair> working_, clashing_;
 };
 
-/// How a way comes to a group: from the group back to the task.
+/// The chain of a way to a group: from the group back to the task.
 void add_chain(const Model& model, const Way& way, GroupId group, dsl::Diagnostic& finding) {
   std::vector<dsl::Note> steps;
   const GroupId task = way.combination.picks.front().group;
@@ -163,7 +163,7 @@ void report(const Input& input, const Task& first, const Task& second, const Cla
                                      "ones: {}",
                                      a, b, want)
                        : fmt::format("{} and {} cannot always be granted together: {}", a, b, want));
-  // Where they are asked for nowhere else, those never run.
+  // If they are requested nowhere else, these never run.
   for (const ProviderId id : clash.losers) finding.rules_out.push_back(model.providers[id].span);
   finding.notes.push_back({first.span, fmt::format("{} is requested in the same unit", a)});
   add_chain(model, *clash.first, group, finding);
@@ -178,7 +178,7 @@ void report(const Input& input, const Task& first, const Task& second, const Cla
                              name_of(model, group));
 }
 
-/// Pairs of members, the later one first, that may come down to one group.
+/// Pairs of members, the later one first, that may lead to one group.
 std::set<std::pair<std::size_t, std::size_t>> find_rivals(Units& units, const std::vector<const Task*>& members) {
   std::map<GroupId, std::vector<std::size_t>> needed_by;
   for (std::size_t i = 0; i < members.size(); ++i) {
@@ -196,15 +196,15 @@ std::set<std::pair<std::size_t, std::size_t>> find_rivals(Units& units, const st
 void look_at(const Input& input, Units& units, const Pack& pack, Findings& findings) {
   const std::vector<const Task*> members = unit_members(input.model, pack);
   if (members.size() < 2) return;
-  std::set<std::size_t> told; // of long packs: each member once
+  std::set<std::size_t> reported; // of long packs: each member once
   for (const auto& [j, i] : find_rivals(units, members)) {
-    if (told.count(j) != 0) continue;
+    if (reported.count(j) != 0) continue;
     const auto first = find_ways(units, members[i]->target), second = find_ways(units, members[j]->target);
     if (!first || !second) continue;
     const auto clash = PairSearch(input, *first, *second).run();
     if (!clash) continue;
     report(input, *members[i], *members[j], *clash, findings);
-    if (members.size() > told_in_pairs) told.insert(j);
+    if (members.size() > longest_with_all_pairs) reported.insert(j);
   }
 }
 

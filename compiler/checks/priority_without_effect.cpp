@@ -14,8 +14,8 @@ namespace director::checks {
 
 namespace {
 
-/// What the rank of a task has a say in: every group that it may come to hold, and every group that may be pushed for
-/// it or for one of these.
+/// The groups for which the rank of a task matters: every group that it may come to hold, and every group that may be
+/// pushed for it or for one of these.
 class Stakes {
 public:
   explicit Stakes(const Input& input) : input_(input), causers_(find_causers(input.model)) {}

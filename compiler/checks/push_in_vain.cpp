@@ -26,7 +26,7 @@ std::string loss_of(const Model& model, const Clash& clash) {
   return {};
 }
 
-/// The first one is what is waited for.
+/// The first one is the awaited condition.
 std::string lost_with(const Model& model, const std::vector<ConditionId>& lost) {
   if (lost.size() == 1) return "it is lost: what could bring it back runs only while it holds";
   std::vector<std::string> names{"that"};

@@ -15,10 +15,10 @@ namespace director::checks {
 
 namespace {
 
-/// Who may hold a group, and by which words.
+/// A provider that may hold a group, and its declarations for that.
 struct Holder {
   GroupId group{};
-  std::optional<ProviderId> provider; ///< nothing: the program requests the group itself
+  std::optional<ProviderId> provider; ///< empty: the program requests the group itself
   dsl::Span span{};
   bool by_need = false;
   const Task* root = nullptr;
@@ -49,7 +49,7 @@ public:
   }
 
 private:
-  /// Where the pushed group is always requested with the task, it is held by that request or by a stronger one.
+  /// If the pushed group is always requested with the task, it is held by that request or by a stronger one.
   void find_company(GroupId task, GroupId pushed) {
     near_.clear();
     Company company(model_, facts_, shared_.requests(), {pushed});
@@ -59,8 +59,8 @@ private:
     near_ = company.found_in();
   }
 
-  /// What the pushed provider has in every plan. Such a group holds its own parts for whoever has it, so that only who
-  /// may have it can stand between.
+  /// Finds the groups that the pushed provider has in every plan. Such a group holds its own needs for its holder, so
+  /// only another holder of that group can be in the way.
   void find_own(ProviderId causer) {
     own_.clear();
     for (const Use<GroupId>& need : model_.providers[causer].needs) {
@@ -79,14 +79,14 @@ private:
     });
   }
 
-  /// Who may hold a part of what is needed, and where it goes before the pushed group.
+  /// A provider that may hold a part of what is needed, and where it goes before the pushed group.
   struct Between {
     GroupId part{};
     Holder holder;
     Meeting below;
   };
 
-  /// Of several the one that goes first: where the pushed group goes before that one, it does before all of them.
+  /// Of several the one that goes first: if the pushed group goes before that one, it does before all of them.
   void find_between(GroupId task, const Want& want, ProviderId causer, GroupId part,
                     std::optional<Between>& worst) const {
     const GroupId pushed = model_.providers[causer].group;
@@ -98,13 +98,13 @@ private:
     }
   }
 
-  /// The first ones of both, before the same entry.
+  /// Compares by the first entry, for equal second ones.
   static bool goes_before(const Meeting& a, const Meeting& b) {
     if (a.second != b.second) return false;
     return std::pair(!a.first_optional, a.first_level.priority) > std::pair(!b.first_optional, b.first_level.priority);
   }
 
-  /// Where the waiting task goes before the holder. Of what is in one unit with the task nothing is granted.
+  /// Where the waiting task goes before the holder. Nothing that is in one unit with the task is granted.
   std::optional<Meeting> find_above(GroupId task, const Holder& holder, GroupId pushed) const {
     std::optional<Meeting> out;
     shared_.chains().visit(task, {holder.group}, [&](const Meeting& found, GroupId) {
@@ -125,7 +125,7 @@ private:
     return out;
   }
 
-  /// A chain of requests from the entry to the group passes neither the task that waits nor the one that is pushed.
+  /// Whether a chain of requests from the entry to the group passes neither the waiting task nor the pushed one.
   bool leads_to(const Task& entry, GroupId group, GroupId task, GroupId pushed) const {
     if (entry.target == task || entry.target == pushed) return false;
     return Claims(shared_.branches(), entry.target, {task, pushed}).contains(group);
@@ -160,7 +160,7 @@ private:
     return std::nullopt;
   }
 
-  /// It may hold the group while the task waits, and not only by a push of the same task.
+  /// Whether it may hold the group while the task waits, and not only by a push of the same task.
   bool is_between(GroupId task, const Want& want, ProviderId causer, const Holder& holder) const {
     const GroupId pushed = model_.providers[causer].group;
     if (holder.group == pushed || holder.group == task || hangs_on(holder.group, pushed) ||
@@ -187,7 +187,7 @@ private:
     });
   }
 
-  /// Every chain of requests to the group passes the other one.
+  /// Whether every chain of requests to the group passes the other one.
   bool hangs_on(GroupId group, GroupId other) const {
     std::optional<GroupId> gate = graph_.gate[group];
     while (gate && *gate != other) gate = graph_.gate[*gate];
@@ -235,7 +235,7 @@ private:
   const Facts& facts_;
   const Shared& shared_;
   Findings& findings_;
-  std::set<const std::vector<Task>*> near_; ///< of the push that is looked at; empty: they may meet anywhere
+  std::set<const std::vector<Task>*> near_; ///< of the current push; empty: they may meet anywhere
   std::set<GroupId> own_;                   ///< of the provider that is pushed
   std::set<std::pair<dsl::Span, dsl::Span>> seen_;
 };

@@ -6,7 +6,7 @@
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/checks/code_check.hpp"
-#include "compiler/checks/tell_decisions.hpp"
+#include "compiler/checks/report_decisions.hpp"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ using dsl::Diagnostic;
 
 namespace {
 
-/// A finding in C++ has a note where the thing stands in the YAML: that is the place that an `allow` can cover.
+/// A finding in C++ has a note at the place in the YAML: that is the place that an `allow` can cover.
 bool covers(const Allowance& allowance, const Diagnostic& finding) {
   if (allowance.id.value != finding.id || finding.level == dsl::Level::error) return false;
   if (allowance.scope.contains(finding.span)) return true;
@@ -28,7 +28,7 @@ bool covers(const Allowance& allowance, const Diagnostic& finding) {
                      [&](const dsl::Note& note) { return allowance.scope.contains(note.span); });
 }
 
-/// It is for `verify`, which says nothing of what the C++ does not show, or for `--explore`.
+/// Whether it is for `verify`, whose findings depend on the C++, or for `--explore`.
 bool is_for_others(const Allowance& allowance) {
   const Registered* check = find_registered(allowance.id.value);
   if (check == nullptr || level_of(*check) == dsl::Level::error) return false;
@@ -67,7 +67,7 @@ Diagnostic unused(const Allowance& allowance) {
   return finding;
 }
 
-/// One finding for all that the searches of a run have left open.
+/// One finding for all questions that the searches of a run have left open.
 Diagnostic not_decided(const Budget& budget) {
   std::vector<OpenQuestion> open = budget.open();
   std::stable_sort(open.begin(), open.end(),
@@ -85,7 +85,7 @@ Diagnostic not_decided(const Budget& budget) {
   return finding;
 }
 
-/// Whether anybody would hear of what it finds.
+/// Whether any finding of it would be reported.
 bool is_wanted(const Registered& check, const Selection& selection, const Model& model) {
   if (selection.only_errors) return level_of(check) == dsl::Level::error;
   return level_of(check) != dsl::Level::lint || selection.every_lint || selection.lints.contains(check.id) ||
@@ -114,7 +114,7 @@ std::vector<Diagnostic> run_checks(const Model& model, const Graph& graph, const
     for (Diagnostic& finding : findings.take()) all.push_back(std::move(finding));
   }
   if (!selection.only_errors) {
-    for (Diagnostic& finding : tell_decisions(conflicts.input(), all)) all.push_back(std::move(finding));
+    for (Diagnostic& finding : report_decisions(conflicts.input(), all)) all.push_back(std::move(finding));
     if (!shared.budget().open().empty()) all.push_back(not_decided(shared.budget()));
   }
   dsl::sort_by_place(all);
@@ -137,9 +137,9 @@ std::vector<Diagnostic> apply_allowances(const Model& model, std::vector<Diagnos
   std::vector<bool> used(model.allowances.size(), false);
   drop_covered(model, findings, used);
   if (!all_checks_ran) return findings;
-  // An error may keep to itself what a warning would have said.
+  // An error may suppress a warning.
   const bool errors = dsl::has_errors(findings);
-  // An `allow: [unused_allow]` is looked at last: what it covers is known only now.
+  // An `allow: [unused_allow]` is applied last: only now is it known what it covers.
   std::vector<Diagnostic> leftover;
   const auto collect = [&](bool last) {
     for (std::size_t i = 0; i < used.size(); ++i) {
@@ -165,8 +165,8 @@ std::vector<Diagnostic> apply_selection(const Selection& selection, std::vector<
   findings.erase(std::remove_if(findings.begin(), findings.end(), is_unwanted), findings.end());
   for (Diagnostic& finding : findings) {
     shorten(finding.notes);
-    const bool asked = selection.every_warning_is_error || selection.warnings_as_errors.count(finding.id) != 0;
-    if (finding.level == dsl::Level::warning && asked) finding.level = dsl::Level::error;
+    const bool as_error = selection.every_warning_is_error || selection.warnings_as_errors.count(finding.id) != 0;
+    if (finding.level == dsl::Level::warning && as_error) finding.level = dsl::Level::error;
   }
   return findings;
 }

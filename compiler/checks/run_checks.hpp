@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Runs every check, and decides what of all findings is reported, and as what.
+// Runs every check, and decides which findings are reported, and at which level.
 
 #include "compiler/checks/check.hpp"
 
@@ -8,9 +8,9 @@
 
 namespace director::checks {
 
-/// What the user wants to be told.
+/// The user's choice of findings.
 struct Selection {
-  bool only_errors = false;                              ///< others are not looked for
+  bool only_errors = false;                              ///< others are not searched
   bool every_lint = false;                               ///< `--lint`
   std::set<std::string, std::less<>> lints;              ///< `--lint=<id>`
   bool every_warning_is_error = false;                   ///< `--werror`
@@ -18,18 +18,18 @@ struct Selection {
   std::set<std::string, std::less<>> allowed;            ///< `--allow=<id>`: not reported, unless it is an error
 };
 
-/// Everything that the checks find, sorted by place; nothing suppressed. Of the lints only those that are asked for, or
-/// that an `allow` names; only the errors, if that is asked for.
+/// Everything that the checks find, sorted by place; nothing suppressed. Lints only if they are requested or an `allow`
+/// names them; only the errors, if `only_errors`.
 std::vector<dsl::Diagnostic> run_checks(const Model& model, const Graph& graph, const Facts& facts,
                                         const Selection& selection);
 
 /// Drops what an `allow` covers. With `all_checks_ran`, an `allow` that covered nothing is a finding of its own;
-/// without, it may be meant for a check that did not come to its turn.
+/// otherwise it may be meant for a check that did not run.
 std::vector<dsl::Diagnostic> apply_allowances(const Model& model, std::vector<dsl::Diagnostic> findings,
                                               bool all_checks_ran);
 
-/// Drops what is allowed and lints that were not asked for, makes warnings errors as asked, and leaves of many notes
-/// those that one reads.
+/// Drops what is allowed and lints that were not requested, makes warnings errors as requested, and limits the number
+/// of notes.
 std::vector<dsl::Diagnostic> apply_selection(const Selection& selection, std::vector<dsl::Diagnostic> findings);
 
 } // namespace director::checks

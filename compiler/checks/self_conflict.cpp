@@ -21,8 +21,9 @@ namespace director::checks {
 
 namespace {
 
-/// It asks for a group that is above it. Where nothing on the way is optional that is a cycle, another finding.
-bool asks_above(const Loser& loser) { return loser.taker.group == loser.taker.holder; }
+/// Whether it requests a group that is above it. Without an optional request in between that is a cycle, another
+/// finding.
+bool requests_above(const Loser& loser) { return loser.taker.group == loser.taker.holder; }
 
 bool is_cycle(const Model& model, const Loser& loser) {
   const auto may_be_mandatory = [&](const ChainStep& step) {
@@ -46,8 +47,8 @@ std::string message_of(const Model& model, const Loser& loser) {
   const std::string name = name_of(model, loser.refused.task->target);
   const std::string above = name_of(model, loser.above), kept = name_of(model, loser.taker.group);
   const std::string by = name_of(model, *loser.refused.requester);
-  const bool is_direct = loser.refused.requester == loser.taker.holder; // no other group asks in between
-  if (asks_above(loser)) {
+  const bool is_direct = loser.refused.requester == loser.taker.holder; // no other group in between
+  if (requests_above(loser)) {
     const std::string holder = name_of(model, loser.taker.holder);
     if (loser.taker.group == loser.refused.task->target)
       return fmt::format("{} never runs for {}, which is below {} itself", name, by, holder);
@@ -58,7 +59,7 @@ std::string message_of(const Model& model, const Loser& loser) {
                    : fmt::format("{} never runs for {} below {}, which keeps {} for itself", name, by, above, kept);
 }
 
-/// The need of the provider that comes down to the group.
+/// The provider's need that leads to the group.
 const Use<GroupId>* find_need(const Model& model, const Loser& loser) {
   for (const Use<GroupId>& need : model.providers[loser.above].needs) {
     if (need.id == loser.taker.group || !need_path(model, need.id, loser.taker.group).empty()) return &need;
@@ -66,34 +67,34 @@ const Use<GroupId>* find_need(const Model& model, const Loser& loser) {
   return nullptr;
 }
 
-/// Where the finding about it stands.
-const Task& place_of(const Loser& loser) { return asks_above(loser) ? *loser.refused.task : *loser.entry; }
+/// The place of the finding.
+const Task& place_of(const Loser& loser) { return requests_above(loser) ? *loser.refused.task : *loser.entry; }
 
-/// Those that lose one group to one provider, below one entry. The nearest one, the first, stands for all: what helps
+/// Those that lose one group to one provider, below one entry. The nearest one, the first, represents all: what helps
 /// it helps the others.
 using Losers = std::vector<const Loser*>;
 
-/// What loses the same elsewhere is told with the first one, wherever that is: below another entry, or another provider
-/// of the group.
+/// Tasks that lose the same group below other entries, or other providers of the group, are reported with the first
+/// one.
 std::vector<std::vector<Losers>> losers_by_place(const Input& input) {
   std::map<std::tuple<ProviderId, dsl::Span, GroupId>, Losers> by_entry;
   for (const Loser& loser : input.conflicts.losers()) {
     const EdgeId edge = loser.refused.task->edge;
     if (loser.taker.kind != Taker::Kind::above || is_cycle(input.model, loser)) continue;
-    if (input.conflicts.closes_circle(edge)) continue;
-    // Elsewhere it may be asked for with a better chance, and then it is nobody's fault.
-    if (asks_above(loser) && input.conflicts.grants().refused().count(edge) == 0) continue;
+    if (input.conflicts.closes_cycle(edge)) continue;
+    // Another request for it may have a better chance; then this is no fault.
+    if (requests_above(loser) && input.conflicts.grants().refused().count(edge) == 0) continue;
     by_entry[{loser.above, place_of(loser).span, loser.taker.group}].push_back(&loser);
   }
   std::map<std::tuple<bool, EdgeId, GroupId, GroupId>, std::size_t> places;
   std::vector<std::vector<Losers>> out;
   for (auto& [key, losers] : by_entry) {
     const Loser& first = *losers.front();
-    // Of what asks for a group above it, it does not matter how many there are.
-    const auto holder = asks_above(first) ? GroupId{} : first.taker.holder;
-    const auto kept = asks_above(first) ? GroupId{} : first.taker.group;
+    // How many tasks request a group above them does not matter.
+    const auto holder = requests_above(first) ? GroupId{} : first.taker.holder;
+    const auto kept = requests_above(first) ? GroupId{} : first.taker.group;
     const auto [at, is_new] =
-        places.try_emplace({asks_above(first), first.refused.task->edge, holder, kept}, out.size());
+        places.try_emplace({requests_above(first), first.refused.task->edge, holder, kept}, out.size());
     if (is_new) out.emplace_back();
     out[at->second].push_back(std::move(losers));
   }
@@ -105,7 +106,7 @@ void add_same(const Model& model, const Loser& first, const Loser& other, dsl::D
     return span == finding.span || std::any_of(finding.notes.begin(), finding.notes.end(),
                                                [&](const dsl::Note& note) { return note.span == span; });
   };
-  if (asks_above(other) && other.taker.holder != first.taker.holder) {
+  if (requests_above(other) && other.taker.holder != first.taker.holder) {
     finding.notes.push_back(
         {other.entry->span, fmt::format("nor below {}, which leads to it here", name_of(model, other.taker.holder))});
   } else if (!is_told(place_of(other).span)) {
@@ -128,17 +129,17 @@ void report(const Input& input, const std::vector<Losers>& all, Findings& findin
     add_chain(model, need_path(model, need->id, loser.taker.group), finding.notes, dsl::Note::Link::next);
   }
   std::vector<ChainStep> chain = loser.chain;
-  chain.erase(asks_above(loser) ? chain.end() - 1 : chain.begin()); // the finding stands there
+  chain.erase(requests_above(loser) ? chain.end() - 1 : chain.begin()); // that is the place of the finding
   for (const ChainStep& step : need_path(model, loser.refused.task->target, loser.taker.group)) chain.push_back(step);
   add_chain(model, chain, finding.notes);
   for (const Losers& each : all) {
     if (&each != &losers) add_same(model, loser, *each.front(), finding);
     for (const Loser* other : each) finding.rules_out.push_back(other->refused.task->span);
   }
-  std::set<EdgeId> told{loser.refused.task->edge};
+  std::set<EdgeId> reported{loser.refused.task->edge};
   for (const Losers& each : all) {
     for (const Loser* other : each) {
-      if (told.insert(other->refused.task->edge).second)
+      if (reported.insert(other->refused.task->edge).second)
         finding.notes.push_back(
             {other->refused.task->span, fmt::format("nor does {} for {}", name_of(model, other->refused.task->target),
                                                     name_of(model, *other->refused.requester))});
@@ -148,7 +149,7 @@ void report(const Input& input, const std::vector<Losers>& all, Findings& findin
     finding.help = fmt::format("request it where {} is not above it", kept);
   } else if (need->id == loser.taker.group && loser.entry->target != need->id &&
              input.facts.may_wait.contains(loser.entry->target)) {
-    // To need it would be to wait with it.
+    // If it needed that, it would wait with it.
     finding.help = fmt::format("do not need {}: what a task needs is held when it is granted", kept);
   } else if (need->id == loser.taker.group && loser.entry->target != need->id) {
     finding.help = fmt::format("need {} instead of {}, or nothing: what a task needs is held when it is granted",

@@ -21,16 +21,17 @@ namespace director::checks {
 
 namespace {
 
-/// Of many rivals the first ones have a note.
+/// Limit for the rivals with a note.
 constexpr std::size_t most_culprits = 8;
 
-/// A condition of it is reported as one that never holds: that is why it never runs, and what comes before it is not.
+/// Whether a condition of it is reported as one that never holds: that is the reason, not the providers before it.
 bool never_holds(const Facts& facts, ProviderId id) {
   const auto faults = facts.impossible_of(id);
   return std::any_of(faults.begin(), faults.end(), [](const Impossible& fault) { return !fault.stay; });
 }
 
-/// A state that lacks a value, as is reported, may have it: what is shadowed only for want of it is not reported again.
+/// A state whose missing value is reported may have it: a provider that is shadowed only without that value is not
+/// reported again.
 IdTable<StateId, ValueSet> mended_values(const Model& model, const Facts& facts) {
   IdTable<StateId, ValueSet> out = facts.values;
   for (const Impossible& fault : facts.impossible) {
@@ -39,7 +40,7 @@ IdTable<StateId, ValueSet> mended_values(const Model& model, const Facts& facts)
   return out;
 }
 
-/// What the `when` of earlier ones leaves of its own, where its group is asked for.
+/// What the conditions of earlier providers leave of its own, where its group is requested.
 Covering find_choice_here(const Input& input, ProviderId id, const std::vector<Rival>& rivals,
                           const IdTable<StateId, ValueSet>& values) {
   Region own = region_of(input.model, input.model.providers[id].when);
@@ -49,7 +50,8 @@ Covering find_choice_here(const Input& input, ProviderId id, const std::vector<R
   return find_covering(input.model, own, others, values, input.shared.budget());
 }
 
-/// Where its group is asked for something would be left, but not where it can be granted: what it is granted with.
+/// Notes the other members, if something is left where its group is requested, but not where it can be granted together
+/// with them.
 void note_members(const Input& input, ProviderId id, const std::vector<Rival>& rivals, dsl::Diagnostic& finding) {
   const GroupId group = input.model.providers[id].group;
   if (input.facts.grants[group].states == input.facts.contexts[group].states) return;
@@ -74,7 +76,7 @@ void note_members(const Input& input, ProviderId id, const std::vector<Rival>& r
   }
 }
 
-/// A condition of a preferred one that only looks as if it left something.
+/// Notes a condition of a preferred provider that always holds.
 void note_always_true(const Input& input, ProviderId rival, dsl::Diagnostic& finding) {
   for (const ConditionUse& use : input.model.providers[rival].when) {
     const StateId state = input.model.conditions[use.id].state;
@@ -87,8 +89,8 @@ void note_always_true(const Input& input, ProviderId rival, dsl::Diagnostic& fin
   }
 }
 
-/// Why whoever looks at what it promises does not push it: others of its group can run instead, so that it never waits;
-/// or it never goes first. The first one of these.
+/// Notes why no group that waits for its promise pushes it: others of that group can run instead, so it never waits; or
+/// it never goes first. Returns the first such group.
 std::optional<GroupId> note_unpushed(const Input& input, ProviderId id, dsl::Diagnostic& finding) {
   const Model& model = input.model;
   const GroupId own = model.providers[id].group;
@@ -116,7 +118,7 @@ std::optional<GroupId> note_unpushed(const Input& input, ProviderId id, dsl::Dia
   return out;
 }
 
-/// The rivals without which it would come first; all of them where each one is enough alone or none is.
+/// The rivals without which it would come first; all of them if each is enough alone or none is.
 std::vector<ProviderId> find_culprits(const Input& input, ProviderId id, const std::vector<Rival>& rivals,
                                       const IdTable<StateId, ValueSet>& values) {
   std::vector<ProviderId> out;
@@ -127,7 +129,7 @@ std::vector<ProviderId> find_culprits(const Input& input, ProviderId id, const s
   return out;
 }
 
-/// Not for the sake of the earlier ones: what it waits for or needs never comes.
+/// For another reason than the earlier providers: what it waits for or needs never comes.
 void report_never(const Input& input, ProviderId id, Findings& findings) {
   const std::string name = name_of(input.model, id);
   dsl::Diagnostic& finding = findings.add(input.model.providers[id].span, fmt::format("{} can never run", name));
@@ -141,7 +143,7 @@ void report_never(const Input& input, ProviderId id, Findings& findings) {
                      : fmt::format("request what brings that about, or leave {} out", name);
 }
 
-/// Where its group is asked for it cannot run, and others of the group can.
+/// It cannot run where its group is requested, and others of the group can.
 void report_excluded(const Input& input, ProviderId id, Findings& findings) {
   const std::string name = name_of(input.model, id), group = name_of(input.model, input.model.providers[id].group);
   dsl::Diagnostic& finding = findings.add(
@@ -151,13 +153,13 @@ void report_excluded(const Input& input, ProviderId id, Findings& findings) {
   finding.help = fmt::format("request {} elsewhere too, or leave {} out", group, name);
 }
 
-/// The group has another one that may run.
+/// Whether the group has another provider that may run.
 bool has_active(const Input& input, GroupId group) {
   const std::vector<ProviderId>& all = input.model.groups[group].providers;
   return std::any_of(all.begin(), all.end(), [&](ProviderId id) { return input.facts.active.contains(id); });
 }
 
-/// Somebody always holds what it needs while others of its group can run.
+/// What it needs is always held while others of its group can run.
 void report_idle(const Input& input, ProviderId id, const Refused& refused, Findings& findings) {
   const Taker& taker = refused.refusals.front().taker;
   dsl::Diagnostic& finding = findings.add(input.model.providers[id].span,
@@ -169,7 +171,7 @@ void report_idle(const Input& input, ProviderId id, const Refused& refused, Find
       fmt::format("request it where that is free, give it other needs, or leave {} out", name_of(input.model, id));
 }
 
-/// It can run whenever the other one can, as far as their own conditions and needs say.
+/// Whether it can run whenever the other one can, by their own conditions and needs.
 bool can_always_replace(const Model& model, ProviderId id, ProviderId other) {
   const Region own = region_of(model, model.providers[id].when), others = region_of(model, model.providers[other].when);
   return needs_no_more(model.providers[id], model.providers[other]) &&
@@ -179,8 +181,8 @@ bool can_always_replace(const Model& model, ProviderId id, ProviderId other) {
          });
 }
 
-/// Another order helps where nobody else never runs then: neither another one of these, nor a promise that nobody
-/// pushes.
+/// Another order helps if then no other provider never runs: neither one of these, nor one whose promise is never
+/// pushed.
 std::string propose(const Input& input, ProviderId id, const std::vector<ProviderId>& culprits) {
   const Model& model = input.model;
   const bool helps = std::none_of(culprits.begin(), culprits.end(), [&](ProviderId each) {
@@ -204,7 +206,7 @@ void shadowed_provider(const Input& input, Findings& findings) {
   const IdTable<StateId, ValueSet> mended = mended_values(model, facts);
   IdSet<ProviderId> explained = input.shared.promises().explained;
   for (const Imprecise& fault : input.shared.imprecise()) explained.add(fault.causer);
-  // A condition that never holds as things stand is pushed for all the same.
+  // A condition that is reported as never holding may still be pushed for.
   for (const Impossible& fault : facts.impossible) {
     if (fault.stay) continue;
     for (const ConditionUse& use : fault.uses) {

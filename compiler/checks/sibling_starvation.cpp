@@ -19,14 +19,14 @@ namespace director::checks {
 
 namespace {
 
-/// Whoever asks for it, and when: as it follows from what goes before, or as all decisions together show.
+/// Whether no request for it is ever granted, by what goes before it, or by all decisions together.
 bool never_runs(const Input& input, EdgeId edge) {
   return input.conflicts.grants().refused().count(edge) != 0 ||
          input.shared.decisions().never_granted(input.model, edge);
 }
 
-/// Where the loser has a chance elsewhere, or for a moment, nothing is said of never. `more`: others that take from the
-/// same one.
+/// If the loser is granted elsewhere, or for a moment, the message does not claim "never". `more`: others that take
+/// from the same one.
 void report(const Input& input, const Loser& loser, bool never, const std::vector<const Loser*>& more,
             Findings& findings) {
   const Model& model = input.model;
@@ -44,7 +44,7 @@ void report(const Input& input, const Loser& loser, bool never, const std::vecto
   finding.notes.push_back({sibling.span, fmt::format("{} is granted together with {}", other, name)});
   add_chain(model, need_path(model, taker.target, group), finding.notes);
   std::vector<ChainStep> chain = loser.chain;
-  chain.erase(chain.begin()); // a note stands there
+  chain.erase(chain.begin()); // a note has that place
   for (const ChainStep& step : need_path(model, loser.refused.task->target, group)) chain.push_back(step);
   add_chain(model, chain, finding.notes);
   for (const Loser* each : more) {
@@ -61,14 +61,14 @@ void report(const Input& input, const Loser& loser, bool never, const std::vecto
 } // namespace
 
 void sibling_starvation(const Input& input, Findings& findings) {
-  // The nearest one that loses stands for all that is below the same sibling.
-  std::set<std::tuple<const Task*, const Task*, GroupId>> told;
-  // That one never runs is told once, whoever takes it where.
+  // The nearest loser represents all that are below the same sibling.
+  std::set<std::tuple<const Task*, const Task*, GroupId>> reported;
+  // That one never runs is reported once, for all takers.
   std::map<EdgeId, std::vector<const Loser*>> lost;
   std::vector<const Loser*> all;
   for (const Loser& loser : input.conflicts.losers()) {
     const Taker& taker = loser.taker;
-    if (taker.kind != Taker::Kind::unit || !told.emplace(taker.by, taker.over, taker.group).second) continue;
+    if (taker.kind != Taker::Kind::unit || !reported.emplace(taker.by, taker.over, taker.group).second) continue;
     const EdgeId edge = loser.refused.task->edge;
     const bool never = never_runs(input, edge);
     if (!never || lost.count(edge) == 0) all.push_back(&loser);

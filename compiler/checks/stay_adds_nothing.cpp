@@ -12,7 +12,7 @@ namespace director::checks {
 
 namespace {
 
-/// Wherever the first holds the second does.
+/// Whether the second holds wherever the first does.
 bool implies(const Region& first, const Region& second) {
   return std::all_of(second.states.begin(), second.states.end(), [&](const auto& entry) {
     const auto at = first.states.find(entry.first);

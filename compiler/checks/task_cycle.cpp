@@ -11,14 +11,14 @@ namespace director::checks {
 
 namespace {
 
-void report(const Input& input, const Circle& circle, Findings& findings) {
+void report(const Input& input, const TaskCycle& cycle, Findings& findings) {
   const Model& model = input.model;
-  const std::vector<GroupId>& groups = circle.groups;
+  const std::vector<GroupId>& groups = cycle.groups;
   dsl::Diagnostic& finding = findings.add(
-      request_span(model, circle.last_requester(), groups.back()),
+      request_span(model, cycle.last_requester(), groups.back()),
       fmt::format("{}: {} is never granted", chain_in_words(model, groups, "requests"),
-                  circle.is_known ? "that one" : "the one of these that leads back to where the cycle was entered"));
-  finding.rules_out = {finding.span}; // which one it is depends on where the circle is entered
+                  cycle.is_known ? "that one" : "the one of these that leads back to where the cycle was entered"));
+  finding.rules_out = {finding.span}; // which one it is depends on where the cycle is entered
   for (std::size_t i = 0; i + 2 < groups.size(); ++i) {
     finding.notes.push_back({request_span(model, groups[i], groups[i + 1]),
                              fmt::format("{} requests {}", name_of(model, groups[i]), name_of(model, groups[i + 1])),
@@ -38,11 +38,11 @@ void report_loop(const Input& input, GroupId group, Findings& findings) {
 } // namespace
 
 void task_cycle(const Input& input, Findings& findings) {
-  for (const Circle& circle : input.conflicts.circles()) {
-    if (circle.groups.size() == 2)
-      report_loop(input, circle.groups.front(), findings);
+  for (const TaskCycle& cycle : input.conflicts.task_cycles()) {
+    if (cycle.groups.size() == 2)
+      report_loop(input, cycle.groups.front(), findings);
     else
-      report(input, circle, findings);
+      report(input, cycle, findings);
   }
 }
 

@@ -15,14 +15,14 @@ void task_never_requested(const CodeInput& input, Findings& findings) {
   for (const Body& body : input.bodies) {
     if (!body.of.provider || !body.is_whole() || body.is_unwritten() || only_keeps_going(body)) continue;
     for (const Pack& pack : model.providers[*body.of.provider].packs) {
-      // Of a pack that nobody asks for, that is said of the pack.
-      if (!pack.name.empty() && !asks_for_pack(body, pack)) continue;
+      // If a whole pack is never requested, the pack is reported.
+      if (!pack.name.empty() && !requests_pack(body, pack)) continue;
       for (const Task& task : pack.tasks) {
-        const bool asked = std::any_of(body.words.begin(), body.words.end(), [&](const CodeWord* word) {
+        const bool requested = std::any_of(body.words.begin(), body.words.end(), [&](const CodeWord* word) {
           const bool is_this_one = pack.name.empty() ? word->kind == CodeWord::Kind::request : is_pack(*word, pack);
           return is_this_one && gives(input, *word, task.target);
         });
-        if (asked) continue;
+        if (requested) continue;
         dsl::Diagnostic& finding = findings.add(
             task.span, fmt::format("no path of {} requests {}{}", name_of(model, body.of), name_of(model, task.target),
                                    pack.name.empty() ? "" : fmt::format(" with `{}`", pack.name)));

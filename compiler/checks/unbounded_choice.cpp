@@ -14,10 +14,10 @@ namespace director::checks {
 
 namespace {
 
-/// Nobody waits for more than this, whatever limit was set.
+/// Limit for counting, whatever limit was set.
 constexpr std::int64_t most_counted = 1'000'000'000;
 
-/// What one pass over a component tries for one requester.
+/// The trials of one pass over a component for one requester.
 struct Share {
   std::int64_t trials = 0;
   Span span{};
@@ -87,7 +87,7 @@ private:
     return fmt::format("{}{}", count.complete ? "" : "at least ", count.count);
   }
 
-  /// The members that multiply to the most.
+  /// The members with the largest product.
   std::vector<const Task*> worst_of(const CountedUnit& unit) {
     return *std::max_element(unit.colliding.begin(), unit.colliding.end(), [&](const auto& a, const auto& b) {
       return trials_.product(a).count < trials_.product(b).count;
@@ -96,7 +96,7 @@ private:
 
   void report(const CountedUnit& unit, const TrialCount& count) {
     const std::vector<const Task*> members = worst_of(unit);
-    // The task with the most ways is where less would help most.
+    // Reducing the task with the most ways helps most.
     const Task* worst = *std::max_element(members.begin(), members.end(), [&](const Task* a, const Task* b) {
       return trials_.ways(a->target).count < trials_.ways(b->target).count;
     });

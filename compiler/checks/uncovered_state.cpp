@@ -23,9 +23,9 @@ namespace director::checks {
 
 namespace {
 
-/// Combinations of values that are listed; what comes beyond is counted.
+/// Limit for the combinations of values that are listed; further ones are counted.
 constexpr std::size_t most_listed = 4;
-/// ... up to so many: beyond, nobody is helped by the number.
+/// ... up to this limit: a larger number tells the reader nothing more.
 constexpr std::size_t most_gaps = 1'000;
 
 class Uncovered {
@@ -63,7 +63,7 @@ private:
   struct Uncoveredness {
     GroupId group{};
     std::vector<std::string> gaps; ///< in words
-    bool all = true;               ///< else there are more than could be listed
+    bool all = true;               ///< false: there are more than could be listed
     std::set<StateId> states;
     const Request* where = nullptr;
   };
@@ -74,7 +74,7 @@ private:
     const Request* where = nullptr;
   };
 
-  /// Whatever is in the first box is in the second one too.
+  /// Whether the first box is within the second one.
   bool lies_within(const Box& inner, const Box& outer) const {
     return std::all_of(outer.begin(), outer.end(), [&](const auto& entry) {
       const auto at = inner.find(entry.first);
@@ -84,7 +84,7 @@ private:
     });
   }
 
-  /// Of one within another the larger one stays.
+  /// Keeps the larger of two gaps, if one is within the other.
   void add(Gap gap, std::vector<Gap>& gaps) const {
     if (std::any_of(gaps.begin(), gaps.end(), [&](const Gap& each) { return lies_within(gap.box, each.box); })) return;
     const auto is_inner = [&](const Gap& each) { return lies_within(each.box, gap.box); };
@@ -92,7 +92,7 @@ private:
     gaps.push_back(std::move(gap));
   }
 
-  /// A condition that a task for this group has to wait for without being able to do anything.
+  /// Whether the condition is one that a task for this group has to wait for without being able to cause it.
   bool counts(GroupId group, ProviderId provider, const ConditionUse& use) const {
     if (explained_.contains(provider) || pushed_.count({group, use.id}) != 0) return false;
     const std::vector<ProviderId>& causers = shared_.causers()[use.id];
@@ -102,7 +102,7 @@ private:
     });
   }
 
-  /// None of its providers ever runs, and that is not told of any of them.
+  /// Whether none of its providers ever runs, and no finding about one of them reports that.
   bool never_runs(GroupId group) const {
     const std::vector<ProviderId>& all = model_.groups[group].providers;
     return std::all_of(all.begin(), all.end(),
@@ -110,11 +110,11 @@ private:
                          SparseSet<GroupId> seen;
                          return !facts_.active.contains(id) && !is_told(id, seen);
                        }) &&
-           !waits_with_told(group);
+           !waits_with_reported(group);
   }
 
-  /// Wherever it is asked for it is granted only together with something that never runs, of which that is told.
-  bool waits_with_told(GroupId group) const {
+  /// Whether all its requests are granted only together with something that never runs and is reported.
+  bool waits_with_reported(GroupId group) const {
     bool any = false;
     for (const EdgeId edge : model_.groups[group].requesters) {
       if (model_.edges[edge].levels.empty()) continue;
@@ -124,7 +124,7 @@ private:
         for (const Pack& pack : model_.providers[id].packs) {
           const auto is_it = [&](const Task& task) { return task.target == group; };
           if (std::none_of(pack.tasks.begin(), pack.tasks.end(), is_it)) continue;
-          if (!model_.providers[id].has_packs || !waits_with_told(group, unit_members(model_, pack))) return false;
+          if (!model_.providers[id].has_packs || !waits_with_reported(group, unit_members(model_, pack))) return false;
           any = true;
         }
       }
@@ -132,7 +132,7 @@ private:
     return any;
   }
 
-  bool waits_with_told(GroupId group, const std::vector<const Task*>& members) const {
+  bool waits_with_reported(GroupId group, const std::vector<const Task*>& members) const {
     const auto is_it = [&](const Task* member) { return member->target == group; };
     return std::any_of(members.begin(), members.end(), is_it) &&
            std::any_of(members.begin(), members.end(), [&](const Task* member) {
@@ -145,7 +145,7 @@ private:
            });
   }
 
-  /// Something else is reported that keeps it from running, of it or of what it needs.
+  /// Whether another finding reports what prevents it, or what it needs, from running.
   bool is_told(ProviderId id, SparseSet<GroupId>& seen) const {
     const auto faults = facts_.impossible_of(id);
     const std::vector<Use<GroupId>>& needs = model_.providers[id].needs;
@@ -171,7 +171,7 @@ private:
       return;
     std::vector<Gap> gaps;
     std::set<std::string> seen;
-    bool all = true; // else there are more than could be listed
+    bool all = true; // false: there are more than could be listed
     const auto look = [&](const Box& start, const Request& request) {
       const Gaps found = find_gaps(model_, facts_, start, open, shared_.budget());
       if (!found.decided)
@@ -193,10 +193,10 @@ private:
         if (all || gaps.empty()) look(box_of(facts_, region), request);
       }
     }
-    if (!gaps.empty()) found_.push_back(told_of(group, gaps, all));
+    if (!gaps.empty()) found_.push_back(finding_for(group, gaps, all));
   }
 
-  static Uncoveredness told_of(GroupId group, const std::vector<Gap>& gaps, bool all) {
+  static Uncoveredness finding_for(GroupId group, const std::vector<Gap>& gaps, bool all) {
     Uncoveredness out{group, {}, all, {}, gaps.front().where};
     for (const Gap& gap : gaps) {
       out.gaps.push_back(gap.words);
@@ -205,7 +205,7 @@ private:
     return out;
   }
 
-  /// Several that wait for the same are told together, but for those that may.
+  /// Reports several that wait for the same together, except those that may.
   void report_all() {
     std::map<std::pair<std::vector<std::string>, bool>, std::vector<const Uncoveredness*>> alike;
     std::vector<std::vector<const Uncoveredness*>> sets;
@@ -247,7 +247,7 @@ private:
             : "end each with a provider that has no conditions, or request them only while they can run";
   }
 
-  /// Whatever the states are.
+  /// With all values of the states.
   void report_never(const std::vector<const Uncoveredness*>& all, const std::string& names) {
     dsl::Diagnostic& finding = findings_.add(model_.groups[all.front()->group].name.span,
                                              fmt::format("no provider of {} can ever run", names));
@@ -259,7 +259,7 @@ private:
       if (!deadlock) deadlock = idleness.deadlock;
       add(std::move(idleness.notes), finding);
     }
-    // Where a provider lacks nothing that could be brought about, conditions exclude each other.
+    // If a provider lacks nothing that could be caused, conditions exclude each other.
     const bool excluded = std::all_of(all.begin(), all.end(), [&](const Uncoveredness* one) {
       const std::vector<ProviderId>& providers = model_.groups[one->group].providers;
       return std::all_of(providers.begin(), providers.end(),
@@ -270,7 +270,7 @@ private:
                               : fmt::format("request what brings that about, or leave {} out", names);
   }
 
-  /// It runs for others, and never for this one.
+  /// It runs for others, but never for this requester.
   void report_excluded(EdgeId id) {
     const Edge& edge = model_.edges[id];
     for (const Request& request : shared_.requests().of(edge.target)) {
@@ -304,7 +304,7 @@ private:
     add(std::move(conditions), finding);
   }
 
-  /// Of one group few, so that the next one is told of too.
+  /// Few of one group, to leave room for the next one.
   static void add(std::vector<dsl::Note> notes, dsl::Diagnostic& finding) {
     shorten_list(notes);
     std::move(notes.begin(), notes.end(), std::back_inserter(finding.notes));

@@ -15,7 +15,7 @@ namespace director::checks {
 
 namespace {
 
-/// Were the task needed, another one that the provider requests could come to want what that holds, and never get it.
+/// If the task were needed, another task of the provider could want what it holds, and never get it.
 bool is_wanted_below(const Input& input, const Provider& provider, GroupId task) {
   const auto& parts = input.shared.indispensable().of(task);
   return parts && std::any_of(provider.packs.begin(), provider.packs.end(), [&](const Pack& pack) {

@@ -26,7 +26,7 @@ Declared declared_for(const Model& model, const BodyOf& body, StateId state) {
   return out;
 }
 
-/// All values that it can be, as far as they are known, and none of them is declared.
+/// All values that it may have, as far as they are known, if none of them is declared.
 std::vector<std::string> undeclared(const State& state, const CodeWord& word, const Declared& declared) {
   std::vector<std::string> out;
   for (const std::string& name : *word.values) {
@@ -41,7 +41,7 @@ std::vector<std::string> undeclared(const State& state, const CodeWord& word, co
 
 void undeclared_state_write(const CodeInput& input, Findings& findings) {
   const Model& model = input.model;
-  std::set<const CodeWord*> told; // of a function that several bodies call
+  std::set<const CodeWord*> reported; // of a function that several bodies call
   for (const Body& body : input.bodies) {
     for (const CodeWord* word : body.words) {
       if (word->kind != CodeWord::Kind::set || !word->values) continue;
@@ -49,7 +49,7 @@ void undeclared_state_write(const CodeInput& input, Findings& findings) {
       if (state == input.names.states.end()) continue;
       const Declared declared = declared_for(model, body.of, state->second);
       const std::vector<std::string> values = undeclared(model.states[state->second], *word, declared);
-      if (values.empty() || !told.insert(word).second) continue;
+      if (values.empty() || !reported.insert(word).second) continue;
       dsl::Diagnostic& finding =
           findings.add(word->span, fmt::format("{} sets {} to {}, which it does not declare", name_of(model, body.of),
                                                name_of(model, state->second), list_of(values, "or")));

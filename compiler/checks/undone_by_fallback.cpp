@@ -20,7 +20,7 @@ struct Fallback {
   ProviderId provider{};
   ConditionUse entry{};
   bool promised = false;
-  ValueSet values; ///< of these, those under which the waiter cannot go on
+  ValueSet values; ///< of these, those with which the waiter cannot continue
 };
 
 class UndoneByFallback {
@@ -44,7 +44,7 @@ public:
   }
 
 private:
-  /// The first one that can go on without what is taken, where none before it always does.
+  /// The first one that can continue without what is taken, if no earlier one always can.
   std::optional<Fallback> find_fallback(const Wanting& wanting, const Want& want, ProviderId causer,
                                         const Takings& takings) const {
     Region here = region_of(model_, model_.providers[wanting.provider].when);

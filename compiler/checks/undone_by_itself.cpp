@@ -40,7 +40,7 @@ public:
 private:
   void look_below(const Want& want, GroupId group, const std::vector<ChainStep>& path) {
     Region here = region_of(model_, model_.providers[want.waiter].when);
-    bool comes_first = true; // none before it is always chosen
+    bool comes_first = true; // no earlier one is always chosen
     for (const ProviderId id : model_.groups[group].providers) {
       const Provider& provider = model_.providers[id];
       if (!facts_.active.contains(id) || !compatible(here, active_region(model_, provider))) continue;
@@ -50,7 +50,7 @@ private:
     }
   }
 
-  /// `unpushed`: also where its own group causes the condition, which nobody pushes any more once the task has it.
+  /// `unpushed`: also if its own group causes the condition, which is no longer pushed once the task has that group.
   void look_at_entry(const Want& want, ProviderId setter, const ConditionUse& entry, bool promised,
                      const std::vector<ChainStep>& path, bool unpushed = false) {
     const Condition& set = model_.conditions[entry.id];

@@ -14,7 +14,7 @@ namespace director::checks {
 
 namespace {
 
-/// What the stop of a group gives a state, and where that is written.
+/// The value that the stop of a group gives a state, and where it is declared.
 struct StopValue {
   ValueSet values;
   dsl::Span span{};
@@ -53,7 +53,7 @@ private:
                        fmt::format("the stop of {} may set {}", name_of(model_, id), name_of(model_, entry.id))});
       }
     }
-    // The handler's own word wins, but it need not say one.
+    // The handler's own value takes precedence, but it may not declare one.
     if (row.of && row.of->id == id)
       out.push_back({ValueSet::single(*row.initial), row.of->span,
                      fmt::format("{} is {} again when {} stops", name_of(model_, state), row.value_text(*row.initial),
@@ -61,7 +61,7 @@ private:
     return out;
   }
 
-  /// How the task takes what each provider of the causing group needs; nothing: it goes on, or changes hands.
+  /// How the task takes what each provider of the causing group needs; empty: the group continues, or is handed over.
   Taking why_stopped(GroupId task, ProviderId causer) const {
     const Takings takings(model_, shared_.indispensable(), shared_.claims(task), task);
     const GroupId group = model_.providers[causer].group;

@@ -19,20 +19,20 @@ namespace {
 
 using dsl::Diagnostic;
 
-/// What keeps one task from going before another, where they meet.
+/// Why one task does not go before another, where they meet.
 struct Obstacle {
   Meeting meeting;
   GroupId waiter{};
   bool one_unit = false;
-  bool waits_with = false; ///< it is not granted while the task waits, but in one unit with that
+  bool waits_with = false; ///< it is not granted while the task waits, except in one unit with it
 };
 
 struct Obstacles {
   std::vector<Obstacle> all;
-  bool meet = false; ///< somewhere; else one is always below the other
+  bool meet = false; ///< somewhere; false: one is always below the other
 };
 
-/// Of the meetings of a waiting task and a group, the first at each pair of entries.
+/// For the meetings of a waiting task and a group, the first at each pair of entries.
 void find_obstacles(const Chains& chains, GroupId waiter, GroupId other, Obstacles& to) {
   std::vector<Obstacle> out;
   chains.visit(waiter, {other}, [&](const Meeting& meeting, GroupId) {
@@ -74,7 +74,7 @@ void explain(const Model& model, const Obstacle& obstacle, GroupId waiter, Group
                                                             rank(meeting.first_level, meeting.first_optional))});
 }
 
-/// Mandatory and in one unit with the other one it would be granted together with that, so that it has to be `apart`.
+/// If it were mandatory it would be granted together with the other one, so it has to be `apart`.
 std::string propose_mandatory(const Model& model, const Obstacle& obstacle) {
   const Meeting& meeting = obstacle.meeting;
   const std::string first = name_of(model, meeting.first->target), second = name_of(model, meeting.second->target);
@@ -88,7 +88,7 @@ std::string propose_mandatory(const Model& model, const Obstacle& obstacle) {
 }
 
 std::string propose(const Model& model, const Obstacles& obstacles) {
-  // They have another way, and so never wait for this one.
+  // They have another way to run, and so never wait for this one.
   if (obstacles.all.empty() && obstacles.meet)
     return "let those that wait for it have no other way, or leave the promise out";
   if (obstacles.all.empty())
@@ -104,8 +104,8 @@ std::string propose(const Model& model, const Obstacles& obstacles) {
   return fmt::format("give {} a higher priority than {}", first, second);
 }
 
-/// Those that may wait for it: where another provider of the group can always run, rank is no help. All of them, where
-/// none may.
+/// Those that may wait for it; for others, whose group can always run another provider, rank does not matter. All of
+/// them, if none may.
 std::vector<NeverKept::Waiting> find_waiting(const Model& model, Waiting& waiting, const NeverKept& promise) {
   std::vector<NeverKept::Waiting> out;
   std::copy_if(promise.waiting.begin(), promise.waiting.end(), std::back_inserter(out),

@@ -32,7 +32,7 @@ void unreachable_causing(const Input& input, Findings& findings) {
     }
     const GroupId group = model.providers[promise.causer].group;
     if (idleness.deadlock) {
-      // It is not the first choice of its group.
+      // It is not the first provider of its group that can run.
       const bool to_push =
           idleness.deadlock->kept->target == group && model.groups[group].providers.front() != promise.causer;
       finding.help = apart_help(model, *idleness.deadlock, to_push);

@@ -15,7 +15,7 @@ namespace director::checks {
 
 namespace {
 
-/// Those with a condition that it satisfies, of other groups.
+/// Those of other groups with a condition that it satisfies.
 std::vector<const Graph::Causing*> find_waiters(const Input& input, ProviderId id, const ConditionUse& promise) {
   std::vector<const Graph::Causing*> out;
   for (const Graph::Causing& arrow : input.graph.causing) {
@@ -26,7 +26,8 @@ std::vector<const Graph::Causing*> find_waiters(const Input& input, ProviderId i
   return out;
 }
 
-/// Nobody who looks at it ever pushes for it: it holds, or they can do without, or they go after this group.
+/// No group with the condition ever pushes for it: it holds, or another provider of theirs can run, or they go after
+/// this group.
 void report_unpushed(const Input& input, Pushers& pushers, ProviderId causer, const ConditionUse& promise,
                      const std::vector<const Graph::Causing*>& waiters, Findings& findings) {
   const Model& model = input.model;
@@ -57,19 +58,19 @@ void report_unpushed(const Input& input, Pushers& pushers, ProviderId causer, co
 void unused_causing(const Input& input, Findings& findings) {
   const Model& model = input.model;
   Pushers pushers(input);
-  std::set<dsl::Span> told; // waited for, and told of
-  for (const Imprecise& fault : input.shared.imprecise()) told.insert(fault.promise.span);
+  std::set<dsl::Span> reported; // awaited, and reported
+  for (const Imprecise& fault : input.shared.imprecise()) reported.insert(fault.promise.span);
   std::set<dsl::Span> waited;
   for (const Graph::Causing& arrow : input.graph.causing) waited.insert(arrow.promise.span);
   for (const ProviderId id : model.providers.ids()) {
     for (const ConditionUse& use : model.providers[id].causing) {
-      if (told.count(use.span) != 0) continue;
+      if (reported.count(use.span) != 0) continue;
       if (waited.count(use.span) == 0) {
         findings.add(use.span, fmt::format("nothing waits for {}", name_of(model, use.id))).help =
             "what a provider sets without a promise to anybody stands in `sets`";
         continue;
       }
-      // Why it never runs, or why those that wait never do, is told as that.
+      // The check that reports why it never runs, or why those that wait never do, explains this.
       const std::vector<const Graph::Causing*> waiters = find_waiters(input, id, use);
       const bool any_runs = std::any_of(waiters.begin(), waiters.end(), [&](const Graph::Causing* arrow) {
         return input.facts.active.contains(arrow->waiter) || input.facts.capable.contains(arrow->waiter);
@@ -78,11 +79,11 @@ void unused_causing(const Input& input, Findings& findings) {
       const bool any_pushes =
           std::any_of(input.graph.causing.begin(), input.graph.causing.end(), [&](const Graph::Causing& arrow) {
             if (arrow.causer != id || arrow.promise.span != use.span) return false;
-            // One of its own group that is pushed may wait for it.
+            // A pushed provider of its own group may wait for it.
             if (model.providers[arrow.waiter].group == model.providers[id].group &&
                 !input.facts.pushed.contains(arrow.waiter))
               return false;
-            // As things stand it may push for ever; the decisions take it for mended.
+            // As declared it may push for ever; the decisions treat it as corrected.
             if (input.facts.is_impossible(arrow.waiter, model.conditions[arrow.condition.id].state)) return true;
             return !decisions.never_pushed(model, id, arrow.condition.id) && pushers.may_push(id, arrow.condition.id) &&
                    !pushers.preferred(id, arrow.condition.id);

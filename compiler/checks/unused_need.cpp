@@ -11,7 +11,7 @@ void unused_need(const Input& input, Findings& findings) {
   const Model& model = input.model;
   for (const Provider& provider : model.providers) {
     for (const Use<GroupId>& need : provider.needs) {
-      bool requested = need.id == provider.group; // that is needs_cycle
+      bool requested = need.id == provider.group; // needs_cycle reports that
       for (const EdgeId id : model.groups[provider.group].edges)
         requested = requested || (model.edges[id].target == need.id && !model.edges[id].levels.empty());
       if (requested) continue;

@@ -62,13 +62,13 @@ public:
 private:
   void explain(ProviderId id) { explained_.add(input_.model.providers[id].group); }
 
-  /// Its own wait, or that of something it needs.
+  /// Whether another finding explains its own wait, or that of something it needs.
   bool is_explained(GroupId group) const {
     const std::vector<GroupId>& needed = input_.shared.units().needed(group);
     return std::any_of(needed.begin(), needed.end(), [&](GroupId id) { return explained_.contains(id); });
   }
 
-  /// Else it is another finding that it never does.
+  /// Otherwise another finding reports that it never runs.
   bool may_run(GroupId group) const {
     const std::vector<ProviderId>& all = input_.model.groups[group].providers;
     return std::any_of(all.begin(), all.end(), [&](ProviderId id) { return input_.facts.active.contains(id); });
@@ -85,13 +85,13 @@ private:
     return std::nullopt;
   }
 
-  /// Each of its providers, or of the plans of that one, can lack something while the requester runs.
+  /// Whether each of its providers, or of their plans, can lack something while the requester runs.
   bool may_wait(GroupId group, const Region& region) {
     return find_covering(input_.model, region, ways_.of(group), input_.facts.values, input_.shared.budget()) ==
            Covering::open;
   }
 
-  /// They have a group in common over needs and requests, however far down.
+  /// Whether they have a group in common over needs and requests, at any depth.
   bool share(GroupId a, GroupId b) const {
     const std::vector<GroupId>& first = input_.shared.claims(a).groups();
     const std::vector<GroupId>& second = input_.shared.claims(b).groups();
@@ -99,7 +99,7 @@ private:
     return std::any_of(second.begin(), second.end(), is_in_first);
   }
 
-  /// The member itself: also where the other one requests it, that one does so only once it runs.
+  /// The member itself: even if the other one requests it, that happens only after the other one runs.
   bool sets_what_it_waits_for(GroupId member, GroupId waiting) const {
     const auto is_its_own = [&](const Source& source) {
       return source.provider && input_.model.providers[*source.provider].group == member;
@@ -114,7 +114,7 @@ private:
     return false;
   }
 
-  /// It, or something that it leads to.
+  /// Whether it, or something that it leads to, could satisfy the condition.
   bool could_satisfy(GroupId member, const Condition& condition) const {
     const std::vector<GroupId>& below = input_.shared.claims(member).groups();
     return any_source(condition, [&](const Source& source) {
@@ -169,7 +169,7 @@ private:
   Ways ways_;
   IdTable<StateId, std::vector<Source>> sources_;
   std::set<const Pack*> conflicts_;
-  IdSet<GroupId> explained_; ///< why it waits is another finding
+  IdSet<GroupId> explained_; ///< another finding explains why it waits
 };
 
 } // namespace

@@ -65,12 +65,12 @@ vsyslog wprintf write writev std::endl std::flush std::getline std::print std::p
 std::random_device::_M_init std::random_device::operator() std::random_device::random_device std::vprint_nonunicode
 std::vprint_unicode
 )";
-/// Every function of these.
+/// All functions of these.
 constexpr Text streams = R"(
 std::basic_filebuf:: std::basic_fstream:: std::basic_ifstream:: std::basic_istream:: std::basic_ofstream::
 std::basic_ostream:: std::basic_iostream:: std::filesystem::
 )";
-/// Of these it depends on what it comes to.
+/// For these it depends on what they call.
 constexpr Text no_streams = R"(
 std::filesystem::path:: std::filesystem::file_status:: std::filesystem::operator/
 )";
@@ -89,7 +89,8 @@ constexpr Text frees = R"(
 __builtin_operator_delete free
 )";
 
-/// Of the operating system what only wakes, and what the C++ library does while a program ends or throws.
+/// Functions of the operating system that only wake others, and what the C++ library does while a program ends or
+/// throws.
 constexpr Text harmless = R"(
 std::__atomic_notify_address std::__atomic_notify_address_bitwise std::__detail::__platform_notify
 std::__detail::__waiter::_M_notify std::atomic_flag::notify_all std::atomic_flag::notify_one std::atomic::notify_all

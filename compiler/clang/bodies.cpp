@@ -16,7 +16,7 @@ namespace {
 
 using namespace clang;
 
-constexpr int most_parts = 8; ///< objects in objects whose parts are looked at
+constexpr int most_parts = 8; ///< limit for nested objects whose members are examined
 
 class BodyReader : public RecursiveASTVisitor<BodyReader> {
 public:
@@ -26,7 +26,7 @@ public:
 
   Json does = Json::list({}), calls = Json::list({}), blocks = Json::list({}), hidden = Json::list({});
 
-  // What is written but never run.
+  // Skips code that is never run.
   bool TraverseTypeLoc(TypeLoc) { return true; }
   bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr*) { return true; }
   bool TraverseCXXNoexceptExpr(CXXNoexceptExpr*) { return true; }
@@ -38,7 +38,7 @@ public:
   }
 
   bool TraverseLambdaExpr(LambdaExpr* lambda) {
-    // Who has it may call it. One with `auto` has a body for each way in which it is called.
+    // A lambda may be called by its receiver. One with `auto` has a body for each way in which it is called.
     if (!lambda->isGenericLambda()) {
       const FunctionDecl* body = lambda->getCallOperator();
       call(*body, lambda->getBeginLoc(), lambda->getBeginLoc(), true, given_to_std_.count(lambda) == 0, false);
@@ -67,11 +67,11 @@ public:
     }
     if (callee->getLocation().isInvalid()) { // built in
       if (const std::string_view why = known_effect(*callee); !why.empty())
-        tell_block(name_of(*callee), why, expr->getBeginLoc());
+        report_block(name_of(*callee), why, expr->getBeginLoc());
       return true;
     }
     const auto* method = llvm::dyn_cast<CXXMethodDecl>(callee);
-    if (method != nullptr && object != nullptr && say_word(*expr, *method, *object)) return true;
+    if (method != nullptr && object != nullptr && add_word(*expr, *method, *object)) return true;
     const SourceLocation at = name_place(*expr);
     if (is_directors(*callee)) return true;
     bool is_virtual = false;
@@ -115,7 +115,7 @@ public:
     return true;
   }
 
-  // What nobody writes and yet is run: destructors, and parts of loops and of objects.
+  // Code that runs without being written: destructors, and parts of loops and of objects.
   bool VisitVarDecl(VarDecl* variable) {
     if (!variable->hasLocalStorage() || llvm::isa<ParmVarDecl>(variable)) return true;
     if (variable->getInit() != nullptr && !live_.runs(variable->getInit())) return true;
@@ -146,7 +146,7 @@ public:
     return true;
   }
 
-  /// A function that is named and not called here may be called by whoever gets it.
+  /// A function that is named and not called here may be called by its receiver.
   bool VisitDeclRefExpr(DeclRefExpr* expr) {
     const auto* function = llvm::dyn_cast<FunctionDecl>(expr->getDecl());
     if (function == nullptr || callees_.count(expr) != 0 || is_system(*function) || is_directors(*function))
@@ -171,7 +171,7 @@ private:
     for (const CXXCtorInitializer* part : callee.inits()) go_into(part->getInit(), at);
   }
 
-  /// Something that stands elsewhere and is run here: this is its place.
+  /// Reads something that is written elsewhere and runs here: this is its place.
   void go_into(const Stmt* part, SourceLocation here) {
     if (part == nullptr || inside_ == most_parts) return;
     const SourceLocation before = here_;
@@ -182,7 +182,7 @@ private:
     here_ = before;
   }
 
-  /// What of the user's runs when such an object goes.
+  /// Reads the user's functions that run when such an object is destroyed.
   void destroy(QualType type, SourceLocation at) {
     if (type->isReferenceType() || type->isDependentType()) return;
     destroy(book_.context().getBaseElementType(type)->getAsCXXRecordDecl(), carries_context(type), at);
@@ -201,13 +201,13 @@ private:
     for (const CXXBaseSpecifier& base : record->bases()) destroy(base.getType()->getAsCXXRecordDecl(), carries, at);
   }
 
-  /// The words of a context. True: it is one of these, and there is nothing else to it.
-  bool say_word(const CallExpr& expr, const CXXMethodDecl& method, const Expr& object) {
+  /// Records a use of a context. True: it is one, and nothing else.
+  bool add_word(const CallExpr& expr, const CXXMethodDecl& method, const Expr& object) {
     const std::string context = context_of(object.getType());
     if (context.empty() || !method.getDeclName().isIdentifier()) return false;
     const CXXRecordDecl* of = method.getParent();
     const bool is_pack = !is_directors(*of) && context == name_of(*of);
-    if (!is_pack && !is_directors(*of)) return false; // a class of the user that has a context's words
+    if (!is_pack && !is_directors(*of)) return false; // a class of the user with a context's functions
     const std::string word = method.getName().str();
     Json fact = Json::object({{"context", Json::text(context)}});
     const SourceLocation at = name_place(expr);
@@ -235,7 +235,7 @@ private:
     return true;
   }
 
-  /// `soccer::Walk`, also where it is to be kept.
+  /// `soccer::Walk`, also with keep.
   static std::string task_of(QualType type) {
     const CXXRecordDecl* record = bare(type)->getAsCXXRecordDecl();
     if (const auto* special = llvm::dyn_cast_or_null<ClassTemplateSpecializationDecl>(record)) {
@@ -253,7 +253,7 @@ private:
     if (carries) {
       static const std::set<std::string> passes_on{"std::forward",   "std::move",     "std::ref", "std::cref",
                                                    "std::addressof", "std::as_const", "std::tie", "std::get"};
-      bool only_lambdas = true; // what they do is known
+      bool only_lambdas = true; // whose effect is known
       for (const Expr* argument : expr.arguments()) {
         const CXXRecordDecl* record = bare(argument->getType())->getAsCXXRecordDecl();
         const bool is_lambda = record != nullptr && record->isLambda();
@@ -268,16 +268,16 @@ private:
     }
   }
 
-  /// What a function of a system header comes to, as if all of it happened where it is called. `is_given`: something
+  /// Records the effects of a function of a system header as if all of them happened at the call. `is_given`: something
   /// that a container may have to hold.
   void reach(const FunctionDecl& callee, SourceLocation at, bool is_given, bool destroys = false) {
     if (!book_.is_deep()) return;
     const Reached& all = book_.reach().of(callee, destroys);
     const std::string name = name_of(callee);
     if (!all.why.empty()) {
-      tell_block(name, all.why, at);
+      report_block(name, all.why, at);
     } else if (!all.has_definition && !destroys && (grows_container(name, is_given) || returns_container(callee))) {
-      tell_block(name, "uses the heap", at);
+      report_block(name, "uses the heap", at);
     }
     for (const FunctionDecl* user : all.users) {
       const auto* method = llvm::dyn_cast<CXXMethodDecl>(user);
@@ -293,14 +293,14 @@ private:
     return record != nullptr && is_container(name_of(*record)) && name_of(callee) != "std::exchange";
   }
 
-  /// `new` and `delete`, which a class may have of its own.
+  /// Reads `new` and `delete`, also those of a class.
   void manage_memory(const FunctionDecl& function, SourceLocation at) {
     if (function.isReservedGlobalPlacementOperator()) return;
     if (function.getLocation().isValid() && !is_system(function)) return call(function, at, at, false, false, false);
-    tell_block(name_of(function), "uses the heap", at);
+    report_block(name_of(function), "uses the heap", at);
   }
 
-  void tell_block(const std::string& name, std::string_view why, SourceLocation at) {
+  void report_block(const std::string& name, std::string_view why, SourceLocation at) {
     if (here_.isValid()) at = here_;
     if (why == "frees") why = "uses the heap";
     blocks.add(Json::object({{"name", Json::text(name)}, {"why", Json::text(why)}, {"at", book_.places().of(at, at)}}));
@@ -309,7 +309,7 @@ private:
   void call(const FunctionDecl& callee, SourceLocation begin, SourceLocation end, bool carries, bool maybe,
             bool is_virtual) {
     if (here_.isValid()) begin = end = here_;
-    // What the compiler writes itself has nothing of this.
+    // Functions that the compiler generates have no such code.
     const auto* method = llvm::dyn_cast<CXXMethodDecl>(&callee);
     const bool is_lambda = method != nullptr && method->getParent()->isLambda();
     if (callee.getLocation().isInvalid() || callee.isDefaulted() || (callee.isImplicit() && !is_lambda)) return;
@@ -335,11 +335,11 @@ private:
   Live live_;
   std::set<const Expr*> callees_;
   std::set<const LambdaExpr*> given_to_std_;
-  SourceLocation here_; ///< while something is read that stands elsewhere: where it is run
+  SourceLocation here_; ///< while something is read that is written elsewhere: where it runs
   int inside_ = 0;
 };
 
-/// As `directorc stubs` wrote it: its comment is there, and nothing but its one statement.
+/// Whether it is as `directorc stubs` wrote it: with its comment, and nothing but its one statement.
 bool is_unwritten(const ASTContext& context, const FunctionDecl& function) {
   const auto* body = llvm::dyn_cast_or_null<CompoundStmt>(function.getBody());
   if (body == nullptr || body->size() != 1) return false;
@@ -348,7 +348,7 @@ bool is_unwritten(const ASTContext& context, const FunctionDecl& function) {
       .contains(compiler::stubs::unwritten);
 }
 
-/// It answers for a body.
+/// Whether it answers for a body.
 bool returns_outcome(const FunctionDecl& function) {
   const CXXRecordDecl* record = function.getReturnType()->getAsCXXRecordDecl();
   return record != nullptr && name_of(*record) == "director::Outcome";

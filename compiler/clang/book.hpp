@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Where the facts of a unit come together: classes that implement modules, and functions, each looked at once, as they
-// are met.
+// Collects the facts of a unit: classes that implement modules, and functions, each read once, in the order in which
+// they are found.
 
 #include "compiler/clang/places.hpp"
 #include "compiler/clang/reach.hpp"
@@ -20,15 +20,15 @@ namespace director::scanning {
 
 class Book {
 public:
-  /// `is_deep`: bodies of functions in system headers are there, to tell what blocks.
+  /// `is_deep`: bodies of functions in system headers are available, to find what blocks.
   Book(clang::ASTContext& context, const std::string& directory, bool is_deep)
       : context_(context),
         places_(context, directory),
         is_deep_(is_deep) {}
 
-  /// The key of the function, which is put down for a look if there is a body to see.
+  /// The key of the function, which is queued if it has a visible body.
   std::string want(const clang::FunctionDecl& function);
-  /// One that was put down; null: all have been looked at.
+  /// The next queued function; null: all have been read.
   const clang::FunctionDecl* next();
 
   clang::ASTContext& context() { return context_; }
@@ -47,14 +47,15 @@ private:
   std::vector<const clang::FunctionDecl*> waiting_;
 };
 
-/// One name for one function in all files. What is hidden in a file is told apart by the file.
+/// A name that is the same for one function in all files, and different for functions that are local to different
+/// files.
 std::string key_of(const clang::NamedDecl& decl);
 
-/// instantiate.cpp: the bodies that a class inherits from a template, also where no file makes an object of it.
+/// instantiate.cpp: the bodies that a class inherits from a template, also if no file makes an object of it.
 void instantiate_bodies(clang::Sema& sema);
-/// classes.cpp: those of the unit that implement modules. Puts down what functions to begin at.
+/// classes.cpp: the classes of the unit that implement modules. Queues the functions to begin with.
 void find_classes(Book& book);
-/// bodies.cpp: what a function does that a behaviour is about, and whom it calls, whom it puts down.
+/// bodies.cpp: what a function does with respect to a behaviour, and the functions that it calls, which it queues.
 void read_function(Book& book, const clang::FunctionDecl& function);
 
 } // namespace director::scanning

@@ -15,7 +15,7 @@ namespace {
 
 using namespace clang;
 
-/// Classes that implement modules, and functions to begin at.
+/// Finds classes that implement modules, and functions to begin with.
 class Finder : public RecursiveASTVisitor<Finder> {
 public:
   explicit Finder(Book& book) : book_(book) {}
@@ -84,7 +84,7 @@ private:
     });
   }
 
-  /// Why a function does not override what is called the same and takes the same context.
+  /// Why a function does not override the one with the same name and context.
   static std::string difference(const CXXMethodDecl& method, const CXXMethodDecl& promise) {
     if (method.isConst()) return "it is `const`";
     if (method.isVolatile()) return "it is `volatile`";

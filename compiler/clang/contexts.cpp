@@ -30,12 +30,12 @@ QualType bare(QualType type) {
 
 namespace {
 
-// Types of the user may hold themselves by pointers, and templates may nest for ever: so deep a context is not looked
-// for any more.
+// Limit for nested members that are searched for a context: types of the user may contain themselves by pointers, and
+// templates may nest without end.
 constexpr int deepest_member = 4;
 
 /// `soccer::Walk::Halting`, of Facts<soccer::Walk::Halting>.
-std::string whose_facts(const ClassTemplateSpecializationDecl& context) {
+std::string provider_of_facts(const ClassTemplateSpecializationDecl& context) {
   const TemplateArgumentList& arguments = context.getTemplateArgs();
   if (arguments.size() == 0 || arguments[0].getKind() != TemplateArgument::Type) return {};
   const auto* facts =
@@ -47,13 +47,13 @@ std::string whose_facts(const ClassTemplateSpecializationDecl& context) {
   return record == nullptr ? std::string{} : name_of(*record);
 }
 
-/// The provider's or handler's context that this is, by name; empty: it is none.
+/// The name of the provider's or handler's context that the class is; empty: it is none.
 std::string context_of(const CXXRecordDecl* record) {
   if (record == nullptr) return {};
   if (const auto* special = llvm::dyn_cast<ClassTemplateSpecializationDecl>(record)) {
     const llvm::StringRef name = special->getIdentifier() != nullptr ? special->getName() : "";
     if (is_directors(*record) && (name == "Context" || name == "Body" || name == "Handler"))
-      return whose_facts(*special);
+      return provider_of_facts(*special);
   }
   if (!record->hasDefinition()) return {};
   for (const CXXBaseSpecifier& base : record->bases()) {

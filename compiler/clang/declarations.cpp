@@ -1,11 +1,11 @@
 // Header: compiler/clang/subcommands.hpp. Test: tests/compiler/clang/stubs/orders_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// Which classes of a program implement the modules of a behaviour, and where. Function bodies are skipped: they are the
-// user's affair, and what is wrong in them is not asked. The generated header may be newer than the program, so errors
-// of meaning do not count (an interface or a context that is gone, an override of nothing); only what cannot be parsed
-// is told, because then nothing that stands behind it can be trusted. And a class, or the behaviour itself, that is not
-// declared where a body of it stands: an #include is missing there, and what stands behind it would count as missing.
+// Finds the classes of a program that implement the modules of a behaviour. Function bodies are skipped: errors in them
+// do not matter here. The generated header may be newer than the program, so semantic errors do not count (an interface
+// or a context that is gone, an override of nothing); only syntax errors are reported, because what follows them cannot
+// be trusted. Also a class, or the behaviour itself, that is not declared where a body of it is defined: an #include is
+// missing there, and what follows would count as missing.
 #include "compiler/clang/implementers.hpp"
 #include "compiler/clang/invoke.hpp"
 #include "compiler/clang/subcommands.hpp"
@@ -24,9 +24,9 @@ namespace director::scanning {
 
 namespace {
 
-constexpr const char* virtual_folder = "/director-stubs"; ///< of the generated header, which need not be on the disk
+constexpr const char* virtual_folder = "/director-stubs"; ///< of the generated header, which need not exist on the disk
 
-/// Errors that leave it open what the text means. That a class has a base which is gone is none.
+/// Whether the error makes the meaning of the text uncertain. A missing base of a class does not.
 bool is_fatal(const clang::Diagnostic& fault) {
   if (fault.getID() == clang::diag::err_expected_class_name) return false;
   const unsigned category = clang::DiagnosticIDs::getCategoryNumberForDiag(fault.getID());
@@ -36,7 +36,7 @@ bool is_fatal(const clang::Diagnostic& fault) {
 
 /// A name before `::` that is not declared there.
 struct Unknown {
-  std::string name, scope; ///< in which it is looked for; empty: in all around
+  std::string name, scope; ///< in which it is searched; empty: in all enclosing ones
   Json row;                ///< its place
 };
 
@@ -50,7 +50,7 @@ std::vector<std::string> quoted(llvm::StringRef message) {
   return out;
 }
 
-/// Keeps what is fatal, and which names before `::` are not declared.
+/// Keeps fatal errors, and the names before `::` that are not declared.
 class FatalFaults final : public clang::DiagnosticConsumer {
 public:
   explicit FatalFaults(std::string path) : path_(std::move(path)) {}
@@ -63,7 +63,7 @@ public:
     if (level != clang::DiagnosticsEngine::Fatal && !is_fatal(fault)) return note_unknown(fault, message);
     const bool has_place = fault.hasSourceManager() && fault.getLocation().isValid();
     if (!has_place) of_command_line.push_back(message.str().str());
-    // What is wrong with the command line is told of the first line of the file.
+    // An error in the command line is reported at the first line of the file.
     Json row =
         has_place ? row_at(fault.getSourceManager(), fault.getLocation())
                   : Json::object({{"path", Json::text(path_)}, {"line", Json::number(1)}, {"column", Json::number(1)}});
@@ -117,7 +117,7 @@ private:
   Structure structure_;
 };
 
-/// Where a generated file is found that need not be on the disk.
+/// The path of a generated file that need not exist on the disk.
 std::string in_memory(const Json& file) { return std::string(virtual_folder) + "/" + file["path"].as_text(); }
 
 /// The disk, with the header and its facts, the insertions and the new files of the request.
@@ -153,12 +153,12 @@ void add_parts(llvm::StringRef name, std::set<std::string>& out) {
   for (; !name.empty(); name = name.split("::").second) out.insert(name.split("::").first.str());
 }
 
-/// Tells of those unknown names that the bodies stand under: the behaviour's namespace, and what module classes are
-/// called; each once in a file. What the behaviour has no more is unknown within its namespace, and no fault.
-void tell_unknown(const std::map<Findings::Place, Unknown>& unknown, const std::set<std::string>& interfaces,
-                  Findings& out) {
+/// Reports those unknown names that the bodies are qualified with: the behaviour's namespace, and names of module
+/// classes; each once in a file. A name that the behaviour has no more is unknown within its namespace, and no fault.
+void report_unknown(const std::map<Findings::Place, Unknown>& unknown, const std::set<std::string>& interfaces,
+                    Findings& out) {
   std::set<std::string> names, scopes;
-  std::set<std::pair<std::string, std::string>> told;
+  std::set<std::pair<std::string, std::string>> reported;
   for (const std::string& each : interfaces) {
     scopes.insert(scope_of(each).str());
     add_parts(scope_of(each), names);
@@ -168,14 +168,14 @@ void tell_unknown(const std::map<Findings::Place, Unknown>& unknown, const std::
     const bool within = std::any_of(scopes.begin(), scopes.end(), [&](const std::string& scope) {
       return each.scope == scope || each.scope.starts_with(scope + "::");
     });
-    if (within || names.count(each.name) == 0 || !told.emplace(place.first, each.name).second) continue;
+    if (within || names.count(each.name) == 0 || !reported.emplace(place.first, each.name).second) continue;
     Json row = each.row;
     row.add("message", Json::text("`" + each.name + "` is not declared here: an `#include` is missing"));
     out.problems.try_emplace(place, std::move(row));
   }
 }
 
-/// False: Clang does not even begin with such flags, and has not said why.
+/// False: Clang does not start with such flags, and has not reported why.
 bool read_unit(const Json& unit, Findings& out, std::map<Findings::Place, Unknown>& unknown,
                const std::set<std::string>& interfaces, const std::string& header, const Files& files,
                Frontend& frontend) {
@@ -206,7 +206,7 @@ Json answer(const Json& request, Frontend& frontend) {
     if (!read_unit(unit, out, unknown, interfaces, header, files, frontend))
       return Json::object({{"error", Json::text("`" + path + "` cannot be read with these flags")}});
   }
-  tell_unknown(unknown, interfaces, out);
+  report_unknown(unknown, interfaces, out);
   return Json::object(
       {{"classes", list(out.classes)}, {"functions", list(out.functions)}, {"problems", list(out.problems)}});
 }
@@ -216,7 +216,7 @@ Json answer(const Json& request, Frontend& frontend) {
 Json read_declarations(const Json& request) {
   Frontend frontend;
   if (!request["requests"].is_list()) return answer(request, frontend);
-  Json answers = Json::list({}); // many at once: to start this program costs more than to read a small file
+  Json answers = Json::list({}); // many at once: starting this program costs more than reading a small file
   for (const Json& each : request["requests"].items()) answers.add(answer(each, frontend));
   return Json::object({{"answers", std::move(answers)}});
 }

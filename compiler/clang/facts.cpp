@@ -1,11 +1,11 @@
 // Header: compiler/clang/subcommands.hpp. Test: tests/compiler/clang/pages_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// What the functions of some translation units do that a behaviour is about, and whom they call. No rule is here: what
-// of it is right or wrong, directorc decides (compiler/facts/code.hpp says what each fact means).
+// Reads what the functions of some translation units do with respect to a behaviour, and what they call. It has no
+// rules: directorc decides what is a fault (compiler/facts/code.hpp explains the facts).
 //
-// Templates are looked at where they are instantiated. Functions are taken from the file itself, with all that they
-// call as far as bodies are visible here; other files tell of theirs.
+// Templates are read where they are instantiated. Functions are taken from the file itself, with all that they call as
+// far as bodies are visible here; other files report theirs.
 #include "compiler/clang/book.hpp"
 #include "compiler/clang/contexts.hpp"
 #include "compiler/clang/parse.hpp"
@@ -23,7 +23,7 @@ namespace {
 
 using namespace clang;
 
-/// What `using Phase = soccer::GamePhase;` in the behaviour's namespace stands for.
+/// The types that `using Phase = soccer::GamePhase;` in the behaviour's namespace names.
 Json aliases_of(const ASTContext& context, const std::string& space) {
   Json out = Json::object({});
   std::set<std::string> seen;
@@ -58,17 +58,17 @@ Json read_unit(const Unit& unit, const std::string& space) {
         out.add("paths", book.places().files());
       },
       instantiate_bodies);
-  tell_reading(out, reading);
+  report_reading(out, reading);
   return out;
 }
 
 } // namespace
 
-Json tell_facts(const Json& request) {
+Json report_facts(const Json& request) {
   const std::vector<Json>& wanted = request["units"].items();
   const std::string space = request["namespace"].as_text();
   std::vector<Json> units(wanted.size());
-  // A tree takes up to a few hundred MB, so no more at once than there are processors.
+  // A tree takes up to a few hundred MB, so at most as many at once as there are processors.
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
     for (std::size_t i = next++; i < wanted.size(); i = next++) units[i] = read_unit(unit_of(wanted[i]), space);

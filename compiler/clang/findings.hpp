@@ -1,7 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What is known of a program after some units, for `declarations`: rows of JSON by place. A place that several units
-// see counts once.
+// The result of several units for `declarations`: rows of JSON by place. A place that several units see counts once.
 
 #include "compiler/base/json.hpp"
 
@@ -23,9 +22,9 @@ struct Findings {
 
 std::string canonical(clang::FileEntryRef file);
 
-/// Of what stands there; in a macro, where that is used. Path and offset.
+/// Path and offset of a place; in a macro, of its use.
 Findings::Place place_of(const clang::SourceManager& sources, clang::SourceLocation at);
-/// Its path, line and column, as a row begins.
+/// A row with path, line and column of a place.
 Json row_at(const clang::SourceManager& sources, clang::SourceLocation at);
 
 } // namespace director::scanning

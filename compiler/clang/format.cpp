@@ -1,7 +1,7 @@
 // Header: compiler/clang/subcommands.hpp. Test: tests/compiler/clang/stubs/command_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// What was inserted into a file, laid out as the .clang-format above it says. Where there is none, nothing changes.
+// Formats what was inserted into a file with the .clang-format above it. Without one, nothing changes.
 #include "compiler/clang/subcommands.hpp"
 #include "compiler/clang/user_text.hpp"
 
@@ -18,7 +18,7 @@ namespace format = clang::format;
 using clang::tooling::Range;
 using clang::tooling::Replacements;
 
-/// `file` whose replacements count: the whole of a new one, which is one replacement then.
+/// The file with all its replacements: a new file is one replacement.
 Json whole(const format::FormatStyle& style, const std::string& path, const std::string& text) {
   std::string code = text;
   const auto pass = [&](const Replacements& replacements) {

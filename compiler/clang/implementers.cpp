@@ -71,7 +71,7 @@ private:
   void walk(const clang::DeclContext& context) {
     for (const clang::Decl* decl : context.decls()) {
       if (decl->isImplicit() || !is_users(decl->getLocation())) {
-        // What another header opens, the user's may go on in: only namespaces are looked through.
+        // The user's declarations may be inside what another header opens: only namespaces are searched.
         if (!llvm::isa<clang::LinkageSpecDecl>(decl)) continue;
       }
       if (const auto* name_space = llvm::dyn_cast<clang::NamespaceDecl>(decl)) walk(*name_space);
@@ -120,8 +120,8 @@ private:
     }
   }
 
-  /// Of a template with a mistake in it, as with a body whose provider is gone, Clang does not make a base: what counts
-  /// then is which interfaces and templates the text names behind the colon.
+  /// Clang makes no base of a template with an error in it, as with a body whose provider is gone: then the interfaces
+  /// and templates count that the text names behind the colon.
   void look_up_words(const clang::CXXRecordDecl& type, std::set<std::string>& interfaces,
                      std::set<std::string>& bases) {
     const auto is_last_part = [](const std::string& name, llvm::StringRef word) {
@@ -151,7 +151,7 @@ private:
     return out;
   }
 
-  /// What else a class has than functions that are called like bodies and have one parameter is not asked.
+  /// Other functions of a class than those with the name of a body and one parameter are ignored.
   void read(const clang::CXXMethodDecl& function) {
     const clang::FunctionTypeLoc type = function.getFunctionTypeLoc();
     if (!is_called_like_body(function) || function.getNumParams() != 1 || !type) return;
@@ -173,7 +173,7 @@ private:
     row.add("known", Json::boolean(known));
     row.add("within", Json::boolean(within));
     row.add("defines", Json::boolean(body || function.isPureVirtual() || function.isDeleted()));
-    row.add("overrides", Json::boolean(says_override(type.getRParenLoc())));
+    row.add("overrides", Json::boolean(has_override(type.getRParenLoc())));
     row.add("macro", Json::boolean(begin.isMacroID() || at.isMacroID() || end.in_macro));
     row.add("inline", Json::boolean(!within && function.isInlineSpecified()));
     row.add("for_any",
@@ -196,7 +196,7 @@ private:
     return {place(end).second, inside(last), false};
   }
 
-  /// A body begins with the first brace behind the parameters; a function-try-block goes on with its handlers.
+  /// A body begins with the first brace behind the parameters; a function-try-block continues with its handlers.
   End end_of_body(SourceLocation parameters) const {
     if (parameters.isInvalid() || parameters.isMacroID()) return {};
     auto pair = structure_.braces.upper_bound(parameters);
@@ -210,8 +210,8 @@ private:
     return {};
   }
 
-  /// Clang forgets the word where there is nothing to override, as when the interface is gone.
-  bool says_override(SourceLocation parameters) const {
+  /// Clang drops the keyword if there is nothing to override, as when the interface is gone.
+  bool has_override(SourceLocation parameters) const {
     if (parameters.isInvalid() || parameters.isMacroID()) return false;
     auto next = clang::Lexer::findNextToken(parameters, sources_, compiler_.getLangOpts());
     while (next && !next->isOneOf(clang::tok::eof, clang::tok::semi, clang::tok::l_brace, clang::tok::r_brace)) {
@@ -239,7 +239,7 @@ private:
     return type.getAsString();
   }
 
-  /// The parameter's type as it stands there: `soccer::Walk::Halting`.
+  /// The parameter's type as it is written there: `soccer::Walk::Halting`.
   std::string written(const clang::FunctionTypeLoc& type) const {
     std::string out = text(behind_token(type.getLParenLoc()), type.getRParenLoc());
     out = out.substr(0, out.find_first_of("&,"));
@@ -252,7 +252,7 @@ private:
     return text.find('\n') == std::string::npos ? text : std::string{};
   }
 
-  /// As the user calls director::Outcome there.
+  /// The name of director::Outcome as the user writes it there.
   std::string result_of(const clang::CXXMethodDecl& function) const {
     const clang::CXXRecordDecl* const record = function.getReturnType()->getAsCXXRecordDecl();
     const auto* const type = function.getType()->getAs<clang::FunctionProtoType>();

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Which classes of the user implement the modules of a behaviour, and which functions of theirs are, or might be meant
-// as, its bodies: names, places, and what has to be known to put another function beside them.
+// Finds the user's classes that implement the modules of a behaviour, and their functions that are bodies, or may be
+// meant as such: names, places, and what is needed to add another function beside them.
 
 #include "compiler/clang/findings.hpp"
 #include "compiler/clang/structure.hpp"
@@ -16,8 +16,8 @@ class CompilerInstance;
 
 namespace director::scanning {
 
-/// `interfaces`: the modules, by qualified names. `header`: the path of the generated one, in which nothing is the
-/// user's. All must outlive it, `structure` is complete when the tree is.
+/// `interfaces`: the modules, by qualified names. `header`: the path of the generated one, which has nothing of the
+/// user's. All must outlive it; `structure` is complete when the tree is.
 std::unique_ptr<clang::ASTConsumer> find_implementers(Findings& out, const std::set<std::string>& interfaces,
                                                       const std::string& header, const Structure& structure,
                                                       clang::CompilerInstance& compiler);

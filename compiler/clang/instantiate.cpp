@@ -13,7 +13,7 @@ namespace {
 
 using namespace clang;
 
-/// Virtual functions of templates that implement modules, which a compiler makes only where it needs a table of them.
+/// Virtual functions of templates that implement modules, which a compiler instantiates only if it needs their vtable.
 class Unmade : public RecursiveASTVisitor<Unmade> {
 public:
   bool shouldVisitTemplateInstantiations() const { return true; }

@@ -19,11 +19,11 @@ namespace director::scanning {
 
 namespace {
 
-/// Null where the command line is not understood, which `faults` has been told.
-std::unique_ptr<clang::CompilerInvocation> ask_driver(const Invocation& invocation, const Files& files,
+/// Null if the command line is not understood, which is added to `faults`.
+std::unique_ptr<clang::CompilerInvocation> run_driver(const Invocation& invocation, const Files& files,
                                                       clang::DiagnosticConsumer& faults) {
-  // Clang finds its own headers, such as stddef.h, from where it is: its name must be a whole path, though nobody
-  // starts it.
+  // Clang finds its own headers, such as stddef.h, relative to its path: the first word must be a whole path, though it
+  // is never executed.
   std::vector<const char*> words{DIRECTOR_CLANG_COMPILER};
   for (const std::string& word : invocation.arguments) words.push_back(word.c_str());
   words.insert(words.end(), {"-w", "-ferror-limit=0", "-fno-caret-diagnostics", invocation.file.c_str()});
@@ -64,12 +64,12 @@ Frontend::~Frontend() = default;
 bool Frontend::run(const Invocation& invocation, const Files& files, clang::FrontendAction& action,
                    clang::DiagnosticConsumer& faults) {
   files->setCurrentWorkingDirectory(invocation.directory);
-  // Whether a file is C or C++, a header or not, its ending says.
+  // The file name's ending decides between C and C++, header and source.
   std::vector<std::string> key = invocation.arguments;
   key.insert(key.end(), {invocation.directory, std::filesystem::path(invocation.file).extension().string()});
   auto at = known_->by_words.find(key);
   if (at == known_->by_words.end()) {
-    auto fresh = ask_driver(invocation, files, faults);
+    auto fresh = run_driver(invocation, files, faults);
     if (fresh == nullptr) return false;
     at = known_->by_words.emplace(std::move(key), std::move(fresh)).first;
   }

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Clang's frontend over one file, as the compiler of this version would be called for it.
+// Runs Clang's frontend on one file, as the compiler of this version would.
 
 #include <llvm/ADT/IntrusiveRefCntPtr.h>
 
@@ -20,16 +20,16 @@ namespace director::scanning {
 
 struct Invocation {
   std::string file;
-  std::string directory;              ///< relative paths begin here
+  std::string directory;              ///< base of relative paths
   std::vector<std::string> arguments; ///< without the compiler and the file
 };
 
 using Files = llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem>;
 
-/// Those of the disk, but for pipes: to open one would wait for who writes to it, for ever if nobody does.
+/// The files of the disk, except pipes: opening one would wait for a writer, for ever if there is none.
 Files ordinary_files();
 
-/// Remembers what Clang's driver made of a command line: to ask it takes longer than to read a small file, and most
+/// Caches what Clang's driver makes of a command line: running it takes longer than reading a small file, and most
 /// files of a program are compiled alike. For one thread.
 class Frontend {
 public:
@@ -38,8 +38,8 @@ public:
   Frontend(const Frontend&) = delete;
   Frontend& operator=(const Frontend&) = delete;
 
-  /// The working directory of `files` becomes that of the invocation. Warnings are off, and errors are told however
-  /// many there are. False: there were errors.
+  /// The working directory of `files` becomes that of the invocation. Warnings are off, and errors are reported without
+  /// a limit. False: there were errors.
   bool run(const Invocation& invocation, const Files& files, clang::FrontendAction& action,
            clang::DiagnosticConsumer& faults);
 
@@ -48,8 +48,8 @@ private:
   std::unique_ptr<Known> known_;
 };
 
-/// Drops what a g++ knows and Clang does not, an option or a processor, as errors without a place say. False: there is
-/// none.
+/// Drops what a g++ supports and Clang does not, an option or a processor, according to errors without a place. False:
+/// there is none.
 bool drop_unknown(std::vector<std::string>& arguments, const std::vector<std::string>& errors);
 
 } // namespace director::scanning

@@ -18,7 +18,7 @@ using namespace clang;
 std::vector<bool> reached_blocks(const CFG& graph) {
   std::vector<bool> out(graph.getNumBlockIDs(), false);
   std::vector<const CFGBlock*> waiting{&graph.getEntry()};
-  // What is thrown may come from anywhere in a `try`, so its handlers count.
+  // An exception may come from anywhere in a `try`, so its handlers count.
   for (const CFGBlock* block : graph.try_blocks()) waiting.push_back(block);
   while (!waiting.empty()) {
     const CFGBlock* block = waiting.back();
@@ -32,8 +32,8 @@ std::vector<bool> reached_blocks(const CFG& graph) {
   return out;
 }
 
-/// Whether a block that has an edge to the end goes there by itself: not by `return`, `throw`, or what never comes
-/// back.
+/// Whether a block with an edge to the end reaches it by itself: not by `return`, `throw`, or a call that never
+/// returns.
 bool falls_through(const CFGBlock& block) {
   if (block.hasNoReturnElement()) return false;
   for (auto element = block.rbegin(); element != block.rend(); ++element) {
@@ -52,7 +52,7 @@ Live::Live(const FunctionDecl& function) {
   CFG::BuildOptions options;
   options.setAllAlwaysAdd();
   const std::unique_ptr<CFG> graph = CFG::buildCFG(&function, function.getBody(), &function.getASTContext(), options);
-  if (graph == nullptr) return; // nothing is known
+  if (graph == nullptr) return; // unknown
   const std::vector<bool> reached = reached_blocks(*graph);
   for (const CFGBlock* block : *graph) {
     if (reached[block->getBlockID()]) continue;

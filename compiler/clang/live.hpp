@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What of a function can run, as far as its text alone decides: what stands under a condition that is a constant,
-// behind a `return`, behind a loop that never ends, or in a case that is never taken does not.
+// Finds the code of a function that can run, as far as its text alone decides: not what is under a constant condition,
+// behind a `return` or an endless loop, or in a case that is never taken.
 
 #include <clang/AST/Decl.h>
 #include <clang/AST/Stmt.h>
@@ -12,14 +12,14 @@ namespace director::scanning {
 
 class Live {
 public:
-  /// `function`: with a body, of no template.
+  /// `function`: with a body, no template.
   explicit Live(const clang::FunctionDecl& function);
 
-  /// Also of what is no part of the function: false only where it is known.
+  /// True also for code outside of the function: false only if it is known.
   bool runs(const clang::Stmt* stmt) const { return dead_.count(stmt) == 0; }
 
-  /// Its closing brace can be reached. What throws, ends the program or is a switch over all values of an enum does not
-  /// lead there.
+  /// Whether its closing brace can be reached. A throw, an end of the program, or a switch over all values of an enum
+  /// does not lead there.
   bool reaches_end() const { return reaches_end_; }
 
 private:

@@ -1,8 +1,8 @@
 // Header: the command line of director-clang. Test: tests/compiler/clang.
 // SPDX-License-Identifier: MIT
 //
-// Reads C++ for directorc, which calls it; nobody else has to. A word says what is asked, the rest is JSON on standard
-// input and output.
+// Reads C++ for directorc, which is its only intended caller. An argument names the subcommand; its input and output
+// are JSON.
 #include "compiler/base/version.hpp"
 #include "compiler/clang/subcommands.hpp"
 
@@ -25,15 +25,15 @@ struct Subcommand {
 
 constexpr std::array subcommands{
     Subcommand{"declarations", "which classes implement the modules of a behaviour", read_declarations},
-    Subcommand{"facts", "what functions of some files do that a behaviour is about", tell_facts},
+    Subcommand{"facts", "what functions of some files do that a behaviour is about", report_facts},
     Subcommand{"format", "how text that was put into files is laid out", format_parts},
-    Subcommand{"types", "what types are, by name", tell_types},
-    Subcommand{"version", "what this program is made of", tell_version},
+    Subcommand{"types", "what types are, by name", report_types},
+    Subcommand{"version", "what this program is made of", report_version},
 };
 
 Json error(std::string_view message) { return Json::object({{"error", Json::text(message)}}); }
 
-int say(const Json& answer) {
+int print_answer(const Json& answer) {
   std::cout << to_line(answer) << "\n" << std::flush;
   return answer["error"].is_null() ? 0 : 1;
 }
@@ -58,10 +58,12 @@ int main(int count, char** words) {
       if (each.name != word) continue;
       const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
       const auto request = director::compiler::parse_json(text);
-      if (!request) return say(error("the request is no JSON"));
-      return say(each.answer(*request));
+      if (!request) return print_answer(error("the request is no JSON"));
+      return print_answer(each.answer(*request));
     }
     std::cerr << "director-clang: there is no subcommand `" << word << "`\n\n" << help();
     return 2;
-  } catch (const std::exception& fault) { return say(error(std::string("internal error: ") + fault.what())), 70; }
+  } catch (const std::exception& fault) {
+    return print_answer(error(std::string("internal error: ") + fault.what())), 70;
+  }
 }

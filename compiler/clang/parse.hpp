@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// One translation unit as Clang understands it, read quickly: bodies of functions in system headers are passed over,
-// and what looks at the tree begins at what no system header declares.
+// Parses one translation unit quickly: bodies of functions in system headers are skipped, and visitors start at
+// declarations outside of system headers.
 
 #include <functional>
 #include <string>
@@ -16,12 +16,12 @@ namespace director::scanning {
 
 struct Unit {
   std::string file;                   ///< absolute
-  std::string directory;              ///< absolute; relative paths in the arguments begin here
+  std::string directory;              ///< absolute; base of relative paths in the arguments
   std::vector<std::string> arguments; ///< fit for Clang, without the compiler and the file
-  std::string text;                   ///< if not empty: what the file holds, whatever lies on the disk
+  std::string text;                   ///< if not empty: the content of the file, instead of the one on the disk
   bool is_deep = false;               ///< bodies of functions in system headers are read too
-  /// A name that is not there is taken for the one most like it, and the fault says for which. Of bodies that would
-  /// tell what nobody wrote: where a group was renamed, the body of the old name seems to be a second one of the new.
+  /// Clang replaces an unknown name by the most similar one, and reports that. For bodies that would be wrong: after a
+  /// group is renamed, the body of the old name would look like a second one of the new.
   bool corrects_names = false;
 };
 
@@ -41,8 +41,8 @@ struct Reading {
   std::vector<Fault> errors;
 };
 
-/// Calls `look` with the tree, also where there were errors; not where there is no tree at all. `complete`, before it,
-/// may have templates instantiated that nothing uses.
+/// Calls `look` with the tree, also after errors; not if there is no tree at all. `complete`, before it, may have
+/// templates instantiated that nothing uses.
 Reading parse(const Unit& unit, const std::function<void(clang::ASTContext&)>& look,
               const std::function<void(clang::Sema&)>& complete = {});
 

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What is said of a unit: names and places in it, in JSON. A place is [file, begin, end]: the file's row in a table of
-// absolute paths, and offsets in bytes, the end exclusive.
+// Names and places in a unit, in JSON. A place is [file, begin, end]: the file's row in a table of absolute paths, and
+// offsets in bytes, the end exclusive.
 
 #include "compiler/base/json.hpp"
 
@@ -22,7 +22,7 @@ public:
       : context_(context),
         directory_(std::move(directory)) {}
 
-  /// Of the tokens from `begin` to `end`; where a macro stands there, of its name.
+  /// The place of the tokens from `begin` to `end`; in a macro, of its name.
   Json of(clang::SourceLocation begin, clang::SourceLocation end);
   Json of(clang::SourceRange range) { return of(range.getBegin(), range.getEnd()); }
   Json files() const { return Json::texts(files_); }

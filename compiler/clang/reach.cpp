@@ -19,10 +19,10 @@ using namespace clang;
 
 namespace {
 
-/// A function of the standard library may come to a few hundred others. What comes to more is not looked at to its end.
+/// Limit: a function of the standard library may call a few hundred others; a search beyond this is given up.
 constexpr std::size_t most_functions = 4000;
 
-/// `std::ostream&`, or what is derived from it.
+/// Whether it is `std::ostream&`, or a type derived from it.
 bool is_stream(QualType type) {
   const CXXRecordDecl* record = bare(type)->getAsCXXRecordDecl();
   if (record == nullptr) return false;
@@ -33,7 +33,7 @@ bool is_stream(QualType type) {
                      [](const CXXBaseSpecifier& base) { return is_stream(base.getType()); });
 }
 
-/// Written by the user. What the compiler writes for a class of the user is looked into like the library.
+/// Whether the user wrote it. What the compiler generates for a class of the user is examined like the library.
 bool is_users(const FunctionDecl& function) {
   if (function.getLocation().isInvalid() || is_system(function)) return false;
   const auto* method = llvm::dyn_cast<CXXMethodDecl>(&function);
@@ -47,8 +47,8 @@ bool is_standard(const FunctionDecl& function) {
   return name.starts_with("std::") || name.starts_with("__gnu_cxx::") || name.starts_with("__cxxabiv1::");
 }
 
-/// Compiled already, and so that it may do anything. A function of C that cannot throw cannot be cancelled while it
-/// waits either, in the headers of glibc: those that wait all the same have known names.
+/// Whether it is compiled, and may do anything. A C function of glibc's headers that cannot throw cannot be cancelled
+/// while it waits either; the exceptions have known names.
 bool may_do_anything(const FunctionDecl& function) {
   if (function.getBuiltinID() != 0 || function.isNoReturn() || function.isTrivial() || is_standard(function))
     return false;
@@ -67,7 +67,7 @@ std::string_view known_effect(const FunctionDecl& function) {
   if (function.isReservedGlobalPlacementOperator()) return {};
   if (function.isExternC() && function.getDeclName().isIdentifier()) return why_it_blocks(function.getName());
   const auto* const method = llvm::dyn_cast<CXXMethodDecl>(&function);
-  // With the memory of everybody, unless somebody has set another one.
+  // It uses the default memory resource, unless the program has set another one.
   if (name == "std::pmr::polymorphic_allocator::polymorphic_allocator" && function.getNumParams() == 0)
     return "uses the heap";
   if ((name == "std::operator<<" || name == "std::operator>>") && method == nullptr && function.getNumParams() > 0)
@@ -75,7 +75,7 @@ std::string_view known_effect(const FunctionDecl& function) {
   return why_it_blocks(name);
 }
 
-/// Whom a definition calls.
+/// Finds the functions that a definition calls.
 class EdgeReader : public RecursiveASTVisitor<EdgeReader> {
 public:
   EdgeReader(const FunctionDecl& function, Reach::Step& out)
@@ -93,7 +93,7 @@ public:
     return variable->isConstexpr() || RecursiveASTVisitor::TraverseVarDecl(variable);
   }
   bool TraverseCXXRecordDecl(CXXRecordDecl*) { return true; }
-  bool TraverseLambdaExpr(LambdaExpr*) { return true; } // called where it is called
+  bool TraverseLambdaExpr(LambdaExpr*) { return true; } // it counts where it is called
 
   bool VisitCallExpr(CallExpr* expr) {
     const FunctionDecl* callee = expr->getDirectCallee();
@@ -105,7 +105,7 @@ public:
       const Expr* object = call == nullptr ? nullptr : call->getImplicitObjectArgument();
       const bool open = member != nullptr && !member->hasQualifier() && object != nullptr;
       if (open) method = const_cast<CXXMethodDecl*>(method)->getDevirtualizedMethod(object, false);
-      if (method == nullptr) return true; // which one, nobody can see
+      if (method == nullptr) return true; // through a pointer: unknown
       callee = method;
     }
     add(*callee, llvm::isa<CXXDestructorDecl>(callee));
@@ -180,7 +180,7 @@ Reached Reach::walk(const Edge& from) {
     waiting.pop_back();
     if (is_known_harmless(name_of(*edge.to))) continue;
     if (const std::string_view why = known_effect(*edge.to); !why.empty()) {
-      // What an object of the library frees when it goes is left open: it would be told of nearly every one.
+      // What an object of the library frees in its destructor is ignored: nearly every one would be reported.
       if (why != "frees" || !edge.destroys) out.why = worst_of(out.why, why);
       continue;
     }

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a function of the standard library, or of another system header, comes to: whether its definition, or what that
-// calls, takes memory, a lock, a file, and which functions of the user it calls back. Definitions stand in headers, as
-// templates do; of what is compiled already, blocking.hpp knows names.
+// Finds the effects of a function of the standard library, or of another system header: whether its definition, or what
+// that calls, uses memory, a lock, a file, and which functions of the user it calls back. Definitions are in headers,
+// like templates; compiled functions are in blocking.hpp by name.
 
 #include <clang/AST/Decl.h>
 #include <clang/AST/DeclCXX.h>
@@ -16,19 +16,19 @@
 namespace director::scanning {
 
 struct Reached {
-  std::string_view why;                            ///< as blocking.hpp says it; empty: nothing is known
+  std::string_view why;                            ///< as in blocking.hpp; empty: unknown
   std::vector<const clang::FunctionDecl*> users;   ///< of the user's, which it calls
-  std::vector<const clang::FunctionDecl*> unknown; ///< compiled already, and nobody knows what they do
-  bool has_definition = false;                     ///< it was looked into
+  std::vector<const clang::FunctionDecl*> unknown; ///< compiled, with unknown effects
+  bool has_definition = false;                     ///< it was examined
 };
 
-/// What is known of it without a look.
+/// What is known of it by name.
 std::string_view known_effect(const clang::FunctionDecl& function);
 
 class Reach {
 public:
-  /// `callee`: of a system header. `destroys`: it is called where an object goes, and what the library frees then does
-  /// not count.
+  /// `callee`: of a system header. `destroys`: the call is a destruction, for which what the library frees does not
+  /// count.
   const Reached& of(const clang::FunctionDecl& callee, bool destroys = false);
 
 private:
@@ -39,7 +39,7 @@ private:
   };
   friend class EdgeReader;
   struct Step {
-    std::string_view why; ///< of what it does itself: `new`, `delete`
+    std::string_view why; ///< of its own: `new`, `delete`
     std::vector<Edge> edges;
   };
   const Step& step(const clang::FunctionDecl& definition);

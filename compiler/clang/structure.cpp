@@ -48,7 +48,7 @@ private:
 
   Structure& structure_;
   const clang::SourceManager& sources_;
-  std::map<clang::FileID, std::vector<std::size_t>> entered_; ///< rows of the regions that are open
+  std::map<clang::FileID, std::vector<std::size_t>> entered_; ///< rows of the open regions
 };
 
 } // namespace

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What the tokens of a unit say that its tree does not, because bodies are skipped: where braces and conditionals begin
+// What the tokens of a unit show and its tree does not, because bodies are skipped: where braces and conditionals begin
 // and end.
 
 #include <clang/Basic/SourceManager.h>
@@ -21,19 +21,19 @@ struct Structure {
     bool in_macro = false;
   };
   std::map<clang::SourceLocation, Braces> braces; ///< closed ones, by where the first one expands
-  std::vector<clang::SourceLocation> open;        ///< what is never closed, in the end
+  std::vector<clang::SourceLocation> open;        ///< what is never closed, at the end
 
-  /// Beginning and end of what stands under one #if, #elif or #else.
+  /// Beginning and end of the text under one #if, #elif or #else.
   struct Region {
     unsigned begin = 0, end = ~0U;
   };
   std::map<clang::FileID, std::vector<Region>> regions;
 
-  /// The beginning of the innermost region around a place; -1: it stands under none.
+  /// The beginning of the innermost region around a place; -1: there is none.
   std::int64_t inside(clang::FileID file, unsigned offset) const;
 };
 
-/// Before the file is read. `structure` must outlive the preprocessor.
+/// Call it before the file is read. `structure` must outlive the preprocessor.
 void watch(clang::Preprocessor& preprocessor, Structure& structure);
 
 } // namespace director::scanning

@@ -1,8 +1,8 @@
 // Header: compiler/clang/subcommands.hpp. Test: tests/compiler/clang.
 // SPDX-License-Identifier: MIT
 //
-// Names of types are looked up by writing them into a file of C++ behind the headers, one alias a line: Clang then says
-// what each is, or, in the line of the alias, why there is no such type.
+// Looks up names of types by writing them into a C++ file behind the headers, one alias a line: Clang then shows what
+// each is, or, in the line of the alias, why there is no such type.
 #include "compiler/clang/parse.hpp"
 #include "compiler/clang/places.hpp"
 #include "compiler/clang/subcommands.hpp"
@@ -21,9 +21,9 @@ namespace director::scanning {
 namespace {
 
 constexpr const char* alias = "director_alias_";
-constexpr const char* macro = "director_macro_"; ///< an alias that is there where the name is a macro
+constexpr const char* macro = "director_macro_"; ///< an alias that exists if the name is a macro
 
-/// The number behind it, of a name that begins so.
+/// The number at the end of a name with this beginning.
 std::optional<std::size_t> row_of(llvm::StringRef name, llvm::StringRef begin, std::size_t count) {
   std::size_t row = 0;
   if (!name.consume_front(begin) || name.getAsInteger(10, row) || row >= count) return {};
@@ -54,7 +54,7 @@ Source write_source(const Json& request) {
     if (dsl::is_identifier(last))
       out.text += "#ifdef " + last + "\nusing " + (macro + std::to_string(i)) + " = int;\n#endif\n";
   }
-  // An enum within a template has values when somebody uses them.
+  // An enum within a template has values only after it is used.
   for (std::size_t i = 0; i < number; ++i)
     if (request["names"].items()[i].as_text().find('<') != std::string::npos)
       out.text += "namespace director_uses { using enum " + (alias + std::to_string(i)) + "; }\n";
@@ -75,7 +75,7 @@ Json describe(const clang::EnumDecl& decl, Places& places) {
       {{"at", places.of(decl.getLocation(), decl.getLocation())}, {"enumerators", std::move(enumerators)}});
 }
 
-/// Also what a template would be, which nobody has made complete yet.
+/// Also what a template would be that has not been instantiated yet.
 bool is_complete(clang::QualType type) {
   if (!type->isIncompleteType()) return true;
   const auto* special = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(type->getAsTagDecl());
@@ -84,7 +84,7 @@ bool is_complete(clang::QualType type) {
 
 } // namespace
 
-Json tell_types(const Json& request) {
+Json report_types(const Json& request) {
   Unit unit = unit_of(request["unit"]);
   const Source source = write_source(request);
   unit.text = source.text;
@@ -132,7 +132,7 @@ Json tell_types(const Json& request) {
   Json out = Json::object({});
   out.add("types", std::move(list));
   out.add("paths", std::move(places_of_files));
-  tell_reading(out, reading);
+  report_reading(out, reading);
   return out;
 }
 

@@ -11,7 +11,7 @@ Unit unit_of(const Json& json) {
       json["file"].as_text(), json["directory"].as_text(), json["arguments"].as_texts(), {}, json["deep"].as_boolean()};
 }
 
-void tell_reading(Json& answer, const Reading& reading) {
+void report_reading(Json& answer, const Reading& reading) {
   Json files = Json::list({}), errors = Json::list({});
   for (const Included& file : reading.files) files.add(Json::list({Json::text(file.path), Json::boolean(file.system)}));
   for (const Fault& fault : reading.errors) {

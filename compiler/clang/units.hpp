@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Units in JSON: as requests name them, and what is told of how one was read.
+// Units in JSON: as in requests, and the report about how one was read.
 
 #include "compiler/base/json.hpp"
 #include "compiler/clang/parse.hpp"
@@ -11,6 +11,6 @@ namespace director::scanning {
 Unit unit_of(const compiler::Json& json);
 
 /// Adds `files` as [path, is a system header], and `errors` as {"message", "file", "line"}.
-void tell_reading(compiler::Json& answer, const Reading& reading);
+void report_reading(compiler::Json& answer, const Reading& reading);
 
 } // namespace director::scanning

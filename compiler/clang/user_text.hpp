@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Files of the user with something put into them, which is not on the disk.
+// The text of a user's file with insertions that are not on the disk.
 
 #include "compiler/base/json.hpp"
 #include "compiler/stubs/insertion.hpp"
@@ -15,7 +15,7 @@ using compiler::Json;
 /// Joined.
 std::vector<compiler::stubs::Insertion> insertions_in(const Json& list);
 
-/// Throws where the file cannot be read.
+/// Throws if the file cannot be read.
 compiler::stubs::Applied user_text(const std::string& path, const std::vector<compiler::stubs::Insertion>& insertions);
 
 } // namespace director::scanning

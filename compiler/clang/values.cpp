@@ -14,10 +14,10 @@ namespace {
 
 using namespace clang;
 
-// Constants that name constants: nobody writes more than a few, and an initializer may name itself.
+// Limit for constants that refer to constants: more is not usual, and an initializer may refer to itself.
 constexpr int deepest = 6;
 
-/// What is meant, without what the compiler puts around it and without the types of director that wrap it.
+/// The written expression, without implicit parts and the types of director that wrap it.
 const Expr* stripped(const Expr* expr) {
   for (;;) {
     const Expr* inner = expr->IgnoreParenImpCasts();

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Which values an expression may have, as far as they stand in the text: what a body sets a state to.
+// Finds the values that an expression may have according to the text: what a body sets a state to.
 
 #include <clang/AST/Expr.h>
 
@@ -14,10 +14,10 @@ class Values {
 public:
   explicit Values(const clang::ASTContext& context) : context_(context) {}
 
-  /// Enumerators by name, numbers as such; nothing: it is computed.
+  /// Enumerators by name, numbers as such; empty: it is computed.
   std::optional<std::set<std::string>> of(const clang::Expr* expr) const;
 
-  /// Whose values: the enum, or the struct that a number is put into; empty: another type.
+  /// The type of the values: the enum, or the struct that a number is put into; empty: another type.
   std::string state_of(const clang::Expr* expr) const;
 
 private:

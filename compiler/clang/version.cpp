@@ -8,7 +8,7 @@
 
 namespace director::scanning {
 
-Json tell_version(const Json&) {
+Json report_version(const Json&) {
   return Json::object({{"director", Json::text(compiler::version())}, {"clang", Json::text(CLANG_VERSION_STRING)}});
 }
 

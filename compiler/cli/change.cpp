@@ -32,16 +32,16 @@ std::optional<std::string> text_of(const fs::path& path) {
   return std::string{std::istreambuf_iterator<char>(file), {}};
 }
 
-/// A change, and what it is to: the user's file, which nobody else must have changed, or what is generated.
+/// A change, and the kind of its file: the user's, which must not have changed meanwhile, or a generated one.
 struct Step {
   Change change;
   bool generated = false;
 };
 
-/// A file that is written already, beside the place that it is for. Removed unless it gets there.
+/// A file that is written beside its final place. Removed unless it is moved there.
 struct Written {
   const Step* step;
-  fs::path target; ///< behind symbolic links
+  fs::path target; ///< after symbolic links
   std::string temporary;
   mode_t mode = 0;
   bool placed = false;
@@ -52,7 +52,7 @@ const char* fault_of_kind(mode_t mode) {
   return S_ISDIR(mode) ? "a folder is in the way" : "it is no ordinary file";
 }
 
-/// May this file be changed, and is it still as it was?
+/// Why this file must not be changed, or is not as it was.
 Fault refusal(const Step& step, const fs::path& target, struct stat& status) {
   const Change& change = step.change;
   const bool exists = ::lstat(target.c_str(), &status) == 0;
@@ -75,13 +75,13 @@ bool write_all(int file, std::string_view text) {
   return true;
 }
 
-/// What the user wrote is on the disk before it takes the place of what was there; what is generated can be again.
+/// What the user wrote is on the disk before it replaces the old file; what is generated can be made again.
 bool keep(int file, const Step& step) {
-  return step.generated || ::fsync(file) == 0 || errno == EINVAL || errno == EROFS; // not every file system can be told
+  return step.generated || ::fsync(file) == 0 || errno == EINVAL || errno == EROFS; // not every file system supports it
 }
 
 Fault write_beside(Written& out, std::string_view text) {
-  constexpr std::size_t longest = 200; // of the file's own name: with what is added, no more than file systems take
+  constexpr std::size_t longest = 200; // of the file's own name: with the suffix within the limit of file systems
   const std::string own = out.target.filename().string().substr(0, longest);
   std::string name = (out.target.parent_path() / ("." + own + ".XXXXXX")).string();
   const int file = ::mkstemp(name.data());
@@ -93,7 +93,7 @@ Fault write_beside(Written& out, std::string_view text) {
   return fault == 0 ? Fault{} : std::strerror(fault);
 }
 
-/// Who made this file anew keeps its owner, if that is allowed.
+/// The new file keeps the owner of the old one, if that is permitted.
 void keep_owner(const Written& out, const struct stat& status) {
   if (out.step->change.before) std::ignore = ::lchown(out.temporary.c_str(), status.st_uid, status.st_gid);
 }
@@ -104,7 +104,7 @@ mode_t mode_of_new_files() {
   return 0666 & ~mask;
 }
 
-/// Creates what is missing of the folder, and adds it to `made`, the outermost first.
+/// Creates the missing folders, and adds them to `made`, the outermost first.
 std::error_code make_folder(const fs::path& folder, std::vector<fs::path>& made) {
   std::vector<fs::path> missing;
   std::error_code error;
@@ -131,14 +131,14 @@ Fault prepare(const Step& step, std::vector<Written>& all, std::vector<fs::path>
   return fault;
 }
 
-/// A new file never takes the place of one.
+/// A new file never replaces an existing one.
 Fault place(Written& each) {
   struct stat status {};
   if (Fault fault = refusal(*each.step, each.target, status)) return fault;
-  // Somebody else may be generating the same.
+  // Another process may be generating the same.
   const unsigned only_new = each.step->change.before || each.step->generated ? 0 : RENAME_NOREPLACE;
   if (::renameat2(AT_FDCWD, each.temporary.c_str(), AT_FDCWD, each.target.c_str(), only_new) != 0) {
-    // Not every file system knows that word; a link never takes the place of a file either.
+    // Not every file system supports the flag; a link never replaces a file either.
     if (only_new == 0 || (errno != EINVAL && errno != ENOSYS)) return std::strerror(errno);
     if (::link(each.temporary.c_str(), each.target.c_str()) != 0) return std::strerror(errno);
     ::unlink(each.temporary.c_str());
@@ -158,10 +158,12 @@ void take_back(std::vector<Written>& all, const std::vector<fs::path>& made) {
       ::rename(each.temporary.c_str(), each.target.c_str());
     }
   }
-  for (auto each = made.rbegin(); each != made.rend(); ++each) ::rmdir(each->c_str()); // if nobody else uses it
+  for (auto each = made.rbegin(); each != made.rend(); ++each)
+    ::rmdir(each->c_str()); // fails if something else uses
+                            // it
 }
 
-/// While it lives, what asks the program to end waits.
+/// Blocks the signals that end the program during its lifetime.
 class Undisturbed {
 public:
   Undisturbed() {
@@ -200,7 +202,7 @@ Fault carry_out(const std::vector<Step>& steps, const Watch& watch) {
   return at(last->change.path, *fault);
 }
 
-/// The step that writes this output, if there is anything to do.
+/// Adds the step that writes this output, if there is anything to do.
 Fault plan(const Output& output, std::vector<Step>& steps) {
   if (output.path.ends_with('/')) return "it is called as a folder is; name a file";
   struct stat status {};
@@ -210,7 +212,7 @@ Fault plan(const Output& output, std::vector<Step>& steps) {
     steps.push_back({{output.path, {}, output.text}, true});
     return {};
   }
-  // Only what is a file is looked into: to open a pipe would wait for who reads from it.
+  // Only a regular file is read: opening a pipe would wait for the other side.
   if (const char* const fault = fault_of_kind(status.st_mode)) return fault;
   const std::optional<std::string> text = text_of(output.path);
   if (!text) return std::strerror(errno);

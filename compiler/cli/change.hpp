@@ -1,8 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The one way in which files are written: all of a set or none, each file at once, and nothing is lost of what was
-// there. What belongs to the user changes only if nobody else has changed it meanwhile; what is generated takes the
-// place of nothing but what was generated before.
+// The only place that writes files: all of a set or none, each file atomically, without losing what was there. A user's
+// file changes only if it has not changed meanwhile; a generated file replaces nothing but an earlier generated one.
 
 #include <functional>
 #include <optional>
@@ -12,34 +11,35 @@
 
 namespace director::compiler::cli {
 
-/// To a file of the user.
+/// A change to a file of the user.
 struct Change {
   std::string path;
-  std::optional<std::string> before; ///< nothing: there is no such file
+  std::optional<std::string> before; ///< empty: there is no such file
   std::string after;
 };
 
 struct Output {
   std::string path, text;
-  bool (*is_own)(std::string_view) = nullptr; ///< may what is there go? nullptr: whatever it is
-  bool newest = false;                        ///< newer than everything afterwards, also where the text is the same
+  bool (*is_own)(std::string_view) = nullptr; ///< whether the existing file may be replaced; null: any file
+  bool newest = false;                        ///< newer than everything afterwards, even with equal text
 };
 
-/// Whether a text is a depfile, in which no comment can say whose it is.
+/// Whether a text is a depfile, which has no comment that marks it as generated.
 bool is_depfile(std::string_view text);
 
-/// What is told why an output cannot take the place of something else.
+/// The message for an output that would replace a file of the user.
 extern const char* const foreign;
 
-/// Called behind each file that is written beside its place, and behind each that has got there: tests end there.
+/// Called after each file that is written beside its place, and after each move: tests end there.
 using Watch = std::function<void()>;
 
-/// SIGKILL and a loss of power cannot wait: between two files they leave the one new and the other old, each whole. No
-/// file system replaces several files at once, and no compiler would read a journal of ours. Whoever generates, builds
-/// or verifies next sees it, and what `stubs` puts in is only added: the next run adds the rest.
+/// SIGKILL and a loss of power cannot be deferred: between two files one may be new and the other old, each complete.
+/// No file system replaces several files at once, and no compiler would read a journal. The next generate, build or
+/// verify detects it, and `stubs` only adds: the next run adds the rest.
 ///
-/// What went wrong, as "`path`: why", and then no file has changed. Each is written beside its place first, so that a
-/// full disk shows before the first one takes it. What ends a program politely waits until all is done.
+/// Returns what went wrong, as "`path`: why"; then no file has changed. Each is written beside its place first, so that
+/// a full disk is detected before the first one is replaced. Signals that end the program are deferred until all is
+/// done.
 std::optional<std::string> apply_on_disk(const std::vector<Change>& changes, const Watch& watch = {});
 /// The same. A file that has its text already is not touched.
 std::optional<std::string> write_on_disk(const std::vector<Output>& outputs, const Watch& watch = {});

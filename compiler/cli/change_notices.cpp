@@ -1,8 +1,8 @@
 // Header: compiler/cli/change_notices.hpp. Test: tests/compiler/cli/change_notices_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// Folders are watched and not the files in them: an editor that saves by renaming puts another file into the place of
-// the one that was there, and a watch would go away with the old one.
+// Watches folders and not their files: an editor that saves by renaming replaces the file, and a watch would stay with
+// the old one.
 #include "compiler/cli/change_notices.hpp"
 
 #include "compiler/base/absolute_path.hpp"
@@ -23,10 +23,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uint32_t telling = IN_MODIFY | IN_CLOSE_WRITE | IN_ATTRIB | IN_CREATE | IN_DELETE | IN_MOVED_FROM |
-                                  IN_MOVED_TO | IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR;
+constexpr std::uint32_t watched_events = IN_MODIFY | IN_CLOSE_WRITE | IN_ATTRIB | IN_CREATE | IN_DELETE |
+                                         IN_MOVED_FROM | IN_MOVED_TO | IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR;
 
-/// That folder, or the nearest one above it that there is.
+/// That folder, or the nearest existing one above it.
 std::string existing(fs::path folder) {
   std::error_code error;
   while (!fs::is_directory(folder, error) && folder.has_relative_path()) folder = folder.parent_path();
@@ -45,11 +45,11 @@ ChangeNotices::~ChangeNotices() {
 }
 
 void ChangeNotices::add(const std::string& folder, std::map<int, std::string>& wanted) {
-  const int number = ::inotify_add_watch(queue_, folder.c_str(), telling);
+  const int number = ::inotify_add_watch(queue_, folder.c_str(), watched_events);
   if (number >= 0) {
     wanted.emplace(number, folder);
   } else if (errno != ENOENT && errno != ENOTDIR) {
-    must_look_ = true; // one that may not be read, or there are too many
+    must_look_ = true; // one that must not be read, or there are too many
   }
 }
 
@@ -79,9 +79,9 @@ ChangeNotices::Woken ChangeNotices::sleep(std::chrono::milliseconds most, int en
   const int ready = ::poll(wanted.data(), queue_ < 0 ? 1 : 2, static_cast<int>(most.count()));
   if (ready <= 0) return Woken::by_time;
   if (wanted[0].revents != 0) return Woken::by_end;
-  // What is told does not matter, only that something is: who is woken compares the files.
-  alignas(inotify_event) std::array<char, 16384> told{};
-  while (::read(queue_, told.data(), told.size()) > 0) {}
+  // The content of the events does not matter: the caller compares the files.
+  alignas(inotify_event) std::array<char, 16384> events{};
+  while (::read(queue_, events.data(), events.size()) > 0) {}
   return Woken::by_change;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Sleeps until the system tells that something may have changed near some files. The only user of inotify.
+// Sleeps until the system reports that something may have changed near some files. The only user of inotify.
 
 #include <chrono>
 #include <map>
@@ -12,20 +12,20 @@ namespace director::compiler::cli {
 class ChangeNotices {
 public:
   enum class By { system, looking };
-  /// `looking`: as where the system tells nothing.
+  /// `looking`: as if the system reported nothing.
   explicit ChangeNotices(By by = By::system);
   ~ChangeNotices();
   ChangeNotices(const ChangeNotices&) = delete;
   ChangeNotices& operator=(const ChangeNotices&) = delete;
 
-  /// From now on. What does not exist is waited for in the nearest folder above it that does.
+  /// Watches these from now on. What does not exist is watched in the nearest existing folder above it.
   void expect(const std::vector<std::string>& files, const std::vector<std::string>& folders);
 
   enum class Woken { by_change, by_time, by_end };
-  /// By `end` when something can be read there.
+  /// Woken `by_end` when something can be read there.
   Woken sleep(std::chrono::milliseconds most, int end);
 
-  /// The system does not tell of all of it, so that somebody has to look.
+  /// Whether the system does not report all changes, so that the caller has to poll.
   bool must_look() const { return must_look_; }
 
 private:

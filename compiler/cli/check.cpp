@@ -19,20 +19,20 @@ namespace director::compiler::cli {
 
 namespace {
 
-/// What was asked for with `--explain-reachable`.
+/// The result for `--explain-reachable`.
 struct Explained {
   std::string words;
-  std::optional<std::vector<dsl::Note>> steps; ///< nothing: it is not reachable
+  std::optional<std::vector<dsl::Note>> steps; ///< empty: it is not reachable
   std::vector<dsl::Note> missing;              ///< then: what it lacks, each thing before what that lacks
 
-  std::string told() const {
+  std::string title() const {
     const char* none = missing.empty() ? "can never be reached" : "can never be reached:";
     return fmt::format("`{}` {}", words, steps ? "may be reached:" : none);
   }
   const std::vector<dsl::Note>& notes() const { return steps ? *steps : missing; }
 };
 
-/// What keeps the goal from being: whoever could bring it about never runs.
+/// What prevents the goal: everything that could cause it never runs.
 std::vector<dsl::Note> missing_for(const Model& model, const analysis::Facts& facts, const analysis::Goal& goal) {
   std::vector<ProviderId> providers;
   if (const auto* group = std::get_if<GroupId>(&goal)) providers = model.groups[*group].providers;
@@ -55,7 +55,7 @@ std::vector<dsl::Note> missing_for(const Model& model, const analysis::Facts& fa
 }
 
 std::string to_text(const Explained& explained, const dsl::Sources& sources) {
-  std::string out = explained.told() + "\n";
+  std::string out = explained.title() + "\n";
   for (const dsl::Note& step : explained.notes()) {
     const dsl::SourceFile& file = sources[step.span.file];
     const dsl::Place place = file.place(step.span.begin);
@@ -95,7 +95,7 @@ public:
     if (!checked) return misused;
     if (!request_.reachable.empty()) {
       if (const std::string wrong = explain(*checked); !wrong.empty()) {
-        say(console_, fmt::format("directorc: {}\n", wrong));
+        print_message(console_, fmt::format("directorc: {}\n", wrong));
         return misused;
       }
     }
@@ -109,7 +109,7 @@ public:
   }
 
 private:
-  /// What is wrong with the question; empty where it has an answer, or where errors come before it.
+  /// What is wrong with the query; empty if it has an answer, or if errors come before it.
   std::string explain(const Checked& checked) {
     if (!checked.resolved) return {};
     if (!checked.model.deployment)
@@ -135,7 +135,7 @@ private:
     }
     case Format::sarif: {
       std::vector<SarifWitness> witnesses;
-      if (explained_ && explained_->steps) witnesses.push_back({explained_->told(), *explained_->steps});
+      if (explained_ && explained_->steps) witnesses.push_back({explained_->title(), *explained_->steps});
       console_.out << to_lines(findings_sarif(checked.findings, witnesses, sources_, sarif_rules()));
       return;
     }

@@ -11,7 +11,7 @@ namespace director::compiler::cli {
 
 namespace {
 
-/// Columns for a sentence beside the other words; with fewer it stands below them.
+/// Columns for a sentence beside the other words; with fewer it is below them.
 constexpr std::size_t least_beside = 40;
 
 } // namespace

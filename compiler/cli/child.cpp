@@ -1,8 +1,8 @@
 // Header: compiler/cli/console.hpp. Test: tests/compiler/cli/disk_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// A child process with a pipe to it and one or two from it. All are served in turn by poll, so that neither side can
-// fill a pipe and wait for the other for ever.
+// A child process with a pipe to it and one or two from it. All are served by poll, so that the two sides cannot block
+// each other with full pipes.
 #include "compiler/cli/console.hpp"
 
 #include <fcntl.h>
@@ -53,14 +53,14 @@ void receive_some(Descriptor& from, std::string& output) {
   if (count == 0 || (count < 0 && errno != EINTR)) from.close();
 }
 
-/// Closed with what owns it.
+/// Closes its ends.
 struct Pipe {
   std::array<int, 2> ends{-1, -1};
   bool made = ::pipe2(ends.data(), O_CLOEXEC) == 0;
   Descriptor reading{ends[0]}, writing{ends[1]};
 };
 
-/// `errors`: null where they do not come to us.
+/// `errors`: null if they are not captured.
 void talk(Descriptor& to, Descriptor& from, Pipe* errors, const std::string& input, Answer& answer) {
   std::size_t sent = 0;
   const auto err = [&] { return errors != nullptr && errors->reading.open() ? errors->reading.number() : -1; };
@@ -100,7 +100,7 @@ Answer run_child(const std::vector<std::string>& command, const std::string& inp
   out.writing.close();
   if (errors) errors->writing.close();
   Answer answer{.started = true};
-  auto* const before = std::signal(SIGPIPE, SIG_IGN); // a child that does not read its input is no reason to die
+  auto* const before = std::signal(SIGPIPE, SIG_IGN); // a child that does not read its input must not end this process
   talk(in.writing, out.reading, errors ? &*errors : nullptr, input, answer);
   std::signal(SIGPIPE, before);
   in.writing.close();

@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The subcommands: what each is asked for, and what it does. One file each; compiler/cli/options_*.cpp make the
-// requests from the command line. Exit statuses: 0 clean; 1 findings of level error, a scenario that does not hold, or
-// too little that scenarios cover; 2 wrong usage, or a file named on the command line that cannot be read or written; 3
-// an assertion was not decided, or not everything was explored.
+// The subcommands: the request of each, and its function. One file each; compiler/cli/options_*.cpp make the requests
+// from the command line. Exit statuses: 0 clean; 1 findings of level error, a scenario that does not hold, or too
+// little coverage by scenarios; 2 wrong usage, or a file named on the command line that cannot be read or written; 3 an
+// assertion was not decided, or not everything was explored.
 
 #include "compiler/analysis/plans/work.hpp"
 #include "compiler/checks/run_checks.hpp"
@@ -25,10 +25,10 @@ struct Check {
   std::string file;
   Format format = Format::text;
   checks::Selection selection;
-  std::string reachable; ///< empty: nothing is asked; else `Kick`, `Walk.halting`, `Pose == standing`
-  bool verbose = false;  ///< also memory and bounds
-  double work_ns = analysis::nanoseconds_of_work; ///< what a unit of work costs
-  std::string build;       ///< folder with compile_commands.json, for the types that it names; empty: looked for
+  std::string reachable;                          ///< empty: none; else `Kick`, `Walk.halting`, `Pose == standing`
+  bool verbose = false;                           ///< also memory and bounds
+  double work_ns = analysis::nanoseconds_of_work; ///< the cost of a unit of work
+  std::string build;       ///< folder with compile_commands.json, for the types that it names; empty: searched
   std::size_t explore = 0; ///< states to explore for what never runs; 0: none
   bool watch = false;      ///< again whenever a file that was read changes
 };
@@ -37,8 +37,8 @@ struct Generate {
   std::string file;
   std::string folder;
   std::string depfile; ///< empty: none
-  std::string target;  ///< what the depfile makes depend on what was read; empty: all that is generated
-  std::string build;   ///< folder with compile_commands.json, for the types that it names; empty: looked for
+  std::string target;  ///< target of the depfile; empty: all that is generated
+  std::string build;   ///< folder with compile_commands.json, for the types that it names; empty: searched
   std::string flags;   ///< or a file with flags, one a line
   checks::Selection selection;
 };
@@ -52,8 +52,8 @@ struct DrawGraph {
   std::string collapse;                 ///< module, layer; empty: every group has a box
   std::vector<std::string> focus;       ///< groups; empty: everything
   std::optional<std::uint32_t> depth;   ///< arrows away from the focus
-  bool findings = false;                ///< each of them at its place
-  bool page = false;                    ///< as JSON, all that a page of `docs` tells
+  bool findings = false;                ///< each finding at its place
+  bool page = false;                    ///< as JSON, everything in a page of `docs`
   std::vector<std::string> transitions; ///< with `page`: groups of the matrix; empty: all
   std::uint32_t step = 0;               ///< of a scenario: the moment after this one; 0: no step is named
   std::optional<std::int64_t> time;     ///< of a scenario: the moment at this time, in microseconds
@@ -74,15 +74,15 @@ struct Explain {
 
 struct ListChecks {};
 
-/// What one behaviour means otherwise than another, or than itself in a revision of git.
+/// How one behaviour differs in meaning from another, or from itself in a revision of git.
 struct Diff {
   std::string before; ///< empty with `revision`
   std::string after;
   std::string revision; ///< empty: `before` is a file
-  bool staged = false;  ///< with `revision`: `after` is what git has staged, not what lies on the disk
+  bool staged = false;  ///< with `revision`: `after` is what git has staged, not the file on the disk
   Format format = Format::text;
   Breaking breaking;
-  std::string build; ///< folder with compile_commands.json, for the types that they name; empty: looked for
+  std::string build; ///< folder with compile_commands.json, for the types that they name; empty: searched
 };
 
 struct Simulate {
@@ -93,7 +93,7 @@ struct Simulate {
   std::string trace; ///< a file for all that happens; empty: none
 };
 
-/// What a robot or a scenario recorded, in another form.
+/// Converts what a robot or a scenario recorded.
 struct Trace {
   std::string file;
   std::string to = "text"; ///< text, json, perfetto, html
@@ -102,14 +102,14 @@ struct Trace {
   std::string link;        ///< for html: address of a line, with {file} and {line}; empty: nothing is a link
 };
 
-/// What was recorded, on the engine again.
+/// Replays what was recorded on the engine.
 struct Replay {
   std::string trace;
   std::string behaviour; ///< its file; empty: the one that the trace names
   Format format = Format::text;
 };
 
-/// Why a group runs or does not, at some moment of a scenario.
+/// Why a group runs or not, at some moment of a scenario.
 struct Why {
   std::string scenario, group;
   std::uint32_t step = 0;           ///< after this step, from 1; 0: in the end
@@ -131,25 +131,25 @@ struct Dump {
   std::string stage;
 };
 
-/// All states that the behaviour can be in.
+/// Explores all states that the behaviour can be in.
 struct Explore {
   std::string file;
   std::size_t bound = 1'000'000; ///< states
   std::string output;            ///< folder for scenarios; empty: none are written
 };
 
-/// What a behaviour wants in C++, where the program does not have it yet.
+/// Adds the C++ that a behaviour needs and the program does not have yet.
 struct Stubs {
   std::string file;
   std::string folder;
-  std::string build;                 ///< folder with compile_commands.json; empty: looked for above `folder`
+  std::string build;                 ///< folder with compile_commands.json; empty: searched above `folder`
   std::vector<std::string> includes; ///< folders to include from, where there is none
   bool main = false;                 ///< also a main.cpp
   bool dry_run = false;              ///< print a diff, write nothing
-  bool check = false;                ///< only say whether something is missing
+  bool check = false;                ///< only report whether something is missing
 };
 
-/// The user's C++ against the behaviour.
+/// Checks the user's C++ against the behaviour.
 struct Verify {
   std::string file;
   std::string build;     ///< folder with compile_commands.json

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Where the line ends that begins there: not within what is quoted, such as a path, which may have any characters.
+/// The end of the line: not within a quotation, such as a path, which may have any characters.
 std::size_t end_of_line(std::string_view lines, std::size_t begin) {
   bool quoted = false;
   for (std::size_t at = begin; at < lines.size(); ++at) {
@@ -31,7 +31,7 @@ std::size_t end_of_line(std::string_view lines, std::size_t begin) {
 
 } // namespace
 
-void say(Console& console, std::string_view lines) {
+void print_message(Console& console, std::string_view lines) {
   std::string out;
   for (std::size_t begin = 0; begin < lines.size();) {
     const std::size_t end = end_of_line(lines, begin);
@@ -39,12 +39,12 @@ void say(Console& console, std::string_view lines) {
     if (end < lines.size()) out += '\n';
     begin = end + 1;
   }
-  console.err << out; // at once, as a line is broken that is written at once
+  console.err << out; // in one write, so that lines are wrapped as a whole
 }
 
 bool write(const std::vector<Output>& outputs, Console& console, std::string_view consequence) {
   const std::optional<std::string> fault = console.outputs.write(outputs);
-  if (fault) say(console, fmt::format("directorc: {}cannot write {}\n", consequence, *fault));
+  if (fault) print_message(console, fmt::format("directorc: {}cannot write {}\n", consequence, *fault));
   return !fault;
 }
 

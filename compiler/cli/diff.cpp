@@ -28,14 +28,15 @@ std::optional<Checked> load_before(const Diff& request, dsl::Sources& sources, C
   GitFiles files(console.programs, console.files, request.revision);
   if (const std::optional<std::string> wrong =
           files.open(request.after, request.staged ? Newer::staged : Newer::lying_there)) {
-    say(console, fmt::format("directorc: {}\n", *wrong));
+    print_message(console, fmt::format("directorc: {}\n", *wrong));
     return {};
   }
   Diff there = request;
   if (!there.build.empty()) there.build = absolute_path(there.build).string(); // it is no part of a revision
   std::optional<Checked> out = load_from(files, files.path(), there, sources, console);
   if (!out)
-    say(console, fmt::format("  help: where it was called otherwise, `git add {}` lets git see that; any two files are "
+    print_message(
+        console, fmt::format("  help: where it was called otherwise, `git add {}` lets git see that; any two files are "
                              "compared with `directorc diff OLD NEW`\n",
                              shown_path(request.after)));
   return out;
@@ -45,13 +46,13 @@ std::optional<Checked> load_after(const Diff& request, dsl::Sources& sources, Co
   if (!request.staged) return load(request.after, {}, sources, console, {request.build, {}});
   StagedFiles files(console.programs, console.files);
   if (const std::optional<std::string> wrong = files.open(request.after)) {
-    say(console, fmt::format("directorc: {}\n", *wrong));
+    print_message(console, fmt::format("directorc: {}\n", *wrong));
     return {};
   }
   return load_from(files, request.after, request, sources, console);
 }
 
-/// git's difftool names nothing where a file is new, or gone. What is said of that; empty: there are two files.
+/// git's difftool names no file for a new or deleted one. The text for that; empty: there are two files.
 std::string only_side(const Diff& request) {
   const std::string nothing = "/dev/null";
   if (request.before == nothing) return fmt::format("`{}` is new: there is nothing to compare\n", request.after);
@@ -72,9 +73,9 @@ void print(const std::vector<BehaviourChange>& changes, const Diff& request, con
 
 int run(const Diff& request, Console& console) {
   dsl::Sources sources;
-  if (const std::string said = only_side(request); !said.empty()) {
+  if (const std::string text = only_side(request); !text.empty()) {
     if (request.format == Format::text)
-      console.out << dsl::harmless_lines(said);
+      console.out << dsl::harmless_lines(text);
     else
       print({}, request, sources, console);
     return clean;
@@ -93,9 +94,10 @@ int run(const Diff& request, Console& console) {
   const std::vector<BehaviourChange> changes = find_changes(*before, *after, &transitions);
   print(changes, request, sources, console);
   if (transitions.played < transitions.wanted)
-    say(console, fmt::format("directorc: not compared: {} of {} transitions between groups that may have changed; "
-                             "the behaviour is too large to play them all\n",
-                             transitions.wanted - transitions.played, transitions.wanted));
+    print_message(console,
+                  fmt::format("directorc: not compared: {} of {} transitions between groups that may have changed; "
+                              "the behaviour is too large to play them all\n",
+                              transitions.wanted - transitions.played, transitions.wanted));
   const bool breaks = std::any_of(changes.begin(), changes.end(), [&](const BehaviourChange& change) {
     return request.breaking.has(change) || change.kind == ChangeKind::refused;
   });

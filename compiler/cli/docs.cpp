@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The page, or what the command ends with.
+/// The page, and the exit status.
 std::pair<std::optional<std::string>, int> page_of(const std::string& file, const Docs& request, Console& console) {
   dsl::Sources sources;
   const std::optional<Checked> checked = load(file, {}, sources, console);
@@ -45,7 +45,7 @@ int run(const Docs& request, Console& console) {
     const std::string path = (fs::path(request.folder) / fs::path(file).stem()).string() + ending;
     const auto [at, fresh] = files.try_emplace(path, file);
     if (!fresh) {
-      say(console, fmt::format("directorc: `{}` and `{}` would both become `{}`\n", at->second, file, path));
+      print_message(console, fmt::format("directorc: `{}` and `{}` would both become `{}`\n", at->second, file, path));
       return misused;
     }
     auto [page, result] = page_of(file, request, console);

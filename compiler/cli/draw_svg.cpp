@@ -10,13 +10,14 @@ std::optional<std::string> draw_svg(const Picture& picture, const PictureLinks& 
                                     std::string_view instead, Console& console) {
   const Answer answer = console.programs.run({"dot", "-Tsvg"}, dot(picture, links));
   if (!answer.started) {
-    say(console, fmt::format("directorc: {} needs the program `dot` of Graphviz, which is not installed (on Debian: "
-                             "apt-get install graphviz); {} needs nothing\n",
-                             wish, instead));
+    print_message(console,
+                  fmt::format("directorc: {} needs the program `dot` of Graphviz, which is not installed (on Debian: "
+                              "apt-get install graphviz); {} needs nothing\n",
+                              wish, instead));
     return {};
   }
   if (answer.status != 0) {
-    say(console, fmt::format("directorc: `dot` could not draw the graph (exit status {})\n", answer.status));
+    print_message(console, fmt::format("directorc: `dot` could not draw the graph (exit status {})\n", answer.status));
     return {};
   }
   return finish_svg(picture, answer.output);

@@ -11,7 +11,7 @@
 
 namespace director::compiler::cli {
 
-/// Nothing, and says why, where that cannot be. `wish`: what of the command line needs it; `instead`: what does not.
+/// Empty, and prints why, if it cannot be drawn. `wish`: the option that needs it; `instead`: one that does not.
 std::optional<std::string> draw_svg(const Picture& picture, const PictureLinks& links, std::string_view wish,
                                     std::string_view instead, Console& console);
 

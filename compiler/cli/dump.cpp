@@ -15,7 +15,7 @@ int run(const Dump& request, Console& console) {
   const std::optional<Checked> checked = load(request.file, only_errors(), sources, console);
   if (!checked) return misused;
   const bool spec = request.stage == "spec", tables = request.stage == "tables";
-  // The spec is there whatever was wrong in it; what comes later only when it can be made.
+  // The spec exists even with errors; later stages only if they can be computed.
   const bool possible = spec || (tables ? checked->lowerable : checked->resolved);
   const std::vector<dsl::Diagnostic>& errors = checked->findings;
   if (spec || !possible) print_findings(errors, sources, console.err, console.err_colours, console.err_width);
@@ -23,8 +23,8 @@ int run(const Dump& request, Console& console) {
     console.out << dsl::print_spec(checked->spec, sources);
   } else if (!possible) {
     if (errors.empty())
-      say(console,
-          fmt::format("directorc: `{}` has no `roots`: a module alone has no tables\n", shown_path(request.file)));
+      print_message(console, fmt::format("directorc: `{}` has no `roots`: a module alone has no tables\n",
+                                         shown_path(request.file)));
     return errors.empty() ? misused : found;
   } else if (request.stage == "model") {
     console.out << print_model(checked->model);

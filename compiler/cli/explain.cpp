@@ -17,7 +17,7 @@ std::string shown(std::string_view page, const Console& console) {
   return page_text(page, console.out_width, console.out_colours);
 }
 
-/// What stands for it here, if it is a key that other tools have.
+/// The right key, if it is a key of other tools.
 const std::string* help_for_slip(std::string_view key) {
   using namespace dsl;
   for (const Slips* slips : {&slips_of_group(), &slips_of_state(), &slips_of_task(), &slips_of_file(), &slips_of_cpp(),
@@ -39,15 +39,16 @@ int run(const Explain& request, Console& console) {
     return clean;
   }
   if (const std::string* help = help_for_slip(request.id)) {
-    say(console, fmt::format("directorc: there is no check and no key `{}`: {}\n", request.id, *help));
+    print_message(console, fmt::format("directorc: there is no check and no key `{}`: {}\n", request.id, *help));
     return misused;
   }
   std::vector<std::string> known = keys_of(page);
   for (const checks::Registered& check : checks::registered()) known.emplace_back(check.id);
   const std::optional<std::string> near = dsl::suggest(request.id, known);
-  say(console, fmt::format("directorc: there is no check and no key `{}`{}\n", request.id,
-                           near ? fmt::format("; did you mean `{}`?", *near)
-                                : std::string("; `directorc checks` lists all checks, docs/language.md all keys")));
+  print_message(console,
+                fmt::format("directorc: there is no check and no key `{}`{}\n", request.id,
+                            near ? fmt::format("; did you mean `{}`?", *near)
+                                 : std::string("; `directorc checks` lists all checks, docs/language.md all keys")));
   return misused;
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// From where scenarios are written to the behaviour.
+/// The relative path from the scenarios' folder to the behaviour.
 std::string path_from(const std::string& folder, const std::string& file) {
   const fs::path from = absolute_path(folder).lexically_normal();
   const fs::path to = absolute_path(file).lexically_normal();
@@ -26,7 +26,7 @@ std::string path_from(const std::string& folder, const std::string& file) {
   return relative.empty() ? to.string() : relative.string();
 }
 
-/// False, and says why, where they cannot be written.
+/// False, and prints why, if they cannot be written.
 bool write_scenarios(const Explore& request, const std::vector<std::pair<std::string, std::string>>& scenarios,
                      Console& console) {
   const std::string behaviour = fs::path(request.file).filename().string();
@@ -52,9 +52,10 @@ int run(const Explore& request, Console& console) {
   if (!checked->lowerable) {
     print_findings(checked->findings, sources, console.err, console.err_colours, console.err_width);
     if (dsl::has_errors(checked->findings)) return found;
-    say(console, fmt::format("directorc: `{}` has no `roots`: it is a module for others to import, and nothing can "
-                             "be explored in it alone\n",
-                             shown_path(request.file)));
+    print_message(console,
+                  fmt::format("directorc: `{}` has no `roots`: it is a module for others to import, and nothing can "
+                              "be explored in it alone\n",
+                              shown_path(request.file)));
     return misused;
   }
   const Ground ground(checked->model);

@@ -20,9 +20,9 @@ std::optional<std::string> DiskFacts::load(const std::string& name) {
   return std::string{std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Another run at the same time sees the old entry or the new one, never half of one.
+/// A concurrent run sees the old entry or the new one, never half of one.
 void DiskFacts::save(const std::string& name, const std::string& text) {
-  // What cannot be kept is found out again the next time.
+  // A failure is ignored: the facts are computed again the next time.
   std::ignore = write_on_disk({{(fs::path(folder_) / name).string(), text}});
 }
 

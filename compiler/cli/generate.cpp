@@ -25,9 +25,10 @@ int run(const Generate& request, Console& console) {
   if (dsl::has_errors(checked->findings)) return found;
   if (is_open) return undecided;
   if (!checked->model.deployment) {
-    say(console, fmt::format("directorc: `{}` has no `roots`: it is a module for others to import, and nothing can be "
-                             "generated from it alone\n",
-                             shown_path(request.file)));
+    print_message(console,
+                  fmt::format("directorc: `{}` has no `roots`: it is a module for others to import, and nothing can be "
+                              "generated from it alone\n",
+                              shown_path(request.file)));
     return misused;
   }
 
@@ -42,8 +43,8 @@ int run(const Generate& request, Console& console) {
     const std::vector<std::string> targets = request.target.empty() ? paths : std::vector{request.target};
     outputs.push_back({request.depfile, depfile(targets, sources, checked->headers), is_depfile, true});
   }
-  // The header takes its place last. Who is killed between two files leaves a header of before: `verify` tells that,
-  // and a build whose rule names it makes all of them anew.
+  // The header is replaced last. After an interruption between two files it is the old one: `verify` reports that, and
+  // a build whose rule names it makes all of them again.
   std::rotate(outputs.begin(), outputs.begin() + 1, outputs.end());
   return write(outputs, console, "nothing is written; ") ? clean : misused;
 }

@@ -20,7 +20,7 @@ namespace {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// ` (git: …)`, what it says is wrong; nothing where it says nothing.
+/// ` (git: …)`, git's error message; empty if there is none.
 std::string words_of_git(const Answer& answer) {
   std::string line = first_line(answer.errors);
   for (const std::string_view severity : {"fatal: ", "error: "}) {
@@ -29,7 +29,7 @@ std::string words_of_git(const Answer& answer) {
   return line.empty() ? line : fmt::format(" (git: {})", line);
 }
 
-/// Of the file; where that folder is gone too, the nearest one above it that is left.
+/// The folder of the file; if that is gone too, the nearest existing one above it.
 fs::path folder_of(const std::string& file) {
   std::error_code error;
   fs::path folder = absolute_path(file).lexically_normal().parent_path();
@@ -37,14 +37,14 @@ fs::path folder_of(const std::string& file) {
   return folder;
 }
 
-/// The text of what git calls so: COMMIT:PATH, or :PATH for what is staged. `where`: words for people.
+/// The text of a git object: COMMIT:PATH, or :PATH for what is staged. `where`: its description for messages.
 dsl::Result<std::string, dsl::FileError> read_object(Programs& programs, const std::string& folder,
                                                      const std::string& name, const std::string& where,
                                                      std::size_t most) {
   using Kind = dsl::FileError::Kind;
   if (name.find('\n') != std::string::npos) return dsl::FileError{Kind::not_readable, "a line break in its name"};
-  // One line tells what follows: `OID blob SIZE`, or that there is no such thing. Of a link in a commit it is what the
-  // link leads to; with what is staged git does not know that.
+  // A header line: `OID blob SIZE`, or that there is no such object. For a link in a commit git follows it; for a
+  // staged one it does not.
   const Answer answer =
       programs.run_apart({"git", "-C", folder, "cat-file", "--batch", "--follow-symlinks"}, name + "\n");
   if (!answer.started || answer.status != 0)
@@ -63,7 +63,7 @@ dsl::Result<std::string, dsl::FileError> read_object(Programs& programs, const s
   return text;
 }
 
-/// From the top of the repository; begins with `..` where it lies outside.
+/// The path from the top of the repository; begins with `..` if it is outside.
 std::string inside(const Repository& repository, const std::string& file) {
   const fs::path from_folder = absolute_path(file).lexically_normal().lexically_relative(repository.folder);
   return (fs::path(repository.prefix) / from_folder).lexically_normal().string();
@@ -100,7 +100,7 @@ std::optional<std::string> GitFiles::open(const std::string& file, Newer newer) 
   return {};
 }
 
-/// What the file was called in the revision, as far as git can tell: the same, where it knows no other name.
+/// The name of the file in the revision, if git can find it; otherwise the same name.
 std::string GitFiles::name_before(const std::string& name, Newer newer) {
   const auto there = read_object(programs_, folder_, commit_ + ":" + name, "", dsl::largest_file);
   if (there || there.error().kind != dsl::FileError::Kind::not_found) return name;
@@ -110,7 +110,7 @@ std::string GitFiles::name_before(const std::string& name, Newer newer) {
   command.insert(command.end(), {commit_, "--"});
   const Answer answer = programs_.run_apart(command, "");
   if (answer.status != 0) return name;
-  // R100, the old name and the new one, each with a zero behind it.
+  // R100, the old name and the new one, each terminated by a zero.
   std::vector<std::string> words;
   for (std::size_t at = 0, end = 0; (end = answer.output.find('\0', at)) != std::string::npos; at = end + 1)
     words.push_back(answer.output.substr(at, end - at));
@@ -141,7 +141,7 @@ dsl::Result<std::string, dsl::FileError> StagedFiles::fetch(const std::string& p
   if (name == ".." || name.starts_with("../")) return disk_.read(path, most, kinds);
   auto read = read_object(programs_, repository_.folder, ":" + name, "is staged", most);
   if (!read || read.value().find('\n') != std::string::npos || !is_link(name)) return read;
-  // As git follows those of a commit.
+  // As git follows the links of a commit.
   const std::string target = (fs::path(name).parent_path() / read.value()).lexically_normal().string();
   if (fs::path(read.value()).is_absolute() || target == ".." || target.starts_with("../") || is_link(target))
     return dsl::FileError{dsl::FileError::Kind::not_readable, "it is a link that is not followed"};
@@ -156,7 +156,7 @@ bool StagedFiles::is_link(const std::string& name) {
 }
 
 std::string GitFiles::identity(const std::string& path) {
-  return path.starts_with('/') ? disk_.identity(path) : path; // as `beside` writes it
+  return path.starts_with('/') ? disk_.identity(path) : path; // as `beside` returns it
 }
 
 std::string GitFiles::beside(const std::string& file, const std::string& relative) {

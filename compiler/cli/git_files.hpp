@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Files as they were in a revision of git. Their paths are REVISION:PATH, from the top of the repository, as git itself
-// takes them; absolute ones are read from the disk, as what describes a build has no revision.
+// Files as they were in a revision of git. Their paths are REVISION:PATH, from the top of the repository, like git's;
+// absolute ones are read from the disk, as the files of a build have no revision.
 
 #include "compiler/facts/programs.hpp"
 #include "dsl/file_access.hpp"
@@ -11,12 +11,12 @@
 
 namespace director::compiler::cli {
 
-/// Where a repository is, as git tells.
+/// The place of a repository, according to git.
 struct Repository {
-  std::string folder; ///< in it, the one of the file that it was asked about
+  std::string folder; ///< in the repository, that of the file that was named
   std::string prefix; ///< of that folder, from the top: `robot/`, or empty
 };
-/// Of a file that need not exist any more; or what is wrong.
+/// The repository of a file, which need not exist any more; or the error.
 dsl::Result<Repository, std::string> find_repository(Programs& programs, const std::string& file);
 
 /// What is compared with a revision.
@@ -29,10 +29,10 @@ public:
         disk_(disk),
         revision_(std::move(revision)) {}
 
-  /// Looks for the repository around `file`, which need not exist any more, and for the revision. What is wrong, or
-  /// nothing. `newer`: where git looks for what the file was called in the revision, where it has another name now.
+  /// Finds the repository around `file`, which need not exist any more, and the revision. Returns an error, or nothing.
+  /// `newer`: where git searches for an earlier name of the file.
   std::optional<std::string> open(const std::string& file, Newer newer);
-  /// Of the file that it was opened with, as it was called in the revision.
+  /// The path of the file that it was opened with, with its name in the revision.
   const std::string& path() const { return path_; }
 
   std::string identity(const std::string& path) override;
@@ -51,13 +51,13 @@ private:
   std::string path_;
 };
 
-/// Files as they are staged for the next commit. Their paths are those of the disk; what lies outside of the repository
-/// is read from there.
+/// Files as they are staged for the next commit. Their paths are those of the disk; files outside of the repository are
+/// read from there.
 class StagedFiles final : public dsl::FileAccess {
 public:
   StagedFiles(Programs& programs, dsl::FileAccess& disk) : programs_(programs), disk_(disk) {}
 
-  /// Looks for the repository around `file`. What is wrong, or nothing.
+  /// Finds the repository around `file`. Returns an error, or nothing.
   std::optional<std::string> open(const std::string& file);
 
   std::string identity(const std::string& path) override { return disk_.identity(path); }
@@ -71,8 +71,8 @@ private:
   Repository repository_;
 };
 
-/// Files beside one file, or else beside another: git's difftool copies the old one alone into a folder of its own, and
-/// what that imports lies beside the new one.
+/// Files beside one file, or otherwise beside another: git's difftool copies the old one alone into a folder of its
+/// own, and its imports are beside the new one.
 class FilesBeside final : public dsl::FileAccess {
 public:
   FilesBeside(dsl::FileAccess& files, const std::string& first, const std::string& second);

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What `--explain-reachable` is asked about: `Kick`, `Walk.halting`, `Pose == standing`.
+// Parses the goal of `--explain-reachable`: `Kick`, `Walk.halting`, `Pose == standing`.
 
 #include "compiler/analysis/facts/witness.hpp"
 

@@ -30,16 +30,16 @@ PictureOptions::View view_of(const std::string& name) {
   return found == views.end() ? View::all : found->second;
 }
 
-/// What is drawn, of a behaviour or of the one that a scenario plays.
+/// What is drawn: a behaviour, or the one that a scenario plays.
 struct Subject {
   const Model& model;
   const Graph& graph;
-  const Graph& drawn; ///< only with pushes that can be
+  const Graph& drawn; ///< only with pushes that are possible
   bool lowerable = false;
-  const std::vector<dsl::Diagnostic>* findings = nullptr; ///< null: they were not asked for
+  const std::vector<dsl::Diagnostic>* findings = nullptr; ///< null: they were not requested
 };
 
-/// Nothing, and says why, where a group that is named does not exist.
+/// Empty, and prints why, if a named group does not exist.
 std::optional<PictureOptions> options_of(const DrawGraph& request, const Subject& subject, Console& console) {
   PictureOptions out;
   out.view = view_of(request.view);
@@ -51,8 +51,9 @@ std::optional<PictureOptions> options_of(const DrawGraph& request, const Subject
   out.focus = std::move(*focus);
   const bool takes = out.view == PictureOptions::View::takes;
   if ((takes || request.page) && !subject.lowerable) {
-    say(console, fmt::format("directorc: {} needs a behaviour that can run: with `roots` and without errors\n",
-                             takes ? "--view=takes" : "--page"));
+    print_message(console,
+                  fmt::format("directorc: {} needs a behaviour that can run: with `roots` and without errors\n",
+                              takes ? "--view=takes" : "--page"));
     return {};
   }
   if (!takes) return out;
@@ -89,7 +90,7 @@ std::optional<std::string> drawn(const Subject& subject, const dsl::Sources& sou
   return with_notice(name, "// ", dot(picture, links));
 }
 
-/// To the file that is asked for, or to the terminal.
+/// Writes to the requested file, or to the terminal.
 int hand_over(const std::string& text, const std::string& output, Console& console) {
   if (!output.empty()) return write({{output, text, has_notice}}, console) ? clean : misused;
   console.out << text;
@@ -103,7 +104,7 @@ std::string seconds(Microseconds time) {
   return out + " s";
 }
 
-/// After that step (0: in the end), or at that time. Nothing, and shows why, where a body may not do what it is to do.
+/// After that step (0: at the end), or at that time. Empty, and prints why, if a body violates its declaration.
 std::optional<Moment> moment_in(const LoadedScenario& loaded, std::uint32_t step, std::optional<std::int64_t> time,
                                 const dsl::Sources& sources, Console& console) {
   Moment out;
@@ -141,7 +142,7 @@ int draw_moments(const DrawGraph& request, Console& console) {
   if (loaded.status != clean) return loaded.status;
   const auto steps = static_cast<std::uint32_t>(loaded.scenario.steps.size());
   if (request.step > steps) {
-    say(console, fmt::format("directorc: `{}` has {}\n", request.file, counted(steps, "step")));
+    print_message(console, fmt::format("directorc: `{}` has {}\n", request.file, counted(steps, "step")));
     return misused;
   }
   const Graph graph = with_possible_pushes(loaded.model, loaded.graph);

@@ -64,14 +64,14 @@ TypeFlags flags_near(const std::string& file, Console& console) {
   return flags_of_build(std::move(build));
 }
 
-/// Whose folder the cache goes into: the build's, or that of the flags, which a build wrote.
+/// The folder of the cache: that of the build, or of the file with the flags, which a build wrote.
 std::string home_of(const CppSource& cpp) {
   if (!cpp.build.empty() || cpp.flags.empty()) return cpp.build;
   const std::string folder = fs::path(cpp.flags).parent_path().string();
   return folder.empty() ? "." : folder;
 }
 
-/// Looks for flags only when somebody asks for types.
+/// Searches for flags only when types are requested.
 class TypesWhenAsked final : public TypeReader {
 public:
   TypesWhenAsked(const std::string& file, const CppSource& cpp, dsl::Sources& sources, Console& console)
@@ -91,7 +91,7 @@ public:
     return ScannedTypes(std::move(flags), scanner_, console_.programs, console_.files, store_).read(question);
   }
   dsl::Span span(const CodePlace& place) override { return code_files_.span(place); }
-  /// What was wrong with the flags that were named; empty: nothing, or nobody has asked for types.
+  /// What was wrong with the named flags; empty: nothing, or no types were requested.
   const std::string& fault() const { return fault_; }
 
 private:
@@ -104,7 +104,7 @@ private:
   std::string fault_;
 };
 
-/// Of the flags that are named; empty: they can be read, as far as can be told without reading them.
+/// Of the named flags; empty: they can be read, as far as can be decided without reading them.
 std::string fault_of(const CppSource& cpp, dsl::FileAccess& files) {
   const std::string file = !cpp.flags.empty()   ? cpp.flags
                            : !cpp.build.empty() ? (fs::path(cpp.build) / "compile_commands.json").string()
@@ -142,7 +142,7 @@ std::optional<Checked> load(const std::string& file, const CheckOptions& options
                             : types.fault().empty() ? fault_of(cpp, console.files)
                                                     : types.fault();
   if (fault.empty()) return checked;
-  say(console, fmt::format("directorc: {}\n", fault));
+  print_message(console, fmt::format("directorc: {}\n", fault));
   return {};
 }
 
@@ -156,7 +156,7 @@ void print_findings(const std::vector<dsl::Diagnostic>& findings, const dsl::Sou
 }
 
 bool print_undecided(const std::vector<std::string>& lines, Console& console) {
-  for (const std::string& line : lines) say(console, fmt::format("directorc: not decided: {}\n", line));
+  for (const std::string& line : lines) print_message(console, fmt::format("directorc: not decided: {}\n", line));
   return !lines.empty();
 }
 

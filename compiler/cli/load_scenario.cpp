@@ -18,11 +18,11 @@ namespace {
 
 using Findings = std::vector<dsl::Diagnostic>;
 
-/// What keeps the behaviour from being played; empty if nothing does. Other errors do not matter here.
+/// The errors that prevent the behaviour from being played; empty if there are none. Other errors do not matter here.
 Findings obstacles(const Checked& checked, const dsl::Word& behaviour) {
   if (!checked.spec.files.empty() && checked.lowerable) return {};
   if (checked.spec.files.empty() && checked.findings.size() == 1) {
-    dsl::Diagnostic finding = checked.findings.front(); // the file cannot be read: it is named in the scenario
+    dsl::Diagnostic finding = checked.findings.front(); // the file cannot be read: the scenario names it
     finding.span = behaviour.span;
     if (finding.help == dsl::relative_to_program) finding.help = dsl::relative_to_file;
     return {finding};
@@ -40,11 +40,11 @@ Findings obstacles(const Checked& checked, const dsl::Word& behaviour) {
   return errors;
 }
 
-/// Those that have not been told yet; from now on they have. Several scenarios are of one behaviour.
-Findings not_among(std::set<std::string>& told, const Findings& findings, const dsl::Sources& sources) {
+/// Returns those that were not printed yet, and marks them as printed: several scenarios may share one behaviour.
+Findings not_among(std::set<std::string>& printed, const Findings& findings, const dsl::Sources& sources) {
   Findings out;
   for (const dsl::Diagnostic& finding : findings) {
-    if (told.insert(dsl::render(finding, sources, {})).second) out.push_back(finding);
+    if (printed.insert(dsl::render(finding, sources, {})).second) out.push_back(finding);
   }
   return out;
 }
@@ -52,22 +52,22 @@ Findings not_among(std::set<std::string>& told, const Findings& findings, const 
 } // namespace
 
 LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Console& console,
-                             std::set<std::string>* told) {
+                             std::set<std::string>* printed) {
   LoadedScenario out;
   const auto stop = [&](int status, const Findings& findings) {
-    const Findings anew = told == nullptr ? findings : not_among(*told, findings, sources);
+    const Findings anew = printed == nullptr ? findings : not_among(*printed, findings, sources);
     print_findings(anew, sources, console.err, console.err_colours, console.err_width);
     if (anew.size() < findings.size())
-      say(console, fmt::format("directorc: `{}` cannot be played either: {} told above\n", shown_path(file),
-                               counted_are(findings.size() - anew.size(), "error")));
+      print_message(console, fmt::format("directorc: `{}` cannot be played either: {} told above\n", shown_path(file),
+                                         counted_are(findings.size() - anew.size(), "error")));
     out.status = status;
     out.findings = findings;
   };
   const std::string path = shown_path(file);
   const dsl::ReadScenarioResult read = dsl::read_scenario(path, console.files, sources);
   if (!read.diagnostics.empty() && read.diagnostics.front().id == "import_not_found") {
-    say(console, fmt::format("directorc: {}{}\n", read.diagnostics.front().message,
-                             file_instead(path, is_called_scenario, console)));
+    print_message(console, fmt::format("directorc: {}{}\n", read.diagnostics.front().message,
+                                       file_instead(path, is_called_scenario, console)));
     out.status = misused;
     return out;
   }

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A scenario and the behaviour that it is about, ready to be played.
+// Loads a scenario and its behaviour, ready to be played.
 
 #include "compiler/cli/load.hpp"
 #include "compiler/graph/graph.hpp"
@@ -14,8 +14,8 @@
 namespace director::compiler::cli {
 
 struct LoadedScenario {
-  int status = clean;                    ///< not clean: it has been said why, and nothing else is good
-  std::vector<dsl::Diagnostic> findings; ///< that have been shown
+  int status = clean;                    ///< not clean: the reason was printed, and nothing else is valid
+  std::vector<dsl::Diagnostic> findings; ///< that have been printed
   dsl::FileId file{};                    ///< its own
   std::string behaviour;                 ///< the path of the behaviour's file
   Model model;
@@ -24,8 +24,8 @@ struct LoadedScenario {
   Scenario scenario;
 };
 
-/// `told`: errors as they were told of scenarios before, which are not told again; null: there were none.
+/// `printed`: errors that were printed for earlier scenarios, and are not printed again; null: there were none.
 LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Console& console,
-                             std::set<std::string>* told = nullptr);
+                             std::set<std::string>* printed = nullptr);
 
 } // namespace director::compiler::cli

@@ -12,19 +12,20 @@
 
 namespace director::compiler::cli {
 
-void say_unreadable(const std::string& file, std::size_t line, const std::string& problem, Console& console) {
-  say(console, fmt::format("{0}:{1}: error: this line cannot be read: {2}\n"
-                           "  help: expected is one JSON object a line, an event each, as a recorder writes them; the "
-                           "lines before are good: `head -n {3} {0}` prints them\n",
-                           shown_path(file), line, problem, line - 1));
+void print_unreadable(const std::string& file, std::size_t line, const std::string& problem, Console& console) {
+  print_message(console,
+                fmt::format("{0}:{1}: error: this line cannot be read: {2}\n"
+                            "  help: expected is one JSON object a line, an event each, as a recorder writes them; the "
+                            "lines before are good: `head -n {3} {0}` prints them\n",
+                            shown_path(file), line, problem, line - 1));
 }
 
 LoadedTrace load_trace(const std::string& file, Console& console) {
   LoadedTrace out;
   auto read = console.files.read(file, std::numeric_limits<std::int32_t>::max());
   if (!read) {
-    say(console, fmt::format("directorc: cannot read `{}`: {}{}\n", shown_path(file), read.error().message,
-                             file_instead(shown_path(file), is_called_trace, console)));
+    print_message(console, fmt::format("directorc: cannot read `{}`: {}{}\n", shown_path(file), read.error().message,
+                                       file_instead(shown_path(file), is_called_trace, console)));
     out.status = misused;
     return out;
   }
@@ -37,7 +38,7 @@ LoadedTrace load_trace(const std::string& file, Console& console) {
   if (lines.cut_off() && out.text.starts_with("{\"director_trace\""))
     problem = "the trace is cut off within its first line";
   if (!out.recorded) {
-    say(console, fmt::format("{}:1: error: {}\n", shown_path(file), problem));
+    print_message(console, fmt::format("{}:1: error: {}\n", shown_path(file), problem));
     if (problem == no_header)
       console.err << "  help: expected are the JSON lines of a recorder or of `directorc simulate --trace`; a "
                      ".perfetto-trace is opened on https://ui.perfetto.dev\n";
@@ -76,18 +77,19 @@ RecordedBehaviour load_behaviour(const RecordedNames& recorded, const std::strin
     const std::vector<dsl::Diagnostic> errors = errors_of(checked->findings);
     print_findings(errors, sources, console.err, console.err_colours, console.err_width);
     if (errors.empty())
-      say(console, fmt::format("directorc: `{}` has no `roots`: a module alone cannot be played\n", out.file));
+      print_message(console,
+                    fmt::format("directorc: `{}` has no `roots`: a module alone cannot be played\n", out.file));
     out.status = errors.empty() ? misused : found;
   }
   return out;
 }
 
-bool say_end(const TraceLines& lines, const std::string& file, Console& console) {
+bool print_end(const TraceLines& lines, const std::string& file, Console& console) {
   if (lines.cut_off())
-    say(console,
-        fmt::format("{}:{}: note: the last line is cut off, and was left out\n", shown_path(file), lines.number()));
+    print_message(console, fmt::format("{}:{}: note: the last line is cut off, and was left out\n", shown_path(file),
+                                       lines.number()));
   if (lines.problem().empty()) return true;
-  say_unreadable(file, lines.number(), lines.problem(), console);
+  print_unreadable(file, lines.number(), lines.problem(), console);
   return false;
 }
 

@@ -29,7 +29,7 @@ using namespace director;
 using namespace director::compiler;
 using namespace director::compiler::cli;
 
-/// A terminal that understands more than text.
+/// Whether it is a terminal that supports more than text.
 bool is_screen(int stream) {
   const char* const terminal = std::getenv("TERM");
   return ::isatty(stream) == 1 && terminal != nullptr && std::strcmp(terminal, "dumb") != 0;
@@ -40,7 +40,7 @@ bool wants_colours(int stream) {
   return (no_colour == nullptr || *no_colour == '\0') && is_screen(stream);
 }
 
-/// Columns of a terminal, some at least; 0: it is none.
+/// Columns of a terminal, with a minimum; 0: it is none.
 std::size_t width_of(int stream) {
   constexpr std::size_t least = 20, usual = 80;
   if (::isatty(stream) != 1) return 0;
@@ -49,7 +49,7 @@ std::size_t width_of(int stream) {
   return std::max<std::size_t>(size.ws_col, least);
 }
 
-/// Where this program lies; in a root without /proc, as it was called.
+/// The path of this program; in a root without /proc, as it was called.
 std::string own_path() {
   std::error_code unknown;
   const std::string path = std::filesystem::read_symlink("/proc/self/exe", unknown).string();
@@ -63,14 +63,14 @@ std::string scanner() {
   return find_scanner(own_path(), chosen ? chosen : "");
 }
 
-/// What it prints are sentences for people, and no file or code.
+/// Whether it prints sentences, and no file or code.
 template <class Command>
 bool prints_prose(const Command& command) {
   if constexpr (requires { command.format; }) return command.format == Format::text;
   return std::is_same_v<Command, Explore>;
 }
 
-/// As long as this lives, long lines are broken between words; `width` 0: they are not.
+/// Wraps long lines between words during its lifetime; not with `width` 0.
 class Wrapped {
 public:
   Wrapped(std::ostream& stream, std::size_t width)
@@ -92,15 +92,14 @@ private:
   WrappingBuffer buffer_;
 };
 
-/// A file that is opened must not become the output of a program that was started without one: what is printed then
-/// cannot be written, as it should be.
+/// A file that is opened must not become a missing standard stream: printing must fail then.
 void fill_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) == -1) std::ignore = ::open("/dev/null", O_RDONLY);
 }
 
-/// On a terminal, so that nobody looks at a program that says nothing.
-void tell_waiting(const std::string& path, std::chrono::milliseconds longest) {
+/// Only on a terminal, so that the program does not seem to hang.
+void print_waiting(const std::string& path, std::chrono::milliseconds longest) {
   if (::isatty(STDERR_FILENO) != 1) return;
   std::cerr << "directorc: nothing comes from `" << dsl::harmless(path) << "` yet: waiting for it, "
             << std::chrono::ceil<std::chrono::seconds>(longest).count() << " s at most\n"
@@ -112,7 +111,7 @@ void tell_waiting(const std::string& path, std::chrono::milliseconds longest) {
 int main(int count, char** words) {
   fill_streams();
   try {
-    dsl::DiskFiles files(std::chrono::seconds(10), tell_waiting);
+    dsl::DiskFiles files(std::chrono::seconds(10), print_waiting);
     DiskOutputs outputs;
     ChildPrograms programs;
     const Request request = parse({words + (count > 0 ? 1 : 0), words + count}, find_schemas(own_path()));
@@ -135,7 +134,7 @@ int main(int count, char** words) {
     std::cout.flush();
     if (!std::cout) std::cerr << "directorc: the output cannot be written\n";
     std::cerr.flush();
-    // What nobody could be told counts as not done.
+    // Output that could not be printed counts as not done.
     return std::cout && std::cerr ? status : misused;
   } catch (const std::bad_alloc&) {
     std::cerr << "directorc: the memory is used up\n";

@@ -13,12 +13,10 @@ namespace director::compiler::cli {
 
 namespace {
 
-/// Of more groups than these nobody can read anything in the picture of all, at the width of a page: 150 are some 5,000
-/// points wide.
+/// Limit for groups in a picture that is readable at the width of a page: 150 are some 5,000 points wide.
 constexpr std::size_t most_at_first = 150;
 
-/// With all groups, and where there are many also one box for each module and for each layer. What can be read stands
-/// first.
+/// With all groups; if there are many, also with one box for each module and for each layer. Readable ones come first.
 std::vector<std::pair<std::string, PictureOptions::Fold>> views_of(const Model& model) {
   using Fold = PictureOptions::Fold;
   std::vector<std::pair<std::string, Fold>> out{{"All groups", Fold::nothing}};
@@ -28,7 +26,7 @@ std::vector<std::pair<std::string, PictureOptions::Fold>> views_of(const Model& 
   return out;
 }
 
-/// Nothing, and says why, where there is no program to draw.
+/// Empty, and prints why, if Graphviz is missing.
 std::optional<std::vector<PagePicture>> pictures_of(const Checked& checked, const dsl::Sources& sources,
                                                     const PageWish& wish, Console& console) {
   std::vector<PagePicture> out;
@@ -42,7 +40,7 @@ std::optional<std::vector<PagePicture>> pictures_of(const Checked& checked, cons
       out.push_back({name, mermaid(picture, links)});
       continue;
     }
-    std::optional<std::string> drawn = draw_svg(picture, links, wish.asked, wish.instead, console);
+    std::optional<std::string> drawn = draw_svg(picture, links, wish.requested, wish.instead, console);
     if (!drawn) return {};
     out.push_back({name, std::move(*drawn)});
   }

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What is said where a file that the command line names cannot be read: of a folder also which file was meant, maybe.
+// Messages for a file on the command line that cannot be read; for a folder also which file may be meant.
 
 #include "compiler/cli/console.hpp"
 
@@ -11,12 +11,12 @@ namespace director::compiler::cli {
 
 // By their names.
 bool is_called_behaviour(std::string_view path);
-bool is_called_scenario(std::string_view path); ///< one that is played where its folder is
+bool is_called_scenario(std::string_view path); ///< one that is played in its folder
 bool is_called_trace(std::string_view path);
 
-/// "; name a file in it, such as `soccer/soccer.yaml`", if the path is that of a folder, and what stands for the
-/// standard input where `-` is no file; else empty. `is_wanted`: of the files in it the one that is called like the
-/// folder comes first, then the first of all.
+/// "; name a file in it, such as `soccer/soccer.yaml`", if the path is that of a folder, and the name of the standard
+/// input if `-` is no file; otherwise empty. `is_wanted`: prefers the file in it with the name of the folder, then the
+/// first of all.
 std::string file_instead(const std::string& path, bool (*is_wanted)(std::string_view), Console& console);
 
 } // namespace director::compiler::cli

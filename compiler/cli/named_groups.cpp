@@ -19,8 +19,8 @@ std::optional<std::vector<GroupId>> named_groups(const std::vector<std::string>&
       continue;
     }
     const dsl::Diagnostic& wrong = findings.front();
-    say(console,
-        fmt::format("directorc: {}: {}{}\n", option, wrong.message, wrong.help.empty() ? "" : "; " + wrong.help));
+    print_message(console, fmt::format("directorc: {}: {}{}\n", option, wrong.message,
+                                       wrong.help.empty() ? "" : "; " + wrong.help));
     return {};
   }
   return out;

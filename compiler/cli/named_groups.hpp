@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Groups that somebody names on the command line.
+// Resolves groups that are named on the command line.
 
 #include "compiler/cli/console.hpp"
 #include "compiler/model/model.hpp"
@@ -12,7 +12,7 @@
 
 namespace director::compiler::cli {
 
-/// Nothing, and says why, where one does not exist. `option`: `--focus`.
+/// Empty, and prints why, if one does not exist. `option`: `--focus`.
 std::optional<std::vector<GroupId>> named_groups(const std::vector<std::string>& names, std::string_view option,
                                                  const Model& model, Console& console);
 

@@ -38,8 +38,8 @@ Make check_options(CLI::App& app) {
   add_bound(app, *bound)->needs(exploring);
   add_watch(app, request->watch);
   return [=]() -> Request {
-    if (const std::optional<Say> wrong = unknown_id(*words)) return *wrong;
-    if (const std::optional<Say> wrong = wrong_watch(request->watch, request->format)) return *wrong;
+    if (const std::optional<Message> wrong = unknown_id(*words)) return *wrong;
+    if (const std::optional<Message> wrong = wrong_watch(request->watch, request->format)) return *wrong;
     request->selection = selection_of(*words);
     if (*explore || request->selection.lints.contains(never_runs)) {
       request->selection.lints.emplace(never_runs);
@@ -65,7 +65,7 @@ Make verify_options(CLI::App& app) {
   add_format(app, request->format, {"text", "json", "sarif"});
   add_selection(app, *words);
   return [=]() -> Request {
-    if (const std::optional<Say> wrong = unknown_id(*words)) return *wrong;
+    if (const std::optional<Message> wrong = unknown_id(*words)) return *wrong;
     request->selection = selection_of(*words);
     return *request;
   };

@@ -26,9 +26,9 @@ Make generate_options(CLI::App& app) {
       ->type_name("FILE");
   add_selection(app, *words);
   return [=]() -> Request {
-    if (const std::optional<Say> wrong = unknown_id(*words)) return *wrong;
-    if (const std::optional<Say> wrong = wrong_place("-o", "a folder", request->folder)) return *wrong;
-    if (const std::optional<Say> wrong = wrong_place("--depfile", "a file", request->depfile)) return *wrong;
+    if (const std::optional<Message> wrong = unknown_id(*words)) return *wrong;
+    if (const std::optional<Message> wrong = wrong_place("-o", "a folder", request->folder)) return *wrong;
+    if (const std::optional<Message> wrong = wrong_place("--depfile", "a file", request->depfile)) return *wrong;
     request->selection = selection_of(*words);
     return *request;
   };
@@ -58,7 +58,7 @@ Make stubs_options(CLI::App& app) {
       "it lacks are added; what nothing requests any more is reported. To read what is there, director-clang is\n"
       "needed.");
   return [=]() -> Request {
-    if (const std::optional<Say> wrong = wrong_place("-o", "a folder", request->folder)) return *wrong;
+    if (const std::optional<Message> wrong = wrong_place("-o", "a folder", request->folder)) return *wrong;
     return *request;
   };
 }

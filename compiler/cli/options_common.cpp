@@ -58,18 +58,18 @@ checks::Selection selection_of(const SelectionWords& words) {
   return out;
 }
 
-std::optional<Say> unknown_id(const SelectionWords& words) {
+std::optional<Message> unknown_id(const SelectionWords& words) {
   std::vector<std::string> known;
   for (const checks::Registered& check : checks::registered()) known.emplace_back(check.id);
   for (const auto* list : {&words.werror, &words.lint, &words.allow}) {
     for (const std::string& id : *list) {
       const bool every = id == "*" && list != &words.allow;
       if (every || checks::find_registered(id) != nullptr) continue;
-      if (id == "*") return Say{"directorc: --allow needs the id of a check, --allow=<id>\n", true};
+      if (id == "*") return Message{"directorc: --allow needs the id of a check, --allow=<id>\n", true};
       const std::optional<std::string> near = dsl::suggest(id, known);
-      return Say{fmt::format("directorc: there is no check `{}`{}\n", id,
-                             near ? fmt::format("; did you mean `{}`?", *near) : std::string{}),
-                 true};
+      return Message{fmt::format("directorc: there is no check `{}`{}\n", id,
+                                 near ? fmt::format("; did you mean `{}`?", *near) : std::string{}),
+                     true};
     }
   }
   return {};
@@ -92,25 +92,26 @@ CLI::Option* add_watch(CLI::App& app, bool& watch) {
   return app.add_flag("--watch", watch, "again whenever a file that was read changes, until Ctrl-C");
 }
 
-std::optional<Say> wrong_watch(bool watch, Format format) {
+std::optional<Message> wrong_watch(bool watch, Format format) {
   if (!watch || format == Format::text) return {};
-  return Say{"directorc: --watch prints text, run after run: leave out --format\n", true};
+  return Message{"directorc: --watch prints text, run after run: leave out --format\n", true};
 }
 
-std::optional<Say> parse_time(const std::string& text, std::optional<std::int64_t>& time) {
+std::optional<Message> parse_time(const std::string& text, std::optional<std::int64_t>& time) {
   if (const std::optional<dsl::Duration> most = dsl::most_instead_of(text))
-    return Say{fmt::format("directorc: `{}` is too long: at most {}\n", text, dsl::to_text(*most)), true};
+    return Message{fmt::format("directorc: `{}` is too long: at most {}\n", text, dsl::to_text(*most)), true};
   const std::optional<dsl::Duration> given = dsl::parse_duration(text);
-  if (!given) return Say{fmt::format("directorc: `{}` is no time: a whole number and us, ms, s or min\n", text), true};
+  if (!given)
+    return Message{fmt::format("directorc: `{}` is no time: a whole number and us, ms, s or min\n", text), true};
   time = given->microseconds();
   return {};
 }
 
-std::optional<Say> wrong_place(const std::string& option, const std::string& what, const std::string& place) {
+std::optional<Message> wrong_place(const std::string& option, const std::string& what, const std::string& place) {
   if (place != standard_output) return {};
-  return Say{fmt::format("directorc: {} names {}, and `-` is the standard output: {} called so is `./-`\n", option,
-                         what, what),
-             true};
+  return Message{fmt::format("directorc: {} names {}, and `-` is the standard output: {} called so is `./-`\n", option,
+                             what, what),
+                 true};
 }
 
 void add_link(CLI::App& app, std::string& link) {
@@ -118,9 +119,10 @@ void add_link(CLI::App& app, std::string& link) {
       ->type_name("ADDRESS");
 }
 
-std::optional<Say> wrong_link(const std::string& link) {
+std::optional<Message> wrong_link(const std::string& link) {
   if (link.empty() || link.find("{file}") != std::string::npos) return {};
-  return Say{"directorc: --link needs {file} in it, and {line}: --link='https://example.org/{file}#L{line}'\n", true};
+  return Message{"directorc: --link needs {file} in it, and {line}: --link='https://example.org/{file}#L{line}'\n",
+                 true};
 }
 
 } // namespace director::compiler::cli

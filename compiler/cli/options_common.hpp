@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The options of the subcommands: each function adds those of one, and says how they become a request. Only these files
-// and parse.cpp know CLI11.
+// The options of the subcommands: each function adds those of one, and returns how they become a request. Only these
+// files and parse.cpp use CLI11.
 
 #include "compiler/cli/parse.hpp"
 
@@ -39,9 +39,9 @@ Make explore_options(CLI::App& app);
 /// `--format` with some of the formats.
 CLI::Option* add_format(CLI::App& app, Format& format, const std::vector<std::string>& names);
 
-/// The endings of file names that say which format is meant where none is named, and the format's name.
+/// The endings of file names that select a format, and its name.
 using Endings = std::vector<std::pair<std::string, std::string>>;
-/// Empty: the file's name says nothing, or there is none.
+/// Empty: the file has no such ending, or there is no file.
 std::string format_by_ending(const std::string& file, const Endings& endings);
 Format format_called(const std::string& name);
 
@@ -49,31 +49,30 @@ struct SelectionWords {
   std::vector<std::string> werror, lint, allow;
 };
 
-/// `--werror` is for all, `--werror=<id>` for one: flags that may carry a value, so that none of them takes the next
-/// word.
+/// `--werror` is for all, `--werror=<id>` for one: flags with an optional value, so that none of them takes the next
+/// argument.
 void add_selection(CLI::App& app, SelectionWords& words);
 checks::Selection selection_of(const SelectionWords& words);
-/// The first id that no check has, with what was probably meant.
-std::optional<Say> unknown_id(const SelectionWords& words);
+/// An error for the first unknown id, with a suggestion.
+std::optional<Message> unknown_id(const SelectionWords& words);
 
 void add_build(CLI::App& app, std::string& build);
 CLI::Option* add_bound(CLI::App& app, std::size_t& bound);
 
 CLI::Option* add_watch(CLI::App& app, bool& watch);
-/// What programs read is one document, and no run after another.
-std::optional<Say> wrong_watch(bool watch, Format format);
+/// Formats for programs are one document, not one after each run.
+std::optional<Message> wrong_watch(bool watch, Format format);
 
-/// `-`: where one file is written, that is the standard output.
+/// `-` instead of a file that is written: the standard output.
 inline constexpr const char* standard_output = "-";
-/// What is wrong with the name of something that is written beside what is printed, if something is. `what`: "a
-/// folder", "a file".
-std::optional<Say> wrong_place(const std::string& option, const std::string& what, const std::string& place);
+/// An error, if the name of an output beside the printed one is wrong. `what`: "a folder", "a file".
+std::optional<Message> wrong_place(const std::string& option, const std::string& what, const std::string& place);
 
-/// `--link`, and what is wrong with it, if something is.
+/// Adds `--link`; the other function returns an error, if it is wrong.
 void add_link(CLI::App& app, std::string& link);
-std::optional<Say> wrong_link(const std::string& link);
+std::optional<Message> wrong_link(const std::string& link);
 
-/// What is wrong with it, if something is.
-std::optional<Say> parse_time(const std::string& text, std::optional<std::int64_t>& time);
+/// Returns an error, if it is wrong.
+std::optional<Message> parse_time(const std::string& text, std::optional<std::int64_t>& time);
 
 } // namespace director::compiler::cli

@@ -12,17 +12,17 @@ namespace director::compiler::cli {
 
 namespace {
 
-/// What is wrong with the kinds, if something is.
-std::optional<Say> parse_kinds(const std::vector<std::string>& words, Breaking& breaking) {
+/// Returns an error, if the kinds are wrong.
+std::optional<Message> parse_kinds(const std::vector<std::string>& words, Breaking& breaking) {
   std::vector<std::string> known{"all", "code"};
   for (const ChangeKindPage& page : change_kinds()) known.emplace_back(page.id);
   for (const std::string& word : words) {
     if (std::find(known.begin(), known.end(), word) == known.end()) {
       const std::optional<std::string> near = dsl::suggest(word, known);
-      return Say{fmt::format("directorc: there is no kind of change `{}`{}\n", word,
-                             near ? fmt::format("; did you mean `{}`?", *near)
-                                  : std::string("; `directorc diff --help` lists them")),
-                 true};
+      return Message{fmt::format("directorc: there is no kind of change `{}`{}\n", word,
+                                 near ? fmt::format("; did you mean `{}`?", *near)
+                                      : std::string("; `directorc diff --help` lists them")),
+                     true};
     }
     if (word == "code") breaking.code = true;
     for (const ChangeKindPage& page : change_kinds()) {
@@ -65,13 +65,14 @@ Make diff_options(CLI::App& app) {
   add_build(app, request->build);
   app.footer(footer());
   return [=]() -> Request {
-    if (const std::optional<Say> wrong = parse_kinds(*kinds, request->breaking)) return *wrong;
+    if (const std::optional<Message> wrong = parse_kinds(*kinds, request->breaking)) return *wrong;
     if (request->staged && request->revision.empty()) request->revision = "HEAD";
     const bool by_git = !request->revision.empty();
     if (files->size() != (by_git ? 1U : 2U))
-      return Say{by_git ? "directorc: with --git or --staged there is one file: directorc diff --git REVISION FILE\n"
-                        : "directorc: diff needs two files, the old one and the new one; or --git REVISION FILE\n",
-                 true};
+      return Message{by_git
+                         ? "directorc: with --git or --staged there is one file: directorc diff --git REVISION FILE\n"
+                         : "directorc: diff needs two files, the old one and the new one; or --git REVISION FILE\n",
+                     true};
     if (!by_git) request->before = files->front();
     request->after = files->back();
     return *request;

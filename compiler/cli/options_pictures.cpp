@@ -21,24 +21,25 @@ CLI::Option* add_transitions(CLI::App& app, std::vector<std::string>& groups) {
       ->allow_extra_args(false);
 }
 
-/// The ending of a picture that Graphviz makes of `dot`, without the dot before it; or empty.
+/// The file name's ending, without the dot, if Graphviz makes such a picture of `dot`; otherwise empty.
 std::string drawn_by_graphviz(const std::string& file) {
   return format_by_ending(
       file, {{".png", "png"}, {".pdf", "pdf"}, {".ps", "ps"}, {".jpg", "jpg"}, {".jpeg", "jpg"}, {".gif", "gif"}});
 }
 
-/// What the file's name says, where no format is named; or why there is no such picture.
-std::optional<Say> take_format_of(DrawGraph& request) {
+/// Takes the format from the file's name, if none is named; or returns why there is no such picture.
+std::optional<Message> take_format_of(DrawGraph& request) {
   const std::string name = format_by_ending(
       request.output,
       {{".svg", "svg"}, {".json", "json"}, {".mmd", "mermaid"}, {".mermaid", "mermaid"}, {".dot", "dot"}});
   if (!name.empty()) request.format = format_called(name);
   const std::string other = drawn_by_graphviz(request.output);
   if (other.empty()) return {};
-  return Say{fmt::format("directorc: `{0}`: there is no format {1}; Graphviz makes it: directorc graph {2} | dot -T{1} "
-                         "-o {0}\n",
-                         request.output, other, request.file),
-             true};
+  return Message{
+      fmt::format("directorc: `{0}`: there is no format {1}; Graphviz makes it: directorc graph {2} | dot -T{1} "
+                  "-o {0}\n",
+                  request.output, other, request.file),
+      true};
 }
 
 } // namespace
@@ -89,21 +90,21 @@ Make graph_options(CLI::App& app) {
   for (CLI::Option* moment : {step, at}) moment->excludes(findings)->excludes(page);
   return [=]() -> Request {
     if (!time->empty()) {
-      if (const std::optional<Say> wrong = parse_time(*time, request->time)) return *wrong;
+      if (const std::optional<Message> wrong = parse_time(*time, request->time)) return *wrong;
     }
     if (format->empty() && !request->frames) {
-      if (const std::optional<Say> wrong = take_format_of(*request)) return *wrong;
+      if (const std::optional<Message> wrong = take_format_of(*request)) return *wrong;
     }
     if (request->page && request->format != Format::json)
-      return Say{"directorc: --page needs --format=json; `directorc docs` writes pages to read\n", true};
+      return Message{"directorc: --page needs --format=json; `directorc docs` writes pages to read\n", true};
     if (request->frames && request->output.empty())
-      return Say{"directorc: --frames writes many files: -o names a folder for them\n", true};
+      return Message{"directorc: --frames writes many files: -o names a folder for them\n", true};
     if (request->frames) {
-      if (const std::optional<Say> wrong = wrong_place("-o", "a folder", request->output)) return *wrong;
+      if (const std::optional<Message> wrong = wrong_place("-o", "a folder", request->output)) return *wrong;
     } else if (request->output == standard_output) {
       request->output.clear();
     }
-    if (const std::optional<Say> wrong = wrong_link(request->link)) return *wrong;
+    if (const std::optional<Message> wrong = wrong_link(request->link)) return *wrong;
     return *request;
   };
 }
@@ -118,8 +119,8 @@ Make docs_options(CLI::App& app) {
   add_transitions(app, request->transitions);
   add_link(app, request->link);
   return [=]() -> Request {
-    if (const std::optional<Say> wrong = wrong_place("-o", "a folder", request->folder)) return *wrong;
-    if (const std::optional<Say> wrong = wrong_link(request->link)) return *wrong;
+    if (const std::optional<Message> wrong = wrong_place("-o", "a folder", request->folder)) return *wrong;
+    if (const std::optional<Message> wrong = wrong_link(request->link)) return *wrong;
     return *request;
   };
 }

@@ -20,11 +20,12 @@ Make simulate_options(CLI::App& app) {
          "ends so, .perfetto-trace or .pftrace")
       ->type_name("FILE");
   return [=]() -> Request {
-    if (const std::optional<Say> wrong = wrong_place("--trace", "a file", request->trace)) return *wrong;
+    if (const std::optional<Message> wrong = wrong_place("--trace", "a file", request->trace)) return *wrong;
     if (request->trace.ends_with(".html"))
-      return Say{"directorc: --trace writes no page; record a .jsonl, and `directorc trace FILE.jsonl -o FILE.html` "
-                 "writes one\n",
-                 true};
+      return Message{
+          "directorc: --trace writes no page; record a .jsonl, and `directorc trace FILE.jsonl -o FILE.html` "
+          "writes one\n",
+          true};
     return *request;
   };
 }
@@ -52,9 +53,9 @@ Make trace_options(CLI::App& app) {
                                                                      {".pftrace", "perfetto"}});
     if (to->empty() && !by_ending.empty()) request->to = by_ending;
     if (request->to != "html" && !(request->behaviour.empty() && request->link.empty()))
-      return Say{fmt::format("directorc: {} is for --to=html\n", request->behaviour.empty() ? "--link" : "--behaviour"),
-                 true};
-    if (const std::optional<Say> wrong = wrong_link(request->link)) return *wrong;
+      return Message{
+          fmt::format("directorc: {} is for --to=html\n", request->behaviour.empty() ? "--link" : "--behaviour"), true};
+    if (const std::optional<Message> wrong = wrong_link(request->link)) return *wrong;
     if (request->output == standard_output) request->output.clear();
     return *request;
   };
@@ -84,7 +85,7 @@ Make why_options(CLI::App& app) {
   add_format(app, request->format, {"text", "json"});
   return [=]() -> Request {
     if (time->empty()) return *request;
-    if (const std::optional<Say> wrong = parse_time(*time, request->time)) return *wrong;
+    if (const std::optional<Message> wrong = parse_time(*time, request->time)) return *wrong;
     return *request;
   };
 }
@@ -105,7 +106,7 @@ Make test_options(CLI::App& app) {
       "write what happens into the files: where it is not as expected, and in scenarios that expect nothing");
   add_watch(app, request->watch)->excludes(update);
   return [=]() -> Request {
-    if (const std::optional<Say> wrong = wrong_watch(request->watch, request->format)) return *wrong;
+    if (const std::optional<Message> wrong = wrong_watch(request->watch, request->format)) return *wrong;
     return *request;
   };
 }
@@ -116,7 +117,7 @@ Make explore_options(CLI::App& app) {
   add_bound(app, request->bound);
   app.add_option("-o,--output", request->output, "folder for what is found, as scenarios")->type_name("FOLDER");
   return [=]() -> Request {
-    if (const std::optional<Say> wrong = wrong_place("-o", "a folder", request->output)) return *wrong;
+    if (const std::optional<Message> wrong = wrong_place("-o", "a folder", request->output)) return *wrong;
     return *request;
   };
 }

@@ -15,7 +15,7 @@ namespace {
 using dsl::colours::bold, dsl::colours::reset;
 constexpr std::string_view code = dsl::colours::cyan;
 
-/// Without the marks of Markdown; each word has its own colours, so that lines can be broken between any two.
+/// Text without the marks of Markdown; each word has its own colours, so that lines can be broken between any two.
 class Inline {
 public:
   explicit Inline(bool colours) : colours_(colours) {}
@@ -27,7 +27,7 @@ public:
   }
 
 private:
-  /// How many bytes were taken.
+  /// Returns how many bytes were consumed.
   std::size_t step(std::string_view text, std::size_t at) {
     const std::string_view rest = text.substr(at);
     if (rest.front() == ' ') {
@@ -143,7 +143,7 @@ private:
     indent_ = 0;
   }
 
-  /// One that is too wide has its comment below it, a little further right. Without one it is broken between words.
+  /// A line that is too wide has its comment below it, indented. Without a comment it is broken between words.
   std::string code_lines(std::string line) const {
     if (columns_of(line) <= width_) return line;
     const std::size_t begin = line.find_first_not_of(' '), mark = line.find("# "), from = begin + 2;

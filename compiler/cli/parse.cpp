@@ -1,8 +1,8 @@
 // Header: compiler/cli/parse.hpp. Test: tests/compiler/cli/parse_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// A row of the table is a subcommand: its name, its line in the help, and a function that adds its options and says how
-// they become a request; those are in options_*.cpp, by kind.
+// A row of the table is a subcommand: its name, its line in the help, and a function that adds its options and returns
+// how they become a request; those are in options_*.cpp, by kind.
 #include "compiler/cli/parse.hpp"
 
 #include "compiler/base/version.hpp"
@@ -20,7 +20,7 @@ namespace director::compiler::cli {
 
 namespace {
 
-/// A flag that may carry a value is written `--werror[=ID]`, and of a name that may stand several times, `FILE...`.
+/// A flag with an optional value is printed as `--werror[=ID]`, and a name that may be repeated as `FILE...`.
 class Help : public CLI::Formatter {
 public:
   std::string make_option_name(const CLI::Option* option, bool positional) const override {
@@ -60,32 +60,32 @@ const std::array<Subcommand, 16> subcommands{{
     {"dump", "Print what a stage of the compiler makes of a behaviour", dump_options},
 }};
 
-/// A word that is no subcommand, before CLI11 says something less helpful.
-std::optional<Say> unknown_subcommand(const std::vector<std::string>& arguments) {
+/// An error for an unknown subcommand, before CLI11 reports a less helpful one.
+std::optional<Message> unknown_subcommand(const std::vector<std::string>& arguments) {
   if (arguments.empty() || arguments.front().starts_with('-')) return {};
   std::vector<std::string> names;
   for (const Subcommand& subcommand : subcommands) names.push_back(subcommand.name);
   const std::string& word = arguments.front();
   if (std::find(names.begin(), names.end(), word) != names.end()) return {};
   const std::optional<std::string> near = dsl::suggest(word, names);
-  return Say{fmt::format("directorc: there is no subcommand `{}`{}\n", word,
-                         near ? fmt::format("; did you mean `{}`?", *near)
-                              : fmt::format("; there are {}", fmt::join(names, ", "))),
-             true};
+  return Message{fmt::format("directorc: there is no subcommand `{}`{}\n", word,
+                             near ? fmt::format("; did you mean `{}`?", *near)
+                                  : fmt::format("; there are {}", fmt::join(names, ", "))),
+                 true};
 }
 
-/// A value without a letter in it, as "$BUILD" where nobody has set BUILD.
-std::optional<Say> empty_value(const CLI::App& subcommand) {
+/// An error for an empty value, as of "$BUILD" if BUILD is not set.
+std::optional<Message> empty_value(const CLI::App& subcommand) {
   for (const CLI::Option* option : subcommand.get_options()) {
     const std::vector<std::string>& values = option->results();
     if (std::find(values.begin(), values.end(), "") == values.end()) continue;
     const std::string with = "directorc " + subcommand.get_name();
-    return Say{fmt::format("{}: {} is empty\nTry `{} --help`.\n", with, option->get_name(), with), true};
+    return Message{fmt::format("{}: {} is empty\nTry `{} --help`.\n", with, option->get_name(), with), true};
   }
   return {};
 }
 
-/// What stands below the list of subcommands.
+/// The text below the list of subcommands.
 std::string last_words(const std::string& schemas) {
   std::string out =
       "Exit status: 0 clean; 1 errors were found, a scenario does not hold, an assertion is refuted, or too little is\n"
@@ -103,7 +103,7 @@ std::string last_words(const std::string& schemas) {
 } // namespace
 
 Request parse(const std::vector<std::string>& arguments, const std::string& schemas) {
-  if (const std::optional<Say> wrong = unknown_subcommand(arguments)) return *wrong;
+  if (const std::optional<Message> wrong = unknown_subcommand(arguments)) return *wrong;
   CLI::App app{"directorc checks behaviours of robots and writes their C++.", "directorc"};
   app.set_version_flag("--version", fmt::format("directorc {}", version()), "Print the version");
   app.set_help_flag("--help,-h", "Print this help");
@@ -117,32 +117,32 @@ Request parse(const std::vector<std::string>& arguments, const std::string& sche
     make[i] = subcommands[i].options(*apps[i]);
   }
   try {
-    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend())); // CLI11 wants the last word first
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend())); // CLI11 expects the last word first
   } catch (const CLI::CallForHelp&) {
     for (const CLI::App* subcommand : apps) {
-      if (subcommand->parsed()) return Say{subcommand->help("directorc"), false};
+      if (subcommand->parsed()) return Message{subcommand->help("directorc"), false};
     }
-    return Say{app.help(), false};
+    return Message{app.help(), false};
   } catch (const CLI::CallForVersion&) {
-    return Say{fmt::format("directorc {}\n", version()), false};
+    return Message{fmt::format("directorc {}\n", version()), false};
   } catch (const CLI::ParseError& error) {
     std::string with = "directorc";
     for (const CLI::App* subcommand : apps) {
       if (subcommand->parsed()) with += " " + subcommand->get_name();
     }
-    return Say{fmt::format("{}: {}\nTry `{} --help`.\n", with, error.what(), with), true};
+    return Message{fmt::format("{}: {}\nTry `{} --help`.\n", with, error.what(), with), true};
   }
   for (std::size_t i = 0; i < apps.size(); ++i) {
     if (!apps[i]->parsed()) continue;
-    if (const std::optional<Say> wrong = empty_value(*apps[i])) return *wrong;
+    if (const std::optional<Message> wrong = empty_value(*apps[i])) return *wrong;
     return make[i]();
   }
-  return Say{app.help(), true};
+  return Message{app.help(), true};
 }
 
-int run(const Say& words, Console& console) {
+int run(const Message& words, Console& console) {
   if (words.wrong) {
-    say(console, words.text);
+    print_message(console, words.text);
     return misused;
   }
   console.out << words.text;

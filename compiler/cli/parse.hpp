@@ -10,16 +10,16 @@
 
 namespace director::compiler::cli {
 
-/// There is nothing to do but to say something: help, the version, or what is wrong with the command line.
-struct Say {
+/// A request to print a text only: help, the version, or an error in the command line.
+struct Message {
   std::string text;
   bool wrong = false;
 };
 
-int run(const Say& words, Console& console);
+int run(const Message& words, Console& console);
 
-using Request = std::variant<Say, Check, Generate, DrawGraph, Docs, Explain, ListChecks, Simulate, Trace, Replay, Why,
-                             Test, Dump, Explore, Stubs, Verify, Diff>;
+using Request = std::variant<Message, Check, Generate, DrawGraph, Docs, Explain, ListChecks, Simulate, Trace, Replay,
+                             Why, Test, Dump, Explore, Stubs, Verify, Diff>;
 
 /// `arguments`: without the program's name. `schemas`: the folder of the JSON schemas, which the help names; empty:
 /// unknown.

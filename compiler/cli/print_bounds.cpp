@@ -13,7 +13,7 @@ namespace director::compiler::cli {
 
 namespace {
 
-/// Of which a page has an example.
+/// As in the example on the page.
 constexpr std::int64_t work_budget = 2000;
 
 /// The nearest whole number.
@@ -21,7 +21,7 @@ std::int64_t whole(double number) {
   return number < 9e18 ? std::llround(number) : std::numeric_limits<std::int64_t>::max();
 }
 
-/// In its unit, with two digits: `1.2 us`, `450 ms`. As long as anybody would wait, in hours.
+/// With its unit and two digits: `1.2 us`, `450 ms`; long times in hours.
 std::string rounded_time(double nanoseconds) {
   struct Unit {
     double nanoseconds;

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What `directorc check --verbose` says of memory and of what the engine may cost at most.
+// The part of `directorc check --verbose` about memory and the bounds on the engine's cost.
 
 #include "compiler/analysis/plans/bounds.hpp"
 #include "compiler/base/json.hpp"
@@ -10,7 +10,7 @@
 
 namespace director::compiler::cli {
 
-/// `work_ns`: what a unit of work costs.
+/// `work_ns`: the cost of a unit of work.
 std::string bounds_text(const analysis::Bounds& bounds, const Model& model, const std::string& file, double work_ns);
 Json bounds_json(const analysis::Bounds& bounds, double work_ns);
 

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// How far an exploration is, on a terminal: one line that is written over again and again.
+// The progress of an exploration on a terminal: one line that is overwritten.
 
 #include "compiler/cli/console.hpp"
 #include "compiler/explore/search.hpp"
@@ -10,19 +10,19 @@
 
 namespace director::compiler::cli {
 
-/// "12345 states (1.2 % of the bound), 80 % of them explored, 24100 a second, 5.2 MB". `elapsed`: since it began.
+/// "12345 states (1.2 % of the bound), 80 % of them explored, 24100 a second, 5.2 MB". `elapsed`: since the beginning.
 std::string progress_text(const SearchProgress& so_far, std::size_t bound, std::chrono::milliseconds elapsed);
 
 class Progress {
 public:
-  /// `bound`: states at which it ends. Where the error stream is no terminal, nothing is shown.
+  /// `bound`: the limit for states. Nothing is printed if the error stream is no terminal.
   Progress(Console& console, std::size_t bound) : console_(console), bound_(bound) {}
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
-  /// Takes the line away.
+  /// Erases the line.
   ~Progress();
 
-  /// For SearchOptions and those who pass it on; empty where nothing is shown. It must not outlive this.
+  /// For SearchOptions; empty if nothing is printed. It must not outlive this.
   std::function<void(const SearchProgress& so_far)> shown();
 
 private:

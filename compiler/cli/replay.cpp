@@ -17,7 +17,7 @@ namespace director::compiler::cli {
 
 namespace {
 
-/// In lines.
+/// Text of several lines.
 std::string to_text(const Replayed& replayed, const std::string& trace, const std::string& behaviour, bool other) {
   std::string out;
   const std::string version = other ? fmt::format(" by `{}`, another version than the one recorded", behaviour) : "";
@@ -80,11 +80,11 @@ int run(const Replay& request, Console& console) {
   lines.next(); // the header
   const director::Names recorded = trace.recorded->names();
   const Replayed replayed = replay(lines, rows.names(), nullptr, &recorded);
-  // A replay reads ahead: what it met behind its end is not told.
+  // A replay reads ahead: a fault behind its end is not reported.
   if (!replayed.problem.empty())
-    say_unreadable(request.trace, replayed.problem_line, replayed.problem, console);
+    print_unreadable(request.trace, replayed.problem_line, replayed.problem, console);
   else if (!replayed.difference && replayed.dropped == 0)
-    say_end(lines, request.trace, console);
+    print_end(lines, request.trace, console);
   const std::string shown = shown_path(request.trace);
   if (request.format == Format::json)
     console.out << to_line(to_json(replayed, shown, of.file, other)) << '\n';

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The checks as SARIF lists them.
+// The list of checks in SARIF.
 
 #include "compiler/emit/findings_sarif.hpp"
 

@@ -25,7 +25,7 @@ std::string whole_path(const fs::path& path) {
   return fault ? absolute.lexically_normal().string() : out.string();
 }
 
-/// Those that the user names, or those near the program. Without any, files are read as `default_flags` say.
+/// Reads the commands that the user names, or those near the program. Without any, files are read with `default_flags`.
 void read_commands(const Stubs& request, Console& console, Program& out) {
   LoadedCommands loaded = request.build.empty() ? find_compile_commands(out.folder, console.files)
                                                 : load_compile_commands(request.build, console.files);
@@ -35,7 +35,7 @@ void read_commands(const Stubs& request, Console& console, Program& out) {
     out.compiled.push_back({whole_path(each.file), each.directory, compilers.complete(fit_for_clang(each.words))});
 }
 
-/// How many folders two paths have in common.
+/// The number of common folders of two paths.
 std::size_t nearness(const fs::path& a, const fs::path& b) {
   const auto apart = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first;
   return static_cast<std::size_t>(std::distance(a.begin(), apart));
@@ -74,7 +74,7 @@ Program read_program(const Stubs& request, const stubs::Wanted& wanted, Console&
   if (!console.headers.empty()) out.default_flags.insert(out.default_flags.end(), {"-isystem", console.headers});
 
   for (const bool headers : {false, true}) {
-    const stubs::Words words = headers ? stubs::interface_words(wanted) : stubs::telling_words(wanted);
+    const stubs::Words words = headers ? stubs::interface_words(wanted) : stubs::identifying_words(wanted);
     for (const auto& [path, text] : out.texts) {
       const bool generated = fs::path(path).filename() == wanted.header && has_notice(text);
       if (stubs::is_header(path) == headers && !generated && stubs::mentions(text, words))
@@ -93,7 +93,7 @@ bool add_heirs(Program& program, const std::vector<stubs::FoundClass>& classes) 
     const bool is_known = has_notice(text) || std::any_of(program.units.begin(), program.units.end(), same);
     if (!is_known && stubs::derives(text, names)) heirs.push_back(unit_for(program, path));
   }
-  // A source may include the header that is meant.
+  // Sources first: one may include the header in question.
   std::stable_partition(heirs.begin(), heirs.end(),
                         [](const stubs::Unit& unit) { return !stubs::is_header(unit.path); });
   program.units.insert(program.units.end(), heirs.begin(), heirs.end());

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The C++ that `directorc stubs` finds: the texts below a folder, and how to read those that may concern the behaviour.
+// Finds the C++ for `directorc stubs`: the texts below a folder, and how to read those that may concern the behaviour.
 
 #include "compiler/cli/commands.hpp"
 #include "compiler/stubs/insertion.hpp"
@@ -16,13 +16,13 @@ namespace director::compiler::cli {
 struct Compiled {
   std::string path;
   std::string directory;
-  std::vector<std::string> flags; ///< without the compiler, the file, and where the result goes
+  std::vector<std::string> flags; ///< without the compiler, the file, and the output
 };
 
 struct Program {
-  std::string folder;             ///< its whole path, behind symbolic links
+  std::string folder;             ///< its whole path, after symbolic links
   stubs::Texts texts;             ///< all C++ below it, by whole paths
-  std::vector<Compiled> compiled; ///< what compile_commands.json says
+  std::vector<Compiled> compiled; ///< the content of compile_commands.json
   std::vector<std::string> default_flags;
   std::string fault;              ///< why it cannot be read as it is compiled; else empty
   std::vector<stubs::Unit> units; ///< to be read: sources first, then headers that none of them may include
@@ -30,10 +30,10 @@ struct Program {
 
 Program read_program(const Stubs& request, const stubs::Wanted& wanted, Console& console);
 
-/// Adds files that may have classes below these, by their text, and are not read yet. False: there are none.
+/// Adds files that may have classes derived from these, by their text, and are not read yet. False: there are none.
 bool add_heirs(Program& program, const std::vector<stubs::FoundClass>& classes);
 
-/// How a file is read: as it is compiled, or else as the nearest one is that is.
+/// How a file is read: as it is compiled, or otherwise like the nearest compiled file.
 stubs::Unit unit_for(const Program& program, const std::string& path);
 
 } // namespace director::compiler::cli

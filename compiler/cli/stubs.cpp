@@ -1,8 +1,8 @@
 // Header: compiler/cli/commands.hpp. Test: tests/compiler/clang/stubs/command_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// Everything is planned before anything is written, and what is put into files of the user is read once more as it will
-// be: only if then nothing is missing do all files change, together.
+// Everything is planned before anything is written, and the changed user files are parsed once more in memory: only if
+// nothing is missing then do all files change, together.
 #include "compiler/cli/load.hpp"
 #include "compiler/cli/stub_program.hpp"
 #include "compiler/emit/cpp/cpp.hpp"
@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace director::compiler::stubs;
 
-/// What would be done.
+/// The planned changes.
 struct Plan {
   std::vector<Artefact> fresh; ///< whole paths
   std::vector<Insertion> insertions;
@@ -36,7 +36,7 @@ struct Plan {
   bool is_empty() const { return fresh.empty() && insertions.empty(); }
 };
 
-/// Says why it is the end, and with which status.
+/// Thrown with the exit status; the reason was printed.
 struct Refusal {
   int status = misused;
   std::string text;
@@ -63,7 +63,7 @@ public:
       const Plan plan = formatted_plan(planned());
       return carry_out(plan);
     } catch (const Refusal& refusal) {
-      say(console_, refusal.text);
+      print_message(console_, refusal.text);
       return refusal.status;
     }
   }
@@ -77,7 +77,7 @@ private:
     return answer.value();
   }
 
-  /// What the program has, as if the plan had been carried out.
+  /// What the program would have after the changes.
   Found found_with(const Merge& added) {
     DeclarationsRequest question{header_, facts_, {}, program_.units, added.insertions, added.sources};
     for (const WantedModule& module : wanted_.modules) question.interfaces.push_back(module.interface);
@@ -101,7 +101,7 @@ private:
                                          request_.folder, version.error().message));
     }
     Found first = found_with({});
-    // What one class leaves open, another may have that is made of it, in a file that names nothing of the behaviour.
+    // What one class leaves undefined, a derived one may define in a file that does not mention the behaviour.
     while (first.problems.empty() && add_heirs(program_, first.classes)) first = found_with({});
     if (!first.problems.empty()) throw not_understood(first.problems, "this C++ cannot be read, so nothing is written");
     Merge out = merge(wanted_, first, program_.texts);
@@ -168,7 +168,7 @@ private:
     return out;
   }
 
-  /// As the user's .clang-format says, if director-clang is there to tell.
+  /// Formats it with the user's .clang-format, if director-clang is available.
   Plan formatted_plan(Plan plan) {
     if (plan.is_empty() || !scanner_.version()) return plan;
     std::vector<FormatRequest> files;
@@ -189,16 +189,16 @@ private:
     return plan;
   }
 
-  void tell(const Plan& plan) {
+  void print(const Plan& plan) {
     for (const Remark& each : plan.obstacles)
-      say(console_, fmt::format("{}: error: {}\n", shown(each.place), each.message));
+      print_message(console_, fmt::format("{}: error: {}\n", shown(each.place), each.message));
     for (const Remark& each : plan.leftovers)
-      say(console_, fmt::format("{}: warning: {}\n", shown(each.place), each.message));
+      print_message(console_, fmt::format("{}: warning: {}\n", shown(each.place), each.message));
     for (const Remark& each : plan.stale)
-      say(console_, fmt::format("{}: warning: {}\n", shown(each.place), each.message));
+      print_message(console_, fmt::format("{}: warning: {}\n", shown(each.place), each.message));
   }
 
-  /// To a terminal what is in the user's files says nothing; a program, such as `patch`, gets every byte.
+  /// Text of user files is escaped for a terminal; a program, such as `patch`, gets every byte.
   void print_diff(const Plan& plan) {
     const auto print = [&](const std::string& text) {
       console_.out << (console_.out_width == 0 ? text : dsl::harmless_code(text));
@@ -216,7 +216,7 @@ private:
   }
 
   int carry_out(const Plan& plan) {
-    tell(plan);
+    print(plan);
     const int status = plan.obstacles.empty() ? clean : compiler::cli::found;
     if (request_.check) {
       list(plan, "missing:", "to be added to:");
@@ -257,9 +257,10 @@ int run(const Stubs& request, Console& console) {
   print_findings(checked->findings, sources, console.err, console.err_colours, console.err_width);
   if (dsl::has_errors(checked->findings)) return found;
   if (!checked->model.deployment) {
-    say(console, fmt::format("directorc: `{}` has no `roots`: what its modules are called is decided where they are "
-                             "imported\n",
-                             shown_path(request.file)));
+    print_message(console,
+                  fmt::format("directorc: `{}` has no `roots`: what its modules are called is decided where they are "
+                              "imported\n",
+                              shown_path(request.file)));
     return misused;
   }
   const Lowered lowered = lower(checked->model);

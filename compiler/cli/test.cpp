@@ -32,13 +32,15 @@ public:
     for (const std::string& named : request_.files) {
       const std::vector<std::string> files = scenarios(named);
       if (files.empty()) {
-        say(console_,
+        print_message(
+            console_,
             fmt::format("directorc: there is no *.scenario.yaml or *.scenario.yml in `{}` or below it\n", named));
         status = std::max(status, misused);
       }
       for (const std::string& file : files) {
         if (file.ends_with('/')) {
-          say(console_, fmt::format("directorc: cannot look into `{}`, where scenarios may be\n", shown_path(file)));
+          print_message(console_,
+                        fmt::format("directorc: cannot look into `{}`, where scenarios may be\n", shown_path(file)));
           status = std::max(status, misused);
           continue;
         }
@@ -57,20 +59,20 @@ public:
     console_.out.flush();
     for (const CoverageReport& report : reports_) {
       if (!is_low(report)) continue;
-      say(console_, fmt::format("directorc: {} % of {} is covered; --min requires {} %\n", report.coverage.percent(),
-                                report.behaviour, request_.min));
+      print_message(console_, fmt::format("directorc: {} % of {} is covered; --min requires {} %\n",
+                                          report.coverage.percent(), report.behaviour, request_.min));
       status = std::max(status, found);
     }
     return status;
   }
 
 private:
-  /// A file, or those below a folder.
+  /// A file, or the scenarios below a folder.
   std::vector<std::string> scenarios(std::string named) {
     if ((named.ends_with(".yaml") || named.ends_with(".yml")) && !is_folder(named)) return {named};
     while (named.size() > 1 && named.ends_with('/')) named.pop_back();
     std::vector<std::string> below = console_.outputs.list(named);
-    if (below.empty() && !is_folder(named)) return {named}; // whatever it is: who reads it says so
+    if (below.empty() && !is_folder(named)) return {named}; // whatever it is: reading it reports the error
     std::erase_if(below, [](const std::string& path) { return !is_called_scenario(path) && !path.ends_with('/'); });
     return below;
   }
@@ -112,7 +114,8 @@ private:
     }
     if (text() && result.compared == 0 && result.holds() && !request_.coverage) {
       console_.out.flush();
-      say(console_,
+      print_message(
+          console_,
           result.happened.empty()
               ? fmt::format("directorc: `{}` has no steps, so nothing is tested\n", shown_path(file))
               : fmt::format("directorc: `{0}` expects nothing, so nothing is compared; `directorc test --update "
@@ -132,7 +135,7 @@ private:
   int write(const std::string& file, const std::string& title, const std::string& before, const Updated& updated) {
     const std::string path = shown_path(file);
     if (const auto failed = console_.outputs.change({{file, before, updated.text}})) {
-      say(console_, fmt::format("directorc: {}\n", *failed));
+      print_message(console_, fmt::format("directorc: {}\n", *failed));
       return misused;
     }
     std::vector<Json> steps;
@@ -163,7 +166,7 @@ private:
     return result;
   }
 
-  /// Of the texts of all points, those of what is missing stay.
+  /// Keeps, of the texts of all points, those of the missing ones.
   static void finish(CoverageReport& report) {
     std::vector<CoverageReport::Missing> missing;
     for (std::size_t i = 0; i < report.missing.size(); ++i) {
@@ -191,7 +194,7 @@ private:
   Console& console_;
   std::size_t played_ = 0, holding_ = 0;
   std::vector<Json> rows_;
-  std::set<std::string> told_; ///< errors that keep scenarios from being played
+  std::set<std::string> told_; ///< errors that prevent scenarios from being played
   std::vector<CoverageReport>
       reports_; ///< a behaviour each, in the order of the files; texts of all points until the end
 };

@@ -19,7 +19,7 @@ namespace director::compiler::cli {
 
 namespace {
 
-/// What `simulate --decisions --times` prints.
+/// The output of `simulate --decisions --times`.
 class Text final : public TraceFormat {
 public:
   explicit Text(const director::Names& names) : names_(names) {}
@@ -38,14 +38,14 @@ private:
   const director::Names names_;
 };
 
-/// The event; or what is wrong with a line that no recorder would have written like that, such as a time that is a
-/// text: damage that would else be shown as if it had happened.
+/// The event; or the fault of a line that no recorder writes, such as a time that is a text: such damage would
+/// otherwise be shown as an event.
 Lookup::Found event_of(const TraceLine& line, const Lookup& lookup, const director::Names& names) {
   Lookup::Found out = lookup.event(line.json);
   if (!out.problem.empty()) return out;
   std::string written;
   append_event(out.event, names, written);
-  // Blanks, as other programs put between the members, are no damage.
+  // Blanks, as other programs add between the members, are no damage.
   if (written != line.text && parse_json(written) != line.json)
     out.problem = "a recorder would have written it as " + written;
   return out;
@@ -56,7 +56,7 @@ std::unique_ptr<TraceFormat> format_of(const std::string& word, const director::
   return std::make_unique<Text>(names);
 }
 
-/// To the file, or to the terminal.
+/// Writes to the file, or to the terminal.
 int put(const Trace& request, std::string text, int status, Console& console) {
   if (request.output.empty()) {
     console.out << text;
@@ -65,9 +65,10 @@ int put(const Trace& request, std::string text, int status, Console& console) {
   const auto is_own = request.to == "html" ? has_notice : is_trace;
   if (!write({{request.output, std::move(text), is_own}}, console)) return misused;
   if (request.to == "perfetto" && console.err_width != 0)
-    say(console, fmt::format("directorc: wrote `{}`; `Open trace file` on https://ui.perfetto.dev shows it, and keeps "
-                             "it on this machine\n",
-                             shown_path(request.output)));
+    print_message(console,
+                  fmt::format("directorc: wrote `{}`; `Open trace file` on https://ui.perfetto.dev shows it, and keeps "
+                              "it on this machine\n",
+                              shown_path(request.output)));
   return status;
 }
 
@@ -75,8 +76,8 @@ int put(const Trace& request, std::string text, int status, Console& console) {
 
 int run(const Trace& request, Console& console) {
   if (!request.output.empty() && console.files.identity(request.output) == console.files.identity(request.file)) {
-    say(console, fmt::format("directorc: `{}` is the trace that is read; name another file with -o\n",
-                             shown_path(request.output)));
+    print_message(console, fmt::format("directorc: `{}` is the trace that is read; name another file with -o\n",
+                                       shown_path(request.output)));
     return misused;
   }
   if (request.to == "perfetto" && request.output.empty() && console.out_width != 0) {
@@ -93,7 +94,7 @@ int run(const Trace& request, Console& console) {
   const director::Names names = trace.recorded->names();
   const Lookup lookup(names);
   const std::unique_ptr<TraceFormat> format = format_of(request.to, names);
-  const bool as_it_is = request.to == "json"; // but for what cannot be read
+  const bool as_it_is = request.to == "json"; // except for what cannot be read
   std::string out;
   TraceLines lines(trace.text);
   const std::optional<TraceLine> header = lines.next();
@@ -106,7 +107,7 @@ int run(const Trace& request, Console& console) {
   while (const std::optional<TraceLine> line = lines.next()) {
     const Lookup::Found event = line->dropped == 0 ? event_of(*line, lookup, names) : Lookup::Found{};
     if (!event.problem.empty()) {
-      say_unreadable(request.file, line->number, event.problem, console);
+      print_unreadable(request.file, line->number, event.problem, console);
       status = found;
       break;
     }
@@ -118,7 +119,7 @@ int run(const Trace& request, Console& console) {
       format->event(event.event, out);
   }
   if (!as_it_is) format->end(out);
-  if (!say_end(lines, request.file, console)) status = found;
+  if (!print_end(lines, request.file, console)) status = found;
   return put(request, std::move(out), status, console);
 }
 

@@ -22,9 +22,9 @@ namespace director::compiler::cli {
 
 namespace {
 
-constexpr std::size_t first_events = 40; ///< that stand in the page as text
+constexpr std::size_t first_events = 40; ///< that are in the page as text
 
-/// Why the answers of `why` end somewhere; empty: they do not.
+/// Why the answers of `why` end early; empty: they do not.
 std::string end_of(const Waits& waits) {
   const Replayed& replayed = waits.replayed;
   if (replayed.dropped != 0)
@@ -40,7 +40,7 @@ std::string end_of(const Waits& waits) {
   return {};
 }
 
-/// The lines behind the header, as far as they are good.
+/// The lines behind the header, up to the first fault.
 class Reading {
 public:
   Reading(const director::Names& names, Recording& recording, PageRecording& page)
@@ -49,29 +49,29 @@ public:
         recording_(recording),
         page_(page) {}
 
-  /// False: it has been said what is wrong with a line.
+  /// False: the fault of a line was printed.
   bool read(TraceLines& lines, const std::string& file, Console& console) {
     std::string unused;
     while (const std::optional<TraceLine> line = lines.next()) {
       if (line->dropped != 0) {
         recording_.dropped(line->dropped, unused);
-        tell(recording_.ends(), counted_are(line->dropped, "event") + " missing");
+        add(recording_.ends(), counted_are(line->dropped, "event") + " missing");
         continue;
       }
       const Lookup::Found event = lookup_.event(line->json);
       if (!event.problem.empty()) {
-        say_unreadable(file, line->number, event.problem, console);
+        print_unreadable(file, line->number, event.problem, console);
         return false;
       }
       recording_.event(event.event, unused);
       std::array<char, 1000> words{};
-      if (*to_text(event.event, names_, words) != '\0') tell(event.event.time, words.data());
+      if (*to_text(event.event, names_, words) != '\0') add(event.event.time, words.data());
     }
-    return say_end(lines, file, console);
+    return print_end(lines, file, console);
   }
 
 private:
-  void tell(Time time, std::string words) {
+  void add(Time time, std::string words) {
     if (page_.first.size() == first_events)
       ++page_.more;
     else
@@ -93,7 +93,8 @@ std::pair<std::string, int> trace_page(const Trace& request, const LoadedTrace& 
   const Lowered lowered = lower(of.checked.model);
   const RowNames rows(of.checked.model, lowered);
   if (fingerprint_text(rows.names()) != trace.recorded->fingerprint) {
-    say(console,
+    print_message(
+        console,
         fmt::format("{}:1: error: this is a trace of another version of `{}`\n  help: --behaviour names the version "
                     "that was recorded; `directorc replay` says what this one decides otherwise\n",
                     shown_path(request.file), of.file));
@@ -107,10 +108,11 @@ std::pair<std::string, int> trace_page(const Trace& request, const LoadedTrace& 
   Recording recording(rows.names(), waits, why_ends);
   PageRecording page;
   bool whole = Reading(rows.names(), recording, page).read(lines, request.file, console);
-  if (whole && waits.replayed.difference) // else it is the line that is wrong
-    say(console, fmt::format("{}:{}: note: {}\n", shown_path(request.file), waits.replayed.difference->line, why_ends));
-  if (whole && !waits.replayed.problem.empty()) { // only playing it shows that
-    say_unreadable(request.file, waits.replayed.problem_line, waits.replayed.problem, console);
+  if (whole && waits.replayed.difference) // otherwise the fault is in the line
+    print_message(
+        console, fmt::format("{}:{}: note: {}\n", shown_path(request.file), waits.replayed.difference->line, why_ends));
+  if (whole && !waits.replayed.problem.empty()) { // only playing it finds that
+    print_unreadable(request.file, waits.replayed.problem_line, waits.replayed.problem, console);
     whole = false;
   }
   page.about = fmt::format("{} in {}, from {}{}.", many_counted(recording.events(), "event"),
@@ -119,7 +121,7 @@ std::pair<std::string, int> trace_page(const Trace& request, const LoadedTrace& 
   page.data = base64(packed(recording.bytes(header->json)));
   PageWish wish;
   wish.link = request.link;
-  wish.asked = "--to=html";
+  wish.requested = "--to=html";
   wish.instead = "--to=text";
   wish.recording = &page;
   const std::optional<std::string> text = make_page(of.file, of.checked, sources, wish, console);

@@ -8,7 +8,7 @@
 
 namespace director::compiler::cli {
 
-/// The page, and what the command ends with. Empty: it has been said why there is none.
+/// The page, and the exit status. Empty: the reason was printed.
 std::pair<std::string, int> trace_page(const Trace& request, const LoadedTrace& trace, Console& console);
 
 } // namespace director::compiler::cli

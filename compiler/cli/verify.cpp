@@ -30,11 +30,12 @@ void print(const Verify& request, const Verified& verified, const dsl::Sources& 
     print_findings(verified.findings, sources, console.out, console.out_colours, console.out_width);
   }
   print_undecided(verified.not_decided, console);
-  for (const std::string& each : verified.remarks) say(console, fmt::format("directorc: {}\n", each));
+  for (const std::string& each : verified.remarks) print_message(console, fmt::format("directorc: {}\n", each));
   if (!verified.unwritten.empty()) {
     const std::size_t count = verified.unwritten.size();
-    say(console, fmt::format("directorc: {} {} as `stubs` wrote {}: {}\n", count, count == 1 ? "body is" : "bodies are",
-                             count == 1 ? "it" : "them", fmt::join(verified.unwritten, ", ")));
+    print_message(console, fmt::format("directorc: {} {} as `stubs` wrote {}: {}\n", count,
+                                       count == 1 ? "body is" : "bodies are", count == 1 ? "it" : "them",
+                                       fmt::join(verified.unwritten, ", ")));
   }
 }
 
@@ -45,7 +46,7 @@ int run(const Verify& request, Console& console) {
   const std::optional<Checked> checked = load(request.file, only_errors(), sources, console, {request.build, {}});
   if (!checked) return misused;
   if (dsl::has_errors(checked->findings)) {
-    // Of a behaviour that is wrong nothing can be said of its C++. Whoever wants a report gets one with these.
+    // The C++ of a behaviour with errors cannot be verified. A requested report has these errors.
     Verified nothing;
     nothing.findings = checked->findings;
     if (request.format == Format::text) {
@@ -56,16 +57,17 @@ int run(const Verify& request, Console& console) {
     return found;
   }
   if (!checked->model.deployment) {
-    say(console, fmt::format("directorc: `{}` has no `roots`: its C++ is verified with a behaviour that imports it\n",
-                             shown_path(request.file)));
+    print_message(console,
+                  fmt::format("directorc: `{}` has no `roots`: its C++ is verified with a behaviour that imports it\n",
+                              shown_path(request.file)));
     return misused;
   }
   DiskFacts store(facts_folder(request.build));
   VerifyWorld world{console.programs, console.scanner, console.files, store, shown_path};
   Verified verified = verify(*checked, sources, {request.build, request.generated, request.excluded}, world);
   if (!verified.fault.empty()) {
-    print_undecided(verified.not_decided, console); // what Clang does not understand may be why
-    say(console, fmt::format("directorc: {}\n", verified.fault));
+    print_undecided(verified.not_decided, console); // code that Clang does not understand may be the reason
+    print_message(console, fmt::format("directorc: {}\n", verified.fault));
     return misused;
   }
   verified.findings = checks::apply_allowances(checked->model, std::move(verified.findings), false);

@@ -30,18 +30,18 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-/// Nothing may change for so long before what has changed is read: whoever saves several files, or one in several
-/// steps, causes one run.
+/// The time without changes before changed files are read: saving several files, or one in several steps, causes one
+/// run.
 constexpr auto quiet = 10ms;
-/// So long a file may be empty or gone before that is taken for meant.
+/// How long a file may be empty or gone before that counts as intended.
 constexpr auto patience = 500ms;
-/// A file that is being written all the time is read nevertheless.
+/// A file that is written all the time is read after this time nevertheless.
 constexpr auto enough = 1s;
-/// Where the system tells of changes: it does not on all file systems.
+/// The interval for polling: not all file systems report changes.
 constexpr auto between_looks = 1s;
 constexpr auto between_looks_without_notices = 100ms;
 
-/// SIGINT and SIGTERM, which can be read here instead of ending the program, as long as this lives.
+/// SIGINT and SIGTERM, which can be read here instead of ending the program, during its lifetime.
 class EndSignals {
 public:
   EndSignals() {
@@ -50,7 +50,7 @@ public:
     ::sigaddset(&ours_, SIGTERM);
     ::pthread_sigmask(SIG_BLOCK, &ours_, &before_);
     number_ = ::signalfd(-1, &ours_, SFD_CLOEXEC | SFD_NONBLOCK);
-    if (number_ < 0) ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); // they end the program, then
+    if (number_ < 0) ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); // then they end the program
   }
   ~EndSignals() {
     if (number_ >= 0) ::close(number_);
@@ -59,10 +59,10 @@ public:
   EndSignals(const EndSignals&) = delete;
   EndSignals& operator=(const EndSignals&) = delete;
   int number() const { return number_; }
-  /// One has come, and is used up.
+  /// Whether one has come, which is consumed.
   bool take() const {
-    signalfd_siginfo told{};
-    return ::read(number_, &told, sizeof told) > 0;
+    signalfd_siginfo signal{};
+    return ::read(number_, &signal, sizeof signal) > 0;
   }
 
 private:
@@ -70,7 +70,7 @@ private:
   int number_ = -1;
 };
 
-/// What a run has read.
+/// The files that a run has read.
 struct World {
   explicit World(Console& console) : files(console.files), folders(console.outputs) {}
   WatchedFiles files;
@@ -83,14 +83,14 @@ struct World {
   }
 };
 
-/// What has changed since the run, when it is settled; nothing: a signal came.
+/// The changes since the run, once they have settled; empty: a signal came.
 std::optional<std::vector<FileChange>> next_changes(const World& world, ChangeNotices& notices, const EndSignals& end) {
   std::vector<FileChange> known;
   Clock::time_point began{};
   while (true) {
     notices.expect(world.files.paths(), world.folders.paths());
     std::vector<FileChange> changes = world.changes();
-    // One that is new too: who writes it has made it, and not yet written what is in it.
+    // Also for a new file: it is created before its content is written.
     const bool half_done =
         std::any_of(changes.begin(), changes.end(), [](const FileChange& change) { return change.may_be_half_done(); });
     if (!changes.empty()) {
@@ -122,7 +122,7 @@ std::string words_of(const std::vector<FileChange>& changes) {
   return changes.size() > most ? out + fmt::format(", and {} more", changes.size() - most) : out;
 }
 
-/// What can be read only once, or is no file at all.
+/// An input that can be read only once, or is no file.
 std::optional<std::string> unwatchable(const std::vector<std::string>& named) {
   for (const std::string& path : named) {
     std::error_code error;
@@ -134,7 +134,7 @@ std::optional<std::string> unwatchable(const std::vector<std::string>& named) {
   return {};
 }
 
-/// Of the day, as people here have it.
+/// The local time of day.
 std::string time_text() {
   const std::time_t now = std::time(nullptr);
   std::tm local{};
@@ -153,7 +153,7 @@ public:
       const int status = once(world, why);
       const EndSignals end;
       print_end(status, world);
-      if (!console_.out || !console_.err) return misused; // nobody is there any more
+      if (!console_.out || !console_.err) return misused; // the output is closed
       const std::optional<std::vector<FileChange>> changes = next_changes(world, notices_, end);
       if (!changes) return status;
       why = words_of(*changes);
@@ -192,7 +192,7 @@ private:
 
 int watch(const std::vector<std::string>& named, Console& console, const std::function<int(Console&)>& once) {
   if (const std::optional<std::string> wrong = unwatchable(named)) {
-    say(console, fmt::format("directorc: {}\n", *wrong));
+    print_message(console, fmt::format("directorc: {}\n", *wrong));
     return misused;
   }
   return Watching(console, once).run();

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A subcommand again and again, whenever something changes that it has read.
+// Runs a subcommand again whenever a file that it has read changes.
 
 #include "compiler/cli/console.hpp"
 
@@ -10,10 +10,9 @@
 
 namespace director::compiler::cli {
 
-/// Until SIGINT or SIGTERM; gives the status of the last run. Where one of the signals comes in the middle of a run, it
-/// ends the program as it would without this. `named`: the files and folders of the command line; `once`: a run, in a
-/// world that notes what is read. A screen is cleared before each run; elsewhere lines that begin with `==` part the
-/// runs.
+/// Runs until SIGINT or SIGTERM; returns the status of the last run. A signal during a run ends the program as usual.
+/// `named`: the files and folders of the command line; `once`: a run, with a console that records what is read. A
+/// screen is cleared before each run; elsewhere lines that begin with `==` separate the runs.
 int watch(const std::vector<std::string>& named, Console& console, const std::function<int(Console& console)>& once);
 
 } // namespace director::compiler::cli

@@ -18,7 +18,7 @@ namespace {
 
 std::int64_t nanoseconds(const timespec& time) { return time.tv_sec * std::int64_t{1'000'000'000} + time.tv_nsec; }
 
-/// The coarsest clock of a file system that is in use, FAT's.
+/// The coarsest resolution of timestamps of a file system in use, FAT's.
 constexpr std::int64_t coarse = 2'000'000'000;
 
 bool is_recent(const FileStamp& stamp) {
@@ -54,7 +54,7 @@ dsl::Result<std::string, dsl::FileError> WatchedFiles::fetch(const std::string& 
   // Before it is read: what is written meanwhile is a change.
   const FileStamp stamp = stamp_of(path);
   auto text = files_.read(path, most, kinds);
-  // What was read first in this run counts; a change since then is one.
+  // The first read of this run counts; a change since then is a change.
   Seen& seen = seen_.try_emplace(path, Seen{stamp, {}}).first->second;
   if (text && !seen.sum && stamp == seen.stamp && is_recent(stamp)) seen.sum = sum_of(text.value());
   return text;

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a run has read, as it was then, and what of it is otherwise now.
+// Records the files that a run has read, and finds those that have changed.
 
 #include "compiler/cli/console.hpp"
 
@@ -14,7 +14,7 @@
 
 namespace director::compiler::cli {
 
-/// A file as the file system describes it. Equal ones mean that nobody has written it.
+/// The metadata of a file. Equal stamps mean that it was not written.
 struct FileStamp {
   bool exists = false;
   dev_t device = 0;
@@ -31,11 +31,11 @@ struct FileChange {
   Kind kind = Kind::written;
   FileStamp now;
   bool operator==(const FileChange&) const = default;
-  /// As it may be between two steps of an editor that saves: gone, or empty.
+  /// Whether it may be between two steps of an editor that saves: gone, or empty.
   bool may_be_half_done() const { return !now.exists || now.size == 0; }
 };
 
-/// Reads, and remembers what was read or looked for in vain.
+/// Reads files, and records those that were read or not found.
 class WatchedFiles final : public dsl::FileAccess {
 public:
   explicit WatchedFiles(dsl::FileAccess& files) : files_(files) {}
@@ -50,15 +50,15 @@ private:
 
   struct Seen {
     FileStamp stamp;
-    /// A clock of files is coarse: what is written twice at one time looks the same, so what was new is compared by a
-    /// sum of its text.
+    /// Timestamps are coarse: two writes at one time look the same, so recent files are also compared by a hash of
+    /// their text.
     std::optional<std::size_t> sum;
   };
   dsl::FileAccess& files_;
   std::map<std::string, Seen> seen_;
 };
 
-/// Lists scenarios, and remembers which there were. What is written goes through.
+/// Lists scenarios, and records which there were. Writes are passed on.
 class WatchedFolders final : public Outputs {
 public:
   explicit WatchedFolders(Outputs& outputs) : outputs_(outputs) {}
@@ -66,7 +66,7 @@ public:
   std::optional<std::string> change(const std::vector<Change>& changes) override { return outputs_.change(changes); }
   std::vector<std::string> list(const std::string& folder) override;
 
-  /// Scenarios that are new: one that was there has been read, and is told of there.
+  /// New scenarios: changes of others are in WatchedFiles.
   std::vector<FileChange> changes() const;
   std::vector<std::string> paths() const;
 

@@ -20,12 +20,13 @@ int run(const Why& request, Console& console) {
   const std::optional<GroupId> group = Names(loaded.model, findings).group({request.group, {}});
   if (!group) {
     const dsl::Diagnostic& wrong = findings.front();
-    say(console, fmt::format("directorc: {}{}\n", wrong.message, wrong.help.empty() ? "" : "; " + wrong.help));
+    print_message(console,
+                  fmt::format("directorc: {}{}\n", wrong.message, wrong.help.empty() ? "" : "; " + wrong.help));
     return misused;
   }
   if (request.step > loaded.scenario.steps.size()) {
-    say(console,
-        fmt::format("directorc: `{}` has {}\n", request.scenario, counted(loaded.scenario.steps.size(), "step")));
+    print_message(console, fmt::format("directorc: `{}` has {}\n", request.scenario,
+                                       counted(loaded.scenario.steps.size(), "step")));
     return misused;
   }
   Reasoning reasoning;

@@ -25,7 +25,7 @@ std::string wrapped_line(std::string_view line, std::size_t width) {
   if (columns_of(line) <= width) return std::string(line);
   std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
   std::size_t indent = begin + further;
-  // Of a table only the last column is broken, within itself.
+  // In a table only the last column is broken, within itself.
   const std::size_t gap = line.find_last_not_of(' ', line.rfind("  "));
   if (gap != std::string_view::npos && gap > begin) {
     const std::size_t last = line.find_first_not_of(' ', gap + 1), column = columns_of(line.substr(0, last));

@@ -9,13 +9,13 @@
 
 namespace director::compiler::cli {
 
-/// A line, or several where it is wider than that; what follows stands further right than it begins. Lines that show
-/// source (`   12 | when: …`) stay whole, they are cut already. Without a line break at the end.
+/// A line, or several if it is wider than that; the continuation is indented further. Lines with source (`   12 | when:
+/// …`) are not broken, as they are shortened already. Without a line break at the end.
 std::string wrapped_line(std::string_view line, std::size_t width);
 
 class WrappingBuffer final : public std::streambuf {
 public:
-  /// `to` must live longer.
+  /// `to` must outlive this.
   WrappingBuffer(std::streambuf& to, std::size_t width) : to_(to), width_(width) {}
   WrappingBuffer(const WrappingBuffer&) = delete;
   WrappingBuffer& operator=(const WrappingBuffer&) = delete;
@@ -24,7 +24,7 @@ public:
 protected:
   int_type overflow(int_type letter) override;
   std::streamsize xsputn(const char* text, std::streamsize size) override;
-  /// A line that has not ended, as of progress, is shown as it is.
+  /// Prints an incomplete line, such as that of progress, as it is.
   int sync() override;
 
 private:
@@ -33,7 +33,7 @@ private:
   std::streambuf& to_;
   std::size_t width_;
   std::string line_;       ///< so far
-  bool has_begun_ = false; ///< its beginning has been shown
+  bool has_begun_ = false; ///< its beginning has been printed
 };
 
 } // namespace director::compiler::cli

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A change of meaning between two behaviours, and its kind. Things are the same where their names are; ids of the two
-// models have nothing to do with each other.
+// A change of meaning between two behaviours, and its kind. Things with the same name are the same; ids of the two
+// models are unrelated.
 
 #include "dsl/span.hpp"
 
@@ -14,7 +14,7 @@
 
 namespace director::compiler {
 
-/// The most dangerous first: this is the order in which changes are told.
+/// The most dangerous first: the order in which changes are reported.
 enum class ChangeKind {
   refused,
   hardened,
@@ -77,13 +77,13 @@ struct BehaviourChange {
   std::string subject; ///< `Walk.halting`, `Stability`, `root>Kick`
   std::string message;
   std::optional<dsl::Span> before, after; ///< at least one of them
-  bool breaks_code = false;               ///< C++ that was written for the old one does not compile, or not unchanged
-  std::string hint;                       ///< what it may be instead; mostly empty
+  bool breaks_code = false;               ///< C++ that was written for the old one does not compile unchanged
+  std::string hint;                       ///< a possible other interpretation; mostly empty
   bool operator==(const BehaviourChange&) const = default;
 };
 
-/// Pairs of groups between which control may pass otherwise than before, and how many of them were played. Of large
-/// behaviours it may be only some.
+/// Pairs of groups between which control may pass differently, and how many of them were played: for large behaviours
+/// only some.
 struct TransitionsPlayed {
   std::size_t wanted = 0, played = 0;
 };

@@ -1,8 +1,8 @@
 // Header: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// What the checks find on one side only. A finding is the same where its check and its words are; where nothing else
-// has changed, its check is enough, for the words may name another one of two.
+// Compares what the checks find on each side. Findings are equal if their check and their text are; if nothing else has
+// changed, the check is enough, as the text may name another one of two.
 #include "compiler/diff/side.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ std::map<std::string, std::vector<const Finding*>> sorted(const std::vector<Find
   return out;
 }
 
-/// Of each kind of finding, as many of the first as there are more than in the second.
+/// For each kind of finding, as many of the first as there are more than in the second.
 std::vector<const Finding*> more_than(const std::map<std::string, std::vector<const Finding*>>& first,
                                       const std::map<std::string, std::vector<const Finding*>>& second) {
   std::vector<const Finding*> out;
@@ -34,11 +34,11 @@ std::vector<const Finding*> more_than(const std::map<std::string, std::vector<co
   return out;
 }
 
-/// Of a thing, not of some values under which nothing runs.
-bool says_never(const Finding& finding) {
+/// Whether a thing never happens, rather than some values with which nothing runs.
+bool reports_never(const Finding& finding) {
   if (finding.id == "uncovered_state") return false;
   const checks::Registered* const check = checks::find_registered(finding.id);
-  return check != nullptr && checks::says_never(*check);
+  return check != nullptr && checks::reports_never(*check);
 }
 
 } // namespace
@@ -46,10 +46,10 @@ bool says_never(const Finding& finding) {
 void compare_findings(const Pair& pair, bool alike, Changes& changes) {
   const auto was = sorted(pair.before.findings, alike), is = sorted(pair.after.findings, alike);
   for (const Finding* each : more_than(is, was))
-    changes.add(says_never(*each) ? ChangeKind::became_dead : ChangeKind::finding_new, each->id,
+    changes.add(reports_never(*each) ? ChangeKind::became_dead : ChangeKind::finding_new, each->id,
                 fmt::format("{} is new: {}", name_of(each->level), each->message), {}, each->span);
   for (const Finding* each : more_than(was, is))
-    changes.add(says_never(*each) ? ChangeKind::became_reachable : ChangeKind::finding_gone, each->id,
+    changes.add(reports_never(*each) ? ChangeKind::became_reachable : ChangeKind::finding_gone, each->id,
                 fmt::format("{} is gone: {}", name_of(each->level), each->message), each->span, {});
 }
 

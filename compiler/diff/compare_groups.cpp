@@ -18,7 +18,7 @@ std::vector<std::string> providers_of(const Model& model, const Group& group) {
   return out;
 }
 
-/// All that makes a group what it is but its own name, for which `@` stands.
+/// Everything that defines a group but its own name, which is replaced by `@`.
 std::string likeness(const Model& model, GroupId of) {
   const auto name = [&](GroupId id) { return id == of ? std::string("@") : name_of(model, id); };
   const auto conditions = [&](const std::vector<ConditionUse>& uses) {

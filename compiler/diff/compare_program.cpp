@@ -1,7 +1,7 @@
 // Header: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// What belongs to no group and no state.
+// Compares what belongs to no group and no state.
 #include "compiler/diff/side.hpp"
 
 #include <fmt/format.h>
@@ -97,7 +97,7 @@ private:
       add(ChangeKind::api, fmt::format("the generated code no longer includes `{}`", each)).breaks_code = true;
   }
 
-  /// Modules that are written down. One that a file gives its name to changes with every move between files.
+  /// Modules that are declared. One that has its name from a file changes with every move between files.
   static std::map<std::string, dsl::Word> modules_of(const dsl::Spec& spec) {
     std::map<std::string, dsl::Word> out;
     for (const dsl::BehaviourSpec& file : spec.files) {
@@ -125,15 +125,15 @@ private:
 
   void listed(const std::map<std::string, Span>& was, const std::map<std::string, Span>& is, ChangeKind kind,
               fmt::string_view fresh, fmt::string_view gone) {
-    const auto say = [](fmt::string_view words, const std::string& name) {
+    const auto text_of = [](fmt::string_view words, const std::string& name) {
       return fmt::format(fmt::runtime(words), name);
     };
     for (const auto& [name, span] : is) {
-      if (was.count(name) == 0) changes_.add(kind, name, say(fresh, name), {}, span);
+      if (was.count(name) == 0) changes_.add(kind, name, text_of(fresh, name), {}, span);
     }
     for (const auto& [name, span] : was) {
       if (is.count(name) == 0)
-        changes_.add(kind, name, say(gone, name), span, {}).breaks_code = kind == ChangeKind::triggers;
+        changes_.add(kind, name, text_of(gone, name), span, {}).breaks_code = kind == ChangeKind::triggers;
     }
   }
 

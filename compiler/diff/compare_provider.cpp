@@ -1,7 +1,7 @@
 // Header: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// One provider of each side, of one name.
+// Compares one provider of each side, of one name.
 #include "compiler/diff/meaning.hpp"
 #include "compiler/diff/side.hpp"
 
@@ -74,7 +74,7 @@ private:
     }
   }
 
-  /// Without any it never stays beyond its `when`.
+  /// Without `stay` it never continues beyond its `when`.
   void stay() {
     if (before_.stay.empty() == after_.stay.empty()) {
       conditions("stay", before_.stay, after_.stay);
@@ -168,7 +168,7 @@ private:
     return [&model](GroupId id) { return model.groups[id].name.value; };
   }
 
-  /// Needs for which there is a choice, of their own or further down.
+  /// Needs with a choice, of their own or further down.
   static std::vector<std::string> choosing(const Checked& side, const Provider& provider) {
     std::vector<std::string> out;
     for (const Use<GroupId>& need : provider.needs) {
@@ -189,7 +189,7 @@ private:
       add(ChangeKind::needs_added, fmt::format("`{}` now needs `{}`", name_, new_name(each.id)), {}, each.span);
     for (const Use<GroupId>& each : lacking(before_.needs, old_name, after_.needs, new_name))
       add(ChangeKind::needs_removed, fmt::format("`{}` no longer needs `{}`", name_, old_name(each.id)), each.span);
-    // Where several of them leave a choice, that of the first goes before that of the others.
+    // If several of them have a choice, that of the first goes before that of the others.
     const std::vector<std::string> was = choosing(pair_.before, before_), is = choosing(pair_.after, after_);
     if (is_reordered(was, is))
       add(ChangeKind::preference, fmt::format("for the needs of `{}` providers are chosen in the order {}, before {}",

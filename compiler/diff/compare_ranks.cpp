@@ -1,9 +1,9 @@
 // Header: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// Who goes before whom. Two tasks meet below their closest common requester, and the two edges there decide
-// (semantics.md, 4.1): so each pair of edges of each requester is compared, over all levels that each may have. It
-// means something where both lead to one group, by requests or needs. An optional task further down is told by itself,
+// Compares the order of tasks. Two tasks meet below their closest common requester, and the two edges there decide
+// (semantics.md, 4.1): so each pair of edges of each requester is compared, over all levels that each may have. The
+// order matters if both lead to one group, by requests or needs. An optional task further down is reported by itself,
 // as a change of its unit.
 #include "compiler/base/and_list.hpp"
 #include "compiler/diff/side.hpp"
@@ -19,7 +19,7 @@ namespace {
 
 enum Order : unsigned { goes_before = 1, is_equal = 2, goes_after = 4 };
 
-/// What a model says of all pairs.
+/// The order of all pairs in a model.
 class Ranks {
 public:
   Ranks(const Model& model, const Graph& graph) : model_(model), graph_(graph), led_to_(model.groups.size()) {
@@ -37,7 +37,7 @@ public:
     return at == by_names_.end() ? nullptr : at->second;
   }
 
-  /// A need counts as mandatory, with the priority of the first level.
+  /// The levels of an edge. A need counts as mandatory, with the priority of the first level.
   static std::vector<Level> levels(const Edge& edge) {
     std::vector<Level> out = edge.levels;
     if (edge.needed) out.push_back({out.empty() ? 0 : out.front().priority, false, false});
@@ -55,7 +55,7 @@ public:
     return out;
   }
 
-  /// Names of the groups that both lead to. `top`: without what these lead to in turn.
+  /// Names of the groups that both lead to. `top`: without the groups below these.
   std::vector<std::string> over(const Edge& one, const Edge& other, bool top) {
     const std::vector<bool>&first = led_to(one.target), &second = led_to(other.target);
     std::vector<std::string> out;
@@ -66,7 +66,7 @@ public:
     return out;
   }
 
-  /// Names of all that a group leads to, and its own.
+  /// Names of all groups below a group, and its own.
   std::set<std::string> reach(GroupId from) {
     const std::vector<bool>& below = led_to(from);
     std::set<std::string> out;
@@ -115,7 +115,7 @@ public:
         const Edge& edge = pair_.new_model.edges[id];
         pairs_.emplace_back(&edge, old_.find(requester, target(edge)));
       }
-      // Of two that are as before nothing is to be told: most requesters of most changes have nothing but these.
+      // Skips two unchanged edges: most requesters of most changes have only these.
       std::vector<std::pair<const Edge*, const Edge*>> changed;
       std::copy_if(pairs_.begin(), pairs_.end(), std::back_inserter(changed),
                    [&](const auto& each) { return !is_alike(each); });
@@ -130,15 +130,15 @@ public:
 
 private:
   using Names = std::vector<std::string>;
-  /// Of one winner: who loses what, by the sentence around it.
-  struct Told {
+  /// For one winner and one wording: the losers.
+  struct Losers {
     Names losers;
     Span before{}, after{};
   };
 
   std::string target(const Edge& edge) const { return name_of(pair_.new_model, edge.target); }
 
-  /// It leads to the same groups as before.
+  /// Whether it leads to the same groups as before.
   bool leads_alike(const Edge& edge, const Edge& old) {
     const auto [at, fresh] = alike_.try_emplace(edge.target, false);
     if (fresh) at->second = new_.reach(edge.target) == old_.reach(old.target);
@@ -152,7 +152,7 @@ private:
 
   void losers_of(const Edge& winner, const Edge* old_winner,
                  const std::vector<std::pair<const Edge*, const Edge*>>& others) {
-    std::map<std::pair<Names, std::string>, Told> gained, lost, always, sometimes;
+    std::map<std::pair<Names, std::string>, Losers> gained, lost, always, sometimes;
     for (const auto& [other, old_loser] : others) {
       const Edge& loser = *other;
       if (&loser == &winner || old_loser == nullptr) continue;
@@ -166,19 +166,19 @@ private:
                                     could ? old_.over(*old_winner, *old_loser, false) : none);
       const Names less = missing_in(could ? old_.over(*old_winner, *old_loser, true) : none,
                                     can ? new_.over(winner, loser, false) : none);
-      if (!more.empty()) tell(gained, more, why, winner, old_winner, loser, *old_loser);
-      if (!less.empty()) tell(lost, less, why, winner, old_winner, loser, *old_loser);
-      // At all of its levels against all of the other's, or only at some.
+      if (!more.empty()) collect(gained, more, why, winner, old_winner, loser, *old_loser);
+      if (!less.empty()) collect(lost, less, why, winner, old_winner, loser, *old_loser);
+      // With all of its levels against all of the other's, or only with some.
       if (!can || !could || !more.empty() || !less.empty() || (now == goes_before) == (before == goes_before)) continue;
       const Names over = new_.over(winner, loser, true);
       if (!over.empty())
-        tell(now == goes_before ? always : sometimes, over, why, winner, old_winner, loser, *old_loser);
+        collect(now == goes_before ? always : sometimes, over, why, winner, old_winner, loser, *old_loser);
     }
-    for (const auto& [what, told] : gained) add(ChangeKind::takeover_gained, "can now", winner, what, told);
-    for (const auto& [what, told] : always) add(ChangeKind::takeover_gained, "can now always", winner, what, told);
-    for (const auto& [what, told] : lost) add(ChangeKind::takeover_lost, "can no longer", winner, what, told);
-    for (const auto& [what, told] : sometimes)
-      add(ChangeKind::takeover_lost, "can no longer always", winner, what, told);
+    for (const auto& [what, losers] : gained) add(ChangeKind::takeover_gained, "can now", winner, what, losers);
+    for (const auto& [what, losers] : always) add(ChangeKind::takeover_gained, "can now always", winner, what, losers);
+    for (const auto& [what, losers] : lost) add(ChangeKind::takeover_lost, "can no longer", winner, what, losers);
+    for (const auto& [what, losers] : sometimes)
+      add(ChangeKind::takeover_lost, "can no longer always", winner, what, losers);
   }
 
   std::string reason(const Edge& winner, const Edge* old_winner, const Edge& loser, const Edge& old_loser) const {
@@ -192,14 +192,14 @@ private:
                        rank_text(old_loser));
   }
 
-  void tell(std::map<std::pair<Names, std::string>, Told>& all, const Names& over, const std::string& why,
-            const Edge& winner, const Edge* old_winner, const Edge& loser, const Edge& old_loser) {
-    Told& told = all[{over, why}];
-    told.losers.push_back(target(loser));
-    // The place is that of the side that has changed.
+  void collect(std::map<std::pair<Names, std::string>, Losers>& all, const Names& over, const std::string& why,
+               const Edge& winner, const Edge* old_winner, const Edge& loser, const Edge& old_loser) {
+    Losers& losers = all[{over, why}];
+    losers.losers.push_back(target(loser));
+    // The place is that of the changed side.
     const bool by_loser = old_winner != nullptr && winner.levels == old_winner->levels;
-    told.before = by_loser || old_winner == nullptr ? old_loser.span : old_winner->span;
-    told.after = by_loser ? loser.span : winner.span;
+    losers.before = by_loser || old_winner == nullptr ? old_loser.span : old_winner->span;
+    losers.after = by_loser ? loser.span : winner.span;
     explained_.insert(edge_name(winner));
     explained_.insert(edge_name(loser));
   }
@@ -209,22 +209,22 @@ private:
   }
 
   void add(ChangeKind kind, const char* how, const Edge& winner, const std::pair<Names, std::string>& what,
-           const Told& told) {
+           const Losers& losers) {
     const bool itself = what.first == Names{target(winner)};
     changes_.add(kind, edge_name(winner),
                  fmt::format("`{}` {} take {} from {}: {}", target(winner), how,
-                             itself ? "the place" : ticked_list(what.first), ticked_list(told.losers), what.second),
-                 told.before, told.after);
+                             itself ? "the place" : ticked_list(what.first), ticked_list(losers.losers), what.second),
+                 losers.before, losers.after);
   }
 
-  /// Of equal rank the earlier declaration goes first.
+  /// With equal rank the earlier declaration goes first.
   void ties(const std::string& requester) {
     Names was, is;
     std::set<std::string> flipped;
     const auto at = old_.edges().find(requester);
     if (at == old_.edges().end()) return;
     const Edge *first_old = nullptr, *first_new = nullptr, *last = nullptr;
-    bool sorted = true; // the old edges are one table: addresses are their order
+    bool sorted = true; // the old edges are one table: addresses have its order
     for (const auto& [edge, old] : pairs_) {
       if (old == nullptr) continue;
       sorted = sorted && last <= old;
@@ -236,10 +236,10 @@ private:
       for (std::size_t k = i + 1; k < pairs_.size(); ++k) {
         const Edge &one = *pairs_[i].first, &other = *pairs_[k].first;
         const Edge *const old_one = pairs_[i].second, *const old_other = pairs_[k].second;
-        // What is only needed is claimed with the rest of its plan, or is younger than what is asked for.
+        // An edge that is only needed is claimed with the rest of its plan, or is younger than a request.
         if (one.levels.empty() || other.levels.empty()) continue;
         if (old_one == nullptr || old_other == nullptr || old_one < old_other)
-          continue; // one table: addresses are the order
+          continue; // one table: addresses have its order
         if ((Ranks::orders(one, other) & is_equal) == 0 || (Ranks::orders(*old_one, *old_other) & is_equal) == 0)
           continue;
         flipped.insert(target(one));
@@ -263,7 +263,7 @@ private:
                  first_old->span, first_new->span);
   }
 
-  /// Whatever has another rank and changed nothing.
+  /// Edges with another rank that changed no order.
   void number(const std::string& requester, const Edge& edge) {
     const Edge* const old = old_.find(requester, target(edge));
     if (old == nullptr || explained_.count(edge_name(edge)) != 0) return;
@@ -283,7 +283,7 @@ private:
   const Pair& pair_;
   Changes& changes_;
   Ranks old_, new_;
-  std::vector<std::pair<const Edge*, const Edge*>> pairs_; ///< of one requester: the new edge, and the old one or none
+  std::vector<std::pair<const Edge*, const Edge*>> pairs_; ///< of one requester: the new edge, and the old one or null
   std::map<GroupId, bool> alike_;
   std::set<std::string> explained_;
 };

@@ -1,7 +1,7 @@
 // Header: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// What may ever happen, by the facts that the checks have too: they err on one side only, so "dead" is a proof and
+// Compares what may ever happen, by the facts of the checks: an over-approximation, so "dead" is a proof and
 // "reachable" means "may".
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/facts/pushes.hpp"
@@ -15,10 +15,10 @@ namespace director::compiler::diff {
 
 namespace {
 
-/// Groups and providers by name, and whether each may ever be.
+/// Groups and providers by name, and whether each may ever run.
 struct May {
   std::map<std::string, bool> groups, providers;
-  std::set<std::pair<std::string, std::string>> pushes; ///< who waits, whom it may push
+  std::set<std::pair<std::string, std::string>> pushes; ///< the waiting group, the pushable provider
 };
 
 May find_may(const Checked& checked) {
@@ -32,7 +32,7 @@ May find_may(const Checked& checked) {
   return out;
 }
 
-/// By its full name.
+/// The provider with this full name.
 const Provider* find_provider(const Model& model, const std::string& name) {
   for (const ProviderId id : model.providers.ids()) {
     if (model.full_name(id) == name) return &model.providers[id];
@@ -49,11 +49,11 @@ public:
         is_(find_may(pair.after)) {}
 
   void compare() {
-    std::set<std::string> told; // of a group whose requests are told, its providers are not
+    std::set<std::string> reported; // groups whose requests are reported: their providers are not
     for (const auto& [name, may] : is_.groups) {
       const auto old = was_.groups.find(name);
       if (old == was_.groups.end() || old->second == may) continue;
-      told.insert(name);
+      reported.insert(name);
       const Span before = pair_.old_model.groups[*pair_.old_model.find_group(name)].name.span,
                  after = pair_.new_model.groups[*pair_.new_model.find_group(name)].name.span;
       changes_.add(may ? ChangeKind::became_reachable : ChangeKind::became_dead, name,
@@ -65,7 +65,7 @@ public:
       if (old == was_.providers.end() || old->second == may) continue;
       const Provider *const before = find_provider(pair_.old_model, name), *const after =
                                                                                find_provider(pair_.new_model, name);
-      if (told.count(name_of(pair_.new_model, after->group)) != 0) continue;
+      if (reported.count(name_of(pair_.new_model, after->group)) != 0) continue;
       changes_.add(may ? ChangeKind::became_reachable : ChangeKind::became_dead, name,
                    fmt::format("`{}` {}", name, may ? "may run now" : "can never run any more"), before->span,
                    after->span);

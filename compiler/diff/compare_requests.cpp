@@ -1,8 +1,8 @@
 // Header: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// What is asked for: by the program, and in each pack or list of a provider that both sides have. Priorities are
-// compared by what they decide, in compare_ranks.cpp.
+// Compares requests: of the program, and in each pack or list of a provider that both sides have. Priorities are
+// compared by the order that they define, in compare_ranks.cpp.
 #include "compiler/diff/side.hpp"
 
 #include <fmt/format.h>
@@ -11,16 +11,19 @@ namespace director::compiler::diff {
 
 namespace {
 
-/// Entries that stand together, and who asks.
-struct Asked {
+/// A list of entries, and its requester.
+struct Requester {
   std::string subject; ///< `Striker.playing`
-  std::string who;     ///< "the program", "`Striker.playing`, pack `attack`,"
+  std::string words;   ///< "the program", "`Striker.playing`, pack `attack`,"
   Span before{}, after{};
 };
 
 class Entries {
 public:
-  Entries(const Pair& pair, const Asked& asked, Changes& changes) : pair_(pair), asked_(asked), changes_(changes) {}
+  Entries(const Pair& pair, const Requester& requester, Changes& changes)
+      : pair_(pair),
+        requester_(requester),
+        changes_(changes) {}
 
   void compare(const std::vector<Task>& before, const std::vector<Task>& after) {
     for (const Task& task : before) {
@@ -32,15 +35,15 @@ public:
         continue;
       }
       changes_
-          .add(ChangeKind::request_removed, asked_.subject, fmt::format("{} no longer requests `{}`", asked_.who, name),
-               task.span, asked_.after)
+          .add(ChangeKind::request_removed, requester_.subject,
+               fmt::format("{} no longer requests `{}`", requester_.words, name), task.span, requester_.after)
           .breaks_code = true;
     }
     for (const Task& task : after) {
       const std::string& name = name_of(pair_.new_model, task.target);
       if (find(before, pair_.old_model, name) == nullptr)
-        changes_.add(ChangeKind::request_added, asked_.subject,
-                     fmt::format("{} may now request `{}`", asked_.who, name), asked_.before, task.span);
+        changes_.add(ChangeKind::request_added, requester_.subject,
+                     fmt::format("{} may now request `{}`", requester_.words, name), requester_.before, task.span);
     }
   }
 
@@ -63,14 +66,15 @@ private:
     const std::vector<std::string> was = names_of(before), is = names_of(after);
     const std::vector<std::string> more = missing_in(is, was), less = missing_in(was, is);
     const auto add = [&](const std::string& what) -> BehaviourChange& {
-      return changes_.add(ChangeKind::levels, asked_.subject, what, before.span, after.span);
+      return changes_.add(ChangeKind::levels, requester_.subject, what, before.span, after.span);
     };
-    if (!more.empty()) add(fmt::format("{} may now request `{}` at {}", asked_.who, name, ticked_list(more)));
+    if (!more.empty()) add(fmt::format("{} may now request `{}` at {}", requester_.words, name, ticked_list(more)));
     if (!less.empty())
-      add(fmt::format("{} can no longer request `{}` at {}", asked_.who, name, ticked_list(less))).breaks_code = true;
+      add(fmt::format("{} can no longer request `{}` at {}", requester_.words, name, ticked_list(less))).breaks_code =
+          true;
     if (!was.empty() && !is.empty() && was.front() != is.front())
-      add(fmt::format("{} requests `{}` at `{}` where it names no level, before at `{}`", asked_.who, name, is.front(),
-                      was.front()));
+      add(fmt::format("{} requests `{}` at `{}` where it names no level, before at `{}`", requester_.words, name,
+                      is.front(), was.front()));
   }
 
   static const Level& level_of(const Model& model, const Task& task, const Task::NamedLevel& level) {
@@ -89,14 +93,14 @@ private:
                         is = manner(level_of(pair_.new_model, after, level));
       if (was == is) continue;
       const std::string at = level.name.empty() ? "" : fmt::format(" at `{}`", level.name);
-      changes_.add(ChangeKind::unit, asked_.subject,
-                   fmt::format("{} requests `{}`{} as {}, before as {}", asked_.who, name, at, is, was), before.span,
-                   after.span);
+      changes_.add(ChangeKind::unit, requester_.subject,
+                   fmt::format("{} requests `{}`{} as {}, before as {}", requester_.words, name, at, is, was),
+                   before.span, after.span);
     }
   }
 
   const Pair& pair_;
-  const Asked& asked_;
+  const Requester& requester_;
   Changes& changes_;
 };
 
@@ -118,8 +122,8 @@ void compare_packs(const Pair& pair, ProviderId before, ProviderId after, Change
   }
   if (!was.has_packs && !is.has_packs) {
     const Pack *old = find_pack(was, ""), *now = find_pack(is, "");
-    const Asked asked{name, ticked(name), was.span, is.span};
-    Entries(pair, asked, changes).compare(old ? old->tasks : nothing, now ? now->tasks : nothing);
+    const Requester requester{name, ticked(name), was.span, is.span};
+    Entries(pair, requester, changes).compare(old ? old->tasks : nothing, now ? now->tasks : nothing);
     return;
   }
   for (const Pack& pack : was.packs) {
@@ -132,8 +136,8 @@ void compare_packs(const Pair& pair, ProviderId before, ProviderId after, Change
           .breaks_code = true;
       continue;
     }
-    const Asked asked{name, fmt::format("`{}`, pack `{}`,", name, pack.name), pack.span, now->span};
-    Entries(pair, asked, changes).compare(pack.tasks, now->tasks);
+    const Requester requester{name, fmt::format("`{}`, pack `{}`,", name, pack.name), pack.span, now->span};
+    Entries(pair, requester, changes).compare(pack.tasks, now->tasks);
   }
   for (const Pack& pack : is.packs) {
     if (pack.name.empty() || find_pack(was, pack.name) != nullptr) continue;
@@ -149,7 +153,7 @@ void compare_packs(const Pair& pair, ProviderId before, ProviderId after, Change
 } // namespace
 
 void compare_requests(const Pair& pair, Changes& changes) {
-  const Asked program{"root", "the program", pair.old_model.name_span, pair.new_model.name_span};
+  const Requester program{"root", "the program", pair.old_model.name_span, pair.new_model.name_span};
   Entries(pair, program, changes).compare(pair.old_model.roots, pair.new_model.roots);
   for (const ProviderId after : pair.new_model.providers.ids()) {
     const auto group = pair.old_model.find_group(pair.new_model.group_of(after).name.value);

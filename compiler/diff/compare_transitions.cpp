@@ -1,9 +1,9 @@
 // Header: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// From what to what control can change, as the engine plays it, of any two groups of which one is in another situation
-// than before. In large behaviours these may be too many to play while somebody waits: then those come first of which
-// both are, and how many are left is told.
+// Compares how control can pass between groups, as played by the engine, for any two groups of which one has another
+// situation than before. For large behaviours these may be too many to play interactively: then pairs in which both
+// changed come first, and the number of the rest is reported.
 #include "compiler/diff/situations.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/transitions/matrix.hpp"
@@ -22,12 +22,12 @@ namespace {
 using Kind = Transition::Kind;
 using Names = std::pair<std::string, std::string>; ///< from, to
 
-/// Of both sides, in what TransitionPlays counts: some three seconds.
+/// For both sides, in units of TransitionPlays: some three seconds.
 constexpr std::size_t most_work = 10'000'000;
 
 struct Row {
   std::string name;
-  std::set<std::string> reaches; ///< itself, and what it may ask for or need, however far below
+  std::set<std::string> reaches; ///< itself, and everything that it may request or need, at any depth
   bool has_changed = false;
 };
 
@@ -45,7 +45,7 @@ std::set<std::string> reached_from(const Model& model, GroupId group) {
   return out;
 }
 
-/// Those that both sides have and that ask for something or need something.
+/// The groups on both sides that request or need something.
 std::vector<Row> common_rows(const Pair& pair) {
   const std::set<std::string> changed = changed_situations(pair);
   std::set<std::string> old;
@@ -67,7 +67,7 @@ bool share(const Row& one, const Row& other) {
                      [&](const std::string& name) { return other.reaches.contains(name); });
 }
 
-/// All that may have changed: first the pairs that may want the same group, of these first those of which both have
+/// All pairs that may have changed: first those that may want the same group, of these first those in which both have
 /// changed.
 std::vector<Names> choose(const Pair& pair) {
   const std::vector<Row> rows = common_rows(pair);
@@ -114,27 +114,28 @@ TransitionsPlayed compare_transitions(const Pair& pair, Changes& changes) {
   count.wanted = pairs.size();
   if (pairs.empty()) return count;
   Played was(pair.old_model), is(pair.new_model);
-  std::map<std::tuple<ChangeKind, std::string, std::string>, std::vector<std::string>> told; // what, from, sentence: to
+  std::map<std::tuple<ChangeKind, std::string, std::string>, std::vector<std::string>>
+      changed; // what, from, sentence: to
   for (const Names& ends : pairs) {
     if (was.work() + is.work() > most_work) break;
     ++count.played;
     const Transition before = was.between(ends), after = is.between(ends);
-    const auto tell = [&](ChangeKind kind, const std::string& words) {
-      told[{kind, ends.first, words}].push_back(ends.second);
+    const auto add = [&](ChangeKind kind, const std::string& words) {
+      changed[{kind, ends.first, words}].push_back(ends.second);
     };
     if (before.kind != after.kind) {
-      // What can or cannot be brought to run at all is told of the group itself.
+      // Whether a group can run at all is reported for the group itself.
       if (before.kind == Kind::unreachable || after.kind == Kind::unreachable) continue;
       const ChangeKind kind = before.kind == Kind::soft && after.kind == Kind::hard   ? ChangeKind::hardened
                               : before.kind == Kind::hard && after.kind == Kind::soft ? ChangeKind::softened
                                                                                       : ChangeKind::transition_changed;
-      tell(kind, fmt::format("{} now, before {}", name_of(after.kind), name_of(before.kind)));
+      add(kind, fmt::format("{} now, before {}", name_of(after.kind), name_of(before.kind)));
     } else if (after.kind == Kind::soft && before.bound != after.bound) {
-      tell(bound_change(before.bound, after.bound),
-           fmt::format("soft, and may take {}, before {}", bound_text(after.bound), bound_text(before.bound)));
+      add(bound_change(before.bound, after.bound),
+          fmt::format("soft, and may take {}, before {}", bound_text(after.bound), bound_text(before.bound)));
     }
   }
-  for (auto& [what, to] : told) {
+  for (auto& [what, to] : changed) {
     const auto& [kind, from, words] = what;
     std::sort(to.begin(), to.end());
     changes.add(kind, from, fmt::format("from `{}` to {}: {}", from, ticked_list(to), words), was.span(to.front()),

@@ -56,8 +56,8 @@ std::vector<BehaviourChange> find_changes(const Checked& before, const Checked& 
   diff::compare_groups(pair, changes);
   diff::compare_requests(pair, changes);
   diff::compare_ranks(pair, changes);
-  // What follows from that. Where nothing has changed nothing follows: then neither is the order of what has no order
-  // taken for a change, nor is anybody kept waiting.
+  // Consequences of the changes. Without any change there are none: then the unspecified order of things is no change,
+  // and nothing has to be computed.
   const bool alike = changes.all().empty();
   if (!alike) diff::compare_reach(pair, changes);
   const TransitionsPlayed transitions = alike ? TransitionsPlayed{} : diff::compare_transitions(pair, changes);

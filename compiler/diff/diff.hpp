@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What changes from one behaviour to another: changes of meaning, the most dangerous first. It looks at models and at
-// what the analyses and the engine say of them, never at text: comments, moves between files, other spellings of the
-// same and the order of what has none are no changes.
+// Finds the differences between two behaviours: changes of meaning, the most dangerous first. It compares models and
+// the results of analyses and the engine, never text: comments, moves between files, other spellings and an unspecified
+// order are no changes.
 
 #include "compiler/base/json.hpp"
 #include "compiler/diff/change.hpp"
@@ -16,11 +16,11 @@
 
 namespace director::compiler {
 
-/// The places of both are in one set of sources. `played`: what was played of transitions, for whoever asks.
+/// The places of both are in one set of sources. `played`: gets the number of played transitions.
 std::vector<BehaviourChange> find_changes(const Checked& before, const Checked& after,
                                           TransitionsPlayed* played = nullptr);
 
-/// Which kinds are not to be: those that are named; `all` and what breaks C++ are asked for by themselves.
+/// Which kinds count as breaking: the named ones; `all` and `code` are flags of their own.
 struct Breaking {
   std::set<ChangeKind> kinds;
   bool code = false; ///< also whatever breaks C++ that was written for the old behaviour
@@ -29,12 +29,12 @@ struct Breaking {
   }
 };
 
-/// For people: a heading for each kind, and each change with its places.
+/// As text: a heading for each kind, and each change with its places.
 std::string changes_text(const std::vector<BehaviourChange>& changes, const Breaking& breaking,
                          const dsl::Sources& sources);
 /// As schemas/diff.schema.json says.
 Json changes_json(const std::vector<BehaviourChange>& changes, const Breaking& breaking, const dsl::Sources& sources);
-/// As results of SARIF: what breaks is an error, all else a warning.
+/// As SARIF: what breaks is an error, everything else a warning.
 Json changes_sarif(const std::vector<BehaviourChange>& changes, const Breaking& breaking, const dsl::Sources& sources);
 
 } // namespace director::compiler

@@ -12,7 +12,7 @@ namespace director::compiler::diff {
 
 namespace {
 
-/// What the conditions on each state accept together.
+/// The values that the conditions on each state accept together.
 std::map<StateId, ValueSet> gathered(const Model& model, const std::vector<ConditionUse>& conditions,
                                      ValueSet (ValueSet::*with)(const ValueSet&) const) {
   std::map<StateId, ValueSet> out;

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What conditions mean, whichever way they are written and whichever numbers their values have: the values of each
+// The meaning of conditions, independent of their spelling and of the numbers of their values: the values of each
 // state, by name.
 
 #include "compiler/model/model.hpp"
@@ -21,17 +21,17 @@ struct Values {
 };
 
 Values values_of(const State& state, const ValueSet& set);
-/// Those of the first that the second has not; all of it where the one counts and the other does not.
+/// The values of the first that the second does not have; all of them if only one is a range.
 Values without(const Values& first, const Values& second);
 /// `ready|set`, `30..100`
 std::string to_text(const Values& values);
 
-/// By name of the state. All must hold: what always holds is left out.
+/// By name of the state. The conjunction; what always holds is left out.
 std::map<std::string, Values> all_of(const Model& model, const std::vector<ConditionUse>& conditions);
-/// By name of the state. Any may be.
+/// By name of the state. The disjunction.
 std::map<std::string, Values> any_of(const Model& model, const std::vector<ConditionUse>& conditions);
 
-/// The place of the first condition on this state; nothing where there is none.
+/// The place of the first condition on this state; empty if there is none.
 std::optional<Span> place_of(const Model& model, const std::vector<ConditionUse>& conditions, const std::string& state);
 
 } // namespace director::compiler::diff

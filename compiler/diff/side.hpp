@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What the parts of a comparison share: the two behaviours, what was found so far, and how things are matched.
+// What the parts of a comparison share: the two behaviours, the changes so far, and how things are matched.
 
 #include "compiler/diff/change.hpp"
 #include "compiler/pipeline.hpp"
@@ -30,7 +30,7 @@ public:
     return all_.back();
   }
   const std::vector<BehaviourChange>& all() const { return all_; }
-  /// The most dangerous first; of one kind in the order in which they were found.
+  /// Returns the changes, the most dangerous first; of one kind in the order of discovery.
   std::vector<BehaviourChange> take() {
     std::stable_sort(all_.begin(), all_.end(),
                      [](const BehaviourChange& a, const BehaviourChange& b) { return a.kind < b.kind; });
@@ -48,7 +48,7 @@ std::string ticked_list(const std::vector<std::string>& words);
 
 inline const std::string& name_of(const Model& model, GroupId id) { return model.groups[id].name.value; }
 
-/// Of one group, by its own name.
+/// The provider of one group, by its own name.
 std::optional<ProviderId> find_provider(const Model& model, const Group& group, const std::string& name);
 
 /// "the program", "`Striker`"
@@ -65,25 +65,25 @@ inline std::vector<std::string> missing_in(const std::vector<std::string>& first
   return out;
 }
 
-/// What both have stands in another order.
+/// Whether the common elements are in another order.
 inline bool is_reordered(const std::vector<std::string>& first, const std::vector<std::string>& second) {
   return missing_in(first, missing_in(first, second)) != missing_in(second, missing_in(second, first));
 }
 
-/// No bound is longer than any.
+/// An absent bound is larger than any.
 inline ChangeKind bound_change(const std::optional<Microseconds>& before, const std::optional<Microseconds>& after) {
   const bool grew = before && (!after || *after > *before);
   return grew ? ChangeKind::bound_grew : ChangeKind::bound_shrank;
 }
 
-// One function for each part of the model. Things that only one side has are told by the part that they belong to.
+// One function for each part of the model. Things that only one side has are reported by the part that they belong to.
 void compare_program(const Pair& pair, Changes& changes);
 void compare_states(const Pair& pair, Changes& changes);
 void compare_groups(const Pair& pair, Changes& changes);
 void compare_provider(const Pair& pair, ProviderId before, ProviderId after, Changes& changes);
 void compare_requests(const Pair& pair, Changes& changes);
 void compare_ranks(const Pair& pair, Changes& changes);
-/// What follows from all of the above, as far as it is decided.
+/// Consequences of all of the above, if they are decided.
 void compare_reach(const Pair& pair, Changes& changes);
 TransitionsPlayed compare_transitions(const Pair& pair, Changes& changes);
 /// `alike`: nothing else has changed.

@@ -1,8 +1,8 @@
 // Header: compiler/diff/situations.hpp. Test: tests/compiler/diff/situations_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// A group's own words are a text with the names of what it speaks of, and of the states in its conditions. Two texts
-// that differ only in spelling count as a change: then something is played that need not be, and nothing is told of it.
+// The definition of a group is a text with the names of what it refers to, and of the states in its conditions. Two
+// texts that differ only in spelling count as a change: then something is played in vain, and nothing is reported.
 #include "compiler/diff/situations.hpp"
 
 #include "compiler/transitions/way.hpp"
@@ -100,7 +100,7 @@ std::map<std::string, std::string> words_of_all(const Model& model) {
   return out;
 }
 
-/// Those whose own words have changed, or that only one side has.
+/// Groups whose definition has changed, or that only one side has.
 std::set<std::string> changed_groups(const Pair& pair) {
   const std::map<std::string, std::string> was = words_of_all(pair.old_model), is = words_of_all(pair.new_model);
   std::set<std::string> out;
@@ -113,7 +113,7 @@ std::set<std::string> changed_groups(const Pair& pair) {
   return out;
 }
 
-/// By group: it has changed, or something has that it may ask for or needs, however far below.
+/// By group: whether it has changed, or something that it may request or need, at any depth.
 IdSet<GroupId> changed_below(const Model& model, const std::set<std::string>& changed) {
   IdSet<GroupId> out(model.groups.size());
   std::deque<GroupId> open;
@@ -138,7 +138,7 @@ public:
         changed_(changed),
         below_(changed_below(model, changed)) {}
 
-  /// All that decides how it is brought to run, where nothing in it has changed; else nothing.
+  /// Everything that decides how it is brought to run, if nothing in it has changed; otherwise empty.
   std::optional<std::string> situation(GroupId target) const {
     if (below_.contains(target)) return {};
     std::string out;
@@ -155,7 +155,7 @@ public:
   }
 
 private:
-  /// The group itself, what its providers need, and what they ask for beside what comes next.
+  /// Whether the group itself, its providers' needs, or the other requests of this link have changed.
   bool has_changed(const Link& link) const {
     const Group& group = model_.group_of(link.provider);
     if (changed_.contains(group.name.value)) return true;
@@ -173,7 +173,7 @@ private:
   bool has_changed(const Pack& pack, GroupId next, bool is_pushed) const {
     const auto leads_on = [&](const Task& task) { return task.target == next; };
     if (!is_pushed && std::none_of(pack.tasks.begin(), pack.tasks.end(), leads_on)) return false;
-    // Of tasks that stand in no pack only the next one is asked for.
+    // Of tasks without a named pack only the next one is requested.
     if (!is_pushed && pack.name.empty()) return false;
     return std::any_of(pack.tasks.begin(), pack.tasks.end(),
                        [&](const Task& task) { return !leads_on(task) && below_.contains(task.target); });
@@ -184,7 +184,7 @@ private:
   const IdSet<GroupId> below_;
 };
 
-/// What the program asks for on both sides, in order: of equals the first one goes first.
+/// The requests of the program on both sides, in order: of equals the first one goes first.
 std::vector<std::string> common_roots(const Model& mine, const Model& other) {
   std::vector<std::string> out;
   for (const Task& root : mine.roots) {

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Which groups may be brought to run otherwise than before, or go on otherwise: those whose way from the program has
-// changed, or anything that they or those on the way ask for, need or wait for. Of two groups whose situations are as
-// they were, the engine decides as it did, so nobody has to play it again.
+// Finds the groups that may be brought to run, or may continue, differently than before: their chain from the program
+// has changed, or anything that they or the groups on the chain request, need or wait for. For two groups with
+// unchanged situations the engine decides as before, so they need not be played again.
 
 #include "compiler/diff/side.hpp"
 
@@ -11,7 +11,7 @@
 
 namespace director::compiler::diff {
 
-/// By name; of those that both sides have and that ask for something or need something.
+/// By name; the groups on both sides that request or need something.
 std::set<std::string> changed_situations(const Pair& pair);
 
 } // namespace director::compiler::diff

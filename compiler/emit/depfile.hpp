@@ -8,9 +8,8 @@
 
 namespace director::compiler {
 
-/// What Make and Ninja read: the outputs depend on every file that was read, also on
-/// `others`. Blanks and what else has a meaning there
-/// are written so that it has none.
+/// A depfile for Make and Ninja: the outputs depend on every file that was read, also on `others`. Blanks and other
+/// special characters are escaped.
 std::string depfile(const std::vector<std::string>& outputs, const dsl::Sources& sources,
                     const std::vector<std::string>& others = {});
 

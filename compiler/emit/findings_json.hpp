@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Findings as other programs read them: lines and columns from 1, columns in UTF-8 bytes, ends exclusive.
+// Findings for other programs: lines and columns from 1, columns in UTF-8 bytes, ends exclusive.
 
 #include "compiler/base/json.hpp"
 #include "dsl/diagnostic.hpp"
@@ -14,7 +14,7 @@ namespace director::compiler {
 /// File, line and column.
 Json place_json(const dsl::Span& span, const dsl::Sources& sources);
 
-/// A note: its place and what it says.
+/// A note: its place and its message.
 Json note_json(const dsl::Note& note, const dsl::Sources& sources);
 
 Json finding_json(const dsl::Diagnostic& finding, const dsl::Sources& sources);

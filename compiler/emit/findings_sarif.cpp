@@ -27,7 +27,7 @@ std::string_view level_name(dsl::Level level) {
   return "note";
 }
 
-/// A path as a reference: what a URI does not have stands as %XX.
+/// A path as a URI reference: other characters are written as %XX.
 std::string uri(std::string_view path) {
   constexpr std::string_view plain = "-._~/!$&'()*+,;=@";
   std::string out;
@@ -53,9 +53,9 @@ public:
     out.add("message", message(dsl::shortened(finding.message) + help));
     out.add("locations", Json::list({location(finding.span)}));
     if (!finding.notes.empty()) {
-      std::vector<Json> related; // each once: two chains may have a link in common
+      std::vector<Json> related; // each once: two chains may share a step
       for (const dsl::Note& note : finding.notes) {
-        Json one = told(note);
+        Json one = note_location(note);
         if (std::find(related.begin(), related.end(), one) == related.end()) related.push_back(std::move(one));
       }
       out.add("relatedLocations", Json::list(std::move(related)));
@@ -95,13 +95,13 @@ private:
     return Json::object({{"physicalLocation", std::move(physical)}});
   }
 
-  Json told(const dsl::Note& note) const {
+  Json note_location(const dsl::Note& note) const {
     Json out = location(note.span);
     out.add("message", message(dsl::shortened(note.message)));
     return out;
   }
 
-  /// The ways that its notes tell, each from its own place.
+  /// The paths in its notes, each from its own place.
   static std::vector<std::vector<dsl::Note>> ways_of(const dsl::Diagnostic& finding) {
     std::vector<std::vector<dsl::Note>> out;
     for (const dsl::Note& note : finding.notes) {
@@ -112,18 +112,18 @@ private:
     return out;
   }
 
-  /// One flow: what several ways lead to is one thing.
+  /// One code flow for all paths.
   Json flow(const std::vector<std::vector<dsl::Note>>& ways) const {
     Json threads = Json::list({});
     for (const std::vector<dsl::Note>& way : ways) {
       Json locations = Json::list({});
-      for (const dsl::Note& step : way) locations.add(Json::object({{"location", told(step)}}));
+      for (const dsl::Note& step : way) locations.add(Json::object({{"location", note_location(step)}}));
       threads.add(Json::object({{"locations", std::move(locations)}}));
     }
     return Json::list({Json::object({{"threadFlows", std::move(threads)}})});
   }
 
-  /// Of several that agree in everything the second has another one than the first, in order of place.
+  /// Findings that are equal in everything get different fingerprints, in order of place.
   std::string fingerprint(const dsl::Diagnostic& finding) {
     const dsl::SourceFile& file = sources_[finding.span.file];
     std::string_view line = file.line_text(file.place(finding.span.begin).line);

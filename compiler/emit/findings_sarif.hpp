@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Findings as SARIF 2.1.0, for services that show them beside a change. Source: the OASIS standard of that name.
+// Findings as SARIF 2.1.0, for services that show them in a review. Source: the OASIS standard of that name.
 
 #include "compiler/base/json.hpp"
 #include "dsl/diagnostic.hpp"
@@ -11,7 +11,7 @@
 
 namespace director::compiler {
 
-/// A rule as it is listed: every check is one.
+/// A rule in the list of rules: every check is one.
 struct SarifRule {
   std::string id;
   dsl::Level level = dsl::Level::error;
@@ -19,7 +19,7 @@ struct SarifRule {
   std::string page;    ///< Markdown
 };
 
-/// How something may come about, told in order.
+/// How something may come about, in order.
 struct SarifWitness {
   std::string message;
   std::vector<dsl::Note> steps; ///< the last one is the place of the message; not empty

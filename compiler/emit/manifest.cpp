@@ -33,7 +33,7 @@ Json memory(const Tables& tables) {
                        {"engine", Json::count(director::State::bytes(shape))}});
 }
 
-/// What `directorc check --verbose` prints; docs/bounds.md says why each is a bound.
+/// The bounds that `directorc check --verbose` prints; docs/bounds.md proves them.
 Json bounds(const Deployment& from, const Tables& tables) {
   const analysis::Bounds bounds = analysis::find_bounds(from.model, tables);
   return Json::object({{"runs_waiting", Json::number(bounds.runs_waiting)},

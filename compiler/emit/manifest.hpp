@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What was made from what: for tools that need to know whether the generated code is up to date, where a line of it
-// comes from, and what memory a behaviour takes.
+// The manifest: for tools that need to know whether the generated code is up to date, where a line of it comes from,
+// and how much memory a behaviour needs.
 
 #include "compiler/emit/artefact/code.hpp"
 #include "compiler/emit/artefact/deployment.hpp"

@@ -1,28 +1,28 @@
 // Header: compiler/explore/verdict.hpp. Test: tests/compiler/explore/verdict_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// Proofs that need no exploration. Each says what it rests on; where none applies, the states decide.
+// Proofs that need no exploration. Each result names what it depends on; if none applies, the exploration decides.
 //
-// never_together: to be granted is to control a whole plan at once (4.4, Grant), so whatever is part of every plan of a
+// never_together: being granted means to control a whole plan at once (4.4, Grant), so whatever is in every plan of a
 // group is controlled for it for as long as it is granted. A group has one holder. Two groups that share such a part
-// can be granted together only if the part is held by one and the same edge for both, and following that edge's
-// requester upwards, only if one of the two is part of a plan of the other, which is ruled out.
-// Or their conditions exclude each other: after every micro-step the `when` or the `stay` of the active provider of a
-// granted group holds, save conditions on states that the provider itself causes (4.3), and both for the same values.
+// can be granted together only if the part is held by the same edge for both, and following that edge's requester
+// upwards, only if one of the two is part of a plan of the other, which is ruled out. Or their conditions exclude each
+// other: after every micro-step the `when` or the `stay` of the active provider of a granted group holds, except
+// conditions on states that the provider itself causes (4.3), and both for the same values.
 //
 // beats: a pass is greedy in order, so what a unit finds taken was taken by units that go before it. If both groups are
 // requested by root alone and neither leads to the other, any two edges of the two sides meet at root, where rules 3
 // and 4 of 4.1 compare the root edges: the winner's side always goes before, and never finds anything taken by the
-// loser's. (At rest nobody is stale, so nothing is kept against that order.)
+// loser's. (At rest nothing is stale, so nothing is kept against that order.)
 //
-// soft: what `to` may take by being granted are itself and what it may need. If `from` can neither ask for nor need any
-// of that, granting `to` takes nothing from it. Else a latch: `to` waits for a value of a state that is `of: from` and
-// does not begin with that value, that one causing provider of `from` alone ever sets, and that the `when` and `stay`
-// of all its other providers exclude. Then from the moment in which the causing provider set it the condition holds at
-// most for as long as `from` lives, and it is that provider which is active: a stop of `from` takes the value back
-// before anything else is decided.
+// soft: by being granted `to` may take itself and what it may need. If `from` can neither request nor need any of that,
+// granting `to` takes nothing from it. Otherwise a latch: `to` waits for a value of a state that is `of: from` and does
+// not begin with that value, that only one causing provider of `from` ever sets, and that the `when` and `stay` of all
+// its other providers exclude. Then from the moment in which the causing provider set it the condition holds at most
+// for as long as `from` lives, and that provider is the active one: a stop of `from` resets the value before anything
+// else is decided.
 //
-// can_run: the facts of the checks say of every provider whether it may ever run, and err on that side only.
+// can_run: the facts of the checks decide for every provider whether it may ever run; they are an over-approximation.
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/plans/plans.hpp"
 #include "compiler/explore/verdict.hpp"
@@ -51,7 +51,7 @@ Verdict proven(std::string why) {
 
 std::string quoted(const Model& model, GroupId group) { return fmt::format("`{}`", model.groups[group].name.value); }
 
-/// What both can only be granted with; nothing where there is no such thing.
+/// A group that is in every plan of both; empty if there is none.
 std::optional<GroupId> shared_part(const Model& model, const analysis::Indispensable& parts, GroupId a, GroupId b) {
   if (has(needed_by(model, a), b) || has(needed_by(model, b), a)) return {};
   if (!parts.of(a) || !parts.of(b)) return {};
@@ -61,7 +61,7 @@ std::optional<GroupId> shared_part(const Model& model, const analysis::Indispens
   return {};
 }
 
-/// Some state would have to have two values.
+/// Whether some state would need two values.
 bool exclude(const Model& model, ProviderId p, const std::vector<ConditionUse>& of_p, ProviderId q,
              const std::vector<ConditionUse>& of_q) {
   const auto waived = [&](ProviderId id, StateId state) {
@@ -131,7 +131,7 @@ std::vector<GroupId> below(const Model& model, GroupId group) {
   return out;
 }
 
-/// The edge from root, if nobody else leads to it.
+/// The edge from root, if no other edge leads to it.
 std::optional<EdgeId> only_root_edge(const Model& model, GroupId group) {
   const std::vector<EdgeId>& requesters = model.groups[group].requesters;
   if (requesters.size() != 1 || model.edges[requesters.front()].requester) return {};
@@ -173,7 +173,7 @@ bool may_set(const Model& model, const std::vector<ConditionUse>& uses, const Co
   });
 }
 
-/// Whenever one of these is required, the condition is false.
+/// Whether the condition is false whenever one of these holds.
 bool excludes(const Model& model, const std::vector<ConditionUse>& uses, const Condition& wanted) {
   return std::any_of(uses.begin(), uses.end(), [&](const ConditionUse& use) {
     const Condition& other = model.conditions[use.id];
@@ -181,7 +181,7 @@ bool excludes(const Model& model, const std::vector<ConditionUse>& uses, const C
   });
 }
 
-/// The provider of `from` that alone latches what is wanted; nothing if that is no latch.
+/// The provider of `from` that alone latches the wanted value; empty if it is no latch.
 std::optional<ProviderId> latched_by(const Model& model, GroupId from, const Condition& wanted) {
   const State& state = model.states[wanted.state];
   if (!state.of || state.of->id != from || state.external || state.expires || !state.initial ||
@@ -222,7 +222,7 @@ std::optional<Verdict> latch(const Model& model, GroupId from, GroupId to) {
                             model.full_name(*by)));
 }
 
-/// What may ever happen tells what never does; that something may is no proof that it does.
+/// The facts prove what never happens; they do not prove that something happens.
 std::optional<Verdict> can_run(const Assertion& assertion, const Model& model) {
   const GroupId group = assertion.groups.front().id;
   const analysis::Facts facts = analysis::find_facts(model, make_graph(model));

@@ -1,9 +1,9 @@
 // Header: compiler/explore/blame.hpp. Test: tests/compiler/explore/verdict_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// A unit is blocked where for no combination of providers and plans the groups are available (semantics, 4.4, Refuse).
-// So the loser's side is to blame where there is a combination as soon as all that it holds counts as available, and
-// none before. What others hold is available where the unit goes before them.
+// A unit is blocked if for no combination of providers and plans the groups are available (semantics, 4.4, Refuse). So
+// the loser's side is to blame if there is a combination once all that it holds counts as available, and none before.
+// What others hold is available if the unit goes before them.
 #include "compiler/explore/blame.hpp"
 
 #include "compiler/explore/watch.hpp"
@@ -16,7 +16,7 @@ namespace director::compiler {
 
 namespace {
 
-/// So many providers are tried for one unit.
+/// Limit for the providers that are tried for one unit.
 constexpr int most_tried = 10'000;
 
 class Unit {
@@ -48,7 +48,7 @@ public:
   }
 
 private:
-  /// Needs that are still to be met, those of the last provider first.
+  /// Needs that are not met yet, those of the last provider first.
   struct Agenda {
     std::span<const Index> edges;
     std::size_t next = 0;
@@ -61,7 +61,7 @@ private:
     return level != nil && !t_.levels[level].optional && !t_.levels[level].apart;
   }
 
-  /// The group and all that it may need, transitively.
+  /// Adds the group and all that it may need, transitively.
   void add_needed(Index target) {
     std::vector<Index> open{target};
     for (std::size_t i = 0; i < open.size(); ++i) {
@@ -73,7 +73,7 @@ private:
     }
   }
 
-  /// ... and in the way of the unit.
+  /// ... and which blocks the unit.
   bool loser_holds(Index group) const {
     const Index holder = engine_.holder(group);
     return holder != nil && std::find(members_.begin(), members_.end(), holder) == members_.end() &&

@@ -1,15 +1,15 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Who blocks a task: whether it would be granted if one side held nothing.
+// Decides what blocks a task: whether it would be granted if one side held nothing.
 
 #include "runtime/core/engine/engine.hpp"
 
 namespace director::compiler {
 
 enum class Blame {
-  others, ///< nothing that the loser's side holds is in the way of the task, or of those granted with it
+  others, ///< nothing that the loser's side holds blocks the task, or those granted with it
   loser,  ///< without what the loser's side holds there would be a choice for all that are granted together
-  shared  ///< the loser's side holds something, but others are in the way as well; or that took too long to find out
+  shared  ///< the loser's side holds something, but others block as well; or the search was given up
 };
 
 /// `edge`: a blocked request of the winner's side.

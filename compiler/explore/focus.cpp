@@ -1,9 +1,9 @@
 // Header: compiler/explore/focus.hpp. Test: tests/compiler/explore/focus_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// The plan is one of a world where nothing that was reached is ever lost again: the cheapest way to have a provider run
-// is the cheapest request of its group and, for each of its conditions, the cheapest thing that makes it true. Costs
-// are relaxed in rounds until none changes (Bellman and Ford), then the plan is read off from the goal backwards.
+// The plan assumes that nothing is ever lost again once it is reached: the cheapest way to run a provider is the
+// cheapest request of its group and, for each of its conditions, the cheapest way to make it true. Costs are relaxed in
+// rounds until none changes (Bellman and Ford), then the plan is read backwards from the goal.
 #include "compiler/explore/focus.hpp"
 
 #include <algorithm>
@@ -17,11 +17,11 @@ namespace {
 constexpr std::uint32_t never = std::numeric_limits<std::uint32_t>::max() / 4;
 std::uint32_t sum(std::uint32_t a, std::uint32_t b) { return std::min(a + b, never); }
 
-/// How something comes about: who does it, if anybody inside the behaviour has to, and what that costs.
+/// How something comes about: its cheapest cause inside the behaviour, if it needs one, and the cost.
 struct Coming {
   std::uint32_t cost = never;
   std::optional<ProviderId> by;
-  bool outside = false; ///< the program asks for it, or sets it
+  bool outside = false; ///< the program requests it, or sets it
 };
 
 class Planner {
@@ -127,13 +127,13 @@ private:
   IdTable<StateId, std::vector<Setter>> setters_;
 };
 
-/// What a plan takes.
+/// The parts of a plan.
 class Plan {
 public:
   explicit Plan(const Model& model)
       : edges(model.edges.size()),
         states(model.states.size()),
-        asks(model.providers.size()),
+        pack(model.providers.size()),
         puts(model.providers.size()),
         model_(model),
         planner_(model),
@@ -155,7 +155,7 @@ public:
     }
   }
 
-  /// Somebody who waits for what it promises: for that a provider is pushed which is not the first choice.
+  /// Adds a task that waits for its promise: a provider that is not the first choice is pushed for that.
   void add_pusher(ProviderId pushed) {
     std::optional<ProviderId> best;
     for (const ProviderId id : model_.providers.ids()) {
@@ -168,8 +168,8 @@ public:
   }
 
   std::vector<bool> edges;                            ///< that are requested
-  std::vector<bool> states;                           ///< that the outside sets
-  IdTable<ProviderId, std::vector<EdgeId>> asks;      ///< what its body asks for
+  std::vector<bool> states;                           ///< that inputs set
+  IdTable<ProviderId, std::vector<EdgeId>> pack;      ///< what its body requests
   IdTable<ProviderId, std::vector<ConditionId>> puts; ///< what its body makes true
 
 private:
@@ -177,7 +177,7 @@ private:
     if (edges[id.value]) return;
     edges[id.value] = true;
     if (const auto by = planner_.way(id).by) {
-      asks[*by].push_back(id);
+      pack[*by].push_back(id);
       add(*by);
     }
   }
@@ -195,14 +195,14 @@ private:
   std::vector<bool> seen_;
 };
 
-/// The usual answer, and of those that ask for an edge the one that asks for most and the one that asks for least.
-void keep_packs(std::vector<Asks>& packs, const std::vector<EdgeId>& edges) {
+/// Keeps the usual answer, and for each requested edge the largest and the smallest pack.
+void keep_packs(std::vector<RequestedPack>& packs, const std::vector<EdgeId>& edges) {
   std::vector<std::size_t> kept{0};
   for (const EdgeId edge : edges) {
     std::optional<std::size_t> most, least;
     for (std::size_t i = 0; i < packs.size(); ++i) {
-      const auto asked = [&](const Ask& ask) { return ask.edge == edge.value; };
-      if (std::none_of(packs[i].begin(), packs[i].end(), asked)) continue;
+      const auto requested = [&](const RequestedLevel& request) { return request.edge == edge.value; };
+      if (std::none_of(packs[i].begin(), packs[i].end(), requested)) continue;
       if (!most || packs[i].size() > packs[*most].size()) most = i;
       if (!least || packs[i].size() < packs[*least].size()) least = i;
     }
@@ -210,7 +210,7 @@ void keep_packs(std::vector<Asks>& packs, const std::vector<EdgeId>& edges) {
       if (place && std::find(kept.begin(), kept.end(), *place) == kept.end()) kept.push_back(*place);
     }
   }
-  std::vector<Asks> out;
+  std::vector<RequestedPack> out;
   for (const std::size_t place : kept) out.push_back(packs[place]);
   packs = std::move(out);
 }
@@ -240,10 +240,12 @@ void focus_on(Ground& ground, const Goal& goal) {
     plan.add_pusher(id);
   }
   for (const ProviderId id : model.providers.ids()) {
-    keep_packs(ground.bodies[id.value].packs, plan.asks[id]);
+    keep_packs(ground.bodies[id.value].packs, plan.pack[id]);
     keep_puts(ground.bodies[id.value].puts, plan.puts[id], model);
   }
-  const auto not_planned = [&](const Asks& asks) { return asks.size() != 1 || !plan.edges[asks.front().edge]; };
+  const auto not_planned = [&](const RequestedPack& pack) {
+    return pack.size() != 1 || !plan.edges[pack.front().edge];
+  };
   ground.requests.erase(std::remove_if(ground.requests.begin(), ground.requests.end(), not_planned),
                         ground.requests.end());
   const auto not_set = [&](const Puts& puts) { return puts.size() != 1 || !plan.states[puts.front().state]; };

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A part of what may happen, in which a group or provider is likely to run soon. Less than everything: what happens
-// there can happen, and what does not happen there tells nothing.
+// Restricts what may happen to a part in which a group or provider is likely to run soon. An under-approximation: what
+// happens there can happen, and what does not happen there proves nothing.
 
 #include "compiler/explore/ground.hpp"
 
@@ -14,8 +14,8 @@ struct Goal {
   std::vector<ProviderId> providers;
 };
 
-/// Leaves in `ground` what a plan for the goal takes: which root tasks are asked for, which states are set, and what
-/// its bodies answer. Other bodies do what is usual. Nothing expires, breaks, waits or fires.
+/// Leaves in `ground` what a plan for the goal needs: requested root tasks, set states, and answers of its bodies.
+/// Other bodies give their usual answers. Nothing expires, breaks, waits or fires.
 void focus_on(Ground& ground, const Goal& goal);
 
 } // namespace director::compiler

@@ -8,7 +8,7 @@ namespace director::compiler {
 
 namespace {
 
-/// Plays a way again, from the start without a break; `before` and `after` are called around each micro-step of it.
+/// Replays a way from the start without a break; `before` and `after` are called around each of its micro-steps.
 template <class Before, class After>
 void replay(const Ground& ground, const Way& way, Breadth breadth, Before&& before, After&& after) {
   Machine machine(ground, breadth);

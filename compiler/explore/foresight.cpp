@@ -1,13 +1,13 @@
 // Header: compiler/explore/foresight.hpp. Test: tests/compiler/explore/foresight_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// What a micro-step ends in follows from requests and which of them are new, values, reasons to run and the last
-// assignment, as they are when it arbitrates (semantics.md, the formula at its begin, and 3), and from the queue. An
-// input sets values; a run overwrites the requests, the done flag and the reasons of its group, and some values. What
-// these were before decides nothing; nor does whether the last arbitration changed anything, since there is another.
+// The result of a micro-step depends on the requests and which of them are new, values, reasons to run and the last
+// assignment, as they are when it arbitrates (semantics.md, the formula at its beginning, and 3), and on the queue. An
+// input sets values; a run overwrites the requests, the done flag and the reasons of its group, and some values. Their
+// earlier values decide nothing; nor does whether the last arbitration changed anything, since there is another.
 //
-// That a request is new counts only where its target is held by it already and does not have a new task anyway: else
-// that target has one as soon as it is granted.
+// That a request is new counts only if its target is held by it already and does not have a new task anyway: otherwise
+// the target gets one as soon as it is granted.
 #include "compiler/explore/foresight.hpp"
 
 #include <algorithm>
@@ -37,25 +37,25 @@ void Foresight::look(std::span<const Deed> answers, bool inputs) {
   for (const Puts& puts : ground_.bodies[answers.front().provider].puts) body_values_.push_back(values_with(puts));
 }
 
-/// The requests of its group and its done flag, as its answer leaves them.
+/// The requests of its group and its done flag after its answer.
 std::uint64_t Foresight::effect_of(const Deed& deed) {
   const Tables& t = ground_.tables;
   const director::State& s = engine_.memory();
   const Range own = t.groups[deed.group].edges;
-  const bool asks = deed.answer == Deed::Answer::pack || deed.answer == Deed::Answer::kept;
+  const bool pack = deed.answer == Deed::Answer::pack || deed.answer == Deed::Answer::kept;
   Projection all(projection_.data());
   for (Index e = own.begin; e != own.end; ++e) {
-    request_[e].level = asks ? nil : s.request[e].level;
+    request_[e].level = pack ? nil : s.request[e].level;
     all.add(request_[e].level);
   }
-  if (asks) {
-    for (const Ask& ask : ground_.bodies[deed.provider].packs[deed.pack]) {
-      const Index target = t.edges[ask.edge].target;
+  if (pack) {
+    for (const RequestedLevel& request : ground_.bodies[deed.provider].packs[deed.pack]) {
+      const Index target = t.edges[request.edge].target;
       const bool has_new_task = (s.run_queue[target].pending & static_cast<std::uint8_t>(Reason::new_task)) != 0;
-      const bool stays = deed.answer == Deed::Answer::kept && s.request[ask.edge].level == ask.level;
-      const bool is_news = !stays && s.last[target].holder == ask.edge && !has_new_task;
-      request_[ask.edge].level = ask.level;
-      projection_[ask.edge - own.begin] = std::uint64_t{is_news} << 32 | ask.level;
+      const bool stays = deed.answer == Deed::Answer::kept && s.request[request.edge].level == request.level;
+      const bool is_news = !stays && s.last[target].holder == request.edge && !has_new_task;
+      request_[request.edge].level = request.level;
+      projection_[request.edge - own.begin] = std::uint64_t{is_news} << 32 | request.level;
     }
   }
   for (Index e = own.begin; e != own.end; ++e)

@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Which micro-steps end alike, told before they are taken: those that come to the same before anybody arbitrates.
+// Predicts which micro-steps have equal results, before they are taken: those that lead to the same input of the
+// arbitration.
 
 #include "compiler/explore/happens.hpp"
 #include "compiler/explore/print.hpp"
@@ -16,17 +17,18 @@ class Foresight {
 public:
   Foresight(const Ground& ground, const Engine& engine, const Printer& printer);
 
-  /// Of the state that the engine is in. `answers`: what the body may do that runs next, all of one provider; none if
-  /// none runs next. `inputs`: the outside may do something.
+  /// Reads the state of the engine. `answers`: the possible answers of the body that runs next, all of one provider;
+  /// none if none runs next. `inputs`: inputs are possible.
   void look(std::span<const Deed> answers, bool inputs);
 
-  // About that state, wherever the engine is now: the same for micro-steps that end alike, in as many ways (and with a
-  // chance of 2^-64 for two that do not), wherever they begin. `watch`: what somebody remembers beside the state.
+  // A number for the micro-step from that state, wherever the engine is now: the same for micro-steps with equal
+  // results, equally many (and with a chance of 2^-64 for two others), wherever they begin. `watch`: what is remembered
+  // beside the state.
 
-  /// The body gives an answer and sets some of its `puts`. `each`: it counts which of them these are, not only what
-  /// they make of the values.
+  /// The body gives an answer and sets some of its `puts`. `each`: the identity of these counts, not only their effect
+  /// on the values.
   std::uint64_t of_body(std::size_t answer, std::size_t puts, std::uint64_t watch, bool each) const;
-  /// The outside sets these.
+  /// Inputs set these.
   std::uint64_t of_input(const Puts& puts, std::uint64_t watch) const;
 
 private:
@@ -40,7 +42,7 @@ private:
   std::vector<std::uint64_t> body_rest_;   ///< answer
   std::vector<std::uint64_t> body_values_; ///< row of FreeBody::puts
   std::vector<std::int32_t> before_;       ///< state: its value
-  std::vector<Requested> request_;         ///< edge of the body's group: as it will be
+  std::vector<Requested> request_;         ///< edge of the body's group: after the answer
   std::vector<std::uint64_t> projection_;
 };
 

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t smallest_chunk = std::size_t{1} << 14, largest_chunk = std::size_t{1} << 22;
 }
 
-/// Chunks of as much as there is already, so that few states take little and many lie in few.
+/// Each chunk is as large as all before it, so that few states take little memory and many are in few chunks.
 void Frontier::add_chunk(std::size_t least) {
   if (!spare_.empty() && spare_.back().capacity() >= least) {
     chunks_.push_back(std::move(spare_.back()));

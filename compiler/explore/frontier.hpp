@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The states whose turn has not come, in the order in which they were found: one behind another, as bytes.
+// A queue of the states that are not explored yet, in the order of discovery, as contiguous bytes.
 
 #include "compiler/explore/packing.hpp"
 
@@ -12,10 +12,10 @@
 
 namespace director::compiler {
 
-/// A state that waits.
+/// A state in the queue.
 struct Waiting {
   std::span<const std::uint8_t> state; ///< Packed
-  std::uint64_t watch = 0;             ///< what somebody remembers beside it
+  std::uint64_t watch = 0;             ///< what is remembered beside it
   std::uint32_t roots = 0;             ///< row of Searched::root_sets
 };
 
@@ -24,10 +24,10 @@ public:
   void push(const Waiting& waiting);
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
-  /// The first ones, `count` or all there are. They stay where they are until they are dropped.
+  /// The first ones, `count` or all. They stay valid until they are dropped.
   void first(std::size_t count, std::vector<Waiting>& out) const;
   void drop(std::size_t count);
-  /// Of memory, also of what was dropped and will be used again.
+  /// Memory, including dropped chunks that will be reused.
   std::size_t bytes() const { return bytes_; }
 
 private:

@@ -14,7 +14,7 @@ namespace director::compiler {
 
 namespace {
 
-/// All ways to take one option at each place, the first of each place first. Nothing if there are too many.
+/// All ways to take one option at each place, the first of each place first. Empty if there are too many.
 template <class T>
 std::optional<std::vector<std::vector<T>>> product(const std::vector<std::vector<std::optional<T>>>& places,
                                                    std::size_t most) {
@@ -35,7 +35,7 @@ std::optional<std::vector<std::vector<T>>> product(const std::vector<std::vector
   return out;
 }
 
-/// Where there are too many ways: the first of each place, none at all, and each option alone.
+/// For too many ways: the first of each place, none at all, and each option alone.
 template <class T>
 std::vector<std::vector<T>> few(const std::vector<std::vector<std::optional<T>>>& places) {
   std::vector<std::vector<T>> out(1);
@@ -119,16 +119,16 @@ private:
     const Provider& provider = model_.providers[id];
     FreeBody out;
     for (const Pack& pack : provider.packs) {
-      std::vector<std::vector<std::optional<Ask>>> places;
+      std::vector<std::vector<std::optional<RequestedLevel>>> places;
       std::vector<Index> required; // edges
       for (const Task& task : pack.tasks) {
-        std::vector<std::optional<Ask>>& options = places.emplace_back();
+        std::vector<std::optional<RequestedLevel>>& options = places.emplace_back();
         const auto edge = static_cast<Index>(task.edge.value);
         for (const Task::NamedLevel& level : task.levels) {
           const auto row = static_cast<Index>(g_.lowered.edges[edge].levels.begin + level.level);
           const bool twice =
               std::any_of(options.begin(), options.end(), [&](const auto& o) { return o->level == row; });
-          if (!twice) options.push_back(Ask{edge, row});
+          if (!twice) options.push_back(RequestedLevel{edge, row});
         }
         const bool may_lack = !provider.has_packs || may_leave_out(options);
         const bool is_kept = may_lack && provider.has_packs && optional_ == OptionalEntries::kept;
@@ -142,12 +142,13 @@ private:
       auto all =
           places.size() <= most_subsets_of || provider.has_packs ? product(places, most_combinations) : std::nullopt;
       few_tasks_ = few_tasks_ || !all;
-      for (Asks& asks : all ? *all : few(places)) {
-        const auto is_asked = [&](Index edge) {
-          return std::any_of(asks.begin(), asks.end(), [&](const Ask& ask) { return ask.edge == edge; });
+      for (RequestedPack& pack : all ? *all : few(places)) {
+        const auto is_requested = [&](Index edge) {
+          return std::any_of(pack.begin(), pack.end(),
+                             [&](const RequestedLevel& request) { return request.edge == edge; });
         };
-        if (!std::all_of(required.begin(), required.end(), is_asked)) continue;
-        out.packs.push_back(std::move(asks));
+        if (!std::all_of(required.begin(), required.end(), is_requested)) continue;
+        out.packs.push_back(std::move(pack));
       }
     }
     if (provider.packs.empty()) out.packs.emplace_back();
@@ -155,7 +156,7 @@ private:
     return out;
   }
 
-  bool may_leave_out(const std::vector<std::optional<Ask>>& options) const {
+  bool may_leave_out(const std::vector<std::optional<RequestedLevel>>& options) const {
     return std::any_of(options.begin(), options.end(),
                        [&](const auto& option) { return g_.lowered.levels[option->level].optional; });
   }
@@ -197,17 +198,17 @@ private:
   }
 
   void find_requests() {
-    std::vector<std::vector<std::optional<Ask>>> places;
+    std::vector<std::vector<std::optional<RequestedLevel>>> places;
     for (const Task& root : model_.roots) {
-      std::vector<std::optional<Ask>>& options = places.emplace_back();
+      std::vector<std::optional<RequestedLevel>>& options = places.emplace_back();
       const auto edge = static_cast<Index>(root.edge.value);
       const Range levels = g_.lowered.edges[edge].levels;
       options.emplace_back();
-      for (Index level = levels.begin; level != levels.end; ++level) options.push_back(Ask{edge, level});
+      for (Index level = levels.begin; level != levels.end; ++level) options.push_back(RequestedLevel{edge, level});
     }
     if (auto all = product(places, 32)) {
-      for (Asks& asks : *all) {
-        if (!asks.empty()) g_.requests.push_back(std::move(asks));
+      for (RequestedPack& pack : *all) {
+        if (!pack.empty()) g_.requests.push_back(std::move(pack));
       }
       return;
     }
@@ -243,7 +244,7 @@ private:
     for (const StateId id : model_.states.ids()) {
       const State& state = model_.states[id];
       if (!state.expires) continue;
-      if (state.external && state.expires->to) continue; // the outside may say the same
+      if (state.external && state.expires->to) continue; // an input may set the same
       const std::int32_t to = state.expires->to ? static_cast<std::int32_t>(*state.expires->to) : unset;
       g_.expiries.push_back({row(id), to});
     }

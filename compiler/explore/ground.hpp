@@ -1,12 +1,12 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What is explored: the tables of a behaviour without time, and everything that the program and the bodies may do in
-// it. Made once, then only read.
+// The input of an exploration: the tables of a behaviour without time, and everything that the program and the bodies
+// may do in it. Made once, then only read.
 //
-// Nobody knows what the C++ bodies do, so each may do all that it declares. Time is left out of the tables: a timer may
-// be due whenever nothing else is left to do, in any order, so that a state expires by an input that sets it, and a
-// wait, an `every` or a broken promise is a trigger that is fired. That is more than can happen; what is true of it is
-// true of the robot, and what is false of it is played again with real time before anybody is told.
+// The C++ bodies are unknown, so each may do all that it declares. Time is left out of the tables: a timer may be due
+// whenever nothing else is left to do, in any order, so that a state expires by an input that sets it, and a wait, an
+// `every` or a broken promise is a trigger that is fired. That is an over-approximation: what is true of it is true of
+// the robot, and what is false of it is played again with real time before it is reported.
 
 #include "compiler/lower/lowered.hpp"
 #include "compiler/model/model.hpp"
@@ -17,7 +17,7 @@
 
 namespace director::compiler {
 
-/// The values of a state that no condition tells apart.
+/// Classes of the values of a state that no condition distinguishes.
 class ValueClasses {
 public:
   ValueClasses() = default;
@@ -39,10 +39,10 @@ private:
   std::size_t piece_of(std::int32_t value) const;
 };
 
-struct Ask {
+struct RequestedLevel {
   Index edge = 0, level = 0;
 };
-using Asks = std::vector<Ask>;
+using RequestedPack = std::vector<RequestedLevel>;
 
 struct Put {
   Index state = 0;
@@ -50,10 +50,10 @@ struct Put {
 };
 using Puts = std::vector<Put>;
 
-/// What a body may answer. The first of each list is the usual one: the first pack or all tasks, and every promise
-/// kept.
+/// The possible answers of a body. The first of each list is the usual one: the first pack or all tasks, and every
+/// promise kept.
 struct FreeBody {
-  std::vector<Asks> packs;
+  std::vector<RequestedPack> packs;
   std::vector<Puts> puts;
 };
 
@@ -61,17 +61,17 @@ struct Broken {
   Index provider = 0, trigger = 0;
 };
 
-/// Whether bodies are tried that leave optional entries of a pack out. Each such entry doubles what its pack may be:
-/// exploration keeps them, and says so; who asks what never happens at all tries without them too.
+/// Whether bodies may leave out optional entries of a pack. Each such entry doubles the variants of its pack: an
+/// exploration keeps them, and reports that; the search for what never happens also tries without them.
 enum class OptionalEntries { kept, left_out_too };
 
-/// The limits of what is tried; beyond them it is less than everything, and `left_out` says so.
-inline constexpr std::size_t most_subsets_of = 8;     ///< flat tasks of which every subset is asked for
+/// Limits, beyond which less than everything is tried, and `left_out` reports it.
+inline constexpr std::size_t most_subsets_of = 8;     ///< flat tasks of which every subset is requested
 inline constexpr std::size_t most_combinations = 256; ///< of values, levels or packs at one place
 
 struct Ground {
   explicit Ground(const Model& model, OptionalEntries optional = OptionalEntries::kept);
-  Ground(const Model& model, Lowered lowered, ///< as lower() makes it of the model
+  Ground(const Model& model, Lowered lowered, ///< the result of lower() for the model
          OptionalEntries optional = OptionalEntries::kept);
   Ground(const Ground&) = delete;
   Ground& operator=(const Ground&) = delete;
@@ -83,13 +83,13 @@ struct Ground {
   std::vector<FreeBody> bodies;            ///< provider
   std::vector<std::vector<Puts>> starting; ///< group: what its start handler may set
   std::vector<std::vector<Puts>> stopping;
-  std::vector<Index> wake;           ///< group: its trigger; nil: nobody wakes it
-  std::vector<Asks> requests;        ///< what the program may ask for in one input
-  std::vector<Puts> sets;            ///< what the outside may set in one input
-  std::vector<Index> triggers;       ///< that the outside may fire and somebody listens to
-  Puts expiries;                     ///< what a state expires to, where the outside cannot set it so
-  std::vector<Broken> broken;        ///< promises that somebody listens to
-  std::vector<std::string> left_out; ///< sentences without a full stop: what may happen and is not tried
+  std::vector<Index> wake;             ///< group: its trigger; nil: none wakes it
+  std::vector<RequestedPack> requests; ///< what the program may request in one input
+  std::vector<Puts> sets;              ///< what one input may set
+  std::vector<Index> triggers;         ///< that an input may fire and some provider listens to
+  Puts expiries;                       ///< what a state expires to, unless an input can set that
+  std::vector<Broken> broken;          ///< promises that some provider listens to
+  std::vector<std::string> left_out;   ///< sentences without a full stop: what may happen and is not tried
 };
 
 } // namespace director::compiler

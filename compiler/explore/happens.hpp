@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The words for what may happen to an engine that is explored, and for what its bodies did.
+// What may happen to an explored engine, and what its bodies did.
 
 #include "compiler/explore/ground.hpp"
 
@@ -12,7 +12,7 @@ namespace director::compiler {
 /// What may happen next.
 struct Happens {
   enum class Kind : std::uint8_t {
-    go,      ///< the engine goes on: a run, what handlers set, or one more arbitration
+    go,      ///< the engine continues: a run, what handlers set, or one more arbitration
     request, ///< `row` of Ground::requests
     cancel,  ///< root edge `row`
     set,     ///< `row` of Ground::sets
@@ -39,14 +39,14 @@ struct Deed {
 /// Between two micro-steps.
 enum class Phase : std::uint8_t {
   rest,   ///< nothing is left to do without an input
-  open,   ///< an input was taken and nothing has run yet: more inputs may stand in the inbox
-  closed, ///< runs go on to the end before the next input
+  open,   ///< an input was taken and nothing has run yet: more inputs may be in the inbox
+  closed, ///< runs continue to the end before the next input
 };
 
 /// How much of what may happen is tried.
 enum class Breadth : std::uint8_t {
   all,
-  lean, ///< one input at a time, and each only at rest; nothing is kept. Fewer states, so that more of them can be seen
+  lean, ///< one input at a time, and only at rest; nothing is kept. Fewer states, so that the search gets further
 };
 
 } // namespace director::compiler

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Numbers for rows of words: two that differ get the same one with a chance of 2^-64.
+// Hashes of rows of words: two that differ get the same one with a chance of 2^-64.
 
 #include <cstddef>
 #include <cstdint>
@@ -21,13 +21,13 @@ inline constexpr std::uint64_t salt[] = {0x2545f4914f6cdd1d, 0x9e3779b97f4a7c15,
                                          0x94d049bb133111eb, 0x632be59bd9b4e019, 0xd6e8feb86659fd93,
                                          0xa0761d6478bd642f, 0xe7037ed1a0b428db};
 
-/// Words that are written one after another, and their number.
+/// A buffer for words that are appended, and their hash.
 class Projection {
 public:
   static constexpr std::size_t lanes = 4, stride = 2 * lanes;
   static constexpr std::size_t words_of(std::size_t bytes) { return (bytes + 7) / 8; }
 
-  /// `words`: as many as it takes, and `stride` more.
+  /// `words`: with space for all of them, and `stride` more.
   explicit Projection(std::uint64_t* words) : begin_(words), at_(words) {}
   /// Returns where they begin.
   template <class T>
@@ -41,7 +41,7 @@ public:
     return begin;
   }
   void add(std::uint64_t word) { *at_++ = word; }
-  /// The same of rows of which only this is to be said: part_of(row).
+  /// The same for only a part of each row: part_of(row).
   template <class Row, class Part>
   std::uint64_t* add(const Row* rows, std::size_t count, Part&& part_of) {
     using T = std::decay_t<decltype(part_of(*rows))>;
@@ -58,7 +58,7 @@ public:
   }
   std::uint64_t* end() const { return at_; }
 
-  /// Four lanes, for none has to wait for another.
+  /// Four independent lanes, for parallel execution.
   std::uint64_t sum() {
     while (static_cast<std::size_t>(at_ - begin_) % stride != 0) add(0);
     std::uint64_t lane[lanes] = {salt[4], salt[5], salt[6], salt[7]};

@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a search has found, by key. A key is never 0.
+// The states that a search has found, by key. A key is never 0.
 //
-// Who looks up a key that is not there waits for the memory longer than for a micro-step's arithmetic: so where it is
-// known early which key will be asked for, its place is fetched ahead.
+// A failed lookup waits for memory longer than a micro-step computes: so if a key is known early, its place is
+// prefetched.
 
 #include <algorithm>
 #include <array>
@@ -14,12 +14,12 @@
 
 namespace director::compiler {
 
-/// Of a state, in the order in which they were found.
+/// Of a state, in the order of discovery.
 using Number = std::uint32_t;
 inline constexpr Number none = static_cast<Number>(-1);
 
-/// Key -> number, by open addressing; at most three quarters full. The keys stand apart from the numbers, which are
-/// seldom asked for.
+/// Key -> number, by open addressing; at most three quarters full. The keys are separate from the numbers, which are
+/// rarely read.
 class KeyTable {
 public:
   explicit KeyTable(std::size_t slots = 1U << 8) : keys_(slots), numbers_(slots) {}
@@ -29,7 +29,7 @@ public:
     const std::size_t at = place(key);
     return keys_[at] == key ? numbers_[at] : none;
   }
-  /// Of a key that is not there.
+  /// Adds a key that is not there.
   void add(std::uint64_t key, Number number) {
     if (++count_ * 4 > keys_.size() * 3) grow();
     put(key, number);
@@ -42,7 +42,7 @@ public:
 
 private:
   std::size_t mask() const { return keys_.size() - 1; }
-  /// Of the key, or where it would stand.
+  /// The place of the key, or where it would be.
   std::size_t place(std::uint64_t key) const {
     std::size_t at = key & mask();
     while (keys_[at] != key && keys_[at] != 0) at = (at + 1) & mask();
@@ -66,8 +66,8 @@ private:
   std::size_t count_ = 0;
 };
 
-/// The same in sixteen parts by the first bits of the key, of which one at a time grows: so for a moment a sixteenth
-/// more memory is taken, and not half as much again.
+/// The same in sixteen parts by the first bits of the key, of which one at a time grows: so growing needs a sixteenth
+/// more memory for a moment, and not half as much again.
 class Known {
 public:
   void fetch(std::uint64_t key) const { part(key).fetch(key); }
@@ -87,7 +87,8 @@ private:
   std::size_t bytes_ = parts_.size() * parts_.front().bytes();
 };
 
-/// Micro-steps that were taken (Machine::foresee) -> in how many ways each can end. It forgets: who comes last stays.
+/// A cache of micro-steps that were taken (Machine::foresee) -> in how many ways each can end. A new entry replaces the
+/// old one in its place.
 class PlayedTable {
 public:
   static constexpr std::size_t most_slots = 1U << 22;
@@ -102,7 +103,7 @@ public:
   void add(std::uint64_t key, std::size_t ways) {
     if (ways <= low) slots_[key & mask()] = (key & ~low) | ways;
   }
-  /// To a power of two, at least 2^8, so that place and slot together tell the whole key.
+  /// To a power of two, at least 2^8, so that place and slot together determine the whole key.
   void grow(std::size_t slots) {
     std::vector<std::uint64_t> old(slots);
     old.swap(slots_);

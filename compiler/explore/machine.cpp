@@ -1,11 +1,11 @@
 // Header: compiler/explore/machine.hpp. Test: tests/compiler/explore/search_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// Which choices are left out because others do as well, so that nothing is lost:
+// Choices that are left out because others have the same effect, so that nothing is lost:
 // - a body that answers `failed` instead of `done`: only other bodies can see the difference, and these do anything;
-// - a second `done` before a new task: it has no effect, as `continue` has none;
-// - a body that does not ask for a `wait`: one that asks for a very long one does the same. So every group that runs
-//   may be woken at rest, whenever one likes.
+// - a second `done` before a new task: it has no effect, like `continue`;
+// - a body that requests no `wait`: one that requests a very long one does the same. So every group that runs
+//   may be woken at rest, at any time.
 #include "compiler/explore/machine.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 std::size_t inbox_size(const Ground& ground) {
   std::size_t most = 2;
-  for (const Asks& asks : ground.requests) most = std::max(most, asks.size());
+  for (const RequestedPack& pack : ground.requests) most = std::max(most, pack.size());
   for (const Puts& puts : ground.sets) most = std::max(most, puts.size());
   return std::bit_ceil(most);
 }
@@ -56,10 +56,11 @@ Bodies Machine::table() {
   return out;
 }
 
-/// Else to keep it is the same as to ask for it anew.
-bool Machine::keeps(const Asks& asks) const {
+/// Otherwise keep is the same as a new request.
+bool Machine::keeps(const RequestedPack& pack) const {
   const director::State& s = engine_.memory();
-  return std::any_of(asks.begin(), asks.end(), [&](const Ask& ask) { return s.request[ask.edge].level == ask.level; });
+  return std::any_of(pack.begin(), pack.end(),
+                     [&](const RequestedLevel& request) { return s.request[request.edge].level == request.level; });
 }
 
 void Machine::find_answers() {
@@ -68,7 +69,7 @@ void Machine::find_answers() {
   Deed deed;
   deed.group = engine_.memory().counters->queue_first;
   deed.provider = engine_.active(deed.group);
-  const std::vector<Asks>& packs = ground_.bodies[deed.provider].packs;
+  const std::vector<RequestedPack>& packs = ground_.bodies[deed.provider].packs;
   for (; deed.pack < packs.size(); ++deed.pack) answers_.push_back(deed);
   deed.answer = Deed::Answer::kept;
   for (deed.pack = 0; breadth_ != Breadth::lean && deed.pack < packs.size(); ++deed.pack) {
@@ -88,7 +89,8 @@ Outcome Machine::run(Run& run) {
   for (const Put& put : body.puts[deed.puts]) run.set(put.state, put.value);
   if (deed.answer == Deed::Answer::keep) return run.keep();
   if (deed.answer == Deed::Answer::done) return run.done();
-  for (const Ask& ask : body.packs[deed.pack]) run.request(ask.edge, ask.level, deed.answer == Deed::Answer::kept);
+  for (const RequestedLevel& request : body.packs[deed.pack])
+    run.request(request.edge, request.level, deed.answer == Deed::Answer::kept);
   return run.pack();
 }
 
@@ -119,7 +121,7 @@ void Machine::list(std::vector<Happens>& out) const {
   for (Index i = 0; i < ground_.sets.size(); ++i) {
     const Puts& puts = ground_.sets[i];
     if (lean && puts.size() > 1) continue;
-    if (std::all_of(puts.begin(), puts.end(), [&](const Put& put) { // else a smaller input does the same
+    if (std::all_of(puts.begin(), puts.end(), [&](const Put& put) { // otherwise a smaller input does the same
           const ValueClasses& classes = ground_.classes[put.state];
           return classes.of(engine_.value(put.state)) != classes.of(put.value);
         }))
@@ -148,7 +150,7 @@ void Machine::list(std::vector<Happens>& out) const {
   }
 }
 
-/// The engine's next micro-step without an input calls a body.
+/// Whether the engine's next micro-step without an input calls a body.
 bool Machine::runs_next() const {
   const director::State& s = engine_.memory();
   const Index group = s.counters->queue_first;
@@ -178,9 +180,9 @@ void Machine::post(const Happens& happens) {
   switch (happens.kind) {
   case Kind::go: return;
   case Kind::request:
-    for (const Ask& ask : ground_.requests[happens.row]) {
-      records.push_back(record(Input::Kind::request, ask.edge));
-      records.back().set_level(ask.level);
+    for (const RequestedLevel& request : ground_.requests[happens.row]) {
+      records.push_back(record(Input::Kind::request, request.edge));
+      records.back().set_level(request.level);
     }
     break;
   case Kind::cancel: records.push_back(record(Input::Kind::cancel, happens.row)); break;

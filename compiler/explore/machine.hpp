@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The real engine, one micro-step at a time, with bodies that pick from a tape what they do. Its state can be taken
-// out, put back and told apart from others.
+// The real engine, one micro-step at a time, with bodies that pick their answers from a tape. Its state can be saved,
+// restored and compared with others.
 
 #include "compiler/explore/foresight.hpp"
 #include "compiler/explore/packing.hpp"
@@ -29,17 +29,17 @@ public:
 
   /// What may happen now, in a fixed order.
   void list(std::vector<Happens>& out) const;
-  /// One micro-step from the state that was unpacked; its bodies pick from the tape. What they did is in deeds().
+  /// Takes one micro-step from the restored state; its bodies pick from the tape. Their answers are in deeds().
   void take(const Happens& happens, Tape& tape);
   const std::vector<Deed>& deeds() const { return deeds_; }
 
   Print print() const { return printer_.print(phase_); }
-  /// Forgets what no decision depends on: how long ago requests were made.
+  /// Resets what no decision depends on: the age of requests.
   void forget();
 
-  /// What the body that runs next may answer, in the state that was unpacked; none if none runs next.
+  /// The possible answers of the body that runs next in the restored state; none if none runs next.
   const std::vector<Deed>& answers() const { return answers_; }
-  /// Of the state that was unpacked, before anything else was taken; then ask for what it tells.
+  /// Reads the restored state, before anything else is taken.
   const Foresight& look_ahead();
 
   Phase phase() const { return phase_; }
@@ -50,7 +50,7 @@ private:
   Outcome run(Run& run);
   void handle(Handling& handling, Deed::Kind kind);
   void find_answers();
-  bool keeps(const Asks& asks) const;
+  bool keeps(const RequestedPack& pack) const;
   bool runs_next() const;
   bool takes_inputs() const;
   void post(const Happens& happens);
@@ -67,7 +67,7 @@ private:
   std::size_t block_; ///< bytes of the decision state
   Printer printer_;
   Foresight foresight_;
-  Packing packing_; ///< whose first state is the engine's
+  Packing packing_; ///< relative to the engine's first state
   mutable std::vector<std::uint64_t> now_;
   std::vector<std::uint64_t> loaded_;
   Phase phase_ = Phase::rest, loaded_phase_ = Phase::rest;

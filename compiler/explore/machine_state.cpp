@@ -1,7 +1,7 @@
 // Header: compiler/explore/machine.hpp. Test: tests/compiler/explore/search_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// The engine's state, taken out and put back. What follows from the rest comes along: that is shorter to say than how.
+// Saves and restores the engine's state. It includes redundant parts: copying them is shorter than deriving them.
 #include "compiler/explore/machine.hpp"
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 namespace director::compiler {
 
-/// The decision state, and behind it why requests are queued: no decision depends on that, but assertions do, and the
-/// engine writes it only where it decides anew.
+/// The decision state, followed by why requests are queued: no decision depends on that, but assertions do, and the
+/// engine writes it only when it decides again.
 void Machine::read(std::vector<std::uint64_t>& out) const {
   const std::size_t queued = ground_.tables.edges.size() * sizeof(Queued);
   out.resize(Projection::words_of(block_) + Projection::words_of(queued));
@@ -24,8 +24,8 @@ void Machine::write(const std::vector<std::uint64_t>& from) {
   std::memcpy(memory_.state().data(), from.data(), block_);
   const director::State& s = engine_.memory();
   if (queued != 0) std::memcpy(static_cast<void*>(s.queued), from.data() + Projection::words_of(block_), queued);
-  // Between micro-steps what the last pass decided stands in `now` as well, and an act that gives reasons in a
-  // component that was not decided again reads it there.
+  // Between micro-steps the last assignment is also in `now`, and an act that gives reasons in a component that was not
+  // decided again reads it there.
   if (ground_.tables.components.size() > 1) std::copy_n(s.last.group, ground_.tables.groups.size(), s.now.group);
   engine_.forget_trail();
 }
@@ -54,7 +54,7 @@ void Machine::again() {
   phase_ = loaded_phase_;
 }
 
-/// Of the requests of one requester, each gets its place as its stamp.
+/// Replaces the stamps of one requester's requests by their ranks.
 void Machine::forget() {
   const Tables& t = ground_.tables;
   const director::State& s = engine_.memory();

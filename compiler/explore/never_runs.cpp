@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/explore/never_runs.hpp"
 
-#include "compiler/analysis/untold/untold.hpp"
+#include "compiler/analysis/unreported/unreported.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/explore/search.hpp"
@@ -20,11 +20,11 @@ class Reports {
 public:
   explicit Reports(const Model& model) : model_(model) {}
 
-  std::vector<Diagnostic> run(const analysis::Untold& untold, const analysis::Happening& happening) {
-    for (const GroupId id : untold.groups)
+  std::vector<Diagnostic> run(const analysis::Unreported& unreported, const analysis::Happening& happening) {
+    for (const GroupId id : unreported.groups)
       report(id, model_.groups[id].name.span, fmt::format("{} never runs", name_of(model_, id)), happening);
-    for (const EdgeId id : untold.tasks) report(id);
-    for (const ProviderId id : untold.providers)
+    for (const EdgeId id : unreported.tasks) report(id);
+    for (const ProviderId id : unreported.providers)
       report(model_.providers[id].group, model_.providers[id].span, fmt::format("{} never runs", name_of(model_, id)),
              happening);
     return std::move(out_);
@@ -81,7 +81,7 @@ IdSet<Id> set_of(const std::vector<bool>& rows) {
 
 } // namespace
 
-NeverRuns find_never_runs(const Model& model, std::size_t bound, const std::vector<Diagnostic>& told,
+NeverRuns find_never_runs(const Model& model, std::size_t bound, const std::vector<Diagnostic>& findings,
                           std::function<void(const SearchProgress& so_far)> progress) {
   const Ground ground(model, OptionalEntries::left_out_too);
   SearchOptions how;
@@ -96,7 +96,7 @@ NeverRuns find_never_runs(const Model& model, std::size_t bound, const std::vect
                                       set_of<EdgeId>(happened.granted),
                                       nullptr,
                                       {}};
-  out.findings = Reports(model).run(analysis::find_untold(model, happening, told), happening);
+  out.findings = Reports(model).run(analysis::find_unreported(model, happening, findings), happening);
   return out;
 }
 

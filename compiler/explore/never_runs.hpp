@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What an exploration of everything never came to, as findings. Its page: compiler/checks/never_runs.md.
+// Reports what a complete exploration never reached, as findings. Their page: compiler/checks/never_runs.md.
 
 #include "compiler/explore/search.hpp"
 #include "compiler/model/model.hpp"
@@ -18,9 +18,9 @@ struct NeverRuns {
   std::size_t states = 0; ///< that were found
 };
 
-/// Explores the behaviour, at most `bound` states of it. `told`: findings; what they tell is not told again, nor what
-/// follows from that. `progress` is told now and then.
-NeverRuns find_never_runs(const Model& model, std::size_t bound, const std::vector<dsl::Diagnostic>& told,
+/// Explores the behaviour, at most `bound` states of it. `findings`: earlier findings; neither what they report nor its
+/// consequences are reported again. `progress` is called now and then.
+NeverRuns find_never_runs(const Model& model, std::size_t bound, const std::vector<dsl::Diagnostic>& findings,
                           std::function<void(const SearchProgress& so_far)> progress = {});
 
 } // namespace director::compiler

@@ -1,9 +1,9 @@
 // Header: compiler/explore/packing.hpp. Test: tests/compiler/explore/packing_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// Words stand in blocks of eight, and blocks in rows of eight. First comes a byte for each row: which of its blocks
+// Words are in blocks of eight, and blocks in rows of eight. First comes a byte for each row: which of its blocks
 // differ. Then for each of these a byte: which of its words do; and for each of them a byte, which of its bytes do, and
-// these. Most words are two small numbers or nil, all bits set: to both 1 is added before, for then nil is small, too.
+// these. Most words are two small numbers or nil, all bits set: 1 is added to both before, which makes nil small, too.
 #include "compiler/explore/packing.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t block = 8, row_size = block * 8;
 
-/// To each half: 1, or what takes it away.
+/// Adds 1 to each half, or subtracts it.
 std::uint64_t shifted(std::uint64_t word, std::uint32_t by) {
   return ((word + (std::uint64_t{by} << 32)) & 0xffffffff00000000) | static_cast<std::uint32_t>(word + by);
 }
@@ -42,8 +42,8 @@ unsigned differing(const std::uint64_t* now, const std::uint64_t* then) {
   return any == 0 ? 0 : differing(now, then, block); // in most blocks nothing does
 }
 
-/// Which bytes are not 0, and these. Returns where they end. Without branches that nobody can foresee: mostly it is the
-/// first byte of a half, or of both.
+/// Which bytes are not 0, and these. Returns the end. Without unpredictable branches: mostly it is the first byte of a
+/// half, or of both.
 std::uint8_t* write(std::uint64_t word, std::uint8_t* at) {
   const std::uint8_t bytes = bytes_of(word);
   *at++ = bytes;
@@ -60,7 +60,7 @@ std::uint8_t* write(std::uint64_t word, std::uint8_t* at) {
   return at;
 }
 
-/// The place of each bit, from the first one on.
+/// Visits the index of each set bit, in ascending order.
 template <class Visit>
 void each_bit(unsigned bits, Visit&& visit) {
   for (unsigned left = bits; left != 0; left &= left - 1) visit(static_cast<std::size_t>(std::countr_zero(left)));

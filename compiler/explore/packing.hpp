@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Writes rows of words shortly, all of which are like a first one: only the bytes that differ, and where they stand.
+// Compresses rows of words that are similar to a first one: only the bytes that differ, and their places.
 
 #include <cstddef>
 #include <cstdint>

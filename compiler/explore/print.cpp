@@ -1,12 +1,12 @@
 // Header: compiler/explore/print.hpp. Test: tests/compiler/explore/search_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// What makes two states the same: everything in the decision state that semantics.md names as an input of what comes
-// next, and nothing else. Stamps count as ranks among the requests of one requester at one priority, because only
-// these are ever compared (4.1, rule 5); values as what the conditions make of them; of a reason only whether it is
-// new_task, pushed or another, and of a done flag only whether it is there, because bodies may do anything in any case;
-// task data not at all. What the engine keeps only to be fast follows from the rest, since it must decide as a pass
-// from nothing does.
+// Defines when two states are equal: by everything in the decision state that semantics.md names as an input of the
+// next decision, and nothing else. Stamps count as ranks among the requests of one requester at one priority, because
+// only these are ever compared (4.1, rule 5); values by the conditions that they satisfy; of a reason only whether it
+// is new_task, pushed or another, and of a done flag only whether it is set, because bodies may do anything in any
+// case; task data not at all. What the engine stores only for speed follows from the rest, since it must decide like a
+// pass from nothing.
 #include "compiler/explore/print.hpp"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ std::uint64_t classes_of(std::uint64_t pending) {
   return (pending & own) | ((((others & ~top) + ~top) | others) & top);
 }
 
-/// What no two edges can have in common that are requested at the same time decides nothing.
+/// The order of two edges that cannot be equal decides nothing.
 bool can_be_equal(const Tables& t, Index a, Index b) {
   const Range one = t.edges[a].levels, other = t.edges[b].levels;
   for (Index i = one.begin; i != one.end; ++i) {
@@ -38,7 +38,7 @@ bool can_be_equal(const Tables& t, Index a, Index b) {
   return false;
 }
 
-/// Of the rows [begin, end) that were written, all bytes are this now.
+/// Overwrites all bytes of the rows [begin, end) that were written.
 template <class T>
 void overwrite(std::uint64_t* rows, Index begin, Index end, int byte) {
   std::memset(reinterpret_cast<unsigned char*>(rows) + begin * sizeof(T), byte, (end - begin) * sizeof(T));
@@ -94,12 +94,12 @@ void Printer::find_contested() {
   for (Index g = 0; g < t.groups.size(); ++g) look(t.groups[g].edges, g);
 }
 
-/// Of each edge that is requested, how many others of its priority were requested before. Where there is but one, and
-/// mostly there is, nothing has to be said.
+/// For each requested edge, how many others of its priority were requested before. With only one, the usual case,
+/// nothing is added.
 void Printer::add_places(Projection& out, const Range& edges, const Requested* request) const {
   const Tables& t = ground_.tables;
   Index* end = requested_.data();
-  for (Index e = edges.begin; e != edges.end; ++e) { // without a branch that nobody can foresee
+  for (Index e = edges.begin; e != edges.end; ++e) { // without an unpredictable branch
     *end = e;
     end += request[e].level != nil ? 1 : 0;
   }
@@ -131,7 +131,7 @@ std::uint64_t* Printer::add_levels(Projection& out) const {
                  [](const Requested& request) { return request.level; });
 }
 
-/// Who has what. Returns where the done flags begin; behind them stand the reasons.
+/// Adds holders and active providers. Returns where the done flags begin; the reasons follow.
 std::uint64_t* Printer::add_holdings(Projection& out) const {
   const Tables& t = ground_.tables;
   const director::State& s = engine_.memory();

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Tells states of the engine apart, as numbers. What makes two states the same: see print.cpp.
+// Numbers that distinguish states of the engine. Equality of states: see print.cpp.
 
 #include "compiler/explore/happens.hpp"
 #include "compiler/explore/hash.hpp"
@@ -16,23 +16,23 @@ struct Print {
   std::uint64_t rest = 0, values = 0;
 };
 
-/// One number of it, and of what somebody remembers beside the state. Never 0. The same for states that behave alike,
-/// and with a chance of 2^-64 for two that do not.
+/// One number of the state, and of what is remembered beside it. Never 0. The same for states that behave alike, and
+/// with a chance of 2^-64 for two others.
 std::uint64_t key_of(const Print& print, std::uint64_t watch);
 
 class Printer {
 public:
-  /// Of the state that `engine` is in whenever it is asked.
+  /// Of the current state of `engine` at each call.
   Printer(const Ground& ground, const Engine& engine);
 
   Print print(Phase phase) const;
   std::uint64_t values() const;
 
-  // For those who know what the next micro-step writes before anything is decided (foresight.hpp).
-  /// The rest without what a run of that group overwrites: its requests, done flag and reasons, and its place in the
-  /// queue. Nil: a micro-step of the outside. Neither is there whether the last arbitration changed anything.
+  // For callers that know what the next micro-step writes before anything is decided (foresight.hpp): the rest without
+  // what a run of that group overwrites: its requests, done flag and reasons, and its place in the queue. Nil: an
+  // input. Whether the last arbitration changed anything is left out too.
   std::uint64_t rest_before(Index group) const;
-  /// The order in which a group's requests were made, where that counts. `request`: edge
+  /// The order in which a group's requests were made, if it counts. `request`: edge
   void add_places(Projection& out, Index group, const Requested* request) const;
   std::uint64_t mark_of(Index state, std::int32_t value) const {
     return marks_[first_mark_[state] + ground_.classes[state].of(value)];
@@ -54,7 +54,7 @@ private:
   const Engine& engine_;
   std::vector<Index> minded_;           ///< states whose values count
   std::vector<std::size_t> first_mark_; ///< state: of its classes, in marks_
-  std::vector<std::uint64_t> marks_;    ///< class of a state: its number in a Print; 0 of those that do not count
+  std::vector<std::uint64_t> marks_;    ///< class of a state: its number in a Print; 0 for those that do not count
   std::vector<Contested> contested_;
   mutable std::vector<std::uint64_t> projection_;
   mutable std::vector<Index> requested_;

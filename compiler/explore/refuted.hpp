@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a check says about assertions that are not true. Its page: compiler/checks/assertion_failed.md.
+// Reports assertions that are not true. Their page: compiler/checks/assertion_failed.md.
 
 #include "compiler/explore/verdict.hpp"
 #include "dsl/diagnostic.hpp"
@@ -10,7 +10,7 @@ namespace director::compiler {
 /// assertion_failed, for each that is refuted.
 std::vector<dsl::Diagnostic> refuted_assertions(const Model& model, const std::vector<Verdict>& verdicts);
 
-/// Those that are not decided, each in a line that says why.
+/// Those that are not decided, each in a line with the reason.
 std::vector<std::string> undecided_assertions(const Model& model, const std::vector<Verdict>& verdicts);
 
 } // namespace director::compiler

@@ -28,7 +28,7 @@ std::string file_name(std::string words) {
   return out + ".scenario.yaml";
 }
 
-/// The groups that start or stop in a round, or else those that run.
+/// The groups that start or stop in a cycle, or otherwise those that run.
 std::string moving(const std::vector<Taken>& round, const Model& model) {
   std::set<std::string> names;
   for (const Taken& taken : round) {
@@ -42,21 +42,21 @@ std::string moving(const std::vector<Taken>& round, const Model& model) {
 Exploration::Oscillation oscillation(const Ground& ground, const Searched::Cycle& cycle, const std::string& behaviour) {
   Exploration::Oscillation out;
   Way way = cycle.way;
-  way.resize(way.size() + cycle.length, 0); // what is usual is the first thing that can happen
+  way.resize(way.size() + cycle.length, 0); // the first possibility is the usual one
   std::vector<Taken> all = follow(ground, way, Breadth::all);
   const auto begin = all.begin() + static_cast<std::ptrdiff_t>(cycle.way.size());
   out.round.assign(begin, all.end());
   out.way.assign(all.begin(), begin);
-  Telling telling;
-  telling.title = "it never comes to rest";
-  telling.doc = "The last step goes round for ever: " + moving(out.round, ground.model) + ".";
-  telling.behaviour = behaviour;
-  telling.round = out.round;
-  out.scenario = write_scenario(ground, out.way, telling);
+  ScenarioHead head;
+  head.title = "it never comes to rest";
+  head.doc = "The last step goes round for ever: " + moving(out.round, ground.model) + ".";
+  head.behaviour = behaviour;
+  head.round = out.round;
+  out.scenario = write_scenario(ground, out.way, head);
   return out;
 }
 
-/// What a search that was cut off did not come to: each provider by itself, as far as a few states tell.
+/// For a search that was cut off: searches for each provider that did not run, in a few states.
 void look_for_those_that_never_ran(const Model& model, SearchOptions how, Happened& happened) {
   how.breadth = Breadth::lean;
   how.assertions.clear();
@@ -90,13 +90,13 @@ Exploration explore(const Ground& ground, const ExploreOptions& options) {
     if (!out.searched.happened.ran[id.value]) out.never_ran.push_back(id);
   }
   for (const EdgeId id : model.edges.ids()) {
-    const bool waits = out.searched.happened.asked[id.value] && !out.searched.happened.granted[id.value];
+    const bool waits = out.searched.happened.runnable[id.value] && !out.searched.happened.granted[id.value];
     if (out.searched.complete && waits) out.starved.push_back(id);
   }
-  std::set<std::string> told; // of several ways into one round the shortest is enough
+  std::set<std::string> reported; // of several ways into one cycle the shortest is enough
   for (const Searched::Cycle& cycle : out.searched.cycles) {
     Exploration::Oscillation each = oscillation(ground, cycle, options.behaviour);
-    if (told.insert(moving(each.round, model)).second) out.oscillations.push_back(std::move(each));
+    if (reported.insert(moving(each.round, model)).second) out.oscillations.push_back(std::move(each));
   }
   return out;
 }

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What an exploration comes to, as text for people and scenarios to keep.
+// The results of an exploration, as text and scenarios.
 
 #include "compiler/explore/verdict.hpp"
 
@@ -10,11 +10,11 @@ struct Exploration {
   Searched searched;
   std::vector<Verdict> verdicts; ///< of each assertion
   std::vector<ProviderId> never_ran;
-  /// Requested while a provider of it met its conditions, and granted nowhere: it can wait for ever. Only if complete.
+  /// Requested while a provider of it met its conditions, and granted nowhere: it may wait for ever. Only if complete.
   std::vector<EdgeId> starved;
   struct Oscillation {
-    std::vector<Taken> way;   ///< to where it begins
-    std::vector<Taken> round; ///< what comes again and again
+    std::vector<Taken> way;   ///< to the beginning of the cycle
+    std::vector<Taken> round; ///< what repeats
     std::optional<std::string> scenario;
   };
   std::vector<Oscillation> oscillations;
@@ -23,7 +23,7 @@ struct Exploration {
 struct ExploreOptions {
   std::size_t bound = 1'000'000;
   unsigned threads = 0;
-  std::string behaviour; ///< path of the behaviour from where scenarios will be
+  std::string behaviour; ///< path of the behaviour from the scenarios' folder
   std::function<void(const SearchProgress& so_far)> progress;
 };
 
@@ -31,7 +31,7 @@ Exploration explore(const Ground& ground, const ExploreOptions& options);
 
 std::string to_text(const Exploration& exploration, const Ground& ground);
 
-/// A scenario to write, by the name of its file.
+/// Scenarios to write, by file name.
 std::vector<std::pair<std::string, std::string>> scenarios_of(const Exploration& exploration, const Ground& ground);
 
 } // namespace director::compiler

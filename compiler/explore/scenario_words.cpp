@@ -14,9 +14,9 @@ std::string ScenarioWords::provider(Index index) const {
   return m_.group_of(id).name.value + "." + m_.providers[id].name;
 }
 
-std::string ScenarioWords::request(const Asks& asks) const {
+std::string ScenarioWords::request(const RequestedPack& pack) const {
   std::vector<std::string> words;
-  for (const Ask& ask : asks) words.push_back(asked(m_.roots, ask, false));
+  for (const RequestedLevel& request : pack) words.push_back(request_entry(m_.roots, request, false));
   return words.size() == 1 && words.front().find(':') == std::string::npos
              ? "request: " + words.front()
              : fmt::format("request: [{}]", fmt::join(words, ", "));
@@ -59,45 +59,49 @@ std::pair<std::string, std::vector<std::string>> ScenarioWords::effects(const De
   return {name, words};
 }
 
-std::string ScenarioWords::asked(const std::vector<Task>& tasks, const Ask& ask, bool keep) const {
+std::string ScenarioWords::request_entry(const std::vector<Task>& tasks, const RequestedLevel& request,
+                                         bool keep) const {
   std::vector<std::string> words;
   for (const Task& task : tasks) {
-    if (task.edge.value != ask.edge) continue;
-    const Index level = ask.level - g_.tables.edges[ask.edge].levels.begin;
+    if (task.edge.value != request.edge) continue;
+    const Index level = request.level - g_.tables.edges[request.edge].levels.begin;
     for (std::size_t i = 1; i < task.levels.size() && task.levels.front().level != level; ++i) {
       if (task.levels[i].level == level) words = {"level: " + task.levels[i].name};
     }
   }
   if (keep) words.emplace_back("keep: true");
-  const std::string& name = group(g_.tables.edges[ask.edge].target);
+  const std::string& name = group(g_.tables.edges[request.edge].target);
   return words.empty() ? name : fmt::format("{}: {{{}}}", name, fmt::join(words, ", "));
 }
 
-void ScenarioWords::answer(const Provider& row, const Asks& asks, bool kept, std::vector<std::string>& words) const {
+void ScenarioWords::answer(const Provider& row, const RequestedPack& pack, bool kept,
+                           std::vector<std::string>& words) const {
   if (row.packs.empty()) return;
   const Pack* pack = &row.packs.front();
   std::vector<std::string> entries;
   if (row.has_packs) {
     for (const Pack& each : row.packs) {
-      const bool same = each.tasks.size() == asks.size() &&
-                        std::equal(asks.begin(), asks.end(), each.tasks.begin(), [&](const Ask& ask, const Task& task) {
-                          const Index level = ask.level - g_.tables.edges[ask.edge].levels.begin;
-                          return ask.edge == task.edge.value &&
-                                 std::any_of(task.levels.begin(), task.levels.end(),
-                                             [&](const Task::NamedLevel& named) { return named.level == level; });
-                        });
+      const bool same =
+          each.tasks.size() == pack.size() &&
+          std::equal(pack.begin(), pack.end(), each.tasks.begin(),
+                     [&](const RequestedLevel& request, const Task& task) {
+                       const Index level = request.level - g_.tables.edges[request.edge].levels.begin;
+                       return request.edge == task.edge.value &&
+                              std::any_of(task.levels.begin(), task.levels.end(),
+                                          [&](const Task::NamedLevel& named) { return named.level == level; });
+                     });
       if (same) pack = &each;
       if (same) break;
     }
     words.push_back("pack: " + pack->name);
-    for (const Ask& ask : asks) {
-      const std::string word = asked(pack->tasks, ask, kept);
+    for (const RequestedLevel& request : pack) {
+      const std::string word = request_entry(pack->tasks, request, kept);
       if (word.find(':') != std::string::npos) entries.push_back(word);
     }
     if (!entries.empty()) words.push_back(fmt::format("with: [{}]", fmt::join(entries, ", ")));
     return;
   }
-  for (const Ask& ask : asks) entries.push_back(asked(pack->tasks, ask, kept));
+  for (const RequestedLevel& request : pack) entries.push_back(request_entry(pack->tasks, request, kept));
   words.push_back(fmt::format("tasks: [{}]", fmt::join(entries, ", ")));
 }
 

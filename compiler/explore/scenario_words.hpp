@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What the program and the bodies do, in the words of a scenario file: one entry of a step or of the script each.
+// The actions of the program and the bodies, in the language of scenario files: one entry of a step or of the script
+// each.
 
 #include "compiler/explore/search.hpp"
 
@@ -17,18 +18,18 @@ public:
   const std::string& group(Index index) const { return m_.groups[GroupId{index}].name.value; }
   std::string provider(Index index) const; ///< `Walk.default`
 
-  std::string request(const Asks& asks) const; ///< `request: Walk`
-  std::string set(const Puts& puts) const;     ///< `set: {Pose: standing}`
+  std::string request(const RequestedPack& pack) const; ///< `request: Walk`
+  std::string set(const Puts& puts) const;              ///< `set: {Pose: standing}`
 
   /// What a body or a handler sets in this deed.
   const Puts& puts_of(const Deed& deed) const;
-  /// Whose entry of the script, and the words of its case without a guard.
+  /// The script's entry, and the text of its case without a guard.
   std::pair<std::string, std::vector<std::string>> effects(const Deed& deed) const;
 
 private:
-  /// With the level's name, where it is not the first of the entry.
-  std::string asked(const std::vector<Task>& tasks, const Ask& ask, bool keep) const;
-  void answer(const Provider& row, const Asks& asks, bool kept, std::vector<std::string>& words) const;
+  /// With the level's name, unless it is the first of the entry.
+  std::string request_entry(const std::vector<Task>& tasks, const RequestedLevel& request, bool keep) const;
+  void answer(const Provider& row, const RequestedPack& pack, bool kept, std::vector<std::string>& words) const;
 
   const Ground& g_;
   const Model& m_;

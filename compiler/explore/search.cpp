@@ -1,11 +1,11 @@
 // Header: compiler/explore/search.hpp. Test: tests/compiler/explore/search_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// A state that was found is kept as its key, the state that it was found from, and which of the things that can happen
-// there led to it. Only states whose turn has not come are kept whole, packed. The frontier is taken slice by slice:
-// all cores expand the states of a slice, then one adds what is new, in order, so that neither the number of cores nor
-// their haste changes anything. Micro-steps that end as one that was taken before are counted, and not taken again
-// (Foresight): all that they lead to was found then.
+// A state that was found is kept as its key, the state that it was found from, and which of the possibilities there led
+// to it. Only unexplored states are kept whole, packed. The frontier is processed slice by slice: all cores expand the
+// states of a slice, then one adds what is new, in order, so that neither the number of cores nor their timing changes
+// anything. Micro-steps with the same result as an earlier one are counted, and not taken again (Foresight): everything
+// that they lead to was found then.
 #include "compiler/explore/search.hpp"
 
 #include "compiler/explore/frontier.hpp"
@@ -30,7 +30,7 @@ constexpr std::size_t most_cycles = 8;
 
 struct Origin {
   Number parent = none;
-  std::uint32_t place = 0; ///< among all that can happen there
+  std::uint32_t place = 0; ///< among all possibilities there
 };
 
 class Search {
@@ -126,7 +126,7 @@ private:
 
   void merge(std::size_t place) {
     const Expansion& expansion = expansions_[place];
-    const auto from = static_cast<Number>(out_.explored++); // they are explored in the order in which they were found
+    const auto from = static_cast<Number>(out_.explored++); // they are explored in the order of discovery
     ++sets_[slice_[place].roots].explored;
     out_.micro_steps += expansion.micro_steps;
     for (const Seen& seen : expansion.seen) {
@@ -150,7 +150,7 @@ private:
     return way;
   }
 
-  /// Where every body does what is usual, each state has one follower at most.
+  /// With the usual answer of every body, each state has at most one successor.
   void find_cycles() {
     std::vector<Number> visit(origins_.size(), none);
     for (Number start = 0; start < origins_.size() && out_.cycles.size() < most_cycles; ++start) {
@@ -186,7 +186,7 @@ private:
   Known known_;
   PlayedTable played_{1U << 10};
   std::vector<Origin> origins_; ///< state
-  std::vector<Number> usual_;   ///< state: what it leads to where bodies do what is usual
+  std::vector<Number> usual_;   ///< state: its successor if bodies give their usual answers
   Frontier frontier_;
   std::vector<Waiting> slice_; ///< its first states
   std::vector<Expansion> expansions_;

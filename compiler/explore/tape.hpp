@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The choices of one micro-step, as they come: a body picks one of so many. Played again and again, each time with the
-// next picks, until all were taken: no body has to know what the others may choose.
+// The choices of one micro-step: a body picks one of several. It is replayed with other picks until all were taken: no
+// body has to know the choices of others.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,12 +12,12 @@ namespace director::compiler {
 
 class Tape {
 public:
-  /// One of 0 .. count - 1; above 0.
+  /// Picks one of 0 .. count - 1; `count` is above 0.
   std::size_t pick(std::size_t count) {
     if (at_ == picks_.size()) picks_.push_back({0, static_cast<std::uint32_t>(count)});
     return picks_[at_++].taken;
   }
-  /// Back to the begin, with the next picks. False: there are no others.
+  /// Back to the beginning, with the next picks. False: there are no others.
   bool next() {
     picks_.resize(at_);
     at_ = 0;
@@ -27,7 +27,7 @@ public:
     }
     return false;
   }
-  /// From the first picks again; of these, the first ones stay as they are given.
+  /// Restarts with the first picks; of these, the given ones stay fixed.
   void begin(std::initializer_list<std::size_t> given = {}) {
     picks_.clear();
     for (const std::size_t taken : given) picks_.push_back({static_cast<std::uint32_t>(taken), 0});

@@ -50,16 +50,16 @@ Verdict by_search(const Ground& ground, std::size_t at, const Searched& searched
     return out;
   }
   out.way = follow(ground, *searched.seen[at], searched.breadth);
-  Telling telling;
-  telling.title = fmt::format("{}: {}", wanted ? "it runs" : "refuted", words_of(assertion, ground.model));
-  telling.doc = wanted ? "How it comes to run." : "In the last step " + refuted_by(assertion, ground.model) + ".";
-  telling.behaviour = behaviour;
+  ScenarioHead head;
+  head.title = fmt::format("{}: {}", wanted ? "it runs" : "refuted", words_of(assertion, ground.model));
+  head.doc = wanted ? "How it comes to run." : "In the last step " + refuted_by(assertion, ground.model) + ".";
+  head.behaviour = behaviour;
   if (!shows(ground, *searched.seen[at], searched.breadth, at)) {
     out.why = fmt::format("after {}, it was seen only in a state that had been put away", in_words(ground, out.way));
     out.way.clear();
     return out;
   }
-  out.scenario = write_scenario(ground, out.way, telling);
+  out.scenario = write_scenario(ground, out.way, head);
   if (!out.scenario) {
     out.why = "a way to it was found, but only with timers that are due in an order that could not be played";
     out.way.clear();
@@ -112,7 +112,7 @@ std::vector<std::optional<Verdict>> decide_early(const Ground& ground, SearchOpt
     }
     return searched.complete;
   };
-  // The shortest way where it is short; else one that leads there straight; else far and wide.
+  // A short breadth-first search; then one focused on the goal; then a full one.
   const std::size_t bound = options.bound, few = std::min(bound, states_of_focus);
   const bool all = look(ground, without_verdict(out), few);
   for (const std::size_t i : without_verdict(out)) {

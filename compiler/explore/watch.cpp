@@ -17,13 +17,13 @@ Happened::Happened(const Tables& tables)
     : ran(tables.providers.size()),
       requested(tables.edges.size()),
       granted(tables.edges.size()),
-      asked(tables.edges.size()) {}
+      runnable(tables.edges.size()) {}
 
 void Happened::add(const Happened& other) {
   unite(ran, other.ran);
   unite(requested, other.requested);
   unite(granted, other.granted);
-  unite(asked, other.asked);
+  unite(runnable, other.runnable);
 }
 
 bool under(const Engine& engine, Index edge, Index group) {
@@ -119,7 +119,8 @@ bool Watch::requested(Index group, const Machine& machine) const {
                      [&](Index edge) { return machine.engine().state(edge) != RunState::none; });
 }
 
-/// A causing provider of the first one ran while the second one is requested; or it set its state and is active since.
+/// Whether a causing provider of the first one ran while the second one is requested; or it set its state and has been
+/// active since.
 std::uint64_t Watch::remember(const One& one, const Machine& machine, std::uint64_t bits) const {
   for (const Deed& deed : machine.deeds()) {
     if (deed.kind != Deed::Kind::run || deed.group != one.groups.front() || !causes(deed.provider)) continue;
@@ -140,8 +141,8 @@ bool Watch::keeps_promise(Index provider, const Put& put) const {
   });
 }
 
-/// The second one is granted, and with that something is taken that the first one, live, held: what it asked for or
-/// needs. Not where it holds that from now on by way of the second one.
+/// Whether the second one is granted, and thereby something is taken that the first one, live, held: a request or need
+/// of it. Not if the first one continues to hold it through the second one.
 bool Watch::hard_cut(const One& one, const Machine& machine) const {
   const Engine& engine = machine.engine();
   const Tables& t = ground_.tables;
@@ -185,9 +186,9 @@ void Watch::note(const Machine& machine) {
       continue;
     }
     ++i;
-    if (state != RunState::queued || happened.asked[e]) continue;
+    if (state != RunState::queued || happened.runnable[e]) continue;
     const Range providers = t.groups[t.edges[e].target].providers;
-    for (Index p = providers.begin; p != providers.end; ++p) happened.asked[e] = happened.asked[e] || met(p);
+    for (Index p = providers.begin; p != providers.end; ++p) happened.runnable[e] = happened.runnable[e] || met(p);
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a search looks for beside new states: whether an assertion is refuted (can_run: whether it comes true), and what
+// What a search checks beside new states: whether an assertion is refuted (can_run: whether it comes true), and what
 // never happens. Definitions: the language page, assertions.
 
 #include "compiler/explore/machine.hpp"
@@ -15,35 +15,35 @@ struct Happened {
   std::vector<bool> ran;       ///< provider
   std::vector<bool> requested; ///< edge
   std::vector<bool> granted;   ///< edge: its target, while it was requested
-  std::vector<bool> asked;     ///< edge: requested, and a provider of its target met its conditions
+  std::vector<bool> runnable;  ///< edge: requested, and a provider of its target met its conditions
 
   explicit Happened(const Tables& tables);
   void add(const Happened& other);
 };
 
-/// What is true in one of them.
+/// Adds what is true in the other.
 void unite(std::vector<bool>& all, const std::vector<bool>& more);
 
-/// More assertions of the kind `soft` are not watched at once: each takes two bits of a state.
+/// Limit for watched assertions of the kind `soft`: each takes two bits of a state.
 inline constexpr std::size_t most_soft = 32;
 
 class Watch {
 public:
-  /// `assertions`: of the Model, those to look at.
+  /// `assertions`: of the Model, those to check.
   Watch(const Ground& ground, const std::vector<std::size_t>& assertions);
 
-  /// Before the micro-steps that all begin in this state.
+  /// Called before the micro-steps that begin in this state.
   void before(const Machine& machine, std::uint64_t bits);
-  /// After one of them; what is to be remembered now. Assertions that were refuted (can_run: came true) by it are added
-  /// to `seen`.
+  /// Called after one of them; returns what is to be remembered. Assertions that it refuted (can_run: fulfilled) are
+  /// added to `seen`.
   std::uint64_t after(const Machine& machine, std::vector<std::size_t>& seen);
 
-  /// What is remembered depends on what bodies set, not only on the values that states have then.
+  /// Whether what is remembered depends on what bodies set, not only on the resulting values.
   bool minds_puts() const { return minds_puts_; }
 
   Happened happened;
   /// Of the Model's assertions: a task of the winner's side was blocked while the loser's side held what it may take,
-  /// but others were in its way as well.
+  /// but others blocked it as well.
   std::vector<bool> doubted;
 
 private:
@@ -74,7 +74,7 @@ private:
   std::uint64_t bits_ = 0;
 };
 
-/// `group` holds, or is held for, something that `edge` leads to: it is in the chain of the edge's holders.
+/// Whether `group` holds, or is held for, something that `edge` leads to: it is in the chain of the edge's holders.
 bool under(const Engine& engine, Index edge, Index group);
 
 } // namespace director::compiler

@@ -15,7 +15,7 @@ std::uint64_t requested_roots(const Machine& machine) {
   return out;
 }
 
-/// Asks for all that may be foreseen at once, so that no look-up has to wait for the one before.
+/// Prefetches all keys that can be predicted, so that lookups do not wait for one another.
 void Worker::foresee(const PlayedTable& played) {
   foreseen_.clear();
   if (!foresees_) return;
@@ -48,7 +48,7 @@ void Worker::expand(const Waiting& from, const Known& known, const PlayedTable& 
   place_ = 0;
   moved_ = false;
   auto foreseen = foreseen_.begin();
-  /// Unless that ends as one before; but what is usual is always taken, for it has to be known where that leads.
+  /// Skips a micro-step whose result is known; but the usual one is always taken, as its successor has to be known.
   const auto take_new = [&](const Happens& happens, bool usual) {
     const std::uint64_t key = *foreseen++;
     std::size_t ways = usual ? 0 : mine_played_.find(key);
@@ -91,13 +91,13 @@ std::uint32_t Worker::take_all(const Happens& happens, const Known& known, Expan
     machine.take(happens, tape_);
     if (look_) look_(machine);
     const Print print = machine.print();
-    known.fetch(key_of(print, watched_)); // which it will be, mostly
+    known.fetch(key_of(print, watched_)); // a likely key
     seen_.clear();
     const std::uint64_t remembered = watch.after(machine, seen_);
     for (const std::size_t assertion : seen_) out.seen.push_back({assertion, place_});
     const std::uint64_t key = key_of(print, remembered);
     const bool usual = happens.kind == Happens::Kind::go && tape_.usual();
-    // What this worker found before in the slice stands before this in it, too, and with its state.
+    // A state that this worker found before in the slice also precedes this one there, with its data.
     const bool fresh = !mine_.has(key) && !known.has(key);
     if (fresh || usual) {
       Step& step = out.steps.emplace_back();

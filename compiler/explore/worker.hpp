@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Finds what leads out of a state: everything that can happen there, with everything that bodies can do. Each core has
-// a worker of its own; what all of them know is only read.
+// Expands a state: everything that can happen there, with all possible answers of bodies. Each core has its own worker;
+// shared data is only read.
 
 #include "compiler/explore/frontier.hpp"
 #include "compiler/explore/known.hpp"
@@ -16,22 +16,22 @@
 
 namespace director::compiler {
 
-/// A state that something leads to.
+/// A successor state.
 struct Step {
   std::uint64_t key = 0;
   std::uint32_t place = 0;
-  bool usual = false; ///< no input, and every body does what is usual
+  bool usual = false; ///< no input, and every body gives its usual answer
   std::uint64_t roots = 0, watch = 0;
-  std::size_t begin = 0, end = 0; ///< of Expansion::packed: the state; nothing where it was known
+  std::size_t begin = 0, end = 0; ///< of Expansion::packed: the state; empty if it was known
 };
 
-/// What shows an assertion.
+/// An assertion that was decided by this step.
 struct Seen {
   std::size_t assertion = 0;
   std::uint32_t place = 0;
 };
 
-/// What leads out of one state.
+/// The successors of one state.
 struct Expansion {
   std::vector<Step> steps;
   Packed packed;
@@ -39,7 +39,7 @@ struct Expansion {
   std::size_t micro_steps = 0;
 };
 
-/// The roots that are requested; the first 64.
+/// The requested roots; the first 64.
 std::uint64_t requested_roots(const Machine& machine);
 
 class Worker {
@@ -53,7 +53,7 @@ public:
 
   void begin_slice() { mine_.clear(); }
 
-  /// `known`: the states, `played`: what was played in the slices before.
+  /// `known`: the states, `played`: the micro-steps of earlier slices.
   void expand(const Waiting& from, const Known& known, const PlayedTable& played, Expansion& out);
 
   Machine machine;
@@ -61,21 +61,21 @@ public:
   std::vector<std::pair<std::uint64_t, std::uint32_t>> newly_played;
 
 private:
-  /// Takes it with all that the tape can be from where it is. How many these are.
+  /// Takes it with all possible picks. Returns their number.
   std::uint32_t take_all(const Happens& happens, const Known& known, Expansion& out);
   void foresee(const PlayedTable& played);
 
   bool foresees_;
   std::function<void(const Machine&machine)> leave_, look_;
   std::vector<Happens> happens_;
-  std::vector<std::uint64_t> foreseen_; ///< numbers of micro-steps, in their order: of an input, or of what a body does
+  std::vector<std::uint64_t> foreseen_; ///< keys of micro-steps, in order: of an input, or of a body's answer
   std::vector<std::size_t> seen_;
   Tape tape_;
   KeyTable mine_;                     ///< found in this slice
   PlayedTable mine_played_{1U << 15}; ///< and played, in any
-  std::uint64_t watched_ = 0;         ///< what is remembered beside the state that is expanded
+  std::uint64_t watched_ = 0;         ///< what is remembered beside the expanded state
   std::uint32_t place_ = 0;           ///< of what is next
-  bool moved_ = false;                ///< the machine is elsewhere than where it was loaded
+  bool moved_ = false;                ///< the machine is no longer in the state that was loaded
 };
 
 } // namespace director::compiler

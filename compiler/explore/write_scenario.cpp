@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/explore/write_scenario.hpp"
 
-#include "compiler/explore/retelling.hpp"
+#include "compiler/explore/scenario_draft.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/play/play.hpp"
 #include "compiler/play/resolve_scenario.hpp"
@@ -19,22 +19,22 @@ namespace director::compiler {
 
 namespace {
 
-std::string text_of(const Retelling& told, const Telling& telling,
+std::string text_of(const ScenarioDraft& draft, const ScenarioHead& head,
                     const std::vector<std::vector<std::string>>& expected) {
-  std::string out = fmt::format("scenario: {}\ndoc: |\n", dsl::yaml_word(telling.title));
-  for (std::size_t at = 0; at < telling.doc.size();) {
-    const std::size_t end = std::min(telling.doc.find('\n', at), telling.doc.size());
-    out += fmt::format("  {}\n", telling.doc.substr(at, end - at));
+  std::string out = fmt::format("scenario: {}\ndoc: |\n", dsl::yaml_word(head.title));
+  for (std::size_t at = 0; at < head.doc.size();) {
+    const std::size_t end = std::min(head.doc.find('\n', at), head.doc.size());
+    out += fmt::format("  {}\n", head.doc.substr(at, end - at));
     at = end + 1;
   }
-  out += fmt::format("behaviour: {}\n", dsl::yaml_word(telling.behaviour));
-  if (!told.script().empty()) out += "script:\n";
-  for (const auto& [name, cases] : told.script()) {
+  out += fmt::format("behaviour: {}\n", dsl::yaml_word(head.behaviour));
+  if (!draft.script().empty()) out += "script:\n";
+  for (const auto& [name, cases] : draft.script()) {
     out += fmt::format("  {}:\n", name);
     for (const std::vector<std::string>& words : cases) out += fmt::format("    - {{{}}}\n", fmt::join(words, ", "));
   }
   out += "steps:\n";
-  const std::vector<Retelling::Words>& steps = told.steps();
+  const std::vector<ScenarioDraft::Words>& steps = draft.steps();
   for (std::size_t i = 0; i < steps.size(); ++i) {
     out += steps[i].size() == 1 ? fmt::format("  - {}\n", steps[i].front())
                                 : fmt::format("  - inputs: [{{{}}}]\n", fmt::join(steps[i], "}, {"));
@@ -48,8 +48,8 @@ std::string text_of(const Retelling& told, const Telling& telling,
 
 struct Play {
   bool good = false, exhausted = false;
-  std::vector<std::vector<std::string>> steps; ///< as `expect` has it
-  std::vector<std::string> lines;              ///< as Retelling::lines
+  std::vector<std::vector<std::string>> steps; ///< in the form of `expect`
+  std::vector<std::string> lines;              ///< as ScenarioDraft::lines
   std::vector<std::string> providers;          ///< that ran
 };
 
@@ -86,30 +86,31 @@ Play play_text(const std::string& text, const Model& model, const Lowered& lower
 
 } // namespace
 
-std::optional<std::string> write_scenario(const Ground& ground, const std::vector<Taken>& way, const Telling& telling) {
-  Retelling told(ground);
-  if (!told.tell(way)) return {};
-  told.repeat(telling.round);
-  const bool endless = !telling.round.empty();
+std::optional<std::string> write_scenario(const Ground& ground, const std::vector<Taken>& way,
+                                          const ScenarioHead& head) {
+  ScenarioDraft draft(ground);
+  if (!draft.fill(way)) return {};
+  draft.repeat(head.round);
+  const bool endless = !head.round.empty();
   const Lowered lowered = lower(ground.model);
   for (;;) {
-    const Play play = play_text(text_of(told, telling, {}), ground.model, lowered);
-    const std::vector<std::string>& lines = told.lines();
+    const Play play = play_text(text_of(draft, head, {}), ground.model, lowered);
+    const std::vector<std::string>& lines = draft.lines();
     if (!play.good || play.exhausted != endless || play.lines.size() < lines.size() ||
         !std::equal(lines.begin(), lines.end(), play.lines.begin()))
       return {};
-    if (endless) return text_of(told, telling, {});
+    if (endless) return text_of(draft, head, {});
     bool quieter = false;
-    for (const std::string& name : play.providers) quieter = told.quieten(name) || quieter;
-    if (!quieter) return text_of(told, telling, play.steps);
+    for (const std::string& name : play.providers) quieter = draft.quieten(name) || quieter;
+    if (!quieter) return text_of(draft, head, play.steps);
   }
 }
 
 std::string in_words(const Ground& ground, const std::vector<Taken>& way) {
-  Retelling told(ground);
-  if (!told.tell(way)) return {};
+  ScenarioDraft draft(ground);
+  if (!draft.fill(way)) return {};
   std::vector<std::string> out;
-  for (const auto& step : told.steps()) {
+  for (const auto& step : draft.steps()) {
     for (std::string words : step) {
       if (const std::size_t at = words.find(": "); at != std::string::npos) words.erase(at, 1);
       out.push_back(std::move(words));

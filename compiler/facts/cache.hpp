@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Answers of director-clang that are still good. An answer is found by its question, which has all flags and the
-// versions of both programs in it, and counts only if every file that was read for it is as it was: the user's by
-// content, those of the system by size and time. What cannot be read, or says something odd, is only not found. An
-// answer with errors in it is not kept: the file that was missing might be there by now.
+// A cache of director-clang's answers. The key of an answer is its request, with all flags and the versions of both
+// programs; it is valid only if every file that was read for it is unchanged: the user's by content, those of the
+// system by size and time. An entry that cannot be read or understood counts as missing. An answer with errors is not
+// kept: a missing file may exist the next time.
 
 #include "compiler/base/json.hpp"
 #include "dsl/file_access.hpp"
@@ -18,7 +18,7 @@ namespace director::compiler {
 class FactStore {
 public:
   virtual std::optional<std::string> load(const std::string& name) = 0;
-  /// Not being able to is no fault: the next run asks again.
+  /// A failure is no error: the next run computes it again.
   virtual void save(const std::string& name, const std::string& text) = 0;
   /// Size and last change of any file; empty: there is none.
   virtual std::string stamp(const std::string& path) = 0;
@@ -31,7 +31,7 @@ class FactCache {
 public:
   FactCache(FactStore& store, dsl::FileAccess& files) : store_(store), files_(files) {}
   std::optional<Json> recall(const std::string& question);
-  /// `answer`: with `files`, as director-clang gives them, and `errors`.
+  /// `answer`: with `files`, as in director-clang's answer, and `errors`.
   void keep(const std::string& question, const Json& answer);
 
 private:

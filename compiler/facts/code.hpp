@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Facts from the user's C++: what its functions do that a behaviour is about, and whom they call. director-clang
-// collects them (compiler/clang/facts.cpp), the rules of compiler/checks that read C++ judge them. A function's facts
-// are what may happen in it, in no order and under no condition; what the text of the function rules out, as a constant
-// condition or a `return` before it does, is not counted.
+// Facts from the user's C++: what its functions do with respect to a behaviour, and what they call. director-clang
+// collects them (compiler/clang/facts.cpp), the checks that read C++ evaluate them. A function's facts are what may
+// happen in it, without order or conditions; what the text of the function rules out, like a constant condition or an
+// earlier `return`, is not counted.
 
 #include "compiler/base/json.hpp"
 #include "dsl/file_access.hpp"
@@ -16,7 +16,7 @@
 
 namespace director::compiler {
 
-/// A word of a context: `run.request(soccer::LeftLeg{...})`. Names are those of C++, `soccer::Walk::Halting`.
+/// A use of a context: `run.request(soccer::LeftLeg{...})`. Names are those of C++, `soccer::Walk::Halting`.
 struct CodeWord {
   enum class Kind { request, pack, set, done, fail, keep };
   Kind kind = Kind::keep;
@@ -24,7 +24,7 @@ struct CodeWord {
   std::string pack;                               ///< of a pack its function
   std::vector<std::string> tasks;                 ///< of request and pack
   std::string state;                              ///< of set: the type
-  std::optional<std::vector<std::string>> values; ///< of set: what it may be; nothing: computed
+  std::optional<std::vector<std::string>> values; ///< of set: the possible values; empty: computed
   dsl::Span span{};
 };
 
@@ -32,20 +32,20 @@ struct CodeCall {
   std::string to; ///< key of a function
   std::string name;
   dsl::Span span{};
-  std::string declared_in; ///< path of a file; empty where its body is seen beside it
+  std::string declared_in; ///< path of a file; empty if its body is visible
   bool carries = false;    ///< it is given a context
-  bool maybe = false;      ///< a lambda, or a function that is named: whoever gets it may call it
-  bool is_virtual = false; ///< whoever overrides it may be called
+  bool maybe = false;      ///< a lambda, or a function that is named: its receiver may call it
+  bool is_virtual = false; ///< its overriders may be called
 };
 
-/// Something that may keep its caller waiting.
+/// A call that may block its caller.
 struct CodeBlock {
   std::string name; ///< `std::this_thread::sleep_for`
   std::string why;  ///< `sleeps`
   dsl::Span span{};
 };
 
-/// Where nobody can see what happens: a call through a pointer.
+/// A call whose target is unknown: through a pointer.
 struct CodeHidden {
   std::string what;
   dsl::Span span{};
@@ -58,12 +58,12 @@ struct CodeFunction {
   dsl::Span span{};                   ///< of the name, where its body stands
   std::vector<std::string> overrides; ///< keys
   std::string context;                ///< it is the body of this provider or handler; else empty
-  std::string class_name;             ///< then: whose
+  std::string class_name;             ///< then: its class
   std::vector<CodeWord> words;
   std::vector<CodeCall> calls;
   std::vector<CodeBlock> blocks;
   std::vector<CodeHidden> hidden;
-  std::optional<dsl::Span> open_end; ///< it owes an answer, and its end can be reached without one: its brace
+  std::optional<dsl::Span> open_end; ///< it must return an answer, and its end can be reached without one: its brace
   bool unwritten = false;            ///< it is as `directorc stubs` wrote it
   bool doubtful = false;             ///< Clang found errors in its file: something may be missing
 };
@@ -78,8 +78,8 @@ struct CodeClass {
   struct Stray {
     std::string key;     ///< of a function called like a body that overrides nothing
     std::string context; ///< what it takes
-    std::string unlike;  ///< its class implements the module of that: why it overrides nothing; else empty
-    std::string wrote;   ///< what stands there, where it is no context
+    std::string unlike;  ///< its class implements the module: why it overrides nothing; otherwise empty
+    std::string wrote;   ///< the type there, if it is no context
     dsl::Span span{};
   };
   std::vector<Stray> stray;
@@ -88,7 +88,7 @@ struct CodeClass {
 /// A generated header that some file includes.
 struct GeneratedHeader {
   dsl::FileId file{};
-  bool fresh = true; ///< it is what the behaviour generates now
+  bool fresh = true; ///< it equals what the behaviour generates now
 };
 
 struct CodeFacts {
@@ -97,7 +97,7 @@ struct CodeFacts {
   std::vector<CodeClass> classes;
   std::map<std::string, std::string, std::less<>> aliases; ///< `soccer::Phase` -> `soccer::GamePhase`
   std::vector<GeneratedHeader> headers;
-  bool has_templates = false; ///< a class template implements a module, whoever makes a class of it
+  bool has_templates = false; ///< a class template implements a module, whatever derives from it
 
   const CodeFunction* find(std::string_view key) const;
 };
@@ -108,10 +108,10 @@ struct CodePlace {
   std::uint32_t begin = 0, end = 0;
 };
 
-/// `[row of paths, begin, end]`, as director-clang says a place; else an empty path.
+/// `[row of paths, begin, end]`, as in director-clang's answers; otherwise an empty path.
 CodePlace place_in(const Json& at, const Json& paths);
 
-/// Gives the text of C++ files their places among the sources, each once.
+/// Adds C++ files to the sources, each once, and converts places.
 class CodeFiles {
 public:
   CodeFiles(dsl::FileAccess& files, dsl::Sources& sources, std::string (*shown)(const std::string&))
@@ -119,7 +119,7 @@ public:
         sources_(sources),
         shown_(shown) {}
   dsl::FileId of(const std::string& path);
-  dsl::Span span(const CodePlace& place); ///< nowhere, if its path is empty
+  dsl::Span span(const CodePlace& place); ///< no place, if its path is empty
 
 private:
   dsl::FileAccess& files_;
@@ -128,7 +128,7 @@ private:
   std::map<std::string, dsl::FileId> known_;
 };
 
-/// Adds what director-clang tells of a file. What several files tell of one function or class counts once.
+/// Adds director-clang's answer for a file. A function or class that several files report counts once.
 void add_unit(CodeFacts& code, const Json& unit, CodeFiles& files);
 
 } // namespace director::compiler

@@ -43,8 +43,8 @@ std::vector<std::string> split_command(std::string_view line) {
 
 namespace {
 
-constexpr int deepest_response = 10; ///< a response file may name others, or itself
-constexpr int most_responses = 2000; ///< of one command, as g++ has it
+constexpr int deepest_response = 10; ///< a response file may include others, or itself
+constexpr int most_responses = 2000; ///< of one command, as in g++
 
 struct Responses {
   dsl::FileAccess& files;

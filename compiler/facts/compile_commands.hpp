@@ -16,18 +16,18 @@ struct CompileCommand {
   std::string file;               ///< absolute
   std::string directory;          ///< absolute
   std::vector<std::string> words; ///< the compiler first
-  std::string output{};           ///< what it is compiled to; empty: nobody says so
+  std::string output{};           ///< output file; empty: not given
   bool operator==(const CompileCommand&) const = default;
 };
 
-/// The text of the file; or what is wrong with it. Response files are not read yet.
+/// The commands in the text; or its fault. Response files are not read yet.
 dsl::Result<std::vector<CompileCommand>, std::string> read_compile_commands(std::string_view text);
 
 struct LoadedCommands {
   std::string path; ///< of the file
   std::vector<CompileCommand> commands;
-  std::string fault;    ///< why there are none, in a sentence that names the file; else empty
-  bool was_read = true; ///< though it may be wrong
+  std::string fault;    ///< why there are none, in a sentence that names the file; otherwise empty
+  bool was_read = true; ///< though it may have faults
 };
 
 /// Why the compile_commands.json of this folder cannot be read, and what to do.
@@ -36,16 +36,16 @@ std::string fault_of_build(const std::string& build, const dsl::FileError& error
 /// That of a build's folder.
 LoadedCommands load_compile_commands(const std::string& build, dsl::FileAccess& files);
 
-/// The nearest, looked for as clangd does: in the folder and those above it, and in their folders `build`. `folder` is
-/// absolute. Where none can be read, the fault names none.
+/// The nearest one, searched as clangd does: in the folder and those above it, and in their folders `build`. `folder`
+/// is absolute. If none can be read, the fault names none.
 LoadedCommands find_compile_commands(const std::string& folder, dsl::FileAccess& files);
 
-/// The words with those of response files, `@flags.rsp`, in their place, as g++ and Clang read these. `directory`:
-/// where relative paths begin. What cannot be read stays as it is.
+/// The arguments with those of response files, `@flags.rsp`, in their place, as g++ and Clang read these. `directory`:
+/// base of relative paths. What cannot be read stays unchanged.
 std::vector<std::string> with_response_files(const std::vector<std::string>& words, const std::string& directory,
                                              dsl::FileAccess& files);
 
-/// Words of a command line, as a POSIX shell would take them apart; nothing else of a shell is known.
+/// Arguments of a command line, split as by a POSIX shell, without any other feature of a shell.
 std::vector<std::string> split_command(std::string_view line);
 
 } // namespace director::compiler

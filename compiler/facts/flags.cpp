@@ -16,11 +16,11 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// With the word behind them: what is written, and what the linker is told.
+/// Dropped with the next argument: outputs, and options for the linker.
 constexpr std::array<std::string_view, 13> dropped_pairs{
     "-include-pch", "-o",      "-MF",       "-MT",       "-MQ", "-MJ", "-Xlinker",
     "-Xassembler",  "--param", "-aux-info", "-dumpbase", "-u",  "-z"};
-/// Alone. What produces something else than a tree, and files that only g++ can read.
+/// Dropped alone: options that produce something else than a tree, and files that only g++ can read.
 constexpr std::array<std::string_view, 13> dropped{"-c",
                                                    "-S",
                                                    "-E",
@@ -34,8 +34,8 @@ constexpr std::array<std::string_view, 13> dropped{"-c",
                                                    "-fmodules-ts",
                                                    "-Winvalid-pch",
                                                    "-pedantic-errors"};
-/// By how they begin: code generation, optimisation, linking, debugging and warnings change nothing that is looked at
-/// here, and many of g++'s are unknown to Clang.
+/// Dropped by prefix: code generation, optimisation, linking, debugging and warnings do not matter here, and Clang does
+/// not know many of g++'s.
 constexpr std::array<std::string_view, 42> dropped_beginnings{"-W",
                                                               "-O",
                                                               "-g",
@@ -78,11 +78,11 @@ constexpr std::array<std::string_view, 42> dropped_beginnings{"-W",
                                                               "-fmax-errors",
                                                               "-mthumb-interwork",
                                                               "-mlong-calls"};
-/// They take the next word if nothing follows in their own.
+/// They take the next argument if their own has no value.
 constexpr std::array<std::string_view, 12> kept_pairs{"-I",        "-isystem",  "-iquote", "-idirafter",
                                                       "-include",  "-imacros",  "-D",      "-U",
                                                       "-isysroot", "--sysroot", "-x",      "-target"};
-/// How both compilers write some of them at length, with `=` or the next word behind it.
+/// The long forms of both compilers, with the value after `=` or in the next argument.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> long_forms{
     {{"--include", "-include"},
      {"--imacros", "-imacros"},
@@ -90,8 +90,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> long_form
      {"--include-directory-after", "-idirafter"},
      {"--define-macro", "-D"},
      {"--undefine-macro", "-U"}}};
-/// What a compiler must be told when it is asked for its habits.
-constexpr std::array<std::string_view, 8> telling{
+/// Options that influence what a compiler reports about its defaults.
+constexpr std::array<std::string_view, 8> kept_flags{
     "-m", "--sysroot", "-isysroot", "-std=", "-stdlib=", "-nostdinc", "--target", "-B"};
 
 bool begins(std::string_view word, const auto& list) {
@@ -102,7 +102,7 @@ bool among(std::string_view word, const auto& list) { return std::find(list.begi
 
 std::string stem_of(const std::string& program) { return fs::path(program).filename().string(); }
 
-/// The short form, and what stands behind `=`, if anything.
+/// The short form, and the value after `=`, if there is one.
 Words shortened(const std::string& word) {
   const std::size_t end = word.find('=');
   for (const auto& [form, instead] : long_forms) {
@@ -140,7 +140,7 @@ Flags fit_for_clang(const Words& as_written) {
       if (has_next) out.words.push_back(command[++i]);
     } else if (word == "-Xclang" && i + 3 < command.size() && command[i + 1] == "-include" &&
                command[i + 2] == "-Xclang") {
-      // CMake's way to have Clang take a precompiled header: the text of it is beside.
+      // CMake's way to make Clang use a precompiled header: its text is beside it.
       out.words.insert(out.words.end(), {"-include", command[i + 3]});
       i += 3;
     } else if (word == "-Xclang" || word == "-Xpreprocessor") {
@@ -150,7 +150,7 @@ Flags fit_for_clang(const Words& as_written) {
     } else if (among(word, dropped) || begins(word, dropped_beginnings)) {
       continue;
     } else if (word == "--" || (!word.starts_with('-') && !word.starts_with('@'))) {
-      continue; // the file, or what else is compiled with it
+      continue; // the file, or other files that are compiled with it
     } else {
       out.words.push_back(word);
     }
@@ -173,7 +173,7 @@ Habits read_habits(const std::string& text) {
       in_list = false;
     } else if (in_list && line.starts_with(' ')) {
       const std::string folder = fs::path(line.substr(1)).lexically_normal().string();
-      // g++'s own headers for its own built-in functions: Clang has its own.
+      // g++'s own headers for its built-in functions: Clang has its own.
       const bool is_own = folder.find("/lib/gcc") != std::string::npos &&
                           (folder.ends_with("/include") || folder.ends_with("/include-fixed"));
       if (!is_own) out.includes.push_back(folder);
@@ -187,7 +187,7 @@ Words Compilers::complete(const Flags& flags) {
   Words question{"sh", "-c", "exec \"$0\" \"$@\" 2>&1", flags.compiler};
   for (std::size_t i = 0; i < flags.words.size(); ++i) {
     const std::string& word = flags.words[i];
-    if (!begins(word, telling)) continue;
+    if (!begins(word, kept_flags)) continue;
     question.push_back(word);
     if ((word == "--sysroot" || word == "-isysroot") && i + 1 < flags.words.size())
       question.push_back(flags.words[++i]);
@@ -207,7 +207,7 @@ Words Compilers::complete(const Flags& flags) {
   out.emplace_back("-nostdinc++");
   out.emplace_back("-nostdlibinc");
   for (const std::string& folder : habits.includes) {
-    // In the order that Clang has of itself: the C++ library, what is its own, the rest.
+    // In Clang's own order: the C++ library, its own headers, the rest.
     out.emplace_back(folder.find("/c++") != std::string::npos ? "-isystem" : "-idirafter");
     out.push_back(folder);
   }
@@ -234,7 +234,7 @@ Words include_folders(const Words& words, const std::string& directory, bool ang
 }
 
 Words forced_includes(const Words& words, const std::string& directory) {
-  // As for `#include "..."` in a file that lies in the folder in which the compiler runs.
+  // Like `#include "..."` in a file in the compiler's working directory.
   std::vector<std::string> folders = include_folders(words, directory);
   folders.insert(folders.begin(), directory);
   Words out;

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The flags of a user's compiler, made fit for Clang: what only g++ knows is left out, what is written (objects, lists
-// of dependencies) too; macros, include paths, the standard, the sysroot and the target stay. A g++, also one for
-// another machine, is asked once for its target and for the folders that it looks into unasked.
+// Converts the flags of a user's compiler for Clang: options that only g++ has and options for outputs (objects, lists
+// of dependencies) are left out; macros, include paths, the standard, the sysroot and the target stay. A g++, also a
+// cross compiler, is called once for its default target and include folders.
 
 #include "compiler/facts/compile_commands.hpp"
 #include "compiler/facts/programs.hpp"
@@ -19,21 +19,22 @@ struct Flags {
   bool operator==(const Flags&) const = default;
 };
 
-/// `command`: the compiler (a launcher such as ccache before it is passed over) and its words.
+/// `command`: the compiler (a launcher such as ccache before it is skipped) and its arguments.
 Flags fit_for_clang(const std::vector<std::string>& command);
 
-/// What a compiler says with -v.
+/// What a compiler reports with -v.
 struct Habits {
   std::string target;                ///< `arm-none-eabi`
   std::vector<std::string> includes; ///< without the compiler's own, such as that of its stddef.h
 };
 Habits read_habits(const std::string& text);
 
-/// Asks compilers, each way of calling one once.
+/// Queries compilers, once for each way of calling one.
 class Compilers {
 public:
   explicit Compilers(Programs& programs) : programs_(programs) {}
-  /// The words with what the compiler does unasked said aloud. What cannot be asked, and a clang, is left as it is.
+  /// The arguments with the compiler's defaults made explicit. Unchanged for a clang, and if the compiler cannot be
+  /// called.
   std::vector<std::string> complete(const Flags& flags);
 
 private:
@@ -41,12 +42,12 @@ private:
   std::map<std::string, Habits> known_;
 };
 
-/// Where `#include "..."` looks, or `#include <...>` where it is `angled`, in order: absolute folders.
+/// The folders for `#include "..."`, or for `#include <...>` if it is `angled`, in order: absolute.
 std::vector<std::string> include_folders(const std::vector<std::string>& words, const std::string& directory,
                                          bool angled = false);
 
-/// Files that are read before the source, as `-include` says: absolute, in order. Those that no folder has are left out
-/// by whoever reads them.
+/// Files that are included before the source, by `-include`: absolute, in order. The caller ignores those that do not
+/// exist.
 std::vector<std::string> forced_includes(const std::vector<std::string>& words, const std::string& directory);
 
 } // namespace director::compiler

@@ -1,8 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Whether a file may include another, by the text alone: much faster than to ask Clang, who takes a second for a file
-// that has nothing to do with the behaviour. What stands under conditions counts, and a file that includes a macro may
-// include anything.
+// Decides whether a file may include another, by the text alone: much faster than Clang, which takes a second for a
+// file unrelated to the behaviour. Conditional includes count, and a file that includes a macro may include anything.
 
 #include "dsl/file_access.hpp"
 
@@ -16,7 +15,7 @@ namespace director::compiler {
 class Includes {
 public:
   explicit Includes(dsl::FileAccess& files) : files_(files) {}
-  /// `header`: a path as a folder of `folders` and a name make it.
+  /// `header`: a path made of one of `folders` and a name.
   bool may_include(const std::string& file, const std::vector<std::string>& folders, const std::string& header);
 
 private:

@@ -1,14 +1,13 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Other programs as directorc calls them. Behind it child processes for the command line, answers of their own for
-// tests.
+// Calls other programs: child processes for the command line, prepared answers for tests.
 
 #include <string>
 #include <vector>
 
 namespace director::compiler {
 
-/// What another program answered.
+/// The result of another program.
 struct Answer {
   bool started = false; ///< false: there is no such program
   int status = 0;
@@ -20,7 +19,7 @@ class Programs {
 public:
   /// Runs a program from the search path with `input` on its standard input; its errors go to ours.
   virtual Answer run(const std::vector<std::string>& command, const std::string& input) = 0;
-  /// The same, for whoever words its errors: they are in the answer.
+  /// The same, but with its errors in the answer, for callers that report them.
   virtual Answer run_apart(const std::vector<std::string>& command, const std::string& input) {
     return run(command, input);
   }

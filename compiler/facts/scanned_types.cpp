@@ -29,7 +29,7 @@ CppType type_of(const Json& from, const Json& paths) {
   return out;
 }
 
-/// Clang found a fault that is not in the names which were asked for: in a header.
+/// Whether Clang found a fault outside of the requested names: in a header.
 bool fails_elsewhere(const Json& answer, const std::string& file) {
   const std::vector<Json>& errors = answer["errors"].items();
   return std::any_of(errors.begin(), errors.end(), [&](const Json& error) { return error["file"].as_text() != file; });
@@ -61,7 +61,7 @@ std::vector<std::string> ScannedTypes::missing_in(const CompileCommand& command,
   };
   const Flags flags = fit_for_clang(command.words);
   const std::vector<std::string> missing = without(flags.words, headers);
-  // The compiler is asked only for a header that may be one of the system's.
+  // The compiler is queried only for a header that may be one of the system's.
   return missing.empty() ? missing : without(compilers_.complete(flags), missing);
 }
 
@@ -112,22 +112,22 @@ Types ScannedTypes::read(const TypeReader::Question& question) {
                                {"headers", Json::texts(question.headers)},
                                {"namespace", Json::text(question.name_space)},
                                {"names", Json::texts(question.names)}});
-  Json asked = request;
-  asked.add("director", Json::text(version.value()["director"].as_text())).add("clang", version.value()["clang"]);
-  std::optional<Json> answer = cache_.recall(to_line(asked));
+  Json versioned = request;
+  versioned.add("director", Json::text(version.value()["director"].as_text())).add("clang", version.value()["clang"]);
+  std::optional<Json> answer = cache_.recall(to_line(versioned));
   if (!answer) {
     const Scan scan = scanner_.ask("types", request);
     if (!scan) return fail(scan.error().message);
     answer = scan.value();
-    // A header that the build has yet to write leaves no trace among the files that were read.
-    if (!fails_elsewhere(*answer, file)) cache_.keep(to_line(asked), *answer);
+    // A header that the build has yet to generate is not among the files that were read.
+    if (!fails_elsewhere(*answer, file)) cache_.keep(to_line(versioned), *answer);
   }
   const bool uncertain = fails_elsewhere(*answer, file);
   const std::vector<Json>& types = (*answer)["types"].items();
   bool any = false;
   for (std::size_t i = 0; i < types.size() && i < question.names.size(); ++i) {
     if (!types[i].is_object()) continue;
-    // Where a header does not compile, what is not there may only not have been read.
+    // If a header does not compile, a missing type may only not have been read.
     if (uncertain && !types[i]["wrong"].as_text().empty()) continue;
     any = true;
     out.by_name.emplace(question.names[i], type_of(types[i], (*answer)["paths"]));

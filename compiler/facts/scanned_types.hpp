@@ -12,9 +12,9 @@ namespace director::compiler {
 
 /// How the headers are compiled.
 struct TypeFlags {
-  std::vector<CompileCommand> commands; ///< the first that finds all headers counts
+  std::vector<CompileCommand> commands; ///< the first that finds all headers is used
   std::string fault;                    ///< why there are none
-  std::string source;                   ///< where they are from, for people
+  std::string source;                   ///< where they are from, for messages
 };
 
 class ScannedTypes {
@@ -29,8 +29,8 @@ public:
   Types read(const TypeReader::Question& question);
 
 private:
-  /// The first command that finds all headers; nothing, and what is missing: a header that none finds, else one that
-  /// some do not.
+  /// The first command that finds all headers; otherwise null, and a missing header: one that none finds, or one that
+  /// only some do not.
   const CompileCommand* choose(const std::vector<std::string>& headers, std::vector<std::string>& missing);
   std::vector<std::string> missing_in(const CompileCommand& command, const std::vector<std::string>& headers);
 

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The user's types that a behaviour names: enums that states have, data of tasks. Read from the headers that it names,
-// with the flags of the program.
+// The user's types that a behaviour names: enums of states, data of tasks. Read from the headers that it names, with
+// the flags of the program.
 
 #include "compiler/facts/code.hpp"
 
@@ -13,7 +13,7 @@
 namespace director::compiler {
 
 struct CppType {
-  std::string wrong;    ///< why there is no such type, in the words of Clang; else empty
+  std::string wrong;    ///< Clang's message if there is no such type; otherwise empty
   bool complete = true; ///< false: declared and not defined
   bool is_enum = false;
   struct Enumerator {
@@ -25,25 +25,23 @@ struct CppType {
 };
 
 struct Types {
-  std::string fault; ///< why nothing is known of any; else empty
-  std::map<std::string, CppType, std::less<>>
-      by_name;                      ///< as the behaviour writes it; those of which nothing is known are missing
-  std::vector<std::string> files;   ///< the user's headers that were read
-  std::vector<std::string> missing; ///< headers that no file of the program could include
-  std::map<std::string, std::string, std::less<>> unreadable; ///< such as lie there, and why they cannot be read
+  std::string fault;                                          ///< why nothing is known of any; otherwise empty
+  std::map<std::string, CppType, std::less<>> by_name;        ///< as the behaviour writes it; unknown ones are missing
+  std::vector<std::string> files;                             ///< the user's headers that were read
+  std::vector<std::string> missing;                           ///< headers that no file of the program could include
+  std::map<std::string, std::string, std::less<>> unreadable; ///< existing headers that cannot be read, and why
   const CppType* find(std::string_view name) const;
 };
 
-/// What a stage that resolves names asks. Both are called at most once, and only where the behaviour names types of
-/// C++.
+/// Reads types for the stage that resolves names. Both functions are called at most once, and only if the behaviour
+/// names types of C++.
 class TypeReader {
 public:
   struct Question {
     std::vector<std::string> headers, names;
     std::string name_space;
   };
-  /// Also what states with `values` and data are, not only what cannot be done without: the program's flags are
-  /// certain.
+  /// Whether to read also optional information about states with `values` and data: the program's flags are certain.
   virtual bool thorough() const = 0;
   virtual Types read(const Question& question) = 0;
   virtual dsl::Span span(const CodePlace& place) = 0;

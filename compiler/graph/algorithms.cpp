@@ -24,7 +24,7 @@ BoostGraph boost_graph(const Arrows& arrows) {
   return graph;
 }
 
-/// All components, those that others have arrows to first: the order in which Tarjan's algorithm finishes them.
+/// All components, those with incoming arrows first: the order in which Tarjan's algorithm finishes them.
 std::vector<std::vector<Node>> components(const Arrows& arrows) {
   std::vector<std::size_t> of(arrows.size());
   if (arrows.empty()) return {};
@@ -69,7 +69,7 @@ std::vector<Node> topological_order(const Arrows& arrows) {
 }
 
 std::vector<std::optional<Node>> immediate_dominators(const Arrows& arrows, Node start) {
-  // Boost's algorithm is wrong where a node that cannot be reached has an arrow to one that can.
+  // Boost's algorithm is wrong if an unreachable node has an arrow to a reachable one.
   std::vector<bool> reached = reachable(arrows, start);
   reached[start] = true;
   Arrows paths = arrows;

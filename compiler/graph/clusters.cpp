@@ -14,7 +14,7 @@ class Clusters {
 public:
   explicit Clusters(const Model& model) : model_(model), first_(model.edges.size()) {
     for (const EdgeId edge : model.edges.ids()) first_[edge] = edge;
-    for (const Group& group : model.groups) look_below(group); // what the program requests is never a unit
+    for (const Group& group : model.groups) look_below(group); // requests of the program are never in a unit
     for (const EdgeId edge : model.edges.ids()) first_[edge] = find(edge);
   }
   IdTable<EdgeId, EdgeId> take() { return std::move(first_); }
@@ -29,7 +29,7 @@ private:
     first_[std::max(a, b)] = std::min(a, b);
   }
 
-  /// Down from each task that it may request. Where another one of them has been, all below is known to be that one's.
+  /// Searches down from each task that it may request. What another search has visited belongs to that one's cluster.
   void look_below(const Group& group) {
     std::vector<EdgeId> requested;
     for (const EdgeId edge : group.edges) {

@@ -11,10 +11,10 @@ namespace director::compiler {
 
 namespace {
 
-/// For each group how many a way along its needs passes at most, itself included; a circle counts with all its groups.
+/// For each group the maximal length of a path along its needs, itself included; a cycle counts with all its groups.
 std::vector<std::size_t> depths(const Graph& graph) {
   const std::size_t size = graph.needs.size();
-  std::vector<std::vector<Node>> parts(size); // the circle of each group, in the row of its first one
+  std::vector<std::vector<Node>> parts(size); // the cycle of each group, in the row of its first one
   std::vector<Node> part_of(size);
   for (Node node = 0; node < size; ++node) part_of[node] = node;
   for (const std::vector<Node>& circle : graph.needs_cycles) {
@@ -41,7 +41,7 @@ std::vector<std::size_t> depths(const Graph& graph) {
 std::vector<dsl::Diagnostic> too_deep_needs(const Model& model, const Graph& graph) {
   const std::vector<std::size_t> depth = depths(graph);
   for (const GroupId group : model.groups.ids()) {
-    // A group counts, and the first that is too deep has nothing below it that is, or goes around with that.
+    // Only the lowest group that is too deep is reported: below it no group is, or only groups of its own cycle.
     if (depth[group.value] <= deepest_needs + 1) continue;
     for (const ProviderId provider : model.groups[group].providers) {
       for (const Use<GroupId>& need : model.providers[provider].needs) {

@@ -10,7 +10,7 @@ DominatorTree::DominatorTree(const Arrows& arrows, Node start) : below_(arrows.s
   for (Node node = 0; node < last.size(); ++node) {
     if (last[node]) children[*last[node]].push_back(node);
   }
-  std::vector<std::pair<Node, std::size_t>> open{{start, 0}}; // with so many of its children done
+  std::vector<std::pair<Node, std::size_t>> open{{start, 0}}; // with the number of visited children
   Node count = 1;
   while (!open.empty()) {
     const Node node = open.back().first;

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What every path from a start passes, asked in constant time.
+// Finds what every path from a start passes, with queries in constant time.
 
 #include "compiler/graph/algorithms.hpp"
 
@@ -13,11 +13,11 @@ class DominatorTree {
 public:
   DominatorTree(const Arrows& arrows, Node start);
 
-  /// Every path to the node passes the other one, or they are the same; false where no path leads to one of them.
+  /// Whether every path to the node passes the other one, or they are the same; false if one of them is unreachable.
   bool is_below(Node node, Node other) const;
 
 private:
-  /// The numbers of what is below each, itself the first; the same twice where no path leads to it.
+  /// Preorder numbers of each node's subtree, itself first; empty for unreachable nodes.
   std::vector<std::pair<Node, Node>> below_;
 };
 

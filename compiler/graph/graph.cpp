@@ -22,7 +22,7 @@ void add_edges(Graph& graph, const Model& model) {
   }
 }
 
-/// Promises by the state that they are about, so that a condition looks at those alone.
+/// Promises by state, so that a condition is compared with those only.
 std::vector<std::vector<std::pair<ProviderId, ConditionUse>>> promises_by_state(const Model& model) {
   std::vector<std::vector<std::pair<ProviderId, ConditionUse>>> out(model.states.size());
   for (const ProviderId causer : model.providers.ids()) {
@@ -59,7 +59,7 @@ std::vector<Node> find_components(const Graph& graph, const Model& model) {
   return connected(joined);
 }
 
-/// Over the requests alone, with one node more, the root, that leads to the roots.
+/// Over the requests alone, with one more node, root, that leads to the roots.
 void add_gates(Graph& graph, const Model& model) {
   const auto root = static_cast<Node>(model.groups.size());
   Arrows requests = graph.tasks;

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The Graph: who leads to whom, derived from a Model. Nodes are groups, by the number of their id.
+// The Graph: which group leads to which, derived from a Model. Nodes are groups, by the number of their id.
 
 #include "compiler/graph/algorithms.hpp"
 #include "compiler/model/model.hpp"
@@ -16,7 +16,7 @@ struct Graph {
   Arrows needs;  ///< group -> what one of its providers needs
   Arrows claims; ///< both
 
-  /// A provider's promise that satisfies somebody's condition.
+  /// A provider's promise that satisfies a condition of another provider.
   struct Causing {
     ProviderId causer{};
     ConditionUse promise{};
@@ -28,12 +28,10 @@ struct Graph {
 
   std::vector<std::vector<Node>> task_cycles;  ///< components of `tasks`
   std::vector<std::vector<Node>> needs_cycles; ///< components of `needs`
-  /// Groups that can have to do with each other have one number; those of two numbers never change a decision
-  /// about each other.
+  /// Related groups have one number; groups with different numbers never affect each other's decisions.
   std::vector<Node> component;
   std::vector<Node> order; ///< groups, requesters first, over `claims`
-  /// The last group before this one that every chain of requests from a root passes; nothing: there is none, or no
-  /// chain.
+  /// The last group before this one that every chain of requests from a root passes; empty: there is none, or no chain.
   IdTable<GroupId, std::optional<GroupId>> gate;
   IdSet<GroupId> requestable; ///< some chain of requests from a root leads to it
 };
@@ -43,10 +41,10 @@ Graph make_graph(const Model& model);
 /// The group, and all that it leads to by requests and needs; by number.
 std::vector<bool> led_to(const Graph& graph, GroupId from);
 
-/// What is in both of these, without what that leads to in turn: what two tasks may contend for.
+/// The groups in both of these, without those that other such groups lead to: what two tasks may contend for.
 std::vector<GroupId> contested(const Model& model, const std::vector<bool>& first, const std::vector<bool>& second);
 
-/// For people and tests: one line for each arrow.
+/// As text: one line for each arrow.
 std::string print_graph(const Model& model, const Graph& graph);
 
 } // namespace director::compiler

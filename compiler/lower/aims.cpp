@@ -1,10 +1,9 @@
 // Header: compiler/lower/steps.hpp. Test: tests/compiler/lower/lower_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// What a causing provider itself waits for, with its plans: a push that serves one of these serves the task that wants
-// what the provider causes. Where a provider has too many plans to look at, its aims are those of everything that it
-// may need. That is too much only by providers which can never be picked together with the others, and makes a push
-// last longer at most.
+// Finds what a causing provider itself waits for, with its plans: a push that serves one of these serves the task that
+// wants what the provider causes. If a provider has too many plans, its aims are those of everything that it may need:
+// an over-approximation by providers which can never be picked together, which at most makes a push last longer.
 
 #include "compiler/lower/plans.hpp"
 #include "compiler/lower/steps.hpp"

@@ -1,8 +1,8 @@
 // Header: compiler/lower/steps.hpp. Test: tests/compiler/lower/lower_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// Components: the parts of a specification that never decide anything for each other. Union and find over what can join
-// two groups: a request or need, and a causing provider that satisfies a condition of the other.
+// Components: the parts of a specification that are decided independently. Union-find over everything that can join two
+// groups: a request or need, and a causing provider that satisfies a condition of the other.
 
 #include "compiler/lower/steps.hpp"
 
@@ -98,7 +98,7 @@ void lower_components(Lowered& out) {
     sort_once(counts_in[c]);
     on_state[out.conditions[c].state].push_back(c);
   }
-  for (Index s = 0; s < out.states.size(); ++s) { // what is read together lies together
+  for (Index s = 0; s < out.states.size(); ++s) { // what is read together is adjacent
     out.states[s].conditions = add_list(out, on_state[s]);
     for (const Index c : on_state[s]) out.conditions[c].components = add_list(out, counts_in[c]);
   }

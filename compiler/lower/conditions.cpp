@@ -1,8 +1,8 @@
 // Header: compiler/lower/steps.hpp. Test: tests/compiler/lower/lower_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// Only conditions that somebody waits for have rows: those in `when` and `stay`, and promises with a time limit. Who
-// causes them is found per state, so that the cost is that of the pairs which could fit.
+// Only conditions with effect have rows: those in `when` and `stay`, and promises with a time limit. Causing providers
+// are found per state, so that the cost is that of the possible pairs.
 
 #include "compiler/lower/steps.hpp"
 
@@ -13,15 +13,15 @@ namespace director::compiler {
 namespace {
 
 void number_conditions(const Model& model, Lowered& out) {
-  std::set<ConditionId> asked_for;
+  std::set<ConditionId> used;
   for (const Provider& provider : model.providers) {
-    for (const ConditionUse& use : provider.when) asked_for.insert(use.id);
-    for (const ConditionUse& use : provider.stay) asked_for.insert(use.id);
+    for (const ConditionUse& use : provider.when) used.insert(use.id);
+    for (const ConditionUse& use : provider.stay) used.insert(use.id);
     for (const ConditionUse& use : provider.causing) {
-      if (use.within) asked_for.insert(use.id);
+      if (use.within) used.insert(use.id);
     }
   }
-  out.condition_ids.assign(asked_for.begin(), asked_for.end());
+  out.condition_ids.assign(used.begin(), used.end());
 }
 
 Range add_intervals(const ValueSet& accepts, Lowered& out) {

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: MIT
 //
 // A chain never meets a group twice, because a group has one holder. For the same reason two chains that parted never
-// meet again. So both are climbed at once, always the one whose requester stands later in the order of requests: it
-// cannot come to where the other one has been, but for the group where that one began. Where both come to one requester
-// they part. What lies above two edges is the same whatever was climbed below, so each pair is looked at once. Cost:
-// the square of the edges above, times the places where they part.
+// meet again. So both are climbed at once, always the one whose requester is later in the order of requests: it cannot
+// reach a group that the other one has visited, except its first one. If both reach one requester, they part there.
+// What is above two edges does not depend on what was climbed below, so each pair is examined once. Cost: the square of
+// the edges above, times the places where they part.
 //
-// Requests can go in a circle, where something in it is optional. Neither of two groups of one circle stands later, so
-// either side is climbed there, and a pair may lead to itself: then all is looked at again until nothing is added. A
-// chain that would have to go round is among what is found; it adds no other places, and at most that something is
-// optional.
+// Requests can form a cycle that has an optional one. Neither of two groups of one cycle is later, so either side is
+// climbed there, and a pair may lead to itself: then all is examined again until nothing is added. Chains around a
+// cycle are included; they add no other places, and at most that something is optional.
 
 #include "compiler/lower/contention.hpp"
 
@@ -82,13 +81,13 @@ const Contentions::Partings& Contentions::partings(EdgeId first, EdgeId second) 
     met_open_ = changed_ = false;
     look_at(first, second);
     again_ = true;
-  } while (met_open_ && changed_ && circle_steps_left_ > 0);
+  } while (met_open_ && changed_ && cycle_steps_left_ > 0);
   for (Known* each : unsettled_) each->settled = true;
   unsettled_.clear();
   return known_.at({first, second}).all;
 }
 
-/// What is known of it so far.
+/// The partings that are known so far.
 const Contentions::Partings& Contentions::look_at(EdgeId first, EdgeId second) {
   const auto [at, fresh] = known_.try_emplace({first, second});
   Known& it = at->second;
@@ -104,7 +103,7 @@ const Contentions::Partings& Contentions::look_at(EdgeId first, EdgeId second) {
   it.open = true;
   Partings found = find(first, second);
   it.open = false;
-  if (found.size() > it.all.size()) { // nothing is taken away from it, but where the search is cut
+  if (found.size() > it.all.size()) { // the set only grows, unless the search was cut off
     changed_ = true;
     it.all = std::move(found);
   }
@@ -130,8 +129,8 @@ void Contentions::climb(EdgeId first, EdgeId second, bool climbs_first, Partings
   for (const EdgeId above : model_.groups[*below.requester].requesters) {
     for (const Parting& each : climbs_first ? look_at(above, second) : look_at(first, above)) {
       for (const Standing& way : ways(below)) {
-        if (again_ && circle_steps_left_ == 0) return;
-        if (again_) --circle_steps_left_;
+        if (again_ && cycle_steps_left_ == 0) return;
+        if (again_) --cycle_steps_left_;
         Parting with = each;
         bool& optional = climbs_first ? with.first_optional : with.second_optional;
         optional = optional || way.optional;

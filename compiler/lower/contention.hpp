@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Who decides between two edges to one group, over all chains of requesters that lead to them. Source:
-// semantics.md 4.1. Only people ask this: the engine compares the two chains that there are at the moment.
+// Finds the decisions between two edges to one group, over all chains of requesters that lead to them. Source:
+// semantics.md 4.1. Only for documentation: the engine compares the two current chains.
 
 #include "compiler/model/model.hpp"
 
@@ -15,14 +15,14 @@
 
 namespace director::compiler {
 
-/// How one side stands below the common requester.
+/// The rank of one side below the common requester.
 struct Standing {
   std::int32_t priority = 0; ///< of the sibling edge
-  bool optional = false;     ///< something on the chain from the sibling down is
+  bool optional = false;     ///< something on the chain from the sibling down is optional
   auto operator<=>(const Standing&) const = default;
 };
 
-/// At one common requester, for one pair of its edges and one way in which each may be asked for.
+/// The decision at one common requester, for one pair of its edges and one level of each.
 struct Decision {
   std::optional<GroupId> requester; ///< nothing: root
   EdgeId first_sibling{}, second_sibling{};
@@ -36,29 +36,29 @@ int order_of(const Decision& decision);
 /// Two edges to one group, by id.
 struct Contention {
   EdgeId first{}, second{};
-  std::vector<Decision> decisions; ///< different ones only; none: no two chains lead to them at once
+  std::vector<Decision> decisions; ///< without duplicates; none: no two chains lead to them at once
   bool complete = true;            ///< false: the search ended at its bound
 };
 
-/// Pairs of edges that are looked at in all. A real team's robot has some ten thousand; what has more than this nobody
-/// reads.
+/// Limit for all pairs of edges. A real team's robot has some ten thousand; a larger result is not readable.
 inline constexpr std::size_t most_edge_pairs = 1'000'000;
 
-/// Steps athrough cycles of requests, in all: where forty groups all ask for each other nobody reads what comes of it.
-inline constexpr std::size_t most_circle_steps = 4'000'000;
+/// Limit for steps through cycles of requests: with forty groups that all request each other the result is not
+/// readable.
+inline constexpr std::size_t most_cycle_steps = 4'000'000;
 
-/// What it finds for one question helps it with the next.
+/// Keeps intermediate results between queries.
 class Contentions {
 public:
   explicit Contentions(const Model& model, std::size_t most_pairs = most_edge_pairs);
 
   /// All pairs of edges to the group, in order.
   std::vector<Contention> at(GroupId group);
-  /// Wherever a chain to the one and a chain to the other may stand side by side. `first` of a decision is on the side
-  /// of the first group. Of a group and itself: two chains to it.
+  /// All decisions between a chain to the one and a chain to the other. `first` of a decision is on the side of the
+  /// first group. Of a group and itself: two chains to it.
   std::vector<Decision> between(GroupId first, GroupId second);
   /// False: some search ended at its bound.
-  bool complete() const { return pairs_left_ > 0 && circle_steps_left_ > 0; }
+  bool complete() const { return pairs_left_ > 0 && cycle_steps_left_ > 0; }
 
 private:
   /// The edges below the closest common requester, and whether something optional lies below them.
@@ -72,7 +72,7 @@ private:
   struct Known {
     Partings all;
     bool settled = false, open = false;
-    std::size_t round = 0; ///< in which it was looked at last
+    std::size_t round = 0; ///< in which it was examined last
   };
 
   const Partings& partings(EdgeId first, EdgeId second);
@@ -85,12 +85,12 @@ private:
   std::size_t pairs_left_;
   IdTable<GroupId, std::size_t> place_; ///< requesters first
   IdTable<GroupId, char> is_requested_; ///< some chain from root leads to it
-  IdTable<GroupId, std::size_t> cycle_; ///< the number of that which it is in; 0: of none
+  IdTable<GroupId, std::size_t> cycle_; ///< the number of its cycle; 0: none
   std::map<std::pair<EdgeId, EdgeId>, Known> known_;
-  std::vector<Known*> unsettled_; ///< what is looked at for the question at hand
+  std::vector<Known*> unsettled_; ///< what the current query examines
   std::size_t round_ = 0;
-  std::size_t circle_steps_left_ = most_circle_steps;
-  bool again_ = false;                      ///< this is not the first round for the question
+  std::size_t cycle_steps_left_ = most_cycle_steps;
+  bool again_ = false;                      ///< this is not the first round of the query
   bool met_open_ = false, changed_ = false; ///< in this round
 };
 

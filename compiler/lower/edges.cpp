@@ -1,8 +1,8 @@
 // Header: compiler/lower/steps.hpp. Test: tests/compiler/lower/lower_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// The static priority table: numbers that stand for priorities, dense for each requester, so that the engine compares
-// small places and nobody asks how far two priorities lie apart.
+// The static priority table: dense numbers for the priorities of each requester, so that the engine compares small
+// numbers, and the distance of two priorities has no effect.
 
 #include "compiler/graph/clusters.hpp"
 #include "compiler/lower/steps.hpp"
@@ -13,7 +13,7 @@ namespace director::compiler {
 
 namespace {
 
-/// An edge that holds without a request counts with the priority of its first level.
+/// An edge without a request counts with the priority of its first level.
 std::int32_t need_priority(const Edge& edge) { return edge.levels.empty() ? 0 : edge.levels.front().priority; }
 
 /// The highest priority first.

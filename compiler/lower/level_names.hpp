@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What the rows of Tables::levels are called.
+// The names of the rows of Tables::levels.
 
 #include "compiler/lower/lowered.hpp"
 #include "compiler/model/model.hpp"
@@ -10,8 +10,8 @@
 
 namespace director::compiler {
 
-/// Of the rows of all edges, one after another; empty for the first of a task. What one pack calls its level another
-/// may call otherwise: the first counts.
+/// For the rows of all edges, one after another; empty for the first of a task. Packs may name one level differently:
+/// the first name is used.
 std::vector<std::string> level_names(const Model& model, const Lowered& lowered);
 
 } // namespace director::compiler

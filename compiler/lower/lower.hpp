@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// From a Model to the tables that the engine runs on. The Model must be whole: no error of "Reading" or "Names and
+// Converts a Model to the tables of the engine. The Model must be complete: no error of "Reading" or "Names and
 // domains", every provider has a valid plan for its needs, and no group requests itself.
 
 #include "compiler/lower/lowered.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The tables of runtime/core/base/tables.hpp as values that own their rows, and what leads from a row back to the
-// Model. Rows of groups, providers, edges, states and triggers have the numbers that the Model's ids have.
+// The tables of runtime/core/base/tables.hpp as values that own their rows, and the mapping from rows to the Model.
+// Rows of groups, providers, edges, states and triggers have the numbers of the Model's ids.
 
 #include "compiler/model/ids.hpp"
 #include "runtime/core/base/tables.hpp"
@@ -27,12 +27,12 @@ struct Lowered {
   Index root_edges = 0;
   Index most_edges = 0;
 
-  std::vector<ConditionId> condition_ids; ///< row of `conditions` -> what it is in the Model; ascending
-  /// Providers with so many plans that their aims hold the conditions of all that they need, also of what no plan
+  std::vector<ConditionId> condition_ids; ///< row of `conditions` -> its id in the Model; ascending
+  /// Providers with so many plans that their aims include the conditions of all that they need, also of what no plan
   /// picks.
   std::vector<ProviderId> wide_aims;
 
-  /// Reads the vectors above: valid for as long as this object lives and is not assigned to.
+  /// A view of the vectors above: valid as long as this object lives and is not assigned to.
   Tables view() const;
 };
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Whether a provider occurs in a valid plan is as hard as whether there is one (choosing disjoint providers is
-// NP-complete), so plans are tried in order, and the search ends early: as soon as every provider that could occur has
-// been seen. Mostly that is after as many plans as the group with the most alternatives has.
+// NP-complete), so plans are tried in order, and the search ends as soon as every possible provider has been seen.
+// Mostly that takes as many plans as the group with the most alternatives has.
 
 #include "compiler/lower/plans.hpp"
 
@@ -52,13 +52,13 @@ public:
   }
 
 private:
-  /// A need that is still open, and those behind it.
+  /// A need that is not met yet, and those after it.
   struct Open {
     GroupId group{};
     const Open* rest = nullptr;
   };
 
-  /// First what this provider needs, then the rest: depth first.
+  /// First the needs of this provider, then the rest: depth first.
   void meet_needs(ProviderId provider, const Open* rest) {
     const std::vector<Use<GroupId>>& needs = model_.providers[provider].needs;
     std::vector<Open> open(needs.size());

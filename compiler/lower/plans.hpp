@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a group or provider may need, over the Model. Source: semantics.md, section 1 (need plans).
+// Finds what a group or provider may need, over the Model. Source: semantics.md, section 1 (need plans).
 
 #include "compiler/model/model.hpp"
 
@@ -9,16 +9,16 @@
 
 namespace director::compiler {
 
-/// All groups that the group's providers need, and those that these need, and so on; ascending, never the group itself.
+/// All groups that the group's providers need, transitively; ascending, never the group itself.
 std::vector<GroupId> needed_by(const Model& model, GroupId group);
 
-/// Enough for what people write: a provider with eight needs of three alternatives each has 6,561 plans, and most are
-/// answered by the first few of them.
+/// Enough for real behaviours: a provider with eight needs of three alternatives each has 6,561 plans, and the first
+/// few of them answer most queries.
 inline constexpr std::size_t most_plan_steps = 10'000;
 
 struct PlanProviders {
-  std::vector<ProviderId> providers; ///< ascending, without the one that the plans are for
-  bool exact = true; ///< false: the search ended at its bound, and these are all that could be in a plan
+  std::vector<ProviderId> providers; ///< ascending, without the provider itself
+  bool exact = true;                 ///< false: the search reached its limit, and these are all that could be in a plan
 };
 
 /// The providers that occur in at least one valid plan of this one.

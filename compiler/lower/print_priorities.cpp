@@ -12,10 +12,10 @@ namespace director::compiler {
 
 namespace {
 
-/// Of one pair of edges. Many levels and many ways down give many, and all of them in the same few places.
+/// Limit for one pair of edges. Many levels and many paths have many decisions, all at the same few requesters.
 constexpr std::size_t most_decisions_shown = 30;
 
-/// A level of one edge as it stands in its requester's ranking.
+/// A level of one edge at its rank in its requester's order.
 struct Ranked {
   EdgeId edge{};
   Level level;

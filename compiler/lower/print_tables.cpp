@@ -40,7 +40,7 @@ private:
     out_ += '\n';
   }
 
-  /// One word of a row, left out where it says nothing.
+  /// Adds a word to a row, unless it has its default.
   void word(std::string_view name, const std::string& text) {
     if (!text.empty()) line("      {:<10}{}", name, text);
   }

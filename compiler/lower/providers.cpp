@@ -14,7 +14,7 @@ Range add_conditions(const std::vector<ConditionUse>& uses, Lowered& out) {
   return add_list(out, rows);
 }
 
-/// The edges from the provider's group to what it needs, in the order in which a plan picks them.
+/// The edges from the provider's group to its needs, in the order in which a plan picks them.
 Range add_needs(const Model& model, const Provider& provider, Lowered& out) {
   std::vector<Index> rows;
   for (const Use<GroupId>& need : provider.needs) {
@@ -34,7 +34,7 @@ Range add_causing(const Model& model, const Provider& provider, Lowered& out) {
   return add_list(out, states);
 }
 
-/// A table turned round: provider -> conditions that it causes.
+/// The inverse table: provider -> conditions that it causes.
 IdTable<ProviderId, std::vector<Index>> effects_of(const Model& model, const Lowered& out) {
   IdTable<ProviderId, std::vector<Index>> effects(model.providers.size());
   for (Index condition = 0; condition < out.conditions.size(); ++condition) {

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What the rows of tables are called, as the printers and writers of the runtime ask for it: what a program takes from
-// its generated `names`.
+// The names of the tables' rows for the printers and writers of the runtime: what a program takes from its generated
+// `names`.
 
 #include "compiler/lower/lowered.hpp"
 #include "compiler/lower/row_texts.hpp"
@@ -15,7 +15,7 @@ public:
   RowNames(const RowNames&) = delete;
   RowNames& operator=(const RowNames&) = delete;
 
-  /// For as long as this object and the lowered tables live.
+  /// Valid as long as this object and the lowered tables.
   director::Names names() const { return texts_.names(tables_); }
   const Tables& tables() const { return tables_; }
 

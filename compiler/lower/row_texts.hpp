@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What the rows of tables are called, as texts, behind the functions by which the printers and writers of the runtime
-// ask for them.
+// The names of the tables' rows, as texts, with the functions by which the printers and writers of the runtime read
+// them.
 
 #include "runtime/core/inspect/why.hpp"
 
@@ -15,7 +15,7 @@ struct RowTexts {
   std::vector<std::string> groups, providers, edges, conditions, states, triggers, levels; ///< by row
   std::vector<std::vector<std::string>> values; ///< by state; empty for a range
 
-  /// For as long as this object lives and stays where it is, and the tables live.
+  /// Valid as long as this object stays in place, and the tables live.
   director::Names names(const Tables& tables) const;
 };
 

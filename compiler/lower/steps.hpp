@@ -19,7 +19,7 @@ Index row(Id<Tag> id) {
   return static_cast<Index>(id.value);
 }
 
-/// The row of a condition; nothing where the engine never asks for it.
+/// The row of a condition; empty if the engine never reads it.
 std::optional<Index> condition_row(const Lowered& out, ConditionId id);
 
 void lower_states(const Model& model, Lowered& out);

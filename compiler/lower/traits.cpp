@@ -1,8 +1,8 @@
 // Header: compiler/lower/steps.hpp. Test: tests/compiler/lower/traits_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// What the engine asks so often that it is worked out once: how simple a group is, and whether two edges that lead
-// to it can be equal (docs/semantics.md, 4.1, rule 4).
+// Precomputes what the engine reads often: how simple a group is, and whether two edges that lead to it can be equal
+// (docs/semantics.md, 4.1, rule 4).
 
 #include "compiler/lower/steps.hpp"
 
@@ -25,8 +25,8 @@ void find_shape(const Lowered& out, director::Group& group) {
   }
 }
 
-/// To which groups two equal edges may lead. Edges are equal where their chains part at two edges of one requester that
-/// go by one priority: so these are the groups below both of such a pair.
+/// Finds the groups that two equal edges may lead to. Edges are equal if their chains part at two edges of one
+/// requester with one priority: so these are the groups below both of such a pair.
 class Equals {
 public:
   explicit Equals(const Lowered& out)
@@ -51,11 +51,11 @@ public:
     }
   }
 
-  /// When all were looked at. Of a group to which one edge leads nobody else asks.
+  /// Call it after all were examined. A group with only one incoming edge has no second requester.
   bool lead_to(Index group) const { return is_below_pair_[group] && out_.groups[group].requesters.size() > 1; }
 
 private:
-  /// Where one of them leads to what another one has led to.
+  /// Marks where one of them leads to groups that another one has led to.
   void meet(const std::vector<Index>& like) {
     for (const Index edge : like) {
       enter(out_.edges[edge].target, [&](Index group) {
@@ -74,7 +74,7 @@ private:
     found_.clear();
   }
 
-  /// With all below it.
+  /// Marks the group with all below it.
   void mark(Index group) {
     enter(group, [&](Index each) {
       if (is_below_pair_[each]) return false;
@@ -97,7 +97,7 @@ private:
 
   const Lowered& out_;
   std::vector<bool> is_below_pair_;
-  std::vector<Index> found_by_; ///< group: the edge in hand that led to it first; nil
+  std::vector<Index> found_by_; ///< group: the first current edge that led to it; nil
   std::vector<Index> found_;    ///< those that have one
 };
 

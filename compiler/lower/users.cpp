@@ -1,8 +1,8 @@
 // Header: compiler/lower/steps.hpp. Test: tests/compiler/lower/lower_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// Whose decision looks at what: of each group, those whose plans may contain it, and of each condition, the groups in
-// whose `when` or `stay` it stands. The engine decides again only what a change can reach along these.
+// Finds which decisions depend on what: for each group, those whose plans may contain it, and for each condition, the
+// groups in whose `when` or `stay` it is. The engine decides again only what a change can reach along these.
 
 #include "compiler/lower/steps.hpp"
 
@@ -12,7 +12,7 @@ namespace director::compiler {
 
 namespace {
 
-/// Of each group, those that need it, with one of their providers.
+/// For each group, those that need it, with one of their providers.
 std::vector<std::set<Index>> needers(const Lowered& out) {
   std::vector<std::set<Index>> found(out.groups.size());
   for (const director::Provider& provider : out.providers) {

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What things of a model are called in the generated C++.
+// The names of a model's things in the generated C++.
 
 #include "compiler/model/model.hpp"
 

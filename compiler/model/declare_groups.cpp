@@ -19,14 +19,13 @@ void add_group(Resolver& r, Word name, GroupSource source) {
   r.group_sources.add(std::move(source));
 }
 
-/// Puts providers into a group's order of preference, at `place`.
+/// Adds providers to a group's order of preference, at `place`.
 void add_providers(Resolver& r, const Word& group, GroupSource& source, const std::vector<dsl::ProviderSpec>& specs,
                    std::size_t place) {
   for (const dsl::ProviderSpec& spec : specs) {
     if (!spec.direct) check_name(r, "provider", spec.name);
     const std::string name = capitalised(spec.name.value);
-    if (!spec.direct &&
-        name == capitalised(group.value)) { // what is written without `providers` has no name of its own
+    if (!spec.direct && name == capitalised(group.value)) { // a direct provider has no name of its own
       r.error("redefined_name", spec.name.span,
               fmt::format("the provider `{}` and its group `{}` become one name in C++, `{}`", spec.name.value,
                           group.value, name),
@@ -35,7 +34,7 @@ void add_providers(Resolver& r, const Word& group, GroupSource& source, const st
     }
     const auto first = std::find_if(source.providers.begin(), source.providers.end(),
                                     [&](const dsl::ProviderSpec* p) { return capitalised(p->name.value) == name; });
-    // One that lacks its name is told of already.
+    // A missing name was reported already.
     if (first == source.providers.end() || name.empty()) {
       source.providers.insert(source.providers.begin() + static_cast<std::ptrdiff_t>(place++), &spec);
       continue;
@@ -66,7 +65,7 @@ void declare_group(Resolver& r, const dsl::BehaviourSpec& file, const dsl::Group
   }
 }
 
-/// What is `extern` and not declared becomes a group without providers, so that its name means something.
+/// Declares `extern` names without a group as groups without providers, so that they can be resolved.
 void declare_extern(Resolver& r, const dsl::BehaviourSpec& file, const Word& name) {
   const auto at = r.groups.find(name.value);
   if (at == r.groups.end()) {

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Strong ids of the things of a Model, and tables that only their own id can index. An id is the place in declaration
-// order, which is also the order that decides ties when the behaviour runs.
+// Strong ids of the things of a Model, and tables with a typed index. An id is the place in declaration order, which is
+// also the order that decides ties at run time.
 
 #include <compare>
 #include <cstddef>

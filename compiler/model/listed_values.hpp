@@ -13,11 +13,11 @@
 
 namespace director::compiler {
 
-/// The words that a state lists as its values, numbered from 0 as they are added. A word is found in logarithmic time:
-/// there may be 100,000 of them, and a scenario may name as many.
+/// The listed values of a state, numbered from 0 as they are added. Lookup takes logarithmic time: there may be 100,000
+/// of them, and as many names in a scenario.
 class ListedValues {
 public:
-  /// False, and adds nothing, where there is such a word.
+  /// False, and adds nothing, if there is such a word.
   bool add(std::string word) {
     const auto number = static_cast<std::int64_t>(words_.size());
     if (!numbers_.try_emplace(word, number).second) return false;

@@ -15,13 +15,13 @@ namespace {
 
 using dsl::Diagnostic;
 
-/// Behind these, whole files are missing: nothing that resolve() says can be trusted.
+/// After these errors whole files are missing: no finding of resolve() can be trusted.
 bool loses_files(const Diagnostic& error) {
   return error.id == "yaml_syntax" || error.id == "import_cycle" || error.id == "import_not_found" ||
          error.id == "input_limit" || error.id == "language_version";
 }
 
-/// Behind these, what the error points to was read all the same.
+/// After these errors the text was read nevertheless.
 bool loses_nothing(const Diagnostic& error) { return error.id == "exclusive_keys"; }
 
 constexpr std::string_view within = "within";
@@ -37,8 +37,8 @@ void add_words(std::string_view text, std::set<std::string, std::less<>>& words)
   }
 }
 
-/// Where what begins at an error ends: in a flow collection at the next comma or bracket, else before the next line
-/// that is not indented deeper.
+/// The end of what an error made unreadable: in a flow collection at the next comma or bracket, otherwise before the
+/// next line that is not indented deeper.
 std::size_t end_of_lost(std::string_view text, std::size_t begin, std::size_t indent) {
   int depth = 0;
   for (std::size_t at = begin; at < text.size(); ++at) {
@@ -54,18 +54,18 @@ std::size_t end_of_lost(std::string_view text, std::size_t begin, std::size_t in
   return text.size();
 }
 
-/// Every word of what the reader could make nothing of.
+/// Adds every word of the unreadable text.
 void add_lost_words(const dsl::SourceFile& file, const Diagnostic& error, std::set<std::string, std::less<>>& words) {
   const std::string_view text = file.text();
   const std::size_t indent = indent_of(file.line_text(file.place(error.span.begin).line));
   const std::size_t end = std::max<std::size_t>(end_of_lost(text, error.span.begin, indent), error.span.end);
   add_words(text.substr(error.span.begin, end - error.span.begin), words);
-  // A promise whose duration is at fault is lost with it.
+  // A promise with a faulty duration is lost too.
   const std::string_view before = text.substr(0, error.span.begin);
   if (before.substr(0, before.find_last_not_of(" \"'") + 1).ends_with(within)) words.emplace(within);
 }
 
-/// The word that a finding is about, where it may be one that was lost.
+/// The word that a finding is about, if it may have been lost.
 bool is_about_lost(const Diagnostic& finding, std::string_view word, const std::set<std::string, std::less<>>& lost) {
   if (finding.id == "unprovided_task") return true; // a provider may be among what was lost
   if (finding.id != "undefined_name" && finding.id != "value_outside_domain") return false;

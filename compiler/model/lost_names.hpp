@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What could not be read is not in the Spec, and a name that is declared there seems to be undefined.
+// Removes findings caused by unreadable text: a name that is declared there is not in the Spec, and seems to be
+// undefined.
 
 #include "dsl/diagnostic.hpp"
 #include "dsl/source_file.hpp"

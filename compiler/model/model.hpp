@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // The Model: a whole deployment with every name resolved. Built once by resolve(), never changed afterwards; everything
-// behind it (graph, checks, lowering, generation) reads it. Ids are places in declaration order: what an imported file
-// declares comes before what its importer declares; providers stand in order of preference, group after group.
+// behind it (graph, checks, lowering, generation) reads it. Ids are in declaration order: an imported file comes before
+// its importer; providers are in order of preference, group after group.
 
 #include "compiler/model/ids.hpp"
 #include "compiler/model/listed_values.hpp"
@@ -21,7 +21,7 @@ namespace director::compiler {
 using dsl::Span;
 using dsl::Word;
 
-/// A name that was used somewhere, and the thing that it means.
+/// A use of a name, and the thing that it resolves to.
 template <class IdType>
 struct Use {
   IdType id{};
@@ -55,12 +55,12 @@ struct State {
 
   /// All values; a value that is unset is not among them.
   ValueSet domain() const { return ValueSet::interval(low, high); }
-  /// It may be without a value: no initial one, or one that expires to nothing.
+  /// Whether it may be unset: it has no initial value, or one that expires to unset.
   bool may_be_unset() const { return !initial || (expires && !expires->to); }
 };
 
-/// (state, operator, values): what semantics.md calls a condition. One row for each different way of writing it, so
-/// that "the same condition" means the same row. `any` (a bare state name in `sets`) accepts every value.
+/// (state, operator, values): a condition in the sense of semantics.md. One row for each different spelling, so that
+/// "the same condition" means the same row. `any` (a bare state name in `sets`) accepts every value.
 struct Condition {
   enum class Op { equal, not_equal, less, less_equal, greater, greater_equal, any };
   StateId state{};
@@ -81,7 +81,8 @@ struct Level {
   std::int32_t priority = 0;
   bool optional = false;
   bool apart = false;
-  /// One unit with the others of its pack for which this is so. (What root requests is a unit by itself all the same.)
+  /// Whether it is in one unit with the other tasks of its pack for which this is true. (Each request of root is a unit
+  /// by itself.)
   bool shares_unit() const { return !optional && !apart; }
   bool operator==(const Level&) const = default;
 };
@@ -109,10 +110,10 @@ struct Pack {
 
 struct Provider {
   GroupId group{};
-  std::string name; ///< `default` where the group writes its words directly
+  std::string name; ///< `default` if the group has the provider's keys itself
   Span span{};      ///< of the name (of the group's name for `default`)
   bool direct = false;
-  std::vector<ConditionUse> when, stay, causing, sets; ///< `sets` with what stands beside `providers`
+  std::vector<ConditionUse> when, stay, causing, sets; ///< `sets` with the entries beside `providers`
   std::vector<Use<GroupId>> needs, uses;
   std::vector<Use<TriggerId>> triggers;
   std::optional<Microseconds> every;
@@ -173,7 +174,7 @@ struct Assertion {
   std::vector<Use<GroupId>> groups; ///< beats: winner, loser; soft: from, to
 };
 
-/// `allow: [id]` on a thing: what is found inside `scope` (the thing's whole text) is not reported.
+/// `allow: [id]` on a thing: findings inside `scope` (the thing's whole text) are not reported.
 struct Allowance {
   Word id;
   Span scope{};
@@ -199,7 +200,7 @@ struct Model {
   std::vector<Use<GroupId>> externs;
   std::vector<Assertion> assertions;
   std::vector<Allowance> allowances;
-  /// A key of `limits`; no place where it is not written.
+  /// A key of `limits`; without a place if it is not written.
   struct Limit {
     std::int64_t most = 10'000;
     Span span{};
@@ -214,9 +215,9 @@ struct Model {
   std::string edge_name(EdgeId id) const;
   std::optional<GroupId> find_group(std::string_view name) const;
   std::optional<StateId> find_state(std::string_view name) const;
-  /// As a Causing: on the same state, and values(c) a non-empty subset of values(w).
+  /// In the role of a Causing: on the same state, and values(c) a non-empty subset of values(w).
   bool satisfies(ConditionId causing, ConditionId when) const;
-  /// Some `causing` of the provider satisfies the condition.
+  /// Whether some `causing` of the provider satisfies the condition.
   bool causes(ProviderId provider, ConditionId when) const;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Which types of C++ a behaviour names.
+// Collects the C++ types that a behaviour names.
 
 #include "compiler/facts/types.hpp"
 #include "dsl/spec.hpp"
@@ -9,8 +9,8 @@
 
 namespace director::compiler {
 
-/// What has to be asked: nothing where no state lacks its values, and nobody wants to know more. `thorough`: all types,
-/// those of data too, and whether there are the headers.
+/// The request for the reader; empty if no state lacks its values, unless `thorough`: then all types, those of data
+/// too, and whether the headers exist.
 std::optional<TypeReader::Question> named_types(const dsl::Spec& spec, bool thorough);
 
 } // namespace director::compiler

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What is said of a value that a state cannot have.
+// The finding for a value that a state cannot have.
 
 #include "compiler/model/model.hpp"
 #include "dsl/diagnostic.hpp"
@@ -9,7 +9,7 @@
 
 namespace director::compiler {
 
-/// value_outside_domain, at the word. `findings`: what was found before it.
+/// value_outside_domain, at the word. `findings`: earlier ones.
 dsl::Diagnostic no_such_value(const State& state, const Word& value, std::size_t findings);
 
 } // namespace director::compiler

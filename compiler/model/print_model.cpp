@@ -117,7 +117,7 @@ private:
     }
   }
 
-  /// `Kick`, or `Kick(normal, urgent)` where its levels have names: what they are stands at the edge.
+  /// `Kick`, or `Kick(normal, urgent)` if its levels have names, which the edge lists.
   std::string task(const Task& entry) const {
     std::vector<std::string> levels;
     for (const Task::NamedLevel& level : entry.levels)

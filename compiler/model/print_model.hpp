@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A Model as text, for people (`directorc dump --stage=model`) and tests: one line for each thing, in the order of ids.
+// A Model as text (`directorc dump --stage=model`): one line for each thing, in the order of ids.
 
 #include "compiler/model/model.hpp"
 

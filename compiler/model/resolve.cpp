@@ -17,7 +17,7 @@ namespace director::compiler {
 
 namespace {
 
-/// What is generated includes the headers, and `#include` looks beside it first.
+/// The generated code includes the headers, and `#include` searches its own folder first.
 void check_header(Resolver& r, const Word& header) {
   for (const std::string& name : {header_name(r.main.name.value), facts_name(r.main.name.value)}) {
     if (std::filesystem::path(dsl::named_header(header.value).path).lexically_normal() != name) continue;
@@ -47,16 +47,18 @@ void name_the_whole(Resolver& r) {
   model.name_span = r.main.name.span;
   model.name_space = r.main.cpp.name_space ? r.main.cpp.name_space->value : model.name;
   if (r.main.cpp.name_space) check_namespace(r, *r.main.cpp.name_space);
-  const bool says_so_itself = !dsl::is_identifier(model.name) || dsl::is_cpp_keyword(model.name) ||
-                              dsl::is_cpp_macro(model.name) || dsl::is_director_macro(model.name) ||
-                              dsl::is_reserved_in_cpp(model.name);
-  if (!r.main.cpp.name_space && !says_so_itself) check_namespace(r, r.main.name);
+  const bool is_refused = !dsl::is_identifier(model.name) || dsl::is_cpp_keyword(model.name) ||
+                          dsl::is_cpp_macro(model.name) || dsl::is_director_macro(model.name) ||
+                          dsl::is_reserved_in_cpp(model.name);
+  if (!r.main.cpp.name_space && !is_refused) check_namespace(r, r.main.name);
   model.deployment = r.main.roots.has_value();
   if (r.main.doc) model.doc = r.main.doc->value;
   if (r.main.limits.trials) model.trials = {r.main.limits.trials->value, r.main.limits.trials->span};
   if (r.main.limits.pass) model.pass = {r.main.limits.pass->value, r.main.limits.pass->span};
   for (const dsl::BehaviourSpec& file : r.spec.files) {
-    if (!file.name.value.empty()) check_name(r, "behaviour", file.name); // else it is missing, and reported as such
+    if (!file.name.value.empty())
+      check_name(r, "behaviour", file.name); // otherwise it is missing, and reported as
+                                             // such
     for (const Word& header : file.cpp.headers) {
       check_header(r, header);
       if (std::find(model.headers.begin(), model.headers.end(), header.value) == model.headers.end())

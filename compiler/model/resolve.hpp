@@ -1,9 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // Spec -> Model: every name is looked up, every value numbered, every edge declared. Findings are those of "Names and
-// domains"; all of a run, sorted by place, none that is only the consequence of another one. With an error among them
-// the Model is complete as far as it goes, and good for nothing but naming things. Source: semantics.md, section 1, and
-// the language page.
+// domains"; all of a run, sorted by place, without consequences of others. With an error among them the Model is
+// incomplete, and only good for names. Source: semantics.md, section 1, and the language page.
 
 #include "compiler/facts/types.hpp"
 #include "compiler/model/model.hpp"
@@ -17,9 +16,9 @@
 namespace director::compiler {
 
 struct ResolveOptions {
-  std::vector<std::string> check_ids; ///< what `allow` may name; empty: anything
-  TypeReader* reader = nullptr;       ///< what C++ is read with; nothing: it cannot be read here
-  const Types* types = nullptr;       ///< what it told; nothing: it was not asked
+  std::vector<std::string> check_ids; ///< ids for `allow`; empty: any
+  TypeReader* reader = nullptr;       ///< the reader of C++; null: none
+  const Types* types = nullptr;       ///< what it read; null: it was not used
 };
 
 struct Resolved {
@@ -27,7 +26,7 @@ struct Resolved {
   std::vector<dsl::Diagnostic> findings;
 };
 
-/// `sources` only for the files' names: a module is called after its file.
+/// `sources` only for the files' names: a module has the name of its file.
 Resolved resolve(const dsl::Spec& spec, const dsl::Sources& sources, const ResolveOptions& options = {});
 
 } // namespace director::compiler

@@ -41,7 +41,7 @@ std::string_view text_of(Op op) {
 
 bool is_ordered(Op op) { return op != Op::any && op != Op::equal && op != Op::not_equal; }
 
-/// Halves first: one after the other, many would take the square of their number.
+/// By halves: adding them one by one would be quadratic.
 ValueSet set_of(const std::int64_t* begin, const std::int64_t* end) {
   if (begin == end) return {};
   if (end - begin == 1) return ValueSet::single(*begin);
@@ -49,7 +49,7 @@ ValueSet set_of(const std::int64_t* begin, const std::int64_t* end) {
   return set_of(begin, middle).united(set_of(middle, end));
 }
 
-/// By the place in the list alone: whether a sentinel has one is not asked here.
+/// By the index in the list alone: sentinels without an order are not considered here.
 ValueSet accepted(const State& state, Op op, const std::vector<std::int64_t>& operands) {
   const ValueSet domain = state.domain();
   const auto above = [&](std::int64_t value) { return ValueSet::interval(value, state.high); };
@@ -67,17 +67,17 @@ ValueSet accepted(const State& state, Op op, const std::vector<std::int64_t>& op
   return op == Op::equal ? listed : domain.without(listed);
 }
 
-/// More of them nobody writes into a condition.
-constexpr std::int64_t most_values_told = 100;
+/// Limit above the number of values in any real condition.
+constexpr std::int64_t most_values_listed = 100;
 
-/// A sentinel that stands where the comparison holds looks as if it were meant.
+/// A sentinel in the accepted part looks intended.
 void report_sentinels(Resolver& r, const State& state, const Condition& condition, const ValueSet& sentinels,
                       Span span) {
   const auto is_accepted = [&](std::int64_t sentinel) { return condition.accepts.contains(sentinel); };
   if (std::none_of(state.unordered.begin(), state.unordered.end(), is_accepted)) return; // as of every range
   std::vector<std::string> meant;
   const ValueSet others = condition.accepts.without(sentinels);
-  if (others.count() <= most_values_told) {
+  if (others.count() <= most_values_listed) {
     for (const ValueSet::Interval& each : others.intervals())
       for (std::int64_t value = each.low; value <= each.high; ++value) meant.push_back(state.value_text(value));
   }
@@ -106,7 +106,7 @@ bool operands_are_ordered(Resolver& r, const State& state, const dsl::ConditionS
   return false;
 }
 
-/// The state of that name, or whose type in C++ is called so.
+/// The state of that name, or with a C++ type of that name.
 const State* find_meant(const Resolver& r, std::string_view name) {
   for (const State& state : r.model.states) {
     const std::string_view type = state.type ? std::string_view(*state.type) : std::string_view();
@@ -117,7 +117,7 @@ const State* find_meant(const Resolver& r, std::string_view name) {
   return nullptr;
 }
 
-/// What could be meant by a name that is no state; empty: nothing that is known.
+/// Help for a name that is no state; empty: unknown.
 std::string help_for_state(const Resolver& r, const dsl::ConditionSpec& spec) {
   if (spec.any) {
     for (const State& state : r.model.states) {
@@ -136,7 +136,7 @@ std::string help_for_state(const Resolver& r, const dsl::ConditionSpec& spec) {
   return meant == nullptr ? "" : fmt::format("that is the type of the state `{}`", meant->name.value);
 }
 
-/// Of a value that the state does not have.
+/// Help for a value that the state does not have.
 std::string help_for_value(const Resolver& r, const Word& word) {
   return r.states.count(word.value) == 0 ? "" : "a state is compared with one of its values, not with another state";
 }

@@ -18,7 +18,7 @@ std::vector<Use<GroupId>> find_groups(Resolver& r, const std::vector<Word>& word
   return out;
 }
 
-/// Each thing once, the first mention counts.
+/// Keeps the first mention of each thing.
 template <class T>
 void drop_repeated(std::vector<T>& uses) {
   std::vector<T> out;
@@ -28,7 +28,7 @@ void drop_repeated(std::vector<T>& uses) {
   uses = std::move(out);
 }
 
-/// `Walk.halting.broken` -> the provider as it is written, if there is such a promise in time.
+/// Whether `Walk.halting.broken` names a promise with a time limit; returns the provider as it is written.
 bool is_promise(const Resolver& r, const std::string& name) {
   const auto group = r.groups.find(name.substr(0, name.find('.')));
   if (group == r.groups.end()) return false;
@@ -66,7 +66,7 @@ std::vector<Use<TriggerId>> find_triggers(Resolver& r, const std::vector<Word>& 
   return out;
 }
 
-/// What stands beside `providers` holds for each of them, and comes first.
+/// The entries beside `providers` apply to each provider, and come first.
 template <class T>
 std::vector<T> merged(const std::vector<T>& for_all, std::vector<T> own) {
   own.insert(own.begin(), for_all.begin(), for_all.end());
@@ -74,7 +74,7 @@ std::vector<T> merged(const std::vector<T>& for_all, std::vector<T> own) {
   return own;
 }
 
-/// The words beside `providers`.
+/// The keys beside `providers`.
 struct ForAll {
   std::vector<ConditionUse> sets;
   std::vector<Use<GroupId>> uses;
@@ -146,8 +146,8 @@ void resolve_words(Resolver& r, Group& group, const dsl::GroupSpec& spec) {
   report_undefined(r, "layer", *spec.layer, known);
 }
 
-/// Nothing provides the group, and that is reported: the checks look at all the rest as if something did. Of what that
-/// would be nobody knows anything, so it may set whatever it likes.
+/// A substitute for a missing provider, which is reported: the checks treat the rest as if it existed. It is unknown,
+/// so it may set anything.
 Provider stand_in(Resolver& r, GroupId id) {
   Provider out;
   out.group = id;
@@ -178,13 +178,13 @@ void resolve_group(Resolver& r, GroupId id, const GroupSource& source) {
   }
 }
 
-/// Looks at what has no place in the model, for the sake of its own faults.
+/// Resolves what has no place in the model, to report its own faults.
 void resolve_forgotten(Resolver& r) {
   if (!dsl::has_errors(r.findings)) return; // then nothing was forgotten
   Resolver scratch = r;
   for (const GroupId id : r.model.groups.ids()) {
     GroupSource source = r.group_sources[id];
-    source.spec = nullptr; // its own words have been looked at
+    source.spec = nullptr; // its own keys have been resolved
     source.providers = source.forgotten;
     if (!source.providers.empty()) resolve_group(scratch, id, source);
   }
@@ -194,7 +194,7 @@ void resolve_forgotten(Resolver& r) {
   r.findings = std::move(scratch.findings);
 }
 
-/// The layers of the main file count first; then those that other files add, as they are declared.
+/// The layers of the main file come first; then those that other files add, as they are declared.
 void declare_layers(Resolver& r) {
   const auto declare = [&r](const dsl::BehaviourSpec& file) {
     std::map<std::string, Span> here;
@@ -222,7 +222,7 @@ void resolve_groups(Resolver& r) {
   declare_layers(r);
   for (const GroupId id : r.model.groups.ids()) resolve_group(r, id, r.group_sources[id]);
   resolve_forgotten(r);
-  // Which provider a promise belongs to is known now that all of them have their ids.
+  // The provider of a promise is known only now that all of them have their ids.
   for (Trigger& trigger : r.model.triggers) {
     const std::size_t dot = trigger.name.find('.');
     if (dot == std::string::npos) continue;

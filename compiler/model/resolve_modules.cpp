@@ -12,7 +12,7 @@ namespace director::compiler {
 
 namespace {
 
-/// The stem of a file's name, with `_` for what no name may have; not two of them, nor one before a capital letter.
+/// The stem of a file's name, with `_` for invalid characters; not two of them, nor one before a capital letter.
 std::string stem_as_name(std::string_view path) {
   const std::string stem = std::filesystem::path(path).stem().string();
   std::string out;
@@ -28,10 +28,10 @@ std::string stem_as_name(std::string_view path) {
   return out;
 }
 
-/// C++ names of modules: they share theirs with groups, states and triggers, and a module may be named often.
+/// C++ names of modules: they share a scope with groups, states and triggers, and a module may be named often.
 struct ModuleNames {
   Resolver& r;
-  std::map<std::string, std::string> by_cpp_name{}; ///< module -> as it was written first
+  std::map<std::string, std::string> by_cpp_name{}; ///< module -> its first spelling
 
   bool is_free(const std::string& name) const {
     const auto at = by_cpp_name.find(capitalised(name));

@@ -13,15 +13,15 @@ namespace director::compiler {
 
 namespace {
 
-/// Kinds of which the generated class `Behaviour` leaves no room for another one of its name.
+/// Kinds whose names conflict with the generated class `Behaviour`.
 bool lives_beside_the_behaviour(std::string_view kind) {
   return kind == "group" || kind == "state" || kind == "trigger" || kind == "module";
 }
 
-/// Kinds that become a type, with a capital letter; what is left of them stands in C++ as it is written.
+/// Kinds that become a type, with a capital letter; other names are unchanged in C++.
 bool becomes_a_type(std::string_view kind) { return lives_beside_the_behaviour(kind) || kind == "provider"; }
 
-/// A name that nothing else is in the way of: `LINE_group` for `__LINE__`.
+/// A similar name without conflicts: `LINE_group` for `__LINE__`.
 std::string other_name(std::string_view text, std::string_view kind) {
   while (dsl::is_director_macro(capitalised(text))) text.remove_prefix(text.find('_') + 1);
   std::string out;
@@ -32,7 +32,7 @@ std::string other_name(std::string_view text, std::string_view kind) {
   return fmt::format("{}_{}", out.empty() ? "my" : out, kind);
 }
 
-/// Why a name space cannot be called so; empty: it can.
+/// Why a namespace cannot have this name; empty: it can.
 std::string taken(const std::string& part, bool outermost) {
   if (dsl::is_cpp_keyword(part)) return "that is a keyword of C++";
   if (dsl::is_reserved_in_cpp(part))
@@ -44,7 +44,7 @@ std::string taken(const std::string& part, bool outermost) {
   return {};
 }
 
-/// Whether the generated code stands in a name space of that name; from the outside only the outermost one is found.
+/// Whether the generated code is in a namespace of that name; from outside only the outermost one is found.
 bool is_part_of(std::string_view name_space, const dsl::FirstWord& name) {
   for (bool outermost = true;; outermost = false) {
     const std::size_t end = name_space.find("::");
@@ -54,7 +54,7 @@ bool is_part_of(std::string_view name_space, const dsl::FirstWord& name) {
   }
 }
 
-/// What it could have been meant for.
+/// Candidates for what was meant.
 template <class Table>
 std::vector<std::string> names_of(const Resolver& r, const Table& table) {
   std::vector<std::string> out;
@@ -67,7 +67,7 @@ std::vector<std::string> names_of(const Resolver& r, const Table& table) {
 
 bool check_name(Resolver& r, std::string_view kind, const Word& name, bool whole_rule) {
   const std::string& text = name.value;
-  if (text.empty()) return false; // the reader has said that it is missing
+  if (text.empty()) return false; // the reader has reported that it is missing
   if (!dsl::is_identifier(text)) {
     r.error("reserved_name", name.span, fmt::format("`{}` is no name for a {}", text, kind),
             "a name has letters from a to z or A to Z, digits and `_`, and does not begin with a digit");

@@ -39,7 +39,7 @@ Assertion::Kind kind_of(dsl::AssertionSpec::Kind kind) {
   return Assertion::Kind::can_run;
 }
 
-/// Those of an imported file count where all the groups that they name can be requested.
+/// Assertions of an imported file count if all their groups can be requested.
 void resolve_assertions(Resolver& r) {
   const std::vector<bool> can_be_requested = requestable(r.model);
   for (const dsl::BehaviourSpec& file : r.spec.files) {
@@ -103,7 +103,7 @@ void resolve_allowances(Resolver& r) {
   }
 }
 
-/// The roots of imported files request nothing; their names have to mean something all the same.
+/// The roots of imported files request nothing; their names have to exist nevertheless.
 void check_roots_of_imports(Resolver& r) {
   for (const dsl::BehaviourSpec& file : r.spec.files) {
     if (&file == &r.main || !file.roots) continue;

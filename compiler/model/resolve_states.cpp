@@ -13,13 +13,12 @@ namespace director::compiler {
 namespace {
 
 void declare_values(Resolver& r, State& state, const dsl::StateSpec& spec) {
-  if (spec.range && spec.values)
-    return; // that they exclude each other is reported, and which one is meant nobody knows
+  if (spec.range && spec.values) return; // that they exclude each other is reported, and the intended one is unknown
   if (spec.range) {
     state.is_range = true;
     state.low = spec.range->low.value;
     state.high = spec.range->high.value;
-    // The smallest number of 32 bits stands for "unset" when the behaviour runs.
+    // The smallest number of 32 bits represents "unset" at run time.
     constexpr std::int64_t largest = std::numeric_limits<std::int32_t>::max();
     for (const auto& end : {spec.range->low, spec.range->high}) {
       if (end.value >= -largest && end.value <= largest) continue;
@@ -89,7 +88,7 @@ void declare_states_and_triggers(Resolver& r) {
 std::optional<std::int64_t> find_value(Resolver& r, StateId id, const Word& value) {
   const State& state = r.model.states[id];
   if (const auto number = state.value_of(value.value)) return number;
-  if (!state.is_range && state.values.empty()) return std::nullopt; // that it has none is reported where it is declared
+  if (!state.is_range && state.values.empty()) return std::nullopt; // that it has none is reported at its declaration
   r.findings.push_back(no_such_value(state, value, r.findings.size()));
   return std::nullopt;
 }

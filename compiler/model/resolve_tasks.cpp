@@ -25,7 +25,7 @@ EdgeId declare_edge(Resolver& r, std::optional<GroupId> requester, GroupId targe
   return at->second;
 }
 
-/// The place of a level among the different ones of its edge.
+/// The index of a level among the different ones of its edge.
 std::uint32_t declare_level(Edge& edge, const Level& level) {
   const auto at = std::find(edge.levels.begin(), edge.levels.end(), level);
   const auto place = static_cast<std::uint32_t>(at - edge.levels.begin());

@@ -18,7 +18,7 @@ void note_place(Resolver& r, Diagnostic& finding, const CodePlace& place, std::s
   if (!place.path.empty()) finding.notes.push_back({r.options.reader->span(place), std::move(message)});
 }
 
-/// False, and says so, where it is no enum that can be used.
+/// False, and reported, if it is no usable enum.
 bool is_usable(Resolver& r, const Word& name, const CppType& type) {
   if (!type.wrong.empty()) {
     r.error("unknown_type", name.span, fmt::format("there is no type `{}` in the C++: {}", name.value, type.wrong),
@@ -36,9 +36,9 @@ bool is_usable(Resolver& r, const Word& name, const CppType& type) {
   return false;
 }
 
-/// Two enumerators that are one value.
-void tell_same(Resolver& r, const State& state, const Word& name, const CppType::Enumerator& first,
-               const CppType::Enumerator& second, const dsl::Span& span) {
+/// Reports two enumerators with one value.
+void report_same(Resolver& r, const State& state, const Word& name, const CppType::Enumerator& first,
+                 const CppType::Enumerator& second, const dsl::Span& span) {
   Diagnostic& finding = r.error("redefined_name", span,
                                 fmt::format("`{}` and `{}` of `{}` are one value, so they cannot be two values of `{}`",
                                             first.name, second.name, name.value, state.name.value),
@@ -46,10 +46,10 @@ void tell_same(Resolver& r, const State& state, const Word& name, const CppType:
   note_place(r, finding, second.place, "the second one is here");
 }
 
-/// Of several names of one value each that is not the first is told of once, beside the first.
+/// Among several names of one value each but the first is reported once, beside the first.
 class OneValue {
 public:
-  /// Another name of this value: the first one, if this is not it.
+  /// Another name of this value: the first one; null if this is it.
   const CppType::Enumerator* first_of(const CppType::Enumerator& each) {
     const auto [at, is_new] = firsts_.try_emplace(each.value, &each);
     return is_new ? nullptr : at->second;
@@ -60,19 +60,19 @@ private:
   std::unordered_map<std::string_view, const CppType::Enumerator*> firsts_;
 };
 
-/// The values of an enum, unless two are one.
+/// The values of an enum, unless two are equal.
 void take_values(Resolver& r, State& state, const Word& name, const CppType& type) {
   OneValue known;
   for (const CppType::Enumerator& each : type.enumerators) {
-    if (const auto* const first = known.first_of(each)) tell_same(r, state, name, *first, each, name.span);
+    if (const auto* const first = known.first_of(each)) report_same(r, state, name, *first, each, name.span);
     state.values.add(each.name);
     state.value_spans.push_back(r.options.reader->span(each.place));
   }
   state.high = static_cast<std::int64_t>(state.values.size()) - 1;
 }
 
-/// What the enum has and the state lacks.
-void tell_lacking(Resolver& r, const State& state, const Word& name, const CppType& type, const OneValue& listed) {
+/// Reports enumerators that the state lacks.
+void report_lacking(Resolver& r, const State& state, const Word& name, const CppType& type, const OneValue& listed) {
   // `last = halt` is another name of a value, and no other value.
   std::unordered_map<std::string_view, std::vector<const CppType::Enumerator*>> by_value;
   std::vector<std::string_view> in_order;
@@ -110,10 +110,10 @@ void compare_values(Resolver& r, const State& state, const Word& name, const Cpp
     if (at == by_name.end()) {
       foreign.push_back(i);
     } else if (const auto* const first = listed.first_of(*at->second)) {
-      tell_same(r, state, name, *first, *at->second, state.value_spans[i]);
+      report_same(r, state, name, *first, *at->second, state.value_spans[i]);
     }
   }
-  tell_lacking(r, state, name, type, listed);
+  report_lacking(r, state, name, type, listed);
   for (const std::size_t i : foreign) {
     Diagnostic& finding =
         r.error("enum_drift", state.value_spans[i], fmt::format("`{}` has no `{}`", name.value, state.values[i]),

@@ -8,20 +8,20 @@ namespace director::compiler {
 
 namespace {
 
-/// `rules_out`: as of a finding.
+/// `rules_out`: as in a finding.
 void report(Resolver& r, Span span, std::string message, std::string help, std::vector<Span> rules_out = {}) {
-  if (span.file != r.main.file) return; // a shared module has other importers, who may use it
+  if (span.file != r.main.file) return; // a shared module has other importers, which may use it
   r.find("unused_declaration", dsl::Level::lint, span, std::move(message), std::move(help)).rules_out =
       std::move(rules_out);
 }
 
-/// It never runs.
+/// Reports that it never runs.
 void report_group(Resolver& r, Span span, std::string message) {
   report(r, span, std::move(message),
          "remove it, or list it under `roots`, or under `tasks` or `needs` of another group", {span});
 }
 
-/// A state that is only set tells nobody anything: bodies do not read states.
+/// A state that is only set has no effect: bodies do not read states.
 void find_unused_states(Resolver& r) {
   std::vector<bool> compared(r.model.states.size(), false);
   for (const Provider& provider : r.model.providers) {
@@ -63,7 +63,7 @@ void find_unused_layers(Resolver& r) {
   }
 }
 
-/// All that leads there from these groups, by requests and needs; these included.
+/// All groups that lead to these, by requests and needs; these included.
 std::vector<bool> led_to(const Model& model, std::vector<GroupId> open) {
   std::vector<bool> out(model.groups.size(), false);
   for (const GroupId id : open) out[id.value] = true;
@@ -77,20 +77,20 @@ std::vector<bool> led_to(const Model& model, std::vector<GroupId> open) {
   return out;
 }
 
-/// Groups to which nothing leads but each other.
-void find_unused_circles(Resolver& r) {
+/// Groups that only lead to each other.
+void find_unused_cycles(Resolver& r) {
   const Model& model = r.model;
   std::vector<GroupId> from;
   for (const Task& root : model.roots) from.push_back(root.target);
   for (const GroupId id : model.groups.ids()) {
-    if (model.groups[id].requesters.empty()) from.push_back(id); // told of
+    if (model.groups[id].requesters.empty()) from.push_back(id); // reported
   }
   const std::vector<bool> used = led_to(model, from);
   std::vector<bool> done = used;
   for (const GroupId id : model.groups.ids()) {
     if (done[id.value]) continue;
     const std::vector<bool> below = led_to(model, {id});
-    // The first of a circle to which no other circle leads.
+    // The first group of a cycle to which no other cycle leads.
     const std::vector<EdgeId>& above = model.groups[id].requesters;
     std::vector<GroupId> open;
     for (const EdgeId edge : above) open.push_back(*model.edges[edge].requester);
@@ -115,12 +115,12 @@ void find_unused_groups(Resolver& r) {
     if (group.requesters.empty())
       report_group(r, group.name.span, fmt::format("nothing requests or needs `{}`", group.name.value));
   }
-  find_unused_circles(r);
+  find_unused_cycles(r);
 }
 
 } // namespace
 
-/// Of a module that is checked alone nobody knows what its importers will use.
+/// A module that is checked alone may have importers that use it.
 void find_unused(Resolver& r) {
   if (!r.model.deployment) return;
   find_unused_states(r);

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What the steps of resolve() share while they work: the model as far as it is made, the names, the findings. Only the
-// files resolve*.cpp include this.
+// What the steps of resolve() share: the model so far, the names, the findings. Only the files resolve*.cpp include
+// this.
 
 #include "compiler/model/resolve.hpp"
 #include "dsl/names.hpp"
@@ -19,10 +19,10 @@ using dsl::capitalised;
 using dsl::Diagnostic;
 
 struct GroupSource {
-  const dsl::GroupSpec* spec = nullptr; ///< nothing: an `extern` that nobody provides
+  const dsl::GroupSpec* spec = nullptr; ///< null: an `extern` without a declaration
   const dsl::BehaviourSpec* file = nullptr;
   std::vector<const dsl::ProviderSpec*> providers; ///< in order of preference, `extend` included
-  std::vector<const dsl::ProviderSpec*> forgotten; ///< their names are taken: looked at for their own faults only
+  std::vector<const dsl::ProviderSpec*> forgotten; ///< duplicates: resolved for their own faults only
 };
 
 struct Resolver {
@@ -44,7 +44,7 @@ struct Resolver {
   std::map<std::string, ConditionId, std::less<>> conditions{}; ///< by normal text
   std::map<std::pair<std::optional<GroupId>, GroupId>, EdgeId> edges{};
 
-  /// A name of C++: the kind and place of what took it.
+  /// A name of C++: the kind and place of the thing that has it.
   struct Declared {
     std::string kind; ///< "group"
     Word name;
@@ -61,23 +61,22 @@ struct Resolver {
   }
 };
 
-// resolve_names.cpp
-/// A reserved_name if it is one. `whole_rule`: also the language's own words, not only C++'s.
+// resolve_names.cpp: reports reserved_name if it is one. `whole_rule`: also the language's own words, not only C++'s.
 bool check_name(Resolver& r, std::string_view kind, const Word& name, bool whole_rule = true);
-/// A redefined_name if the C++ name is taken; else takes it.
+/// Reports redefined_name if the C++ name is taken; otherwise takes it.
 bool claim_cpp_name(Resolver& r, std::string_view kind, const Word& name);
-/// A reserved_name if the generated code cannot stand in it.
+/// Reports reserved_name if the generated code cannot be in it.
 void check_namespace(Resolver& r, const Word& name);
-/// A redefined_name if this C++ type of the user's is one that is generated, or would be taken for one; but for `own`,
-/// what the state is called whose type it is. Behind claim_cpp_name of all things.
+/// Reports redefined_name if this C++ type of the user's is a generated one, or could be confused with one; except for
+/// `own`, the state whose type it is. Call it after claim_cpp_name of all things.
 void check_foreign_type(Resolver& r, const Word& type, std::string_view own = {});
-/// undefined_name, with the nearest of `known` as its help, and a note where it is the name of something else.
+/// Reports undefined_name, with the nearest of `known` as its help, and a note if it is the name of something else.
 void report_undefined(Resolver& r, std::string_view kind, const Word& name, const std::vector<std::string>& known);
-/// Nothing, and a finding, where there is none.
+/// Empty, and reported, if there is none.
 std::optional<GroupId> find_group(Resolver& r, const Word& name);
 std::optional<StateId> find_state(Resolver& r, const Word& name);
 
-// One step each, in this order.
+// The steps, in this order.
 void declare_states_and_triggers(Resolver& r); // resolve_states.cpp
 void declare_groups(Resolver& r);              // declare_groups.cpp
 void name_modules(Resolver& r);                // resolve_modules.cpp
@@ -87,17 +86,17 @@ void resolve_groups(Resolver& r);              // resolve_groups.cpp
 void resolve_rest(Resolver& r);                // resolve_rest.cpp
 void find_unused(Resolver& r);                 // resolve_unused.cpp
 
-// Parts that more than one step uses.
-/// What C++ says of a state's `type`: its values where it has none of its own, else whether they are the same.
+// Parts of several steps. Uses the C++ type of a state: as its values if it has none of its own, otherwise checks that
+// they are equal.
 void take_type(Resolver& r, State& state, const dsl::StateSpec& spec); // resolve_types.cpp
-/// Whether there are the types that tasks carry, if C++ was asked.
+/// Checks that the types of data exist, if C++ was read.
 void check_data_types(Resolver& r); // resolve_types.cpp
-/// The number of a value; nothing, and a finding, where the state has no such value.
+/// The number of a value; empty, and reported, if the state has no such value.
 std::optional<std::int64_t> find_value(Resolver& r, StateId state, const Word& value); // resolve_states.cpp
 std::vector<ConditionUse> resolve_conditions(Resolver& r, const std::vector<dsl::ConditionSpec>& specs);
-/// The entries of `tasks`, a pack or `roots` (no requester). Their edges are declared as they are met.
+/// The entries of `tasks`, a pack or `roots` (no requester). Declares their edges in order.
 std::vector<Task> resolve_tasks(Resolver& r, std::optional<GroupId> requester, const std::vector<dsl::TaskSpec>& specs);
-/// The edge of a need, declared if no task was it before.
+/// Declares the edge of a need, unless a task declared it.
 void declare_need(Resolver& r, GroupId requester, const Use<GroupId>& need);
 
 } // namespace director::compiler

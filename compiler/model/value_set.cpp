@@ -13,7 +13,7 @@ namespace {
 using Interval = ValueSet::Interval;
 constexpr std::int64_t largest = std::numeric_limits<std::int64_t>::max();
 
-/// `high` and `low` leave no room for a value between them.
+/// Whether there is no value between `high` and `low`.
 bool touches(std::int64_t high, std::int64_t low) { return high == largest || low <= high + 1; }
 
 /// The first one that does not end below this value.

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A set of values of one state: closed intervals of value numbers, sorted, disjoint and never touching, so that two
-// equal sets are equal values. Source: semantics.md, section 1 (a condition is the set of values that satisfies it).
+// A set of values of one state: closed intervals of value numbers, sorted, disjoint and not adjacent, so that equal
+// sets are equal values. Source: semantics.md, section 1 (a condition is the set of values that satisfies it).
 
 #include <cstdint>
 #include <vector>
@@ -25,8 +25,8 @@ public:
   std::int64_t count() const;                  ///< how many values; saturates at the largest number
   const std::vector<Interval>& intervals() const { return intervals_; }
 
-  /// An interval, or none where it is empty, that begins nowhere before what is in the set. No copy is made: very many,
-  /// one after the other, cost each the same.
+  /// Adds an interval, if it is not empty, that begins at or after the end of the set, without a copy: each of many
+  /// takes the same time.
   void add_last(const Interval& interval);
   ValueSet united(const ValueSet& other) const;
   ValueSet intersected(const ValueSet& other) const;

@@ -37,7 +37,7 @@ std::string_view decided_by(const Edge& taker, const Edge& loser) {
   return higher ? "priority" : "optional";
 }
 
-/// Without what these lead to; round a circle all of it.
+/// The groups that none of the others leads to; all of a cycle.
 std::vector<GroupId> topmost(const Model& model, const std::vector<bool>& groups) {
   std::vector<GroupId> out = contested(model, groups, groups);
   if (!out.empty()) return out;
@@ -72,7 +72,7 @@ std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph) {
 
 Graph with_possible_pushes(const Model& model, Graph graph) {
   const auto all = analysis::find_all_pushes(model, analysis::find_facts(model, graph));
-  const std::set<std::pair<GroupId, ProviderId>> pushes(all.begin(), all.end()); // by way of others too
+  const std::set<std::pair<GroupId, ProviderId>> pushes(all.begin(), all.end()); // also through others
   IdTable<GroupId, std::vector<bool>> plans(model.groups.size()); // what it may wait for: conditions of its needs too
   for (const auto& [task, causer] : pushes) {
     if (plans[task].empty()) plans[task] = reachable(graph.needs, task.value);

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a page tells of a behaviour and its picture does not: who beats whom, whether the assertions are true, and the
-// transition matrix. All of it goes into the JSON that `directorc graph --format=json --page` prints; the pages are
-// written from that and from nothing else.
+// What a page has beside the picture of a behaviour: which task takes groups from which, whether the assertions are
+// true, and the transition matrix. All of it is in the JSON that `directorc graph --format=json --page` prints; the
+// pages are made from that alone.
 
 #include "compiler/base/json.hpp"
 #include "compiler/emit/graph/picture_options.hpp"
@@ -14,15 +14,15 @@
 
 namespace director::compiler {
 
-/// Of all that can happen, which tasks may take something from which; both of one requester.
+/// The possible take-overs; both edges are of one requester.
 std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph);
 
-/// Without the promises that no task can push for: it never goes before the group that gives them, or never waits for
-/// them. The behaviour must be one that can run.
+/// Without promises that no task can push for: no waiting task goes before the causing group, or none ever waits. The
+/// behaviour must be able to run.
 Graph with_possible_pushes(const Model& model, Graph graph);
 
-/// Adds `pushes`, `takes`, `ranks`, `verdicts` and `transitions` to what graph_json() made. The behaviour must be one
-/// that can run. `file`: what scenarios call it. `transitions`: of these groups only; empty: of all.
+/// Adds `pushes`, `takes`, `ranks`, `verdicts` and `transitions` to the result of graph_json(). The behaviour must be
+/// able to run. `file`: its path in scenarios. `transitions`: only of these groups; empty: of all.
 void add_page_facts(Json& data, const Model& model, const Graph& graph, const std::string& file,
                     const std::vector<GroupId>& transitions = {});
 

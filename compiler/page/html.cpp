@@ -1,8 +1,8 @@
 // Header: compiler/page/pages.hpp. Test: tests/compiler/page/pages_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// All of the page stands in it as text; the script only moves, hides and marks. Nothing is loaded: the policy allows
-// the one script and the one style whose check sums it names, and nothing else.
+// The page has all its content as text; the script only moves, hides and marks. Nothing is loaded: the policy allows
+// only the script and the style whose hashes it has.
 #include "compiler/base/html.hpp"
 
 #include "compiler/base/packed.hpp"
@@ -105,7 +105,7 @@ std::string html_page(const PageInput& input) {
         "<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n<h2 id=\"{0}-title\">{1}</h2>\n{2}</section>\n",
         section.id, section.title, html);
   }
-  // the script makes links of the places that answers to `why` name
+  // The script makes links of the places in answers to `why`.
   const std::string links = input.link.empty() ? "" : fmt::format(" data-link=\"{}\"", html(input.link));
   return fmt::format(
       "<!DOCTYPE html>\n{}\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"

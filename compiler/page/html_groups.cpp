@@ -85,7 +85,7 @@ std::string groups_html(const HtmlInput& input) {
       add_mentions(facts, "needed by", at->second.needs);
       add_mentions(facts, "may be pushed by", at->second.pushes);
     }
-    // before the providers: below the last one it would seem to be said of that one
+    // Before the providers: below the last one it would seem to belong to that one.
     if (!facts.empty()) out += fmt::format("<dl class=\"others\">\n{}</dl>\n", facts);
     for (const Json& provider : group["providers"].items()) out += provider_html(group, provider, input);
     out += "</article>\n";

@@ -10,24 +10,24 @@
 
 namespace director::compiler::page {
 
-/// The same of a finding's words, which have code between backquotes.
+/// The same for a finding's message, which has code between backquotes.
 std::string message_html(std::string_view text);
 
-/// What the sections are made from.
+/// The input of the sections.
 struct HtmlInput {
   const PageInput& page;
   const Relations& relations;
 };
 
-/// Where something is declared, as a link if there are any.
+/// The place of a declaration, as a link if links are wanted.
 std::string place_html(const Json& thing, const HtmlInput& input);
-/// A paragraph for each that is parted by an empty line; empty where there is no text.
+/// A paragraph for each part between empty lines; empty if there is no text.
 std::string doc_html(const Json& thing);
 /// A group's name as a link to its section.
 std::string group_link(const std::string& name);
 
-/// What Graphviz wrote, without what a page has once: the heads of files, numbers of nodes as ids, and the font, which
-/// is in page.css; without what is so anyway, links within the same link, and hundredths of points.
+/// Graphviz's SVG without what a page needs only once (file headers, ids of nodes, and the font, which is in page.css)
+/// and without redundant parts: links within the same link, and hundredths of points.
 std::string svg_part(std::string svg);
 std::string pictures_html(const HtmlInput& input);
 std::string timeline_html(const HtmlInput& input);

@@ -1,8 +1,8 @@
 // Header: compiler/page/html_parts.hpp. Test: tests/compiler/page/html_svg_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// A page has some pictures, and all of them are text in it: what Graphviz writes twice, or finer than anybody sees, is
-// left out. For seventy groups that is a tenth of the pictures.
+// A page contains several pictures as text: what Graphviz writes twice, or with invisible precision, is left out. For
+// seventy groups that is a tenth of the pictures.
 #include "compiler/page/html_parts.hpp"
 
 #include <fmt/format.h>
@@ -39,7 +39,7 @@ void erase_from_to(std::string& text, std::string_view begin, std::string_view e
   text = out.append(text, from);
 }
 
-/// A link within one to the same place, with the same words: Graphviz writes one for a box, and one for its first row.
+/// A link within one to the same place, with the same text: Graphviz writes one for a box, and one for its first row.
 void drop_inner_links(std::string& svg) {
   constexpr std::string_view open = "<g><a ", close = "</a>\n</g>\n";
   std::string out;

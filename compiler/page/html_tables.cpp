@@ -24,17 +24,17 @@ std::string legend_html() {
   return out + "</dl>\n";
 }
 
-/// Columns that A4 has room for beside the names of the rows.
+/// Columns that fit on A4 beside the names of the rows.
 constexpr std::size_t most_on_paper = 40;
 
-/// For paper, where nothing can be scrolled: the matrix once more, some columns at a time, each with all rows. Empty
-/// where it has room as it is.
+/// For print, which cannot be scrolled: the matrix once more, some columns at a time, each with all rows. Empty if it
+/// fits as a whole.
 std::string bands_html(const Json& rows) {
   const std::vector<Json>& all = rows.items();
   if (all.size() <= most_on_paper) return {};
   const std::size_t count = (all.size() + most_on_paper - 1) / most_on_paper;
   std::string out = "<div class=\"bands\">\n";
-  for (std::size_t band = 0; band < count; ++band) { // as wide as each other
+  for (std::size_t band = 0; band < count; ++band) { // of equal width
     const std::size_t begin = all.size() * band / count, end = all.size() * (band + 1) / count;
     out += fmt::format("<table>\n<caption>From the group of the row to that of the column; columns {} to {} of "
                        "{}</caption>\n<thead><tr><td></td>",
@@ -66,7 +66,7 @@ std::string matrix_html(const Json& rows) {
     const std::vector<Json>& cells = row["cells"].items();
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const CellKind& kind = cell_kind(cells[i]);
-      const Json* column = is_telling(cells[i]) ? &rows.items()[i] : nullptr;
+      const Json* column = needs_explanation(cells[i]) ? &rows.items()[i] : nullptr;
       out += fmt::format("<td data-kind=\"{}\"><a href=\"#{}\" title=\"{}\">{}</a>", kind.kind, // </td> may be left out
                          anchor_of(row, column), kind.kind, kind.sign);
     }
@@ -89,27 +89,28 @@ std::string scenario_html(const Json& cell, const Json& pieces) {
   return scenario_html(out);
 }
 
-/// Cells that have something of their own to tell, with their scenarios, then the others by kind.
+/// Cells with an explanation of their own, with their scenarios, then the others by kind.
 std::string row_html(const Json& transitions, const Json& row) {
   const Json& rows = transitions["rows"];
   std::string out = fmt::format("<article class=\"row\" id=\"{}\" tabindex=\"-1\">\n<h3>From {}</h3>\n<p>{}</p>\n",
                                 anchor_of(row, nullptr), html(row["group"].as_text()), html(row["words"].as_text()));
-  std::string told;
+  std::string explanations;
   std::map<std::string_view, std::vector<std::string>> others;
   const std::vector<Json>& cells = row["cells"].items();
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const Json& column = rows.items()[i];
     const CellKind& kind = cell_kind(cells[i]);
-    if (!is_telling(cells[i])) {
+    if (!needs_explanation(cells[i])) {
       others[kind.kind].push_back(column["group"].as_text());
       continue;
     }
-    told += fmt::format("<div id=\"{}\" tabindex=\"-1\"><dt>to {}: <b class=\"sign\" data-kind=\"{}\">{}</b> "
-                        "{}</dt><dd>{}{}</dd></div>\n",
-                        anchor_of(row, &column), html(column["group"].as_text()), kind.kind, kind.sign, kind.kind,
-                        html(cells[i]["words"].as_text()), scenario_html(cells[i], transitions["pieces"]));
+    explanations +=
+        fmt::format("<div id=\"{}\" tabindex=\"-1\"><dt>to {}: <b class=\"sign\" data-kind=\"{}\">{}</b> "
+                    "{}</dt><dd>{}{}</dd></div>\n",
+                    anchor_of(row, &column), html(column["group"].as_text()), kind.kind, kind.sign, kind.kind,
+                    html(cells[i]["words"].as_text()), scenario_html(cells[i], transitions["pieces"]));
   }
-  if (!told.empty()) out += fmt::format("<dl>\n{}</dl>\n", told);
+  if (!explanations.empty()) out += fmt::format("<dl>\n{}</dl>\n", explanations);
   for (const auto& [kind, names] : others) {
     std::string list;
     for (const std::string& name : names) list += (list.empty() ? "" : ", ") + html(name);

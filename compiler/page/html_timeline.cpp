@@ -1,7 +1,7 @@
 // Header: compiler/page/html_parts.hpp. Test: tests/compiler/page/timeline_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// The script decodes the recording and draws it. What stands here is for who has none: what the recording is, and how
+// The script decodes the recording and draws it. This is the content without a script: what the recording is, and how
 // it begins.
 #include "compiler/base/html.hpp"
 #include "compiler/page/html_parts.hpp"

@@ -68,7 +68,7 @@ void LeaderFinder::look(const Pack& pack, EdgeId member, const Standing& standin
     }
     always = always || each_level;
   }
-  out.always = out.always && always && !pack.name.empty(); // of what has no name any part may be asked for
+  out.always = out.always && always && !pack.name.empty(); // of an unnamed pack any part may be requested
 }
 
 Ways::Ways(const Model& model)
@@ -88,12 +88,13 @@ const Ways::Paths& Ways::paths(GroupId from) {
   if (known) return *known;
   Paths out{reachable(needs_, from.value), {}};
   out.needs[from.value] = true;
-  std::vector<Node> asked;
+  std::vector<Node> requested;
   for (const Edge& edge : model_.edges) {
-    if (edge.requester && !edge.levels.empty() && out.needs[edge.requester->value]) asked.push_back(edge.target.value);
+    if (edge.requester && !edge.levels.empty() && out.needs[edge.requester->value])
+      requested.push_back(edge.target.value);
   }
-  out.asks = reachable(all_, asked);
-  for (const Node node : asked) out.asks[node] = true;
+  out.asks = reachable(all_, requested);
+  for (const Node node : requested) out.asks[node] = true;
   return known.emplace(std::move(out));
 }
 

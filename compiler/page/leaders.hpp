@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A unit is tried where the first of its members stands, so that a member may go before what its own rank is behind:
-// with which other members, and whether always. Source: semantics.md 4.4.
+// A unit is tried at the place of its first member, so a member may go before what its own rank is behind: with which
+// other members, and whether always. Source: semantics.md 4.4.
 
 #include "compiler/graph/algorithms.hpp"
 #include "compiler/lower/contention.hpp"
@@ -16,10 +16,10 @@
 
 namespace director::compiler {
 
-/// What the pack says of the edge; null: nothing.
+/// The entry for the edge; null: none.
 const Task* entry_of(const Pack& pack, EdgeId edge);
 
-/// A member that stands first.
+/// A member at the first place.
 struct Leader {
   EdgeId edge{};
   std::int32_t priority = 0;
@@ -29,11 +29,11 @@ struct Leader {
 
 struct Leaders {
   std::vector<Leader> all; ///< by edge and level; empty: nothing of this kind
-  bool always = false;     ///< whatever is asked for, one of them is asked for too, and goes before the rival
+  bool always = false;     ///< in every request one of them is requested too, and goes before the rival
 };
 
-/// Of one side of a decision, which is behind by rank or equal: what brings it forward where it is asked for as a
-/// member of its unit, and the other side is apart.
+/// For one side of a decision, which is behind by rank or equal: the members that bring it forward if it is requested
+/// as a member of their unit, and the other side is apart.
 class LeaderFinder {
 public:
   explicit LeaderFinder(const Model& model) : model_(model) {}
@@ -54,7 +54,7 @@ public:
   explicit Ways(const Model& model);
   /// By needs alone, with its own grant; a group needs itself.
   bool needs(GroupId from, GroupId to) { return paths(from).needs[to.value]; }
-  /// By some task that it, or what it has by then, asks for.
+  /// By some task that it, or what it holds by then, requests.
   bool asks(GroupId from, GroupId to) { return paths(from).asks[to.value]; }
 
 private:

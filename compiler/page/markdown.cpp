@@ -38,10 +38,10 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-/// Not in a table.
+/// Not for cells of a table.
 std::string code(std::string_view text) { return fmt::format("`{}`", text); }
 
-/// A finding's words have code between backquotes already.
+/// A finding's message has code between backquotes already.
 std::string message(std::string_view text) {
   std::string out;
   bool in_code = false;
@@ -78,7 +78,7 @@ public:
   }
 
 private:
-  /// Also the anchor that GitHub makes of a heading that is a name.
+  /// Equals the anchor that GitHub makes of a heading with a name.
   static std::string in_small_letters(std::string text) {
     for (char& letter : text) letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
     return text;
@@ -94,7 +94,7 @@ private:
     return link.empty() ? fmt::format("`{}`", place_text(at)) : fmt::format("[{}]({})", escaped(place_text(at)), link);
   }
 
-  /// `Walk.halting` as a link to its group; the program is none.
+  /// `Walk.halting` as a link to its group; the program has none.
   static std::string mention(const Mention& mention) {
     const std::string by = mention.group.empty()
                                ? "the program"
@@ -128,7 +128,7 @@ private:
     if (name != "default" || !doc.empty())
       out_ += fmt::format("- **{}**{}\n", escaped(provider_name(group, provider)),
                           doc.empty() ? "" : ": " + escaped(trimmed(doc)));
-    // Python-Markdown, which MkDocs has, takes less than four for the same list.
+    // Python-Markdown, used by MkDocs, treats less than four as the same list.
     const std::string indent = name != "default" || !doc.empty() ? "    " : "";
     const auto line = [&](std::string_view title, const std::string& text) {
       if (!text.empty()) out_ += fmt::format("{}- {}: {}\n", indent, title, text);
@@ -245,7 +245,7 @@ private:
     const std::size_t before = out_.size();
     for (std::size_t i = 0; i < rows.items().size(); ++i) {
       const Json& cell = row["cells"].items()[i];
-      if (!is_telling(cell)) continue;
+      if (!needs_explanation(cell)) continue;
       out_ += fmt::format("- to {}, {}: {}\n", escaped(rows.items()[i]["group"].as_text()), cell_kind(cell).kind,
                           escaped(cell["words"].as_text()));
     }

@@ -1,8 +1,8 @@
 // Header: compiler/page/ranks.hpp. Test: tests/compiler/page/ranks_test.cpp. Schema: schemas/graph.schema.json.
 // SPDX-License-Identifier: MIT
 //
-// Two groups mostly part at the same few requesters as others do, and in the same ways, so what decides is written
-// once, each list of it once, and of each two groups only which list.
+// Most pairs of groups part at the same few requesters, and in the same ways, so each decision is written once, each
+// list of decisions once, and for each two groups only the number of the list.
 #include "compiler/page/ranks.hpp"
 
 #include "compiler/graph/graph.hpp"
@@ -20,37 +20,37 @@ namespace director::compiler {
 
 namespace {
 
-/// What two edges of one requester have to do with each other.
+/// The relation of two edges of one requester.
 struct Company {
-  bool at_once = false;                             ///< some pack, with the needs of its provider, holds both
+  bool at_once = false;                             ///< some pack, with the needs of its provider, has both
   bool unit = false;                                ///< granted together, or not at all
-  bool first_loose = false, second_loose = false;   ///< both are asked for by some pack, and it is neither of one unit
-                                                    ///< with the other one nor a need
-  bool first_needed = false, second_needed = false; ///< by a provider that asks for the other one, or needs it too
+  bool first_loose = false, second_loose = false;   ///< both are requested by some pack, and this one is neither in one
+                                                    ///< unit with the other one nor a need
+  bool first_needed = false, second_needed = false; ///< by a provider that requests the other one, or needs it too
   bool first_alone = false, second_alone = false;   ///< likewise, and does not need the other one
 };
 
-/// A decision between two edges to one group. Where one of them is the sibling itself, and the other one lies below the
+/// A decision between two edges to one group. If one of them is the sibling itself, and the other one is below the
 /// other sibling, priorities do not always decide: a unit is granted whole before anything below it, and a requester
-/// runs only with what it needs. Nor do they where one of them is a sibling, or needed for one: that is granted where
-/// its unit stands.
+/// runs only with what it needs. Nor do they if one of them is a sibling, or needed for one: that is granted with its
+/// unit.
 struct Ruling {
   enum class Held : std::uint8_t { by_rank, in_unit, as_need, by_leader };
   struct Side {
     Held held = Held::by_rank;
-    bool needs = false;          ///< it is not about the task, but about what that needs
-    bool asks = false;           ///< nor, but about what that asks for
+    bool needs = false;          ///< it concerns a need of the task, not the task
+    bool asks = false;           ///< it concerns a request of the task, not the task
     std::vector<Leader> leaders; ///< by rank: with one of these it goes first
     auto operator<=>(const Side&) const = default;
   };
   Decision decision;
-  Side first, second; ///< at most one of them is held otherwise than by rank
+  Side first, second; ///< at most one of them is held by something else than rank
   auto operator<=>(const Ruling&) const = default;
 
   int order() const { return first.held != Held::by_rank ? -1 : second.held != Held::by_rank ? 1 : order_of(decision); }
 };
 
-/// How the chain of one side goes on below the sibling.
+/// How the chain of one side continues below the sibling.
 struct Below {
   bool itself = false, needs = false, asks = false;
   bool comes_along() const { return itself || needs; } ///< with the sibling's grant
@@ -91,7 +91,7 @@ public:
     if (!contentions_.complete())
       left_out += fmt::format("{}After {} pairs of tasks, or {} steps through cycles of requests, no more was looked "
                               "at, so there may be more.",
-                              left_out.empty() ? "" : " ", most_edge_pairs, most_circle_steps);
+                              left_out.empty() ? "" : " ", most_edge_pairs, most_cycle_steps);
     if (!left_out.empty()) out.add("left_out", Json::text(left_out));
     out.add("decisions", std::move(decisions_));
     out.add("contended", std::move(contended));
@@ -128,7 +128,7 @@ private:
     return {false, edge(last).needed && passes, asks || (!edge(last).levels.empty() && passes)};
   }
 
-  /// By rank, unless a unit is tried earlier than its member stands.
+  /// By rank, unless a unit is tried earlier than its member's place.
   void add_ranked(const Decision& decision, const Below& of_first, const Below& of_second, std::vector<Ruling>& out) {
     Ruling ranked{decision, {}, {}};
     std::optional<Ruling> led;
@@ -150,15 +150,15 @@ private:
     if (led) out.push_back(std::move(*led));
   }
 
-  /// What goes with a unit goes before what another member asks for, and what goes with a need of the requester before
-  /// all else of the other one. `ranked`: ranks decide too, whatever holds the two sides.
+  /// What is granted with a unit goes before what another member requests, and what is granted with a need of the
+  /// requester before everything else of the other one. `ranked`: ranks decide too, however the two sides are held.
   void add_decided(const Decision& decision, const Below& first, const Below& second, bool ranked,
                    std::vector<Ruling>& out) {
     using Held = Ruling::Held;
     if (!decision.requester || (!first.comes_along() && !second.comes_along()))
       return add_ranked(decision, first, second, out);
     const Company both = company(decision);
-    // Where both ask, or both come along: what one has as a need it may have since before there was a unit.
+    // If both request it, or both are granted with it: one may have held it as a need since before there was a unit.
     ranked = ranked || (first.asks && second.asks) || (first.comes_along() && second.comes_along());
     for (const bool of_first : {true, false}) {
       const Below &ahead = of_first ? first : second, &behind = of_first ? second : first;
@@ -190,7 +190,7 @@ private:
     return out;
   }
 
-  /// What the two ask for goes by rank in any case.
+  /// Two requested groups are always compared by rank.
   std::vector<Ruling> rulings(GroupId first, GroupId second) {
     std::vector<Ruling> out;
     for (const Decision& each : contentions_.between(first, second))
@@ -210,7 +210,7 @@ private:
     return out;
   }
 
-  /// Twice the place in `decisions`, and one more where the first group is on the side of the decision's second task.
+  /// Twice the index in `decisions`, and one more if the first group is on the side of the decision's second task.
   Json numbers(const std::vector<Ruling>& rulings) {
     Json out = Json::list({});
     for (Ruling each : rulings) {
@@ -253,7 +253,7 @@ private:
   const Edge& edge(EdgeId id) const { return model_.edges[id]; }
 
   /// `Kick (priority 20)`
-  std::string asked(EdgeId id, const Standing& standing) const {
+  std::string request_words(EdgeId id, const Standing& standing) const {
     const std::vector<Level>& levels = edge(id).levels;
     const bool itself = std::any_of(levels.begin(), levels.end(), [&](const Level& level) {
       return level.optional && level.priority == standing.priority;
@@ -265,13 +265,13 @@ private:
                                           : ", something below it optional");
   }
 
-  /// The one that goes first stands first.
+  /// The one that goes first comes first.
   std::string words(const Ruling& ruling) const {
     const Decision& decision = ruling.decision;
     const int order = ruling.order();
     const std::string requester = decision.requester ? name(*decision.requester) : "the program";
-    std::string first = asked(decision.first_sibling, decision.first);
-    std::string second = asked(decision.second_sibling, decision.second);
+    std::string first = request_words(decision.first_sibling, decision.first);
+    std::string second = request_words(decision.second_sibling, decision.second);
     EdgeId ahead = decision.first_sibling, behind = decision.second_sibling;
     if (order > 0) std::swap(first, second), std::swap(ahead, behind);
     const Ruling::Side &winner = order > 0 ? ruling.second : ruling.first,
@@ -296,7 +296,7 @@ private:
                                   both.at_once ? "" : ", never both at once");
     if (order != 0 && !loser.leaders.empty())
       out += ", unless " + name(edge(behind).target) + " is " + together(loser.leaders);
-    if (order == 0) out += asks_first(ahead, winner) + asks_first(behind, loser);
+    if (order == 0) out += requested_first(ahead, winner) + requested_first(behind, loser);
     return out;
   }
 
@@ -309,8 +309,8 @@ private:
     return "granted together with " + out;
   }
 
-  /// Of equals.
-  std::string asks_first(EdgeId member, const Ruling::Side& side) const {
+  /// For equals.
+  std::string requested_first(EdgeId member, const Ruling::Side& side) const {
     if (side.leaders.empty()) return "";
     const std::string& task = name(edge(member).target);
     return fmt::format("; of two that request it, {} goes first where {}{}",
@@ -318,7 +318,7 @@ private:
                        together(side.leaders));
   }
 
-  /// At some level of this priority, as a member of the unit of its pack, or not.
+  /// Whether at some level of this priority it is a member of the unit of its pack, or is not.
   bool may_be(const Task& task, const Standing& standing, bool in_unit) const {
     return std::any_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
       const Level& level = edge(task.edge).levels[named.level];

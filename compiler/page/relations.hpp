@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What the JSON of a behaviour says of a group or a state at other places than its own: who asks for it, who needs it,
-// who sets it.
+// What the JSON of a behaviour has about a group or a state in other places than its own: its requests, its needs, what
+// sets it.
 
 #include "compiler/base/json.hpp"
 
@@ -11,16 +11,16 @@
 
 namespace director::compiler::page {
 
-/// Something that somebody says of it, and who.
+/// A reference to it, and its source.
 struct Mention {
   std::string by;    ///< `Striker.playing, pack attack`; empty: the program
-  std::string group; ///< whose that is; empty: the program
+  std::string group; ///< of which group; empty: the program
   std::string how;   ///< of a request `priority 20, optional`, of a state the condition
 };
 
 struct GroupRelations {
   std::vector<Mention> requests, needs; ///< of it
-  std::vector<Mention> pushes;          ///< who may push it: for what, `how`
+  std::vector<Mention> pushes;          ///< what may push it: for what, `how`
 };
 
 struct StateRelations {

@@ -12,12 +12,12 @@ namespace director::compiler::page {
 
 namespace {
 
-/// Those that are told, numbered anew.
+/// The listed ones, renumbered.
 class Decisions {
 public:
   explicit Decisions(const Json& all) : all_(all.items()) {}
 
-  /// A code is twice the place, and one more where the two sides are turned.
+  /// A code is twice the index, and one more if the two sides are exchanged.
   std::int64_t keep(std::int64_t code) {
     const auto [at, fresh] = places_.try_emplace(code / 2, kept_.items().size());
     if (fresh) {
@@ -36,12 +36,12 @@ private:
 
 Json answer_of(const Json& answer, Decisions& decisions) {
   const std::vector<Json>& all = answer["decisions"].items();
-  const std::size_t told = std::min(all.size(), most_decisions_of_two);
+  const std::size_t listed = std::min(all.size(), most_decisions_of_two);
   Json out = Json::object({}), codes = Json::list({});
   if (!answer["leads"].is_null()) out.add("leads", answer["leads"]);
-  for (std::size_t i = 0; i < told; ++i) codes.add(Json::number(decisions.keep(all[i].as_number())));
+  for (std::size_t i = 0; i < listed; ++i) codes.add(Json::number(decisions.keep(all[i].as_number())));
   out.add("decisions", std::move(codes));
-  if (told < all.size()) out.add("more", Json::count(all.size() - told));
+  if (listed < all.size()) out.add("more", Json::count(all.size() - listed));
   return out;
 }
 

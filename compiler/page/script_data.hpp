@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What of the data of a page its script reads (compiler/page/web/data.ts): the page has the rest as text, and of two
-// groups nobody reads thousands of decisions.
+// The part of a page's data that its script reads (compiler/page/web/data.ts): the rest is in the page as text, and
+// thousands of decisions between two groups are not readable.
 
 #include "compiler/base/json.hpp"
 
@@ -9,11 +9,11 @@
 
 namespace director::compiler::page {
 
-/// Of two groups. Where several tasks lead to most groups in many ways there are thousands, and the page grew to 25 MB.
+/// Limit for two groups. With many chains to most groups there are thousands, and the page grew to 25 MB.
 inline constexpr std::size_t most_decisions_of_two = 40;
 
-/// `ranks` has no more decisions than that of any two groups, says of how many `more` it does not, and has nothing that
-/// the script does not read.
+/// `ranks` has at most that many decisions of any two groups, and the number of `more` ones, and nothing that the
+/// script does not read.
 Json script_data(const Json& data);
 
 } // namespace director::compiler::page

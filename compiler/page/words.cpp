@@ -14,8 +14,8 @@ namespace director::compiler::page {
 
 namespace {
 
-/// Of two that ask for one group; who wants all of them asks the page for the two.
-constexpr std::size_t most_decisions_told = 8;
+/// Limit for two requesters of one group; the page can show all of them for a selected pair.
+constexpr std::size_t most_decisions_listed = 8;
 
 } // namespace
 
@@ -41,7 +41,7 @@ const CellKind& cell_kind(const Json& cell) {
   return at == kinds.end() ? kinds.back() : *at;
 }
 
-bool is_telling(const Json& cell) {
+bool needs_explanation(const Json& cell) {
   const std::string_view kind = cell_kind(cell).kind;
   return kind != "both" && kind != "same chain" && kind != "unreachable";
 }
@@ -81,27 +81,27 @@ std::string take_words(const Json& take) {
     }
     return fmt::format("{}", fmt::join(out, " or "));
   };
-  const std::string who = take["requester"].is_null() ? "the program" : take["requester"].as_text();
-  if (take["by"].as_text() == "optional") return fmt::format("{}, where the second is optional", who);
-  return fmt::format("{}, priority {} before {}", who, numbers("winner_priorities"), numbers("loser_priorities"));
+  const std::string requester = take["requester"].is_null() ? "the program" : take["requester"].as_text();
+  if (take["by"].as_text() == "optional") return fmt::format("{}, where the second is optional", requester);
+  return fmt::format("{}, priority {} before {}", requester, numbers("winner_priorities"), numbers("loser_priorities"));
 }
 
 std::vector<Rivals> rivals_in(const Json& ranks) {
-  const auto who = [](const Json& name) { return name.is_null() ? std::string("the program") : name.as_text(); };
+  const auto requester = [](const Json& name) { return name.is_null() ? std::string("the program") : name.as_text(); };
   std::vector<Rivals> out;
   for (const Json& contended : ranks["contended"].items()) {
     for (const Json& row : contended["rivals"].items()) {
-      Rivals rivals{contended["group"].as_text(), who(row["first"]), who(row["second"]), {}};
-      // One decision may fall either way, as each of the two is on each side of it: its words are the same.
+      Rivals rivals{contended["group"].as_text(), requester(row["first"]), requester(row["second"]), {}};
+      // A decision may be listed for either order of the two, with the same text.
       for (const Json& code : row["decisions"].items()) {
         const std::string& words =
             ranks["decisions"].items()[static_cast<std::size_t>(code.as_number() / 2)]["words"].as_text();
         if (std::find(rivals.decisions.begin(), rivals.decisions.end(), words) == rivals.decisions.end())
           rivals.decisions.push_back(words);
       }
-      if (const std::size_t all = rivals.decisions.size(); all > most_decisions_told) {
-        rivals.decisions.resize(most_decisions_told);
-        rivals.decisions.push_back(fmt::format("and {} more", all - most_decisions_told));
+      if (const std::size_t all = rivals.decisions.size(); all > most_decisions_listed) {
+        rivals.decisions.resize(most_decisions_listed);
+        rivals.decisions.push_back(fmt::format("and {} more", all - most_decisions_listed));
       }
       out.push_back(std::move(rivals));
     }

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What the pages of all formats say alike: sentences, places, and what cells of the matrix are called.
+// What the pages of all formats share: sentences, places, and names for cells of the matrix.
 
 #include "compiler/page/pages.hpp"
 
@@ -13,8 +13,8 @@ struct CellKind {
 const std::vector<CellKind>& cell_kinds();
 const CellKind& cell_kind(const Json& cell);
 
-/// Whether the cell has something of its own to tell; else a line for all of its kind in a row will do.
-bool is_telling(const Json& cell);
+/// Whether the cell has its own explanation; otherwise a line for all of its kind in a row is enough.
+bool needs_explanation(const Json& cell);
 
 /// `behaviours/soccer/soccer.yaml:12`
 std::string place_text(const Json& place);
@@ -24,18 +24,18 @@ std::string place_link(const Json& place, const std::string& pattern);
 /// `values lost, far, near; lost at the beginning; from outside; lost after 1 s`
 std::string state_words(const Json& state);
 
-/// How it is decided who goes first: `Striker, priority 20 before 10`
+/// How the order is decided: `Striker, priority 20 before 10`
 std::string take_words(const Json& take);
 
-/// Two that ask for one group, and who of them goes first: `the program: Kick (priority 20) before Walk (priority 10)`
+/// Two that request one group, and their order: `the program: Kick (priority 20) before Walk (priority 10)`
 struct Rivals {
   std::string group, first, second;
   std::vector<std::string> decisions;
 };
-/// With no more of each two than can be read; the last one says how many there are besides.
+/// With a limit for each pair; the last one has the number of the rest.
 std::vector<Rivals> rivals_in(const Json& ranks);
 
-/// What the table of these says first.
+/// The introduction of their table.
 inline constexpr std::string_view rivals_intro =
     "Two that request the same, and what decides between them: the closest requester of both, with the two tasks by "
     "which it leads there. Those that it never requests at once meet only while it changes from one to the other.";

@@ -19,7 +19,7 @@ namespace {
 
 using Kind = CoveragePoint::Kind;
 
-/// Granted whole, or not at all.
+/// Whether they are granted together, or not at all.
 bool in_unit(const analysis::Together& together, const Level& level) {
   return together.provider && level.shares_unit();
 }
@@ -83,7 +83,7 @@ private:
     }
   }
 
-  /// Groups that somebody may want: requested, or needed by a provider of one that is wanted.
+  /// Groups that may be wanted: requested, or needed by a provider of a wanted one.
   IdSet<GroupId> wanted() const {
     IdSet<GroupId> out(model_.groups.size());
     std::vector<GroupId> open;
@@ -149,7 +149,7 @@ private:
     }
   }
 
-  /// Some group that it may take was `enough`.
+  /// Whether some group that it may take was `enough`.
   template <class Enough>
   bool takes_some(const analysis::Together& together, const Task& taker, const Task& loser, Enough enough) {
     const analysis::Claims &of_taker = claims(taker.target), &of_loser = claims(loser.target);
@@ -171,7 +171,7 @@ private:
     return false;
   }
 
-  /// At some of their levels. In a unit nothing is taken from what is granted with it.
+  /// Whether it does at some of their levels. In a unit nothing is taken from what is granted with it.
   bool goes_before(const analysis::Together& together, const Task& taker, analysis::Reach takes, const Task& loser,
                    analysis::Reach loses) const {
     using analysis::Reach;

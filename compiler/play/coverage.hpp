@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What scenarios can exercise in a behaviour, point by point, and what they did exercise. A point that the checks prove
-// impossible does not count. Source: the scenario page of docs/language.md, "Coverage".
+// The points that scenarios can exercise in a behaviour, and those that they did exercise. A point that the checks
+// prove impossible does not count. Source: the scenario page of docs/language.md, "Coverage".
 
 #include "compiler/graph/graph.hpp"
 #include "compiler/model/model.hpp"
@@ -34,7 +34,7 @@ struct CoveragePoint {
   bool covered = false;
 };
 
-/// As people count: both kinds of conditions are one.
+/// Classes for the report: both kinds of conditions are one.
 enum class CoverageClass { providers, packs, levels, conditions, pushes, take_overs };
 inline constexpr std::array all_coverage_classes{CoverageClass::providers, CoverageClass::packs,
                                                  CoverageClass::levels,    CoverageClass::conditions,

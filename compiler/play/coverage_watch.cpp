@@ -42,7 +42,7 @@ Onlooker CoverageWatch::onlooker() {
           [this](const Engine& engine) { stepped(engine); }};
 }
 
-/// What is no point does not count.
+/// Marks a point, if it is one.
 void CoverageWatch::mark(const CoveragePoint::Key& key) {
   const auto at = places_.find(key);
   if (at != places_.end()) coverage_.points[at->second].covered = true;
@@ -88,7 +88,7 @@ void CoverageWatch::mark_conditions(Kind kind, ProviderId provider, const std::v
   }
 }
 
-/// `when` counts where somebody wants its group, `stay` where its provider is active, or was until now.
+/// `when` counts while its group is wanted, `stay` while its provider is active, or was until now.
 void CoverageWatch::look_at_conditions(const Engine& engine) {
   IdSet<GroupId> wanted(model_.groups.size());
   for (const EdgeId id : model_.edges.ids()) {
@@ -111,7 +111,7 @@ void CoverageWatch::look_at_pushes(const director::State& state) {
   }
 }
 
-/// From the edge up to one of root; nothing where nobody holds a requester in between.
+/// The edges up to one of root; empty if a requester in between has no holder.
 std::optional<CoverageWatch::Chain> CoverageWatch::chain(Index edge, const std::vector<Index>& holders) const {
   Chain out;
   while (edge < lowered_.edges.size() && out.size() <= holders.size()) {
@@ -147,7 +147,7 @@ void CoverageWatch::take_over(const Chain& taker, const Chain& loser, const std:
   }
 }
 
-/// A group that went from one edge to another while the loser's side was still asked for.
+/// A group that went from one edge to another while the loser's side was still requested.
 void CoverageWatch::look_at_take_overs(const Engine& engine) {
   std::vector<Index> holders(holders_.size());
   for (Index g = 0; g < holders.size(); ++g) holders[g] = engine.holder(g);

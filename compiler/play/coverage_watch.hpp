@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Marks what a scenario exercises while it is played.
+// Records what a scenario exercises while it is played.
 
 #include "compiler/lower/lowered.hpp"
 #include "compiler/play/coverage.hpp"
@@ -13,7 +13,7 @@ namespace director::compiler {
 
 class CoverageWatch {
 public:
-  /// All of them are only referred to. `coverage` is of that model.
+  /// Keeps references to all of them. `coverage` is of that model.
   CoverageWatch(const Model& model, const Lowered& lowered, Coverage& coverage);
   CoverageWatch(const CoverageWatch&) = delete;
   CoverageWatch& operator=(const CoverageWatch&) = delete;

@@ -1,8 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Where the data of tasks are while a scenario is played: what a generated behaviour keeps in typed slots are values
-// that can be printed and compared here. The engine says when they move. Source: runtime/core/engine/run.hpp
-// (Bodies::Data).
+// The data of tasks while a scenario is played: a generated behaviour keeps them in typed slots, here they are values
+// that can be printed and compared. The engine moves them. Source: runtime/core/engine/run.hpp (Bodies::Data).
 
 #include "dsl/data.hpp"
 #include "runtime/core/engine/run.hpp"
@@ -19,7 +18,7 @@ public:
 
   DataSlots(std::size_t groups, std::size_t edges) : edges_(edges), staging_(edges), groups_(groups) {}
 
-  /// Data of an input, to wait until the engine accepts it.
+  /// Keeps the data of an input until the engine accepts it.
   Index wait_for_input(Value value);
   void stage(Index edge, Value value) { staging_[edge] = std::move(value); }
   /// `target`: the group that the edge leads to.

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What happens in a scenario, as values that need no Model to be printed. Source: the language page, its second half.
+// Events of a scenario, as values that can be printed without the Model. Source: the language page, its second half.
 
 #include <cstdint>
 #include <optional>
@@ -11,7 +11,7 @@ namespace director::compiler {
 
 struct Happening {
   enum class Kind {
-    input, ///< `words`: what the step says
+    input, ///< `words`: the text of the step
     run,
     start,
     stop,
@@ -19,7 +19,7 @@ struct Happening {
     failed,
     broken,
     budget_exhausted,
-    // Decisions: only where they are asked for.
+    // Decisions: only if requested.
     queue, ///< from, group, `words`: why
     push,  ///< group, provider, from, `words`: the group for which it is pushed
     release,
@@ -29,12 +29,12 @@ struct Happening {
   std::uint32_t step = 1; ///< counts from 1
   std::int64_t time = 0;  ///< in microseconds, since the scenario began
   std::string group;
-  std::string provider;             ///< also where it is called `default`
+  std::string provider;             ///< also if it is `default`
   std::vector<std::string> reasons; ///< of a run, in the order of the page
   std::string from;                 ///< the requester, or `root`
   std::string words;
   std::string state;
-  std::optional<std::string> value; ///< nothing: the state has none any more
+  std::optional<std::string> value; ///< empty: the state is unset
   bool is_number = false;           ///< the value is one
 
   bool operator==(const Happening&) const = default;
@@ -43,7 +43,7 @@ struct Happening {
 /// Whether times are printed too. Scenarios do not expect any.
 enum class ShowTimes : bool { no, yes };
 
-/// One line, as `expect` has it; an input behind `> `. With times, these stand before it. The colours are those of the
+/// One line, as in `expect`; an input behind `> `. With times, these come before it. The colours are those of the
 /// pictures: what runs is blue, what waits red, what is pushed green, what no longer runs grey.
 std::string to_text(const Happening& happening, ShowTimes times = ShowTimes::no, bool has_colours = false);
 

@@ -13,7 +13,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// Which edits are shown: the changes, and what stands close to one.
+/// The edits that are shown: the changes, and the lines close to one.
 std::vector<bool> shown(const std::vector<DiffLine>& all) {
   std::vector<bool> out(all.size(), false);
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -43,7 +43,7 @@ std::vector<DiffLine> line_diff(const Lines& from, const Lines& to) {
   for (std::size_t i = 0; i < head; ++i) out.push_back({' ', from[i]});
   std::size_t i = 0, j = 0;
   if (columns == 0 || rows <= most_diff_cells / columns) {
-    // common[i][j]: the length of the longest common subsequence of what is left behind i and j.
+    // common[i][j]: the length of the longest common subsequence of the rest behind i and j.
     std::vector<std::uint32_t> common((rows + 1) * (columns + 1), 0);
     const auto at = [&](std::size_t row, std::size_t column) -> std::uint32_t& {
       return common[row * (columns + 1) + column];

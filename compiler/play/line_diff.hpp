@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The difference of two lists of lines, as a unified diff: what their longest common subsequence leaves out. By the
-// plain table of all pairs, because a step has few lines.
+// The difference of two lists of lines, as a unified diff: everything outside of their longest common subsequence. By
+// the simple quadratic table, because a step has few lines.
 
 #include <cstddef>
 #include <string>
@@ -12,18 +12,18 @@ namespace director::compiler {
 
 inline constexpr std::size_t diff_context = 3; ///< equal lines shown around a difference
 inline constexpr std::size_t most_diff_cells =
-    4'000'000; ///< of the table; beyond it all between the equal ends differs
+    4'000'000; ///< of the table; above it everything between the equal ends differs
 
 struct DiffLine {
   char sign; ///< ' ', '-' or '+'
   std::string_view line;
 };
 
-/// The lines of both lists, one after another, each with what happens to it.
+/// The lines of both lists in order, each with its sign.
 std::vector<DiffLine> line_diff(const std::vector<std::string>& from, const std::vector<std::string>& to);
 
-/// "--- expected", "+++ happened", then hunks; nothing where they are equal. At most `most_lines` of them, and then how
-/// many more there are.
+/// "--- expected", "+++ happened", then hunks; empty if they are equal. At most `most_lines` of them, and then the
+/// number of the rest.
 std::vector<std::string> unified_diff(const std::vector<std::string>& expected,
                                       const std::vector<std::string>& happened, std::size_t most_lines = 200);
 

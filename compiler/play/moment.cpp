@@ -18,7 +18,7 @@ Mark mark_of_edge(const View& view, Index edge, Index target) {
   return view.holder(target) == edge ? Mark::held : Mark::inactive;
 }
 
-/// Without who it is that waits, and for whom: `until Stability == standing, which Walk.halting could cause`.
+/// Without the names of the waiting tasks: `until Stability == standing, which Walk.halting could cause`.
 std::string reason(const View& view, GroupId group, const Model& model, const Lowered& lowered) {
   const std::string text = reason_why(view, group, model, lowered).text;
   const std::size_t at = text.find("): ");
@@ -30,9 +30,9 @@ Moment::Standing standing_of(const View& view, GroupId group, const Model& model
   const GroupAssignment& now = view.assignment[row];
   Moment::Standing out;
   if (now.active != nil) out.active = ProviderId{now.active};
-  bool asked = false;
+  bool requested = false;
   for (const EdgeId edge : model.groups[group].requesters)
-    asked = asked || view.requested(static_cast<Index>(edge.value));
+    requested = requested || view.requested(static_cast<Index>(edge.value));
   if (view.granted(row)) {
     out.mark = now.push.edge != nil && now.push.provider == now.active ? Mark::pushed : Mark::running;
     if (out.mark == Mark::pushed) {
@@ -41,7 +41,7 @@ Moment::Standing standing_of(const View& view, GroupId group, const Model& model
     }
     return out;
   }
-  if (asked) {
+  if (requested) {
     out.mark = Mark::queued;
     out.note = reason(view, group, model, lowered);
     return out;

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a picture shows of a moment: who runs, who waits and for what, who is pushed.
+// The state at a moment for its picture: what runs, what waits and for what, what is pushed.
 
 #include "compiler/emit/graph/picture_options.hpp"
 #include "compiler/lower/lowered.hpp"

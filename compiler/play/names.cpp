@@ -113,13 +113,13 @@ const Task* Names::task(const std::vector<Task>& tasks, std::string_view owner, 
   return nullptr;
 }
 
-std::optional<Asked> Names::asked(const std::vector<Task>& tasks, std::string_view owner,
-                                  const dsl::RequestSpec& spec) {
+std::optional<RequestedTask> Names::request(const std::vector<Task>& tasks, std::string_view owner,
+                                            const dsl::RequestSpec& spec) {
   const Task* found = task(tasks, owner, spec.group);
   if (found == nullptr) return std::nullopt;
   const std::optional<std::uint32_t> at = level(*found, spec.level);
   if (!at) return std::nullopt;
-  Asked out{found->edge, *at, std::nullopt, spec.keep.value};
+  RequestedTask out{found->edge, *at, std::nullopt, spec.keep.value};
   if (spec.data) out.data = spec.data->value;
   return out;
 }

@@ -1,7 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Looks up what a scenario names. Where there is no such thing, a finding goes to the list that the names were made
-// with.
+// Resolves the names in a scenario. An unknown name is reported to the list that was given at construction.
 
 #include "compiler/play/scenario.hpp"
 
@@ -18,16 +17,17 @@ public:
   std::optional<std::int64_t> value(StateId state, const Word& value);
   std::optional<Setting> setting(const dsl::SettingSpec& spec);
   std::optional<ProviderId> provider(GroupId group, const Word& name);
-  /// A trigger that somebody may listen to; `declared`: not a promise.
+  /// A trigger with a listener; `declared`: not a promise.
   std::optional<TriggerId> trigger(const Word& name, bool declared);
-  /// The place of a level among Edge::levels; without a name the first of the task.
+  /// The index of a level among Edge::levels; without a name the first of the task.
   std::optional<std::uint32_t> level(const Task& task, const std::optional<Word>& name);
   /// One of `tasks`, which belong to `owner` ("`Walk.walking` requests no group called").
   const Task* task(const std::vector<Task>& tasks, std::string_view owner, const Word& name);
-  std::optional<Asked> asked(const std::vector<Task>& tasks, std::string_view owner, const dsl::RequestSpec& spec);
+  std::optional<RequestedTask> request(const std::vector<Task>& tasks, std::string_view owner,
+                                       const dsl::RequestSpec& spec);
 
   dsl::Diagnostic& error(std::string_view id, Span span, std::string message, std::string help);
-  /// undefined_name, with the nearest of `known` as its help, or with all of them.
+  /// Reports undefined_name, with the nearest of `known` as its help, or with all of them.
   dsl::Diagnostic& undefined(Span span, std::string message, std::string_view name,
                              const std::vector<std::string>& known);
 

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Who looks on while a scenario is played: told of every run of a body, and shown the engine after every micro-step.
+// Callbacks while a scenario is played: called at every run of a body, and after every micro-step of the engine.
 
 #include "compiler/play/scenario.hpp"
 #include "runtime/core/engine/engine.hpp"
@@ -10,7 +10,7 @@
 namespace director::compiler {
 
 struct Onlooker {
-  /// A body ran; `answer` is the case of the script that it followed, null where none applied.
+  /// A body ran; `answer` is the case of the script that it followed, null if none applied.
   std::function<void(ProviderId, const Case* answer)> ran;
   /// The engine took a micro-step and arbitrated.
   std::function<void(const Engine&)> stepped;

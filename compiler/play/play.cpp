@@ -30,7 +30,7 @@ std::size_t inbox_size(const Scenario& scenario) {
   return std::bit_ceil(most);
 }
 
-/// Time goes no further: what is due the longest duration later still has a time.
+/// Time stops here, so that adding the longest duration does not overflow.
 constexpr Time end_of_time = never - 2 * dsl::longest_duration;
 
 class Player {
@@ -88,7 +88,7 @@ private:
     return false;
   }
 
-  /// The same, with a look after each micro-step.
+  /// The same, with a callback after each micro-step.
   StepResult step_by_step() {
     StepResult result = StepResult::budget_exhausted;
     for (std::uint32_t i = 0; i < play_budget && result == StepResult::budget_exhausted; ++i) {
@@ -98,7 +98,7 @@ private:
     return result;
   }
 
-  /// Each due time has a run of the engine to itself.
+  /// The engine runs once for each due time.
   bool advance(Time by) {
     Time until = std::min(now_ + by, end_of_time);
     if (options_.until) until = std::min(until, *options_.until);
@@ -128,10 +128,10 @@ private:
     std::vector<Input> out;
     switch (input.kind) {
     case InputKind::request:
-      for (const Asked& asked : input.requests) {
-        Input request = record(Input::Kind::request, asked.edge.value);
-        request.set_level(static_cast<Index>(tables_.edges[request.thing].levels.begin + asked.level));
-        request.handle = bodies_.data().wait_for_input(asked.data);
+      for (const RequestedTask& task : input.requests) {
+        Input request = record(Input::Kind::request, task.edge.value);
+        request.set_level(static_cast<Index>(tables_.edges[request.thing].levels.begin + task.level));
+        request.handle = bodies_.data().wait_for_input(task.data);
         out.push_back(request);
       }
       break;

@@ -14,26 +14,26 @@ namespace director::compiler {
 
 /// Micro-steps each time the engine runs: inputs, or one due time.
 inline constexpr std::uint32_t play_budget = 10'000;
-/// Due times at which one `advance` stops: an hour of `every: 4 ms`. What happens at each is kept until it is compared,
-/// and a slip of the unit should not take all the memory.
+/// Limit for the due times in one `advance`: an hour of `every: 4 ms`. The events of each are kept until they are
+/// compared, and a wrong unit should not exhaust the memory.
 inline constexpr std::uint64_t stops_of_advance = 1'000'000;
 
 struct PlayOptions {
   bool decisions = false;             ///< also queue, push, release, set and unset
-  const Onlooker* onlooker = nullptr; ///< null: nobody; what happens is the same
+  const Onlooker* onlooker = nullptr; ///< null: none; the events are the same
   std::uint64_t most_stops = stops_of_advance;
   std::uint32_t steps = 0;                  ///< play no more than so many; 0: all
   std::optional<Time> until{};              ///< play no further than this time
-  Observer events{};                        ///< told of every event of the engine, before `sink` hears of it
-  std::function<void(const Engine&)> end{}; ///< shown the engine as it is in the end
+  Observer events{};                        ///< called for every event of the engine, before `sink`
+  std::function<void(const Engine&)> end{}; ///< called with the final state of the engine
 };
 
-/// How it ended, if not behind its last step.
+/// Where it ended, if not after its last step.
 struct Played {
   std::uint32_t last_step = 0; ///< the last one that was played; counts from 1
   bool budget_exhausted = false;
   bool too_many_stops = false;            ///< ... that of stops, and not of micro-steps
-  std::optional<dsl::Diagnostic> refused; ///< what a body was to do and may not
+  std::optional<dsl::Diagnostic> refused; ///< the action that a body may not do
 };
 
 /// `sink` gets everything in order: each step's inputs, then what happened.

@@ -60,7 +60,7 @@ private:
                              level.apart ? ", apart" : "");
   }
 
-  /// As its requester's providers, or the roots, call it.
+  /// The names that its requester's providers, or the roots, use.
   std::vector<std::string> level_names(EdgeId id, std::uint32_t place) const {
     std::vector<std::string> out;
     const auto look = [&](const std::vector<Task>& tasks) {

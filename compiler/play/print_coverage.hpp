@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Coverage for people and for programs.
+// Coverage as text and as JSON.
 
 #include "compiler/base/json.hpp"
 #include "compiler/play/coverage.hpp"

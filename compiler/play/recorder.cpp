@@ -76,7 +76,7 @@ void Recorder::tell(const Event& event) {
   case Event::Kind::assign:
   case Event::Kind::begin:
   case Event::Kind::given:
-  case Event::Kind::lost: return; // the page's format has no such event, or the player tells it itself
+  case Event::Kind::lost: return; // the page's format has no such event, or the player reports it
   }
   sink_(out);
 }

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The engine's events as happenings of a scenario.
+// Converts the engine's events to happenings of a scenario.
 
 #include "compiler/lower/lowered.hpp"
 #include "compiler/model/model.hpp"
@@ -15,7 +15,7 @@ using Sink = std::function<void(const Happening&)>;
 
 class Recorder {
 public:
-  /// All of them are only referred to. `decisions`: also why something is queued, pushed, released or set.
+  /// Keeps references to all of them. `decisions`: also why something is queued, pushed, released or set.
   Recorder(const Model& model, const Lowered& lowered, bool decisions, const Sink& sink)
       : model_(model),
         lowered_(lowered),
@@ -26,8 +26,8 @@ public:
 
   Observer observer(); ///< for as long as this object lives
   void begin_step(std::uint32_t step) { step_ = step; }
-  void share(const Observer& events) { shared_ = events; } ///< told of every event first
-  void now(Time time) { time_ = time; }                    ///< of what is told by the player, not by the engine
+  void share(const Observer& events) { shared_ = events; } ///< gets every event first
+  void now(Time time) { time_ = time; }                    ///< the time of events from the player, not from the engine
   void input(std::string words);
   void budget_exhausted();
 

@@ -13,17 +13,18 @@ namespace director::compiler {
 
 namespace {
 
-std::vector<Asked> whole(const Pack& pack) {
-  std::vector<Asked> out;
+std::vector<RequestedTask> whole(const Pack& pack) {
+  std::vector<RequestedTask> out;
   for (const Task& task : pack.tasks) out.push_back({task.edge, task.levels.front().level, std::nullopt, false});
   return out;
 }
 
-/// An edge asked for twice: the last one counts.
-void ask(std::vector<Asked>& asked, Asked entry) {
-  const auto same = std::find_if(asked.begin(), asked.end(), [&](const Asked& a) { return a.edge == entry.edge; });
-  if (same == asked.end()) {
-    asked.push_back(std::move(entry));
+/// An edge that is requested twice: the last entry counts.
+void add_request(std::vector<RequestedTask>& request, RequestedTask entry) {
+  const auto same =
+      std::find_if(request.begin(), request.end(), [&](const RequestedTask& a) { return a.edge == entry.edge; });
+  if (same == request.end()) {
+    request.push_back(std::move(entry));
   } else {
     *same = std::move(entry);
   }
@@ -46,7 +47,7 @@ const Pack* find_pack(ProviderId id, const Word& name, Names& names) {
   return nullptr;
 }
 
-/// What is in every pack of it stands in `packs`, so a bare list of tasks, or none at all, answers nothing.
+/// Each of its requests is in one of its `packs`, so a case must name a pack, not a bare list of tasks.
 void pack_is_missing(const dsl::CaseSpec& spec, ProviderId id, Names& names) {
   std::vector<std::string> known;
   for (const Pack& pack : names.model.providers[id].packs) known.push_back(pack.name);
@@ -72,7 +73,7 @@ void resolve_answer(const dsl::CaseSpec& spec, ProviderId id, Names& names, Case
     out.named_pack = static_cast<std::uint32_t>(pack - provider.packs.data());
     const std::string in_pack = fmt::format("the pack `{}` has", pack->name);
     for (const dsl::RequestSpec& entry : spec.tasks) {
-      if (auto asked = names.asked(pack->tasks, in_pack, entry)) ask(out.pack, std::move(*asked));
+      if (auto request = names.request(pack->tasks, in_pack, entry)) add_request(out.pack, std::move(*request));
     }
     return;
   }
@@ -83,7 +84,7 @@ void resolve_answer(const dsl::CaseSpec& spec, ProviderId id, Names& names, Case
   static const std::vector<Task> none;
   const std::vector<Task>& tasks = provider.packs.empty() ? none : provider.packs.front().tasks;
   for (const dsl::RequestSpec& entry : spec.tasks) {
-    if (auto asked = names.asked(tasks, owner, entry)) ask(out.pack, std::move(*asked));
+    if (auto request = names.request(tasks, owner, entry)) add_request(out.pack, std::move(*request));
   }
 }
 
@@ -117,7 +118,7 @@ bool declares(const Model& model, const std::vector<ConditionUse>& uses, const S
   });
 }
 
-void resolve_set(const dsl::CaseSpec& spec, const std::string& who, const std::vector<ConditionUse>& declared,
+void resolve_set(const dsl::CaseSpec& spec, const std::string& owner, const std::vector<ConditionUse>& declared,
                  Names& names, Case& out) {
   for (const dsl::SettingSpec& each : spec.set) {
     const std::optional<Setting> setting = names.setting(each);
@@ -126,10 +127,11 @@ void resolve_set(const dsl::CaseSpec& spec, const std::string& who, const std::v
     if (declares(names.model, declared, *setting)) continue;
     std::vector<std::string> texts;
     for (const ConditionUse& use : declared) texts.push_back(names.model.conditions[use.id].text);
-    names.error("undeclared_state_write", each.value.span,
-                fmt::format("{} sets `{}` to `{}`, which it does not declare", who, each.state.value, each.value.value),
-                texts.empty() ? fmt::format("declare it: `sets: [{} == {}]`", each.state.value, each.value.value)
-                              : fmt::format("what it declares is `{}`", fmt::join(texts, "`, `")));
+    names.error(
+        "undeclared_state_write", each.value.span,
+        fmt::format("{} sets `{}` to `{}`, which it does not declare", owner, each.state.value, each.value.value),
+        texts.empty() ? fmt::format("declare it: `sets: [{} == {}]`", each.state.value, each.value.value)
+                      : fmt::format("what it declares is `{}`", fmt::join(texts, "`, `")));
   }
 }
 
@@ -157,10 +159,10 @@ Case resolve_case(const dsl::CaseSpec& spec, ProviderId id, Names& names) {
 
 Case resolve_handler_case(const dsl::CaseSpec& spec, GroupId group, std::string_view which, const Handler& handler,
                           Names& names) {
-  const std::string who = fmt::format("the {} handler of `{}`", which, names.model.groups[group].name.value);
+  const std::string owner = fmt::format("the {} handler of `{}`", which, names.model.groups[group].name.value);
   Case out;
   resolve_guards(spec, out);
-  resolve_set(spec, who, handler.sets, names, out);
+  resolve_set(spec, owner, handler.sets, names, out);
   return out;
 }
 

@@ -34,7 +34,7 @@ public:
     }
     resolve_script();
     for (const dsl::StepSpec& step : spec_.steps) resolve_step(step);
-    // What is wrong may be why a case never applies.
+    // A fault may be the reason why a case never applies.
     if (out_.findings.empty()) out_.findings = std::move(warnings_);
     dsl::sort_by_place(out_.findings);
     return std::move(out_);
@@ -44,7 +44,7 @@ private:
   // Script
 
   void resolve_script() {
-    // An entry for a provider replaces that of its group, wherever either stands.
+    // An entry for a provider replaces that of its group, in any order.
     for (const dsl::ScriptEntrySpec& entry : spec_.script) {
       const std::optional<GroupId> group = names_.group(entry.group);
       if (!group || !entry.part) continue;
@@ -82,7 +82,7 @@ private:
     resolve_cases(entry, providers);
   }
 
-  /// What no provider of the entry can do is a finding; what only some of them cannot is refused when they come to it.
+  /// What no provider of the entry can do is a finding; what only some of them cannot is refused when they run it.
   void resolve_cases(const dsl::ScriptEntrySpec& entry, const std::vector<ProviderId>& providers) {
     for (const dsl::CaseSpec& spec : entry.cases) {
       std::vector<Diagnostic> first_faults;
@@ -143,8 +143,8 @@ private:
     switch (spec.kind.value) {
     case InputKind::request:
       for (const dsl::RequestSpec& request : spec.requests) {
-        if (auto asked = names_.asked(model_.roots, "`roots` has", request))
-          input.requests.push_back(std::move(*asked));
+        if (auto request = names_.request(model_.roots, "`roots` has", request))
+          input.requests.push_back(std::move(*request));
       }
       break;
     case InputKind::cancel:

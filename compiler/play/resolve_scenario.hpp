@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// ScenarioSpec -> Scenario: names are looked up, values numbered, scripts laid out per provider. What a script must not
-// do is found here as far as it can be: before anything runs.
+// ScenarioSpec -> Scenario: names are resolved, values numbered, scripts assigned to providers. What a script must not
+// do is reported here, before anything runs, as far as possible.
 
 #include "compiler/play/scenario.hpp"
 

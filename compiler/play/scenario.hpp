@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A scenario with every name looked up in the Model that it is about: what the player of scenarios works on.
+// A scenario with every name resolved in its Model: the input of the player.
 
 #include "compiler/model/model.hpp"
 #include "dsl/data.hpp"
@@ -14,8 +14,8 @@
 
 namespace director::compiler {
 
-/// A task as a body or the program asks for it.
-struct Asked {
+/// A request for a task by a body or the program.
+struct RequestedTask {
   EdgeId edge{};
   std::uint32_t level = 0; ///< of Edge::levels
   std::optional<dsl::Data> data;
@@ -28,11 +28,11 @@ struct Setting {
 };
 
 struct UseGuard {
-  std::optional<EdgeId> edge; ///< nothing: nobody of the group asks for it or needs it, so it reads `none`
+  std::optional<EdgeId> edge; ///< empty: no provider of the group requests or needs it, so it reads `none`
   dsl::UseState state = dsl::UseState::none;
 };
 
-/// One way in which a provider or a handler behaves: the first whose guards hold.
+/// One case of a provider or a handler: the first whose guards hold applies.
 struct Case {
   std::optional<dsl::Reason> reason;
   std::optional<TriggerId> trigger;
@@ -43,11 +43,11 @@ struct Case {
   enum class Answer { pack, done, failed, keep };
   Answer answer = Answer::pack;
   std::optional<std::uint32_t> named_pack; ///< place among Provider::packs, where these have names
-  std::vector<Asked> pack;
+  std::vector<RequestedTask> pack;
   std::vector<Setting> set;
   Microseconds wait = 0; ///< 0: none
 
-  /// Why this provider cannot behave so, where an entry is for several providers of a group and others can.
+  /// Why this provider cannot do it, if an entry is for several providers of a group and others can.
   std::optional<dsl::Diagnostic> refused;
 };
 
@@ -55,11 +55,11 @@ using Body = std::vector<Case>;
 
 struct ScenarioInput {
   dsl::InputSpec::Kind kind = dsl::InputSpec::Kind::request;
-  std::vector<Asked> requests; ///< of request
-  EdgeId root{};               ///< of cancel
-  std::vector<Setting> set;    ///< of set
-  TriggerId trigger{};         ///< of trigger
-  ProviderId provider{};       ///< of enable and disable
+  std::vector<RequestedTask> requests; ///< of request
+  EdgeId root{};                       ///< of cancel
+  std::vector<Setting> set;            ///< of set
+  TriggerId trigger{};                 ///< of trigger
+  ProviderId provider{};               ///< of enable and disable
 };
 
 struct ScenarioStep {

@@ -90,10 +90,10 @@ Outcome ScriptedBodies::run(Run& run) {
   case Case::Answer::keep: return run.keep();
   case Case::Answer::pack: break;
   }
-  for (const Asked& asked : found->pack) {
-    const auto edge = static_cast<Index>(asked.edge.value);
-    const auto level = static_cast<Index>(tables_.edges[edge].levels.begin + asked.level);
-    if (run.request(edge, level, asked.keep)) data_.stage(edge, asked.data);
+  for (const RequestedTask& task : found->pack) {
+    const auto edge = static_cast<Index>(task.edge.value);
+    const auto level = static_cast<Index>(tables_.edges[edge].levels.begin + task.level);
+    if (run.request(edge, level, task.keep)) data_.stage(edge, task.data);
   }
   return run.pack();
 }

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Providers and handlers that behave as a scenario's script says: what stands where a robot has its C++.
+// Providers and handlers that act by a scenario's script, in place of a robot's C++.
 
 #include "compiler/lower/lowered.hpp"
 #include "compiler/play/data_slots.hpp"
@@ -15,14 +15,14 @@ director::Reason engine_reason(dsl::Reason reason);
 
 class ScriptedBodies {
 public:
-  /// The scenario, the tables and the onlooker, if there is one, are only referred to.
+  /// The scenario, the tables and the onlooker, if there is one, must outlive this.
   ScriptedBodies(const Scenario& scenario, const Tables& tables, const Onlooker* onlooker = nullptr);
   ScriptedBodies(const ScriptedBodies&) = delete;
   ScriptedBodies& operator=(const ScriptedBodies&) = delete;
 
-  Bodies table(); ///< of functions that call this object, for as long as it lives
+  Bodies table(); ///< of functions that call this object; valid during its lifetime
   DataSlots& data() { return data_; }
-  /// Why a body could not do what its script says. Its run was a fault, and the scenario ends there.
+  /// Why a body could not do what its script requires. Its run was a fault, and the scenario ends there.
   const std::optional<dsl::Diagnostic>& refused() const { return refused_; }
 
 private:

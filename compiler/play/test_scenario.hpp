@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Does a scenario happen as it expects? What is compared are the lines of `expect`, step by step.
+// Compares the lines of `expect` with what happens, step by step.
 
 #include "compiler/base/json.hpp"
 #include "compiler/play/play.hpp"
@@ -16,8 +16,8 @@ struct Mismatch {
   std::uint32_t step = 1;         ///< counts from 1
   bool exhausted = false;         ///< the budget ran out in it
   bool too_many_stops = false;    ///< ... that of stops, and not of micro-steps
-  std::vector<std::string> shown; ///< what the step says
-  Span span{};                    ///< of its `expect`, or of the step where it has none
+  std::vector<std::string> shown; ///< the text of the step
+  Span span{};                    ///< of its `expect`, or of the step if it has none
   std::vector<std::string> expected, happened;
 };
 
@@ -29,12 +29,12 @@ struct ScenarioResult {
   bool holds() const { return mismatches.empty() && !played.refused; }
 };
 
-/// Decisions are not compared, whether or not they are asked for.
+/// Decisions are not compared, even if they are requested.
 ScenarioResult test_scenario(const Scenario& scenario, const Model& model, const Lowered& lowered,
                              PlayOptions options = {});
 
-/// For each mismatch its place, its inputs and a diff; what a body may not do is left to who shows diagnostics. Empty
-/// where there is no mismatch.
+/// For each mismatch its place, its inputs and a diff; a refused action is printed by the caller. Empty if there is no
+/// mismatch.
 std::string render(const ScenarioResult& result, const dsl::Sources& sources, bool has_colours = false);
 
 /// Likewise, for programs. `title` may be empty.

@@ -12,13 +12,13 @@ namespace {
 
 using dsl::CaseSpec;
 
-/// What `later` waits for, and more where `earlier` waits for less.
+/// Whether `later` has the same guard, or `earlier` has none.
 template <class Guard>
 bool same_or_none(const std::optional<Guard>& earlier, const std::optional<Guard>& later) {
   return !earlier || (later && earlier->value == later->value);
 }
 
-/// Whenever `later` would apply, `earlier` does, and is the first.
+/// Whether `earlier` applies whenever `later` would, and is the first.
 bool hides(const CaseSpec& earlier, const CaseSpec& later) {
   const auto is_there = [&](const dsl::UseGuardSpec& guard) {
     return std::any_of(later.uses.begin(), later.uses.end(), [&](const dsl::UseGuardSpec& each) {

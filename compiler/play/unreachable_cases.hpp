@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Cases of a script that never apply: they look as if they tested something.
+// Finds cases of a script that never apply: they look as if they tested something.
 
 #include "compiler/model/model.hpp"
 #include "dsl/diagnostic.hpp"
@@ -10,7 +10,7 @@
 
 namespace director::compiler {
 
-/// Adds a warning for each case of the entry that never applies. `providers`: those that it is for; none of a handler.
+/// Adds a warning for each case of the entry that never applies. `providers`: those of the entry; none for a handler.
 void find_unreachable_cases(const dsl::ScriptEntrySpec& entry, const std::vector<ProviderId>& providers,
                             const Model& model, std::vector<dsl::Diagnostic>& findings);
 

@@ -13,7 +13,7 @@ namespace director::compiler {
 
 namespace {
 
-/// Where in the specification a note is about.
+/// The places of the specification that notes are about.
 class Places {
 public:
   Places(const Because& because, const Model& model, const Lowered& lowered, const Tables& tables)
@@ -33,7 +33,7 @@ public:
   }
 
 private:
-  /// Where the one who waits names it, else its state.
+  /// The place of the condition in the waiting provider, otherwise of its state.
   Span condition(Index row) const {
     const ConditionId id = lowered_.condition_ids[row];
     if (because_.provider != nil) {

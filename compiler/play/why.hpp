@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Why a group runs, or does not: what the engine finds (runtime/core/inspect/why.hpp), in the words of the
+// Explains why a group runs, or does not: the engine's result (runtime/core/inspect/why.hpp), in the terms of the
 // specification and with its places.
 
 #include "compiler/base/json.hpp"
@@ -16,18 +16,18 @@ namespace director::compiler {
 
 struct Reasoning {
   std::string group;
-  std::string kind; ///< what Because::Kind is called
-  std::string text; ///< one line, as a robot's program gets it
+  std::string kind; ///< the name of Because::Kind
+  std::string text; ///< one line, as in a robot's program
   struct Note {
     std::string text;
     Span span{}; ///< what it is about
   };
-  std::vector<Note> notes; ///< who is in the way, how it came to hold what it holds, which value a state has
+  std::vector<Note> notes; ///< what blocks it, how that came to hold it, which value a state has
 };
 
 Reasoning reason_why(const View& view, GroupId group, const Model& model, const Lowered& lowered);
 
-/// The same for who asks often. `because`: what why() says of the group; `names`: of the rows.
+/// The same for repeated calls. `because`: the result of why() for the group; `names`: of the rows.
 Reasoning reason_why(const View& view, const Because& because, const Model& model, const Lowered& lowered,
                      const director::Names& names);
 

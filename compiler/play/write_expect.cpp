@@ -45,9 +45,9 @@ std::string quoted(const std::vector<std::string>& lines) {
 
 bool is_blank(std::string_view line) { return line.find_first_not_of(" \t") == std::string_view::npos; }
 
-/// What stands behind `expect:`, where that is a block.
+/// The value of `expect:`, if it is a block.
 struct Block {
-  std::string_view head; ///< `|`, and what else stands on that line
+  std::string_view head; ///< `|`, and the rest of that line
   std::string_view indent;
   std::vector<std::string> events;
   std::vector<std::string_view> lines;               ///< of the events
@@ -98,21 +98,21 @@ public:
       const std::size_t at = end_of_line(text_, end);
       return {at, at, fmt::format("{}{}expect: {}", newline_, std::string(indent, ' '), block(lines, indent))};
     }
-    std::size_t last = end - 2; // what stands before the bracket
+    std::size_t last = end - 2; // what is before the bracket
     while (text_[last] == ' ' || text_[last] == '\n' || text_[last] == '\r') --last;
     return {last + 1, last + 1, fmt::format("{} expect: {}", text_[last] == ',' ? "" : ",", quoted(lines))};
   }
 
 private:
-  /// A block keeps its comments, each before the event that it stood before, or that comes there now; without events,
-  /// first.
+  /// A block keeps its comments, each before the event that it preceded, or the new event at that place; without
+  /// events, first.
   std::string renewed(const Block& old, const std::vector<std::string>& lines, std::size_t indent) const {
     const std::string own = old.indent.empty() ? std::string(indent + 2, ' ') : std::string(old.indent);
     const std::vector<DiffLine> diff = line_diff(old.events, lines);
     std::vector<std::string> out;
     std::size_t next = 0;
     const auto keep = [&] { out.insert(out.end(), old.before[next].begin(), old.before[next].end()); };
-    if (old.events.empty()) keep(); // a comment without events is about those that come
+    if (old.events.empty()) keep(); // without events, a comment is about the new ones
     for (auto at = diff.begin(); at != diff.end();) {
       if (at->sign == ' ') {
         keep();
@@ -122,7 +122,7 @@ private:
       }
       const auto end = std::find_if(at, diff.end(), [](const DiffLine& each) { return each.sign == ' '; });
       auto gone = std::count_if(at, end, [](const DiffLine& each) { return each.sign == '-'; });
-      for (; at != end; ++at) { // the first event that comes stands for the first that goes, and so on
+      for (; at != end; ++at) { // new events correspond to removed ones, in order
         if (at->sign != '+') continue;
         if (gone > 0) keep(), ++next, --gone;
         out.push_back(own + std::string(at->line));
@@ -157,7 +157,7 @@ Updated write_expect(const std::string& text, const Scenario& scenario, const Sc
     for (std::uint32_t i = 1; i <= result.happened.size(); ++i) steps.insert(i);
   out.steps.assign(steps.begin(), steps.end());
   const Writing writing(text);
-  for (auto step = steps.rbegin(); step != steps.rend(); ++step) { // from the last: what stands before keeps its place
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step) { // from the last, so that earlier places stay valid
     const LineEdit edit = writing.edit(scenario.steps[*step - 1], result.happened[*step - 1]);
     out.text.replace(edit.begin, edit.end - edit.begin, edit.text);
   }

@@ -1,8 +1,8 @@
 // Header: compiler/reference/explain_key.hpp. Test: tests/compiler/reference/explain_key_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// The page is Markdown. A table whose rows begin with a key in backticks, `needs` or `advance: 100 ms`, tells of keys;
-// a link in that cell leads to the section that says more.
+// Parses the reference page, which is Markdown. A table whose rows begin with a key in backticks, `needs` or `advance:
+// 100 ms`, documents keys; a link in that cell leads to the section with the details.
 #include "compiler/reference/explain_key.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ namespace {
 
 struct Row {
   std::string head;                  ///< of the first column: `key of a group`
-  std::vector<std::string> keys;     ///< what its first cell names
+  std::vector<std::string> keys;     ///< the keys in its first cell
   std::vector<std::string> sections; ///< the headings to which it leads, as in a link: `tasks-and-packs`
   std::string text;                  ///< without its bars
 };
@@ -27,14 +27,14 @@ struct Row {
 struct Piece {
   std::string text;
   bool code = false;
-  std::set<std::string> words; ///< in backticks; of code the keys in it
+  std::set<std::string> words; ///< in backticks; of code its keys
 };
 
 struct Section {
   std::string title;
   std::string anchor; ///< as links have it
   std::vector<Row> rows;
-  std::vector<Piece> pieces; ///< without comments; rows are in here too
+  std::vector<Piece> pieces; ///< without comments; includes the rows
 };
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
@@ -75,7 +75,7 @@ std::vector<std::string> links_in(std::string_view text) {
   return out;
 }
 
-/// The word with which code in backticks begins: `advance: 100 ms` is `advance`.
+/// The first word of code in backticks: `advance: 100 ms` is `advance`.
 std::vector<std::string> codes_in(std::string_view text) {
   std::vector<std::string> out;
   for (std::size_t at = text.find('`'); at != std::string_view::npos; at = text.find('`', at + 1)) {
@@ -138,7 +138,7 @@ public:
 
 private:
   void read(std::string_view line) {
-    if (comment_ || (!code_ && line.starts_with("<!--"))) { // where a block comes from: for the tests of the page
+    if (comment_ || (!code_ && line.starts_with("<!--"))) { // the origin of a block, for the tests of the page
       flush();
       comment_ = line.find("-->") == std::string_view::npos;
     } else if (line.starts_with("```")) {
@@ -206,7 +206,7 @@ bool has(const std::vector<std::string>& words, std::string_view word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// Pieces, with a blank line where two that are no entries of one list meet.
+/// Pieces, with a blank line between two unless both are entries of one list.
 void write(std::string& out, const Piece& piece) {
   const bool entry = piece.text.starts_with("- ");
   const std::size_t line = out.rfind('\n', out.size() - 2);
@@ -229,7 +229,7 @@ std::optional<std::string> explain_key(std::string_view page, std::string_view k
   const std::string word(key);
   const std::vector<Section> sections = Page(page).take();
   std::string rows, out;
-  std::set<std::string> leads; // anchors of sections that are told whole
+  std::set<std::string> leads; // anchors of sections that are printed whole
   bool known = false;
   for (const Section& section : sections) {
     for (const Row& row : section.rows) {
@@ -241,21 +241,21 @@ std::optional<std::string> explain_key(std::string_view page, std::string_view k
     if (section.anchor == key) leads.insert(section.anchor);
   }
   bool example = false;
-  std::string first; // the first example of it, wherever that stands
+  std::string first; // its first example, in any section
   for (const Section& section : sections) {
     const bool whole = leads.contains(section.anchor);
-    std::string said;
+    std::string text;
     for (const Piece& piece : section.pieces) {
       const bool row = std::any_of(section.rows.begin(), section.rows.end(),
                                    [&](const Row& each) { return piece.text == "- " + each.text + "\n"; });
       const bool mentions = piece.words.contains(word);
       if (first.empty() && mentions && piece.text.starts_with("```yaml")) first = piece.text;
-      if (!whole && (row || !mentions || (piece.code && (example || said.empty())))) continue;
+      if (!whole && (row || !mentions || (piece.code && (example || text.empty())))) continue;
       if (piece.code && mentions) example = true;
       known = known || mentions;
-      write(said, piece);
+      write(text, piece);
     }
-    if (!said.empty()) out += fmt::format("\n## {}\n{}", section.title.empty() ? "The language" : section.title, said);
+    if (!text.empty()) out += fmt::format("\n## {}\n{}", section.title.empty() ? "The language" : section.title, text);
   }
   if (!known) return std::nullopt;
   if (!example && !first.empty()) out += "\n## An example\n\n" + first;

@@ -1,8 +1,8 @@
 // Header: compiler/stubs/insertion.hpp. Test: tests/compiler/stubs/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// What is inserted is known, so no lines need to be compared: a line that something is put into is gone and comes back
-// in several; one that something is put behind stays.
+// The insertions are known, so no lines need to be compared: a line with text inserted into it is removed and added
+// again as several; a line with text inserted after it remains.
 #include "compiler/stubs/insertion.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ struct Edit {
   std::string line;
 };
 
-/// What becomes of one line: what it begins and ends with stays where it is a whole line again.
+/// Replaces one line: its beginning and end remain if they are whole lines again.
 void edit_line(std::vector<Edit>& edits, std::string_view old, std::string_view fresh) {
   const std::vector<std::string_view> lines = lines_of(fresh);
   const bool first = lines.front() == old;
@@ -67,7 +67,8 @@ std::vector<Edit> edits_of(std::string_view text, const std::vector<Insertion>& 
     begin = end;
   };
   const std::vector<std::string_view> lines = lines_of(text);
-  const bool ends = text.empty() || text.ends_with('\n'); // then what stands behind the last line has one of its own
+  const bool ends = text.empty() || text.ends_with('\n'); // then the text behind the last line has a line break of its
+                                                          // own
   for (std::size_t i = 0; i < lines.size(); ++i) edit(lines[i], !ends && i + 1 == lines.size());
   if (ends) edit({}, true);
   return out;
@@ -78,7 +79,7 @@ std::string line_text(const Edit& edit) {
   return fmt::format("{}{}{}", edit.sign, edit.line, whole ? "" : "\n\\ No newline at end of file\n");
 }
 
-/// `4,7`, as a hunk counts lines; the line before where there are none.
+/// `4,7`, the line numbers of a hunk; the line before if it is empty.
 std::string extent(std::size_t first, std::size_t count) {
   return fmt::format("{},{}", count == 0 ? first - 1 : first, count);
 }

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a program has already, as Clang saw it: the classes that implement a behaviour's modules, and their functions
-// with the places where they stand. Offsets are bytes from the beginning of the file.
+// What a program has already, according to Clang: the classes that implement a behaviour's modules, and their functions
+// with their places. Offsets are bytes from the beginning of the file.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +16,7 @@ struct SourcePlace {
   bool operator==(const SourcePlace&) const = default;
 };
 
-/// Where an `#if` or `#else` begins that something stands under; -1: none.
+/// The beginning of the enclosing `#if` or `#else`; -1: none.
 using Conditional = std::int64_t;
 inline constexpr Conditional unconditional = -1;
 
@@ -27,7 +27,7 @@ struct FoundClass {
   SourcePlace place;                   ///< of its name
   std::size_t end = 0;                 ///< of the brace that closes it
   Conditional inside = unconditional;  ///< there
-  bool is_public = false;              ///< what is declared there
+  bool is_public = false;              ///< the access of declarations there
   bool in_macro = false;               ///< the brace comes out of a macro
   bool only_inline = false;            ///< a template, or local: its functions are defined within it
   bool operator==(const FoundClass&) const = default;
@@ -37,24 +37,24 @@ struct FoundClass {
 struct FoundFunction {
   std::string of;      ///< its class
   std::string name;    ///< `provide`, `start`, `stop`
-  std::string context; ///< `soccer::Walk::Halting`; as it is written where `known` is false
+  std::string context; ///< `soccer::Walk::Halting`; as it is written if `known` is false
   SourcePlace place;   ///< of its name
   std::size_t begin = 0;
   std::size_t end = 0;                ///< behind its `}` or `;`
   Conditional inside = unconditional; ///< at the end
   bool known = true;                  ///< there is such a context
-  bool within = false;                ///< it stands in its class
+  bool within = false;                ///< it is within its class
   bool defines = false;               ///< it has a body, or needs none: pure
-  bool overrides = false;             ///< it says so
+  bool overrides = false;             ///< by its keyword
   bool in_macro = false;              ///< it begins or ends in one
-  bool is_inline = false;             ///< it says so
+  bool is_inline = false;             ///< by its keyword
   std::string result;                 ///< `Outcome`, as it is written before the name; empty: not to be copied
   std::string qualifier;              ///< `player::Locomotion::`, as it is written outside of the class
   bool for_any = false;               ///< a base of its class is a parameter: it may implement any module
   bool operator==(const FoundFunction&) const = default;
 };
 
-/// A fault that keeps code from being understood.
+/// A fault that prevents code from being understood.
 struct Problem {
   SourcePlace place;
   std::string message;
@@ -65,7 +65,7 @@ struct Problem {
 struct Found {
   std::vector<FoundClass> classes;
   std::vector<FoundFunction> functions;
-  std::vector<Problem> problems; ///< if there are any, nothing else counts
+  std::vector<Problem> problems; ///< if there are any, the rest is invalid
   bool operator==(const Found&) const = default;
 };
 

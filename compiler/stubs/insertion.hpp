@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Text that is put into a file of the user. Nothing else can be said of such a file: no part of it can be replaced or
-// removed.
+// Text that is inserted into a user's file. By design such a file cannot be changed otherwise: nothing can be replaced
+// or removed.
 
 #include <cstddef>
 #include <map>
@@ -18,16 +18,16 @@ struct Insertion {
   bool operator==(const Insertion&) const = default;
 };
 
-/// path -> what it says.
+/// path -> content.
 using Texts = std::map<std::string, std::string>;
 
 /// By path and offset; those at one offset stay in their order and become one.
 std::vector<Insertion> joined(std::vector<Insertion> insertions);
 
-/// Those of each file together. Of joined ones.
+/// The insertions of each file together. `all` is joined.
 std::vector<std::vector<Insertion>> by_file(const std::vector<Insertion>& insertions);
 
-/// Where what was inserted lies in the new text, each with a text; in order of the joined insertions of this file.
+/// The places of the insertions in the new text, each with a text; in order of the joined insertions of this file.
 struct Range {
   std::size_t begin = 0, end = 0;
   bool operator==(const Range&) const = default;
@@ -40,16 +40,16 @@ struct Applied {
 /// Those of one file, joined.
 Applied insert_into(std::string_view text, const std::vector<Insertion>& insertions);
 
-/// What insert_into() was given.
+/// The input of insert_into().
 std::string without(const Applied& applied);
 
-/// A replacement of bytes of the new text, as a formatter asks for.
+/// A replacement of bytes of the new text, from a formatter.
 struct Replacement {
   std::size_t offset = 0, length = 0;
   std::string text;
 };
 
-/// The same insertions, formatted: of the replacements only those count that lie within what was inserted.
+/// The same insertions, formatted: only replacements within the insertions are applied.
 std::vector<Insertion> formatted(const std::vector<Insertion>& insertions, const Applied& applied,
                                  const std::vector<Replacement>& replacements);
 

@@ -1,9 +1,9 @@
 // Header: compiler/stubs/layout.hpp. Test: tests/compiler/stubs/layout_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// The answer of a stub is keep(): done() would let a requester go on to its next step although nothing has happened,
-// fail() would let it give up, and a request would move a robot. A task that only keeps waits, holds what it was given,
-// and asks for nothing; and `directorc verify` says of such a provider that it only keeps.
+// The answer of a stub is keep(): done() would let a requester continue although nothing has happened, fail() would let
+// it give up, and a request would move a robot. A task that only keeps waits, holds its group, and requests nothing;
+// and `directorc verify` reports that such a provider only keeps.
 #include "compiler/stubs/layout.hpp"
 
 #include "compiler/base/and_list.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// How a stub is written, before anybody's .clang-format has been at it.
+// The text of a stub, before it is formatted with the user's .clang-format.
 
 #include "compiler/emit/artefact/artefact.hpp"
 #include "compiler/emit/artefact/code.hpp"
@@ -15,10 +15,10 @@ namespace director::compiler::stubs {
 /// `director::Outcome provide(soccer::Walk::Halting& run)`. The result of a handler is always void.
 std::string head(const WantedFunction& function, std::string_view result, std::string_view qualifier);
 
-/// What stands in a body that is as it was written here. `directorc verify` knows it by that.
+/// The comment in a body that is unchanged since it was written here, by which `directorc verify` recognises it.
 inline constexpr std::string_view unwritten = "does nothing yet";
 
-/// What the specification says of it, and a definition that does no harm: it leaves everything as it is.
+/// The provider's declarations as a comment, and a definition that changes nothing.
 Code definition(const WantedFunction& function, std::string_view head);
 
 /// Its lines as one text, each behind a line break and `indent`; a level deeper is one `step` more.
@@ -27,7 +27,7 @@ std::string as_insertion(const Code& code, std::string_view line_break, std::str
 /// The first .hpp and .cpp of a module.
 std::vector<Artefact> first_files(const Wanted& wanted, const WantedModule& module);
 
-/// What main.cpp makes of a module.
+/// A module's class in main.cpp.
 struct ModuleClass {
   std::string name;    ///< `player::Locomotion`
   std::string include; ///< `locomotion.hpp`

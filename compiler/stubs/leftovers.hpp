@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a program implements although its behaviour does not ask for it: of providers that are gone or called otherwise,
-// or that belong to another module now. It is reported and stays where it is.
+// Finds functions that implement nothing in the behaviour: of providers that are gone or renamed, or that belong to
+// another module now. They are reported and not changed.
 
 #include "compiler/stubs/merge.hpp"
 

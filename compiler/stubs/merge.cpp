@@ -27,7 +27,7 @@ bool serves(const FoundFunction& row, const WantedFunction& function) {
   return row.known && row.name == name_of(function.kind) && row.context == function.context;
 }
 
-/// How a class is named from outside of all namespaces; one without a name is seen through.
+/// The name of a class from outside of all namespaces; unnamed ones are left out.
 std::string reachable_name(std::string name) {
   constexpr std::string_view nameless = "(anonymous namespace)::";
   for (std::size_t at = name.find(nameless); at != std::string::npos; at = name.find(nameless))
@@ -84,14 +84,14 @@ private:
            row.inside == type_.inside;
   }
 
-  /// Behind a definition under an `#if`, another one would be under it too.
+  /// Whether a definition there is not under an `#if`: another one behind it would be under it too.
   bool fits_definition(const FoundFunction& row) const {
     const bool same = row.inside == unconditional || (row.place.path == type_.place.path && row.inside == type_.inside);
     return !row.within && row.defines && row.of == type_.name && !row.in_macro && same && !row.qualifier.empty() &&
            texts_.count(row.place.path) > 0;
   }
 
-  /// Of those that fit: the one of the nearest function that is wanted before this one, else of the last.
+  /// Among those that fit: the one of the nearest wanted function before this one, otherwise of the last.
   template <class Fits>
   const FoundFunction* anchor(std::size_t index, Fits fits) const {
     const FoundFunction* best = nullptr;
@@ -108,7 +108,7 @@ private:
                                                        head(function, "Outcome", ""), type_.name, why)});
   }
 
-  /// Text behind the line on which a function of the user's ends, indented like the line on which it begins.
+  /// Inserts text behind the line on which a user's function ends, indented like the line on which it begins.
   void insert_behind(const FoundFunction& row, const Code& code) {
     const std::string& text = texts_.at(row.place.path);
     out_.insertions.push_back({row.place.path, behind(text, row.end),
@@ -133,7 +133,7 @@ private:
     if (outside && defined(function) == nullptr) add_definition(index, false);
   }
 
-  /// Before the brace, under a label of its own where the class would hide it.
+  /// Before the brace, under an access label if the class would hide it.
   void insert_at_end_of_class() {
     if (at_end_.lines().empty()) return;
     const std::string& text = texts_.at(type_.place.path);
@@ -150,8 +150,7 @@ private:
     out_.insertions.push_back({type_.place.path, offset, std::move(added)});
   }
 
-  /// Where none of the module is there, as of a group that is called otherwise now, the last body of the class says how
-  /// the user writes them.
+  /// If none of the module is there, as for a renamed group, the last body of the class shows the user's style.
   const FoundFunction* definition_anchor(std::size_t index) const {
     const auto fits = [&](const FoundFunction& each) { return fits_definition(each); };
     if (const FoundFunction* const own = anchor(index, fits)) return own;
@@ -159,7 +158,7 @@ private:
     return last == found_.functions.rend() ? nullptr : &*last;
   }
 
-  /// Outside of the class. `declared`: it is declared by the user, so that it has to be somewhere.
+  /// Outside of the class. `declared`: the user declares it, so it has to be defined somewhere.
   void add_definition(std::size_t index, bool is_declared) {
     const WantedFunction& function = module_.functions[index];
     if (const FoundFunction* const row = type_.only_inline ? nullptr : definition_anchor(index)) {
@@ -174,7 +173,7 @@ private:
     add_at_end(function);
   }
 
-  /// At the end of the source that goes with the class; a new one if there is none.
+  /// At the end of the source of the class; a new one if there is none.
   void add_at_end(const WantedFunction& function) {
     const std::string name = reachable_name(type_.name);
     const Code code = definition(function, head(function, "director::Outcome", name + "::"));

@@ -26,7 +26,7 @@ void each_word(std::string_view text, Use use) {
 
 } // namespace
 
-Words telling_words(const Wanted& wanted) {
+Words identifying_words(const Wanted& wanted) {
   Words out;
   const auto add = [&](std::string_view text) {
     each_word(text, [&](std::string_view word) { return out.emplace(word), false; });
@@ -57,7 +57,7 @@ bool mentions(std::string_view text, const Words& words) {
 bool derives(std::string_view text, const Words& names) {
   std::vector<std::string_view> words;
   each_word(text, [&](std::string_view word) { return words.push_back(word), false; });
-  /// What stands before a word, back to the one before it, without blanks.
+  /// The text before a word, back to the previous one, without blanks.
   const auto before = [&](std::size_t i) {
     const char* const begin = i == 0 ? text.data() : words[i - 1].data() + words[i - 1].size();
     std::string out;
@@ -72,9 +72,9 @@ bool derives(std::string_view text, const Words& names) {
     const std::string mark = before(first);
     const std::string_view word = words[first - 1];
     const bool is_listed = mark == ":" || mark == ",";
-    const bool is_said =
+    const bool is_mentioned =
         mark.empty() && (word == "public" || word == "protected" || word == "private" || word == "virtual");
-    if (is_listed || is_said) return true;
+    if (is_listed || is_mentioned) return true;
   }
   return false;
 }

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What director-clang is asked about a program, and what it answers: `declarations` and `format`. The other end is in
-// compiler/clang. Texts of the user do not travel: they may be in any encoding, and both ends count their bytes.
+// Requests to director-clang about a program, and its answers: `declarations` and `format`. The other side is in
+// compiler/clang. User text is not transferred: it may be in any encoding, and both sides count its bytes.
 
 #include "compiler/base/json.hpp"
 #include "compiler/emit/artefact/artefact.hpp"
@@ -17,26 +17,26 @@ namespace director::compiler::stubs {
 /// One file to be read by itself.
 struct Unit {
   std::string path;
-  std::string directory;          ///< where its flags count from
+  std::string directory;          ///< base of relative paths in its flags
   std::vector<std::string> flags; ///< without the compiler and the file
-  bool only_unseen = false;       ///< only if no unit before has included it
+  bool only_unseen = false;       ///< only if no earlier unit has included it
 };
 
 struct DeclarationsRequest {
-  Artefact header;                     ///< the generated one, which need not be on the disk
+  Artefact header;                     ///< the generated one, which need not exist on the disk
   Artefact facts;                      ///< which it includes
   std::vector<std::string> interfaces; ///< `soccer::Locomotion`
   std::vector<Unit> units;
-  std::vector<Insertion> insertions; ///< files are read as if they were in them already
-  std::vector<Artefact> fresh;       ///< likewise files that are not there yet
+  std::vector<Insertion> insertions; ///< files are read as if these were inserted
+  std::vector<Artefact> fresh;       ///< likewise files that do not exist yet
 };
 
 Json to_json(const DeclarationsRequest& request);
 Found found_in(const Json& answer);
 
-/// A file that is formatted: one on the disk, where only `insertions` count, or a new one, whose text is `text`.
+/// A file to format: one on the disk, where only `insertions` are formatted, or a new one with the text `text`.
 struct FormatRequest {
-  std::string path; ///< its .clang-format is looked for from there
+  std::string path; ///< its .clang-format is searched from there
   std::string text;
   std::vector<Insertion> insertions;
 };

@@ -19,10 +19,10 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r";
 
-/// What a comment says in the form that stubs have.
-struct Said {
+/// The content of a comment in the form of stubs.
+struct CommentFacts {
   std::string place;              ///< `soccer.yaml:12`
-  std::vector<std::string> items; ///< `- needs: Legs`, each with single blanks, however it was broken into lines
+  std::vector<std::string> items; ///< `- needs: Legs`, each with single blanks, without line breaks
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -40,7 +40,7 @@ void add_words(std::string& out, std::string_view text) {
   }
 }
 
-/// `soccer.yaml:12`, of "Walks. (soccer.yaml:12)"; else empty.
+/// `soccer.yaml:12`, of "Walks. (soccer.yaml:12)"; otherwise empty.
 std::string place_in(std::string_view opening) {
   if (!opening.ends_with(')')) return {};
   const std::size_t open = opening.rfind('(');
@@ -53,9 +53,9 @@ std::string place_in(std::string_view opening) {
 }
 
 /// `lines`: without the marks of a comment.
-std::optional<Said> read(const std::vector<std::string_view>& lines) {
+std::optional<CommentFacts> read(const std::vector<std::string_view>& lines) {
   std::string opening;
-  Said out;
+  CommentFacts out;
   for (const std::string_view line : lines) {
     const bool begins = trimmed(line).starts_with("- ");
     if (out.items.empty() && out.place.empty() && begins) out.place = place_in(opening);
@@ -71,7 +71,7 @@ std::optional<Said> read(const std::vector<std::string_view>& lines) {
   return out;
 }
 
-/// What stands behind `//` or `///`; nothing: the line is no comment alone.
+/// The text behind `//` or `///`; empty: the line is not only a comment.
 std::optional<std::string_view> comment_in(std::string_view line) {
   line = trimmed(line);
   if (!line.starts_with("//")) return {};
@@ -79,7 +79,7 @@ std::optional<std::string_view> comment_in(std::string_view line) {
   return line;
 }
 
-/// The lines of comment that end right above what begins at `begin`.
+/// The comment lines directly above `begin`.
 std::vector<std::string_view> comment_above(std::string_view text, std::size_t begin) {
   std::vector<std::string_view> out;
   std::size_t end = begin == 0 ? std::string_view::npos : text.rfind('\n', begin - 1);
@@ -96,18 +96,18 @@ std::vector<std::string_view> comment_above(std::string_view text, std::size_t b
 }
 
 /// As it would be written now.
-Said now(const WantedFunction& function) {
+CommentFacts now(const WantedFunction& function) {
   Code code;
   for (const std::string& paragraph : function.words) code.comment(paragraph);
   std::vector<std::string_view> lines;
   for (const Code::Line& line : code.lines()) lines.push_back(comment_in(line.text).value_or(line.text));
-  return read(lines).value_or(Said{});
+  return read(lines).value_or(CommentFacts{});
 }
 
 std::string key_of(std::string_view item) { return std::string(item.substr(0, item.find(':'))); }
 
 /// "`- needs: Legs` is `- needs: Legs, Arms` now"
-std::vector<std::string> changes(const Said& then, const Said& now) {
+std::vector<std::string> changes(const CommentFacts& then, const CommentFacts& now) {
   std::vector<std::string> out;
   for (const std::string& item : then.items) {
     if (std::find(now.items.begin(), now.items.end(), item) != now.items.end()) continue;
@@ -136,17 +136,17 @@ std::vector<Remark> stale_comments(const Wanted& wanted, const Found& found, con
     for (const WantedModule& module : wanted.modules) {
       for (const WantedFunction& function : module.functions) {
         if (function.context != row.context || name_of(function.kind) != row.name) continue;
-        const std::optional<Said> said = read(comment_above(text->second, row.begin));
-        if (!said) continue;
-        const Said wants = now(function);
-        if (const std::vector<std::string> all = changes(*said, wants); !all.empty()) {
+        const std::optional<CommentFacts> written = read(comment_above(text->second, row.begin));
+        if (!written) continue;
+        const CommentFacts wants = now(function);
+        if (const std::vector<std::string> all = changes(*written, wants); !all.empty()) {
           out.push_back({row.place, fmt::format("the comment above `{}({}&)` is not true any more: {}", row.name,
                                                 row.context, fmt::join(all, "; "))});
-        } else if (said->place != wants.place) {
+        } else if (written->place != wants.place) {
           Moved& here = moved[row.place.path];
           if (here.count++ == 0) {
             here.first = row.place;
-            here.change = fmt::format("{} is {} now", said->place, wants.place);
+            here.change = fmt::format("{} is {} now", written->place, wants.place);
           }
         }
       }

@@ -23,7 +23,7 @@ std::size_t line_end(std::string_view text, std::size_t offset) {
   return end > offset && text[end - 1] == '\r' ? end - 1 : end;
 }
 
-/// A line that the next one belongs to, or that no compiler takes for a whole one.
+/// Whether the next line belongs to the line, or no compiler reads it as a whole one.
 bool goes_on(std::string_view line) {
   while (!line.empty() && (line.back() == ' ' || line.back() == '\t' || line.back() == '\r')) line.remove_suffix(1);
   return line.ends_with('\\') || line.ends_with("?\?/");

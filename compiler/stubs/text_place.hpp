@@ -1,7 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Where in a text something can be put so that it stands on lines of its own. Looks at one line of it only; what its
-// words mean, Clang has said.
+// Finds places in a text for insertions on lines of their own. Looks at one line only; Clang has analysed its meaning.
 
 #include <cstddef>
 #include <string>
@@ -9,16 +8,19 @@
 
 namespace director::compiler::stubs {
 
-/// How the file ends its lines: as its first line does, "\n" or "\r\n".
+/// The line break of the file: that of its first line, "
+/// " or "\r
+/// ".
 std::string_view line_break(std::string_view text);
 
-/// The blanks and tabs at the beginning of the line that the offset lies in.
+/// The blanks and tabs at the beginning of the line of the offset.
 std::string_view indentation(std::string_view text, std::size_t offset);
 
-/// Behind something that ends at `end`: the end of its line if only a comment follows, which is its own; else `end`.
+/// The place behind something that ends at `end`: the end of its line if only a comment follows, which belongs to it;
+/// otherwise `end`.
 std::size_t behind(std::string_view text, std::size_t end);
 
-/// The beginning of the line that the offset lies in if there are only blanks before it; else the offset.
+/// The beginning of the line of the offset if there are only blanks before it; otherwise the offset.
 std::size_t before(std::string_view text, std::size_t offset);
 
 } // namespace director::compiler::stubs

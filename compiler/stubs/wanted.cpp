@@ -16,7 +16,7 @@ namespace {
 
 using Kind = WantedFunction::Kind;
 
-/// `doc`, and where it stands.
+/// `doc`, and its place.
 std::string opening(const Deployment& from, std::string_view doc, const dsl::Span& span) {
   while (doc.ends_with('\n')) doc.remove_suffix(1);
   return fmt::format("{}{}({})", doc, doc.empty() ? "" : " ", place_text(from, span));
@@ -50,7 +50,7 @@ WantedFunction of_handler(const Deployment& from, GroupId group, Kind kind, cons
   return out;
 }
 
-/// A file must not be called like the generated header, which it includes, or like the program's own main file.
+/// A file must not have the name of the generated header, which it includes, or of the program's own main file.
 std::string stem_of(const Model& model, const Module& module) {
   const bool taken = module.name == model.name || module.name == "main";
   return taken ? module.name + "_module" : module.name;
@@ -58,7 +58,7 @@ std::string stem_of(const Model& model, const Module& module) {
 
 std::string outermost(const Model& model) { return model.name_space.substr(0, model.name_space.find(':')); }
 
-/// A class outside of all namespaces must not be called like one, or like what the standard headers have there.
+/// A class outside of all namespaces must not have the name of one, or of a global name of the standard headers.
 std::string class_of(const Model& model, ModuleId module) {
   const std::string name = module_type(model, module);
   return name == outermost(model) || dsl::is_cpp_global(name) ? name + "Module" : name;

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a behaviour wants its program to implement: for each module a class, for each provider and handler a function of
-// it. A value made of the Model alone, whatever the program has already.
+// What a program has to implement for a behaviour: for each module a class, for each provider and handler a function of
+// it. Derived from the Model alone, whatever the program has already.
 
 #include "compiler/emit/artefact/deployment.hpp"
 
@@ -14,9 +14,9 @@ namespace director::compiler::stubs {
 struct WantedFunction {
   enum class Kind { provide, start, stop };
   Kind kind = Kind::provide;
-  std::string context;            ///< `soccer::Walk::Halting`: what it is given
-  std::vector<std::string> words; ///< what the specification says of it, paragraphs for a comment
-  bool from_outside = false;      ///< written with `::` in front: an interface is called like the outermost name space
+  std::string context;            ///< `soccer::Walk::Halting`: its parameter
+  std::vector<std::string> words; ///< the provider's declarations, paragraphs for a comment
+  bool from_outside = false;      ///< written with `::` in front: an interface has the name of the outermost namespace
   bool operator==(const WantedFunction&) const = default;
 };
 
@@ -25,8 +25,8 @@ std::string_view name_of(WantedFunction::Kind kind); ///< `provide`, `start`, `s
 struct WantedModule {
   std::string name;       ///< `locomotion`, as in the specification
   std::string interface;  ///< `soccer::Locomotion`
-  std::string class_name; ///< `Locomotion`: of the class that is written where there is none
-  std::string stem;       ///< `locomotion`: of the files that are written for it
+  std::string class_name; ///< `Locomotion`: name for a new class
+  std::string stem;       ///< `locomotion`: name for new files
   std::vector<WantedFunction> functions;
   bool operator==(const WantedModule&) const = default;
 };
@@ -41,14 +41,14 @@ struct Wanted {
   std::string behaviour;             ///< `soccer`
   std::string header;                ///< `soccer.hpp`
   std::string name_space;            ///< `soccer`
-  std::vector<WantedModule> modules; ///< in the order in which the behaviour is given them
+  std::vector<WantedModule> modules; ///< in the order of the behaviour's constructor
   std::vector<WantedRoot> roots;
   bool operator==(const Wanted&) const = default;
 };
 
 Wanted wanted(const Deployment& deployment);
 
-/// For people and tests: a line for each module and function.
+/// As text: a line for each module and function.
 std::string to_text(const Wanted& wanted);
 
 } // namespace director::compiler::stubs

@@ -49,7 +49,7 @@ private:
   bool is_limbo(Index edge) const { return edge >= n_.tables->edges.size(); }
   std::string task(Index edge) const { return is_limbo(edge) ? "what comes after it" : n_.edge(n_.self, edge); }
   std::string group() const { return e_.group == nil ? "" : n_.group(n_.self, e_.group); }
-  /// `Drive.rolling`; without the provider where a group writes its words directly.
+  /// `Drive.rolling`; without the provider if it is the group's direct one.
   std::string full() const {
     const std::string_view provider = e_.provider == nil ? "" : n_.provider(n_.self, e_.provider);
     return provider.empty() || provider == "default" ? group() : fmt::format("{}.{}", group(), provider);
@@ -60,7 +60,7 @@ private:
     return name.empty() ? std::to_string(e_.value) : std::string(name);
   }
 
-  /// Of what `simulate` says nothing about.
+  /// The text of events that `simulate` does not print.
   std::string rest() const {
     switch (e_.kind) {
     case Kind::grant: return grant();
@@ -108,7 +108,7 @@ std::pair<std::string, std::string> words_of_both(const Event& one, const direct
   const Words a(one, names_of_one), b(other, names_of_other);
   std::pair<std::string, std::string> out(a.all(), b.all());
   if (out.first != out.second) return out;
-  // What a step's time is, only where nothing else tells the two apart: it differs with everything that comes later.
+  // The time of a step, only if nothing else distinguishes the two: it differs with everything that comes later.
   using Part = std::string (Words::*)() const;
   for (const Part part : {&Words::level, &Words::provider, &Words::edge, &Words::other, &Words::condition, &Words::time,
                           &Words::micro_step, &Words::step_time}) {

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Every event in words: those of `simulate`, and of what it says nothing about, those that the timeline of a page has
+// Every event as text: like `simulate`, and for events that it does not print like the timeline of a page
 // (compiler/page/web/shape.ts).
 
 #include "runtime/core/base/observer.hpp"
@@ -14,8 +14,8 @@ namespace director::compiler {
 /// Without its time. `names` must have tables.
 std::string words_of(const Event& event, const director::Names& names);
 
-/// Two events that are not the same, so that they read otherwise: where the words are the same, with what differs
-/// beside them. `names`: of each.
+/// The texts of two different events, which must differ: if they are equal, with the differing values added. `names`:
+/// of each.
 std::pair<std::string, std::string> words_of_both(const Event& one, const director::Names& names_of_one,
                                                   const Event& other, const director::Names& names_of_other);
 

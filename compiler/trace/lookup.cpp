@@ -33,7 +33,7 @@ Lookup::Lookup(const director::Names& names)
 
 namespace {
 
-/// The first word of an enum that is called so.
+/// The enumerator with this name.
 template <class Word>
 bool find_word(Word& out, Word last, const std::string& name) {
   for (int i = 0; i <= static_cast<int>(last); ++i) {
@@ -123,7 +123,7 @@ private:
     e_.reasons = Reasons{bits};
   }
 
-  /// What another member has to be known for.
+  /// Members that depend on others.
   void finish() {
     edge("edge", e_.edge);
     if (e_.group == nil && e_.edge < l_.tables_.edges.size()) e_.group = l_.tables_.edges[e_.edge].target;
@@ -139,7 +139,7 @@ private:
     if (problem_.empty() && asks) level();
   }
 
-  /// What who handles the event takes for granted.
+  /// Members that a handler of the event assumes to be present.
   void whole() {
     using Kind = Event::Kind;
     const auto missing = [&](bool is, const char* what) {
@@ -158,9 +158,9 @@ private:
     missing(e_.provider == nil && (is(Kind::run, Kind::push, Kind::broken, Kind::answer) ||
                                    (in && (e_.input == Event::Input::enable || e_.input == Event::Input::disable))),
             "provider");
-    const bool asked =
+    const bool is_request =
         is(Kind::queue, Kind::push, Kind::ask, Kind::keep, Kind::withdraw) || (in && e_.input == Event::Input::request);
-    missing(asked && e_.edge >= l_.tables_.edges.size(), "edge");
+    missing(is_request && e_.edge >= l_.tables_.edges.size(), "edge");
     missing(e_.state == nil && (is(Kind::set, Kind::refused, Kind::assign, Kind::given) ||
                                 (in && (e_.input == Event::Input::set || e_.input == Event::Input::expire))),
             "state");

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// From the names in a line of a trace to the rows of a behaviour, which may be another version than the one recorded.
+// Maps the names in a line of a trace to the rows of a behaviour, which may be another version than the recorded one.
 
 #include "compiler/base/json.hpp"
 #include "runtime/core/base/observer.hpp"
@@ -22,7 +22,7 @@ public:
 
   struct Found {
     Event event;
-    std::string problem; ///< what keeps the line from being an event of this behaviour; empty: it is one
+    std::string problem; ///< why the line is no event of this behaviour; empty: it is one
   };
   Found event(const Json& line) const;
 

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What the header of a trace says of the behaviour that was recorded: as much of its tables as it takes to print its
-// events, without the behaviour itself.
+// The part of a behaviour in the header of a trace: what is needed of its tables to print its events, without the
+// behaviour itself.
 
 #include "compiler/base/json.hpp"
 #include "compiler/lower/row_texts.hpp"
@@ -14,10 +14,10 @@ namespace director::compiler {
 
 class RecordedNames {
 public:
-  /// Nothing, and why, where the header is none that this version can read.
+  /// Empty, and the reason, if this version cannot read the header.
   static std::optional<RecordedNames> read(const Json& header, std::string& problem);
 
-  /// For as long as this object lives and stays where it is.
+  /// Valid as long as this object stays in place.
   director::Names names();
 
   std::string file, fingerprint;

@@ -50,7 +50,7 @@ void Recording::event(const Event& event, std::string&) {
     shape.erase(1, times.size());
     add(event.time, std::move(shape));
   }
-  add_untold();
+  add_derived();
   add_changes();
 }
 
@@ -61,7 +61,7 @@ void Recording::dropped(std::uint64_t count, std::string&) {
   add(now_, std::move(shape));
 }
 
-/// What is due earlier than an input is served after it: it is told at the input's time.
+/// A timer that is due before an input is served after it: it has the input's time.
 void Recording::add(Time time, std::string shape) {
   if (events_ == 0) begins_ = now_ = time;
   const Time before = now_;
@@ -73,20 +73,20 @@ void Recording::add(Time time, std::string shape) {
   ++events_;
 }
 
-/// Behind the event in their line.
-void Recording::add_untold() {
-  add_untold("held", waits_.held, held_);
-  add_untold("stays", waits_.stays, stays_);
+/// After the event in their line.
+void Recording::add_derived() {
+  add_derived("held", waits_.held, held_);
+  add_derived("stays", waits_.stays, stays_);
 }
 
-void Recording::add_untold(const char* event, const std::vector<Waits::Held>& all, std::size_t& next) {
+void Recording::add_derived(const char* event, const std::vector<Waits::Held>& all, std::size_t& next) {
   for (; next < all.size() && all[next].line == line_; ++next) {
     const char* const group = names_.group(names_.self, all[next].group);
     add(now_, to_line(Json::object({{"event", Json::text(event)}, {"group", Json::text(group)}})));
   }
 }
 
-/// From the event that stands in their line, or the one before it.
+/// From the event in their line, or the one before it.
 void Recording::add_changes() {
   if (line_ <= waits_.last_line) why_until_ = events_;
   for (; changes_ < waits_.changes.size() && waits_.changes[changes_].line <= line_; ++changes_) {

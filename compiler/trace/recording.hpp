@@ -1,26 +1,26 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A recording as a page has it in itself: small, and read without looking for anything. compiler/page/web/embedded.ts
-// is its other half. The bytes, before they are packed:
+// A recording in the form that is embedded in a page: small, and read sequentially. compiler/page/web/embedded.ts is
+// its other half. The bytes, before they are packed:
 //
 //   length        4 bytes, the lowest first
 //   head          JSON of that length:
 //     header        the first line of the trace
 //     shapes        each event that differs in more than its time, once, as a line of the trace without its times
 //     texts         answers to why
-//     held          of each answer {"group":…,"by":…}: what is in the way, and the edge by which it is held; or null
+//     held          of each answer {"group":…,"by":…}: what blocks, and the edge by which it is held; or null
 //     begins        the time of the first event, in microseconds
-//     events, changes   how many there are
-//     why_until     from this event on, counted from 0, it is not known why something waits ...
-//     why_ends      ... and what the reason is; absent: it is known everywhere
+//     events, changes   their numbers
+//     why_until     from this event on, counted from 0, the reasons for waiting are unknown ...
+//     why_ends      ... and why; absent: they are known everywhere
 //   times         of each event, since the one before
-//   shapes        of each event, its place among them
+//   shapes        of each event, its index
 //   events        of each change, since the one before: from which event on
-//   groups        of each change: whose answer becomes another one
-//   answers       of each change: place among the texts, plus 1; 0: it does not wait any more
+//   groups        of each change: the group whose answer changes
+//   answers       of each change: index in the texts, plus 1; 0: it no longer waits
 //
 // Numbers behind the head have seven bits a byte, the lowest first, each byte but the last with its highest bit set.
-// Events that nothing on the page needs are left out: what bodies answered and set, and which timer was due. One is
+// Events that nothing on the page needs are left out: answers and settings of bodies, and which timer was due. One is
 // added for Waits::held, {"event":"held","group":…}, and one for Waits::stays, {"event":"stays","group":…}.
 
 #include "compiler/base/json.hpp"
@@ -34,10 +34,10 @@
 
 namespace director::compiler {
 
-/// Takes events as any format does. It has to get all of them, from the line behind the header on.
+/// Takes events like any format. It has to get all of them, from the line behind the header on.
 class Recording final : public TraceFormat {
 public:
-  /// `names` must have tables, and outlive this. `why_ends`: why nothing is known behind what `waits` knows.
+  /// `names` must have tables, and outlive this. `why_ends`: why nothing is known behind the end of `waits`.
   Recording(const director::Names& names, Waits waits, std::string why_ends);
 
   void begin(std::string&) override {}
@@ -48,13 +48,13 @@ public:
   Time begins() const { return begins_; } ///< of the first event
   Time ends() const { return now_; }      ///< of the last one
 
-  /// What stands in a page. `header`: the first line of the trace.
+  /// The content for a page. `header`: the first line of the trace.
   std::string bytes(const Json& header) const;
 
 private:
   void add(Time time, std::string shape);
-  void add_untold();
-  void add_untold(const char* event, const std::vector<Waits::Held>& all, std::size_t& next);
+  void add_derived();
+  void add_derived(const char* event, const std::vector<Waits::Held>& all, std::size_t& next);
   void add_changes();
 
   const director::Names names_;

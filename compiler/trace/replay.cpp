@@ -1,9 +1,9 @@
 // Header: compiler/trace/replay.hpp. Test: tests/property/replay_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// The engine is stepped one micro-step at a time. Each event says in which micro-step it was told, so an input is
-// posted where the next micro-step is the one that took it, and `until` says what time the step was given then. Nothing
-// else decides what a micro-step does: how many of them a step had made no difference.
+// Steps the engine one micro-step at a time. Each event has the micro-step in which it happened, so an input is posted
+// when the next micro-step is the one that took it, and `until` is the time that the step was given then. Nothing else
+// affects a micro-step: how many of them a step had made no difference.
 #include "compiler/trace/replay.hpp"
 
 #include "compiler/trace/event_words.hpp"
@@ -68,13 +68,13 @@ private:
     Json json;
     Event event;
     std::uint64_t dropped = 0;
-    std::string problem; ///< nothing that this behaviour could tell
+    std::string problem; ///< why this behaviour has no such event
   };
 
   // The trace.
 
-  /// The event so many places ahead; null: there is none. What the recorder missed, or the inbox lost, or a budget
-  /// ended, decides nothing.
+  /// The event so many places ahead; null: there is none. Events about the recorder, a full inbox or an exhausted
+  /// budget are skipped: they decide nothing.
   const Recorded* ahead(std::size_t places) {
     while (waiting_.size() <= places) {
       std::optional<TraceLine> line = lines_.next();
@@ -93,7 +93,7 @@ private:
     return &waiting_[places];
   }
 
-  /// The next event; null: the trace ends here, for one reason or another.
+  /// The next event; null: the trace ends here.
   const Recorded* coming() {
     const Recorded* const next = ahead(0);
     if (next == nullptr) {
@@ -113,7 +113,7 @@ private:
     return recorded != nullptr && recorded->dropped == 0 && recorded->problem.empty() && recorded->event.kind == kind;
   }
 
-  // What comes from outside.
+  // Inputs.
 
   /// States that were set before the first step.
   void give() {
@@ -158,7 +158,7 @@ private:
     return out;
   }
 
-  /// The input that the next micro-step took, if it took one.
+  /// Posts the input that the next micro-step took, if it took one.
   void post() {
     std::size_t place = 0;
     while (is(ahead(place), Kind::begin) || is(ahead(place), Kind::given)) ++place;
@@ -170,13 +170,13 @@ private:
          ++place) {
       records.push_back(record(ahead(place)->event));
       if (records.front().kind == Input::Kind::cancel || records.size() == most_records)
-        break; // of all: each is told besides
+        break; // of all: each is also an event
     }
     for (std::size_t i = 0; i + 1 < records.size(); ++i) records[i].more = true;
     if (!records.empty()) inbox_.post(records);
   }
 
-  // What bodies and handlers do.
+  // Answers of bodies and handlers.
 
   Bodies bodies() {
     Bodies out;
@@ -204,7 +204,7 @@ private:
     return run.fault();
   }
 
-  /// What a run asked for stands between its answer and what came of it. False: that is it.
+  /// The requests of a run are between its answer and their effects. False: there are no more.
   bool ask(Run& run, const Event& event) {
     if (event.micro_step != engine_.micro_steps()) return false;
     const auto own = [&] {
@@ -243,7 +243,7 @@ private:
     if (!over_ && own(Kind::fault)) handling.fault();
   }
 
-  // What the engine tells.
+  // Events of the engine.
 
   static void hear(void* self, const Event& event) { static_cast<Replayer*>(self)->tell(event); }
 
@@ -269,7 +269,7 @@ private:
     out_.problem_line = line;
   }
 
-  /// From what is recorded next. `event`: what the engine tells instead; null: nothing.
+  /// It differs from what is recorded next. `event`: the engine's event; null: none.
   void differ(const Event* event) {
     over_ = true;
     const Recorded& recorded = *ahead(0);

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The lines of a trace, one after another. What is no line of a trace is normal input: of a program that was killed the
-// last one is cut off, and a disk may have done anything.
+// The lines of a trace, one after another. Faulty lines are normal input: the last one of a killed program is cut off,
+// and a disk may be damaged.
 
 #include "compiler/base/json.hpp"
 
@@ -25,7 +25,7 @@ public:
   /// The text must outlive this.
   explicit TraceLines(std::string_view text) : rest_(text) {}
 
-  /// The next line; nothing at the end, or where something is wrong.
+  /// The next line; empty at the end, or at a fault.
   std::optional<TraceLine> next();
 
   std::size_t number() const { return number_; }          ///< of the line that was read last

@@ -61,7 +61,7 @@ private:
     Because because{};
     std::uint32_t text = 0; ///< as in Change
     Index holder = nil;
-    bool is_live = false, is_told = false; ///< as it was; and that this micro-step told of its end
+    bool is_live = false, is_told = false; ///< before this micro-step; and whether an event of this one reports its end
     bool is_doubtful = false;              ///< by the end of its request alone
   };
 
@@ -69,7 +69,7 @@ private:
     return kind == Kind::grant || kind == Kind::lose || kind == Kind::queue || kind == Kind::push ||
            kind == Kind::release;
   }
-  /// An answer names values, who asks, at which priority, and who is disabled.
+  /// An answer contains values, requesters, priorities, and disabled providers.
   static bool may_change_notes(const Event& event) {
     switch (event.kind) {
     case Kind::set:
@@ -95,7 +95,7 @@ private:
     standing.is_told = standing.is_doubtful = false;
   }
 
-  /// That group may ask by this edge, and has just had the chance.
+  /// Whether that group may request this edge, and has just had the opportunity.
   static bool is_requested_by(const View& view, Index edge, Index group) {
     return group != nil && edge < view.tables->edges.size() && view.tables->edges[edge].requester == group;
   }
@@ -126,7 +126,7 @@ private:
     return at->second;
   }
 
-  /// From the decision on, so that who goes from event to event has it beside what it comes from.
+  /// From the decision on, so that a reader of the events sees it beside its cause.
   void change(Standing& standing, Index group, std::uint32_t text) {
     if (standing.text == text) return;
     standing.text = text;
@@ -139,7 +139,7 @@ private:
   const RowNames rows_;
   std::vector<Standing> groups_;
   std::map<std::pair<std::string, Waits::Blocker>, std::uint32_t> texts_;
-  std::size_t last_line_ = 0, decision_line_ = 0; ///< of the micro-step its first decision; 0: none yet
+  std::size_t last_line_ = 0, decision_line_ = 0; ///< of the first decision of the micro-step; 0: none yet
   Index ran_ = nil;                               ///< in this micro-step
   bool anew_ = false;
   Waits out_;

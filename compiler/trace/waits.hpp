@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a trace does not tell and its replay does: why each group that waits does so, at every moment, what is only held
-// any more, and what goes on though its request waits. `why` is asked whenever its answer may have become another; few
-// answers differ, so each is kept once.
+// Finds by a replay what a trace does not contain: the reason why each waiting group waits, at every moment, which
+// groups are only held, and which continue although their request waits. why() is called whenever its answer may
+// change; few answers differ, so each is stored once.
 
 #include "compiler/lower/lowered.hpp"
 #include "compiler/model/model.hpp"
@@ -20,22 +20,22 @@ struct Waits {
   struct Change {
     std::size_t line = 0;
     Index group = nil;
-    std::uint32_t text = 0; ///< place among `texts`, plus 1; 0: it does not wait
+    std::uint32_t text = 0; ///< index in `texts`, plus 1; 0: it does not wait
     bool operator==(const Change&) const = default;
   };
-  /// A group that ran, and is only held any more: behind the event in this line. The engine does not tell it where
-  /// nobody had asked for the group any more and it was only kept for who might.
+  /// A group that ran and is now only held, after the event in this line. The engine has no event for this if the group
+  /// was no longer requested and only kept for a possible requester.
   struct Held {
     std::size_t line = 0;
     Index group = nil;
     bool operator==(const Held&) const = default;
   };
-  /// A group that nobody asks for, as its request was queued, withdrawn or made no more, and that goes on as what its
-  /// requester needs: it keeps what it asks for. Behind the event in this line. The engine does not tell it either.
+  /// A group without a request in force, as it was queued, withdrawn or not repeated, that continues as a need of its
+  /// requester: it keeps its own requests. After the event in this line. The engine has no event for this either.
   using Stays = Held;
-  /// What is in the way of who waits.
+  /// What blocks a waiting group.
   struct Blocker {
-    Index group = nil; ///< that is held; nil: nothing is
+    Index group = nil; ///< a held group; nil: none
     Index edge = nil;  ///< by which
     auto operator<=>(const Blocker&) const = default;
   };
@@ -44,7 +44,7 @@ struct Waits {
   std::vector<Change> changes;    ///< by line
   std::vector<Held> held;         ///< by line
   std::vector<Stays> stays;       ///< likewise
-  std::size_t last_line = 0;      ///< behind it nothing is known; 0: nothing is known at all
+  std::size_t last_line = 0;      ///< unknown after it; 0: nothing is known at all
   Replayed replayed;
 };
 

@@ -10,13 +10,13 @@ namespace director::compiler::transitions {
 using Kind = Transition::Kind;
 
 void Judge::judge(const Beginning& row, const Beginning& column, const Play& now, const Values& change, Transition& out,
-                  Told& told) const {
+                  CellContext& context) const {
   const std::vector<GroupId> all = player_.lost(row, now.trial.rest);
   for (const GroupId id : all) (now.trial.rest.groups[id.value].granted ? out.taken : out.stops).push_back(id);
   out.pushes = pushes_of(now.trial, row);
   const Parting parting = part(model_, row.way, column.way);
   const bool ended = !runs(now.trial.rest, row.way);
-  told.withdrawer = parting.link ? model_.groups[row.way.group(*parting.link)].name.value : "The program";
+  context.withdrawer = parting.link ? model_.groups[row.way.group(*parting.link)].name.value : "The program";
   if (player_.ends_by(row, change, all)) {
     out.kind = Kind::condition_lost;
   } else if (parting.replaced && ended) {
@@ -32,13 +32,13 @@ void Judge::judge(const Beginning& row, const Beginning& column, const Play& now
     out.bound = out.bound && push.within ? std::optional(*out.bound + *push.within) : std::nullopt;
 }
 
-/// It is a push, and not for what waits on the row's own side.
+/// Whether it is a push, and not for a task that waits on the row's own side.
 bool Judge::pushes(const Event& event, const Beginning& row) const {
   return event.kind == Event::Kind::push &&
          !row.rest.is_under(model_, model_.edges[EdgeId{event.edge}].target, row.way.last().edge);
 }
 
-/// Nothing was taken from the row's side before somebody was pushed.
+/// Whether nothing was taken from the row's side before the first push.
 bool Judge::pushed_first(const Beginning& row, const Trial& trial) const {
   const EdgeId edge = row.way.last().edge;
   std::uint64_t pushed = std::numeric_limits<std::uint64_t>::max();

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a play of both groups was: soft, hard, replaced, and so on.
+// Classifies a play of both groups: soft, hard, replaced, and so on.
 
 #include "compiler/transitions/player.hpp"
 #include "compiler/transitions/words.hpp"
@@ -16,9 +16,9 @@ public:
 
   /// `now`: the column runs.
   void judge(const Beginning& row, const Beginning& column, const Play& now, const Values& change, Transition& out,
-             Told& told) const;
+             CellContext& context) const;
 
-  /// Those that were not made for the row's side.
+  /// The pushes that were not made for the row's side.
   std::vector<Transition::Push> pushes_of(const Trial& trial, const Beginning& row) const;
 
 private:

@@ -1,9 +1,9 @@
 // Header: compiler/transitions/matrix.hpp. Test: tests/compiler/transitions/matrix_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// A cell is two or three plays of a text: the row's beginning, then the column's request, then the row's Done. Which
-// values the outside changes for the column is tried, the fewest first: none, since what lacks may be pushed for; then
-// one of those that the column's conditions want and do not have; and so on.
+// A cell is two or three plays of a text: the row's beginning, then the column's request, then the row's done. The
+// values from outside for the column are searched, the fewest first: none, since what is missing may be pushed for;
+// then one of those that the column's conditions need; and so on.
 #include "compiler/transitions/matrix.hpp"
 
 #include "compiler/transitions/judge.hpp"
@@ -19,7 +19,7 @@ namespace director::compiler {
 
 namespace transitions {
 
-/// States of which every choice is tried; beyond them all or none.
+/// Limit for states of which every choice is tried; with more, all or none.
 constexpr std::size_t most_changes = 4;
 
 class TransitionFinder {
@@ -30,7 +30,7 @@ public:
         judge_(model, lowered, player_),
         behaviour_(std::move(behaviour)) {}
 
-  /// `only`: no rows but these; empty: all.
+  /// `only`: these rows; empty: all.
   TransitionMatrix find(const std::vector<GroupId>& only) {
     std::vector<std::pair<GroupId, std::vector<Way>>> wanted;
     for (const GroupId id : model_.groups.ids()) {
@@ -68,7 +68,7 @@ public:
 private:
   using Kind = Transition::Kind;
 
-  /// Nothing where no way leads there.
+  /// Empty if no chain leads there.
   std::optional<std::size_t> row_of(GroupId id) {
     const auto [at, fresh] = row_of_.try_emplace(id, std::nullopt);
     if (!fresh) return at->second;
@@ -107,7 +107,7 @@ private:
     return out;
   }
 
-  /// What the column wants from outside and does not have, with the first value that will do.
+  /// What the column needs from outside and does not have, each with the first suitable value.
   Values lacking(const Beginning& row, const Beginning& column) const {
     Values out;
     for (const auto& [id, wanted] : column.outside.wanted) {
@@ -141,27 +141,27 @@ private:
     Transition out;
     const TransitionMatrix::Row &first = out_.rows[i], &second = out_.rows[j];
     const Beginning &row = beginnings_[i], &column = beginnings_[j];
-    Told told{model_, first, second, {}, {}, true};
+    CellContext context{model_, first, second, {}, {}, true};
     if (first.reached && second.reached) {
       const bool same = i == j || row.way.passes(second.group) || column.way.passes(first.group) ||
                         row.rest.is_under(model_, second.group, row.way.last().edge);
       out.kind = same ? Kind::same_chain : Kind::never;
-      if (!same) decide(row, column, out, told);
+      if (!same) decide(row, column, out, context);
     } else if (i == j) {
       out.kind = Kind::unreachable;
     }
-    out.words = words_of(out, told);
+    out.words = words_of(out, context);
     return out;
   }
 
-  void decide(const Beginning& row, const Beginning& column, Transition& out, Told& told) {
+  void decide(const Beginning& row, const Beginning& column, Transition& out, CellContext& context) {
     const Script script = script_of(model_, row.way, column.way, {row.runs, {}});
     const std::string begin = player_.beginning(row.way, row.outside);
     std::optional<Play> decided;
     for (const Values& change : choices(lacking(row, column))) {
       const Play now = player_.play(script, begin + request_step(model_, column.way, change), 2, column.way);
-      if (runs_now(row, column, now, change, out, told) ||
-          (is_undone(now.trial, change) && runs_where_the_outside_stands(row, column, now, change, out, told)))
+      if (runs_now(row, column, now, change, out, context) ||
+          (is_undone(now.trial, change) && runs_where_the_outside_stands(row, column, now, change, out, context)))
         return;
       const Play later = player_.play(script, now.steps + done_step(), 2, column.way);
       const bool runs_later = later.trial.good && runs_at_all(later.trial.rest, column.way);
@@ -169,36 +169,36 @@ private:
       out.kind = ends ? Kind::condition_lost : runs_later ? Kind::waits : Kind::never;
       out.states = words_of(change, model_);
       out.pushes = judge_.pushes_of(now.trial, row);
-      told.why = runs_later ? now.trial.why : later.trial.why;
-      told.is_asked = now.trial.is_asked;
+      context.why = runs_later ? now.trial.why : later.trial.why;
+      context.is_requested = now.trial.is_requested;
       decided = later;
       if (runs_later) break;
     }
-    if (decided) keep_scenario(*decided, told, out);
+    if (decided) keep_scenario(*decided, context, out);
   }
 
   bool runs_now(const Beginning& row, const Beginning& column, const Play& now, const Values& change, Transition& out,
-                Told& told) {
+                CellContext& context) {
     if (!now.trial.good || !runs_at_all(now.trial.rest, column.way)) return false;
     out.states = words_of(change, model_);
-    judge_.judge(row, column, now, change, out, told);
-    keep_scenario(now, told, out);
+    judge_.judge(row, column, now, change, out, context);
+    keep_scenario(now, context, out);
     return true;
   }
 
-  /// What the outside just said has another value by now.
+  /// Whether a value that was just set from outside has changed already.
   static bool is_undone(const Trial& trial, const Values& change) {
-    return std::any_of(change.begin(), change.end(), [&](const auto& said) {
-      const auto at = trial.rest.values.find(said.first);
-      return at == trial.rest.values.end() || at->second != said.second;
+    return std::any_of(change.begin(), change.end(), [&](const auto& entry) {
+      const auto at = trial.rest.values.find(entry.first);
+      return at == trial.rest.values.end() || at->second != entry.second;
     });
   }
 
-  /// A promise takes time, and does not undo what is sensed.
+  /// A promise takes time, and does not change sensed values.
   bool runs_where_the_outside_stands(const Beginning& row, const Beginning& column, const Play& before,
-                                     const Values& change, Transition& out, Told& told) {
+                                     const Values& change, Transition& out, CellContext& context) {
     const Script script = script_of(model_, row.way, column.way, {row.runs, change});
-    return runs_now(row, column, player_.play(script, before.steps, 2, column.way), change, out, told);
+    return runs_now(row, column, player_.play(script, before.steps, 2, column.way), change, out, context);
   }
 
   std::size_t piece(const std::string& text) {
@@ -208,9 +208,9 @@ private:
   }
 
   /// Without the bodies that did not run.
-  void keep_scenario(const Play& play, const Told& told, Transition& out) {
-    out.scenario = {piece("scenario: from "), piece(model_.groups[told.row.group].name.value), piece(" to "),
-                    piece(model_.groups[told.column.group].name.value),
+  void keep_scenario(const Play& play, const CellContext& context, Transition& out) {
+    out.scenario = {piece("scenario: from "), piece(model_.groups[context.row.group].name.value), piece(" to "),
+                    piece(model_.groups[context.column.group].name.value),
                     piece(fmt::format("\nbehaviour: {}\n", behaviour_))};
     bool any = false;
     for (const auto& [id, cases] : play.script) {
@@ -233,7 +233,7 @@ private:
   std::string behaviour_;
   TransitionMatrix out_;
   std::vector<Beginning> beginnings_;                    ///< by row
-  std::map<GroupId, std::optional<std::size_t>> row_of_; ///< where rows are made when somebody asks for them
+  std::map<GroupId, std::optional<std::size_t>> row_of_; ///< indices of rows, which are made on first use
   std::unordered_map<std::string, std::size_t> numbers_;
 };
 

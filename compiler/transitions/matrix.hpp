@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// From what to what can control change, and how: the transition matrix. Rows and columns are the groups that ask for
-// something or need something. Row A: A is brought to run as the program's only wish, with as few values from outside
-// as that takes. Column B: B is asked for beside it. What the real engine does then is the cell, and the scenario that
-// shows it is part of it.
+// Finds how control can pass between groups: the transition matrix. Rows and columns are the groups that request or
+// need something. Row A: A is brought to run as the program's only request, with as few values from outside as
+// possible. Column B: B is requested beside it. The cell is what the real engine does then, with the scenario that
+// shows it.
 
 #include "compiler/lower/lowered.hpp"
 #include "compiler/transitions/way.hpp"
@@ -21,10 +21,10 @@ struct Transition {
     soft,           ///< the second waits, something is pushed, then the second takes over
     hard,           ///< the second takes at once what the first one holds
     waits,          ///< the second runs when the first one is done
-    never,          ///< nor then
+    never,          ///< not even then
     same_chain,     ///< one leads to the other, or they are the same
-    replaced,       ///< who asks for both withdraws the first one
-    condition_lost, ///< what the second wants from outside ends the first one
+    replaced,       ///< the requester of both withdraws the first one
+    condition_lost, ///< a value that the second needs from outside ends the first one
     unreachable,    ///< one of them cannot be brought to run at all
   };
   struct Push {
@@ -33,12 +33,12 @@ struct Transition {
     std::optional<Microseconds> within; ///< what it promises
   };
   Kind kind = Kind::unreachable;
-  std::string words;                 ///< what happens, in sentences
+  std::string words;                 ///< the events, in sentences
   std::vector<Push> pushes;          ///< in the order in which they were made
-  std::optional<Microseconds> bound; ///< soft: the sum of what they promise; nothing: one of them promises no time
-  std::vector<GroupId> stops;        ///< what ran for the first and does not run any more
-  std::vector<GroupId> taken;        ///< what ran for the first and now runs for somebody else
-  std::vector<std::string> states;   ///< `Ball == near`: what the outside says for the second
+  std::optional<Microseconds> bound; ///< soft: the sum of their promised times; empty: one of them has no time
+  std::vector<GroupId> stops;        ///< what ran for the first and no longer runs
+  std::vector<GroupId> taken;        ///< what ran for the first and now runs for another requester
+  std::vector<std::string> states;   ///< `Ball == near`: set from outside for the second
   std::vector<std::size_t> scenario; ///< of TransitionMatrix::pieces, one after another; empty: nothing was played
 };
 
@@ -47,33 +47,34 @@ struct TransitionMatrix {
     GroupId group{};
     bool reached = false;
     std::string words;               ///< how it is brought to run, or why not
-    std::vector<std::string> states; ///< what the outside says for it
-    std::vector<std::string> given;  ///< of states that only bodies set: what it begins with, against what is declared
+    std::vector<std::string> states; ///< set from outside for it
+    std::vector<std::string> given;  ///< of states that only bodies set: assumed initial values that differ from the
+                                     ///< declared ones
     std::vector<GroupId> chain;      ///< from the program down to its requester
     std::vector<Transition> cells;   ///< by column
   };
   std::vector<Row> rows; ///< the columns are the same groups in the same order
   std::vector<std::string> pieces;
-  std::vector<GroupId> not_requested; ///< no rows of their own: nothing that the program requests leads to them
-  std::string left_out;               ///< in a sentence, why there are no rows; empty: there are
-  bool limited = false;               ///< only some groups were asked for
+  std::vector<GroupId> not_requested; ///< without rows of their own: no request of the program leads to them
+  std::string left_out;               ///< a sentence why there are no rows; empty: there are
+  bool limited = false;               ///< only some groups were requested
 };
 
-/// With more rows than this no matrix is played: its time and size grow with the square of them.
+/// Limit for rows: the time and size of the matrix are quadratic.
 constexpr std::size_t most_rows = 100;
 
-/// `behaviour`: what its scenarios call the file. `only`: no rows and columns but these; empty: all.
+/// `behaviour`: the path in its scenarios. `only`: these rows and columns; empty: all.
 TransitionMatrix find_transitions(const Model& model, const Lowered& lowered, const std::string& behaviour,
                                   const std::vector<GroupId>& only = {});
 
-/// Cells one by one, of behaviours that are too large for all of them.
+/// Computes single cells, for behaviours that are too large for all of them.
 class TransitionPlays {
 public:
   TransitionPlays(const Model& model, const Lowered& lowered);
   ~TransitionPlays();
-  /// Unreachable too where nothing that the program requests leads to one of them.
+  /// Unreachable also if no request of the program leads to one of them.
   Transition between(GroupId first, GroupId second);
-  /// How much was played so far: it grows with the time that it took.
+  /// A measure of the time that all plays so far took.
   std::size_t work() const;
 
 private:

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Plays of the matrix: a group brought to run, and what is asked for beside it.
+// Plays for the matrix: a group is brought to run, and another one is requested beside it.
 
 #include "compiler/transitions/matrix.hpp"
 #include "compiler/transitions/trial.hpp"
@@ -31,16 +31,16 @@ public:
   /// `from`: the step whose events are kept.
   Play play(Script script, std::string steps, std::uint32_t from, const Way& way) const;
 
-  /// All that stands before the column's step.
+  /// Everything before the column's step.
   std::string beginning(const Way& way, const Outside& outside) const;
 
-  /// What ran for the row's task and does not run for it any more.
+  /// What ran for the row's task and no longer runs for it.
   std::vector<GroupId> lost(const Beginning& row, const Rest& rest) const;
 
-  /// The values alone end the row's task, or take from it all that it lost.
+  /// Whether the values alone end the row's task, or take everything from it that it lost.
   bool ends_by(const Beginning& row, const Values& change, const std::vector<GroupId>& all) const;
 
-  /// Of all plays: letters that were read, and groups, which each of them sets up.
+  /// For all plays: the number of characters read and of groups set up.
   std::size_t work() const { return work_; }
 
 private:
@@ -51,7 +51,7 @@ private:
 };
 
 bool runs(const Rest& rest, const Way& way);
-/// Also for somebody else: it was running then, and is not asked for in vain.
+/// Also for another requester: it was running then, and is not requested in vain.
 bool runs_at_all(const Rest& rest, const Way& way);
 
 } // namespace director::compiler::transitions

@@ -1,8 +1,8 @@
 // Header: compiler/transitions/script.hpp. Test: tests/compiler/transitions/matrix_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// A body that is on both ways answers first what leads to the row, for as many runs as it had until that was at rest,
-// and from then on what leads to the column. Where the two ways part, it keeps the one task and asks for the other.
+// A body that is on both chains first answers what leads to the row, for as many runs as it had until that was at rest,
+// and from then on what leads to the column. Where the two chains part, it keeps the one task and requests the other.
 #include "compiler/transitions/script.hpp"
 
 #include "dsl/yaml_text.hpp"
@@ -24,7 +24,7 @@ bool holds(const Pack& pack, const Task& task) {
   return std::any_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& each) { return each.edge == task.edge; });
 }
 
-/// `{Motion: still, Grip: open}`, with the first value of each; empty where there is none.
+/// `{Motion: still, Grip: open}`, with the first value of each; empty if there is none.
 std::string settings(const Model& model, const Values& values) {
   std::vector<std::string> pairs;
   for (const auto& [id, value] : values) {
@@ -38,7 +38,7 @@ std::string setting_words(const Model& model, const Values& values) {
   return values.empty() ? std::string{} : "set: " + settings(model, values);
 }
 
-/// What a pushed body sets: it keeps what it promised.
+/// The values that a pushed body sets: it keeps its promises.
 Values promised(const Model& model, ProviderId id) {
   Values out;
   for (const ConditionUse& use : model.providers[id].causing) {
@@ -48,7 +48,8 @@ Values promised(const Model& model, ProviderId id) {
   return out;
 }
 
-/// What it says that it sets, against what another provider of its group promises: who walks does not stand.
+/// The values in its `sets` that contradict a promise of another provider of its group: a provider that walks does not
+/// stand.
 Values opposed(const Model& model, ProviderId id) {
   Values out;
   const Provider& provider = model.providers[id];
@@ -67,7 +68,7 @@ Values opposed(const Model& model, ProviderId id) {
   return out;
 }
 
-/// `{reason: pushed, pack: go, wait: 1 ms}`; what is empty is left out.
+/// `{reason: pushed, pack: go, wait: 1 ms}`; empty parts are left out.
 std::string mapping(const std::vector<std::string>& words) {
   std::vector<std::string> out;
   std::copy_if(words.begin(), words.end(), std::back_inserter(out),
@@ -94,7 +95,7 @@ std::string leads_on(const Model& model, const Link& link) {
 
 std::string kept(const Model& model, const Task& task) { return name_of(model, task) + ": {keep: true}"; }
 
-/// A pack that asks for both; the column's own, where there is none.
+/// A pack that requests both; the column's own, if there is none.
 const Pack& pack_of_both(const Provider& provider, const Link& row, const Link& column) {
   const std::vector<Pack>& packs = provider.packs;
   if (holds(packs[row.pack], *column.next)) return packs[row.pack];
@@ -103,7 +104,7 @@ const Pack& pack_of_both(const Provider& provider, const Link& row, const Link& 
   return both == packs.end() ? packs[column.pack] : *both;
 }
 
-/// Where the ways part: the row's task as it is, and the column's.
+/// Where the chains part: keeps the row's task, and requests the column's.
 std::string leads_beside(const Model& model, const Link& row, const Link& column) {
   const Provider& provider = model.providers[column.provider];
   if (!provider.has_packs) return fmt::format("tasks: [{}, {}]", kept(model, *row.next), name_of(model, *column.next));
@@ -112,7 +113,7 @@ std::string leads_beside(const Model& model, const Link& row, const Link& column
   return fmt::format("pack: {}, with: [{}]", dsl::yaml_word(pack.name), kept(model, *row.next));
 }
 
-/// ... and when the row's task is done, only the column's, where it can be asked for alone.
+/// ... and when the row's task is done, only the column's, if it can be requested alone.
 std::string goes_on_with(const Model& model, const Link& row, const Link& column) {
   const Provider& provider = model.providers[column.provider];
   if (!provider.has_packs) return fmt::format("tasks: [{}]", kept(model, *column.next));
@@ -123,7 +124,8 @@ std::string goes_on_with(const Model& model, const Link& row, const Link& column
   return "continue: true";
 }
 
-/// What a body does in a case: it sets these values, but from the column's request on none that the outside says.
+/// Adds what a body does in a case: it sets these values, but from the column's request on none that is set from
+/// outside.
 void add_cases(ProviderId id, const std::string& guard, const Model& model, const Values& values, const Until& until,
                std::initializer_list<std::string> answer, std::vector<std::string>& out) {
   Values left = values;
@@ -139,7 +141,7 @@ void add_cases(ProviderId id, const std::string& guard, const Model& model, cons
   add({}, left);
 }
 
-/// When it is pushed, and else. True: it sets something.
+/// Adds its answers when it is pushed, and otherwise. True: it sets something.
 bool add_answer(ProviderId id, const Model& model, const Until& until, std::initializer_list<std::string> answer,
                 std::vector<std::string>& out) {
   const Values promise = promised(model, id), against = opposed(model, id);
@@ -148,14 +150,14 @@ bool add_answer(ProviderId id, const Model& model, const Until& until, std::init
   return !promise.empty() || !against.empty();
 }
 
-/// Those that may come to run where the program asks for nothing but these.
-IdSet<GroupId> below(const Model& model, std::initializer_list<GroupId> asked) {
+/// Those that may run if the program requests only these.
+IdSet<GroupId> below(const Model& model, std::initializer_list<GroupId> requested) {
   IdSet<GroupId> out(model.groups.size());
   std::vector<GroupId> open;
   const auto reach = [&](GroupId id) {
     if (out.add(id)) open.push_back(id);
   };
-  for (const GroupId id : asked) reach(id);
+  for (const GroupId id : requested) reach(id);
   while (!open.empty()) {
     const GroupId id = open.back();
     open.pop_back();
@@ -164,11 +166,11 @@ IdSet<GroupId> below(const Model& model, std::initializer_list<GroupId> asked) {
   return out;
 }
 
-/// The bodies of providers that nobody asks anything special of: those that promise something, or set what is against
-/// a promise. The others do the usual. Without those that do not come to run: a text is read for each play.
-Script usual_script(const Model& model, std::initializer_list<GroupId> asked, const Until& until) {
+/// The bodies of providers outside of the chains, if they promise something, or set what contradicts a promise. The
+/// others answer as usual. Without those that do not come to run: the text is read for each play.
+Script usual_script(const Model& model, std::initializer_list<GroupId> requested, const Until& until) {
   Script out;
-  const IdSet<GroupId> may_run = below(model, asked);
+  const IdSet<GroupId> may_run = below(model, requested);
   for (const ProviderId id : model.providers.ids()) {
     if (!may_run.contains(model.providers[id].group)) continue;
     std::vector<std::string> cases;
@@ -177,7 +179,7 @@ Script usual_script(const Model& model, std::initializer_list<GroupId> asked, co
   return out;
 }
 
-/// The row's task: done a millisecond later, by then whoever could take what it holds has done so.
+/// The row's task is done a millisecond later: by then each group that could take what it holds has done so.
 void add_target(const Model& model, GroupId target, const Until& until, Script& out) {
   for (const ProviderId id : model.groups[target].providers) {
     std::vector<std::string> cases{"{reason: wait, done: true}"};
@@ -225,7 +227,7 @@ Script script_of(const Model& model, const Way& row) {
 Script script_of(const Model& model, const Way& row, const Way& column, const Until& until) {
   Script out = script_from(usual_script(model, {row.root->target, column.root->target}, until), model, row, until);
   const Parting parting = part(model, row, column);
-  // Who asks for both goes on when the first one is done.
+  // The requester of both continues when the first one is done.
   if (parting.link) out[row.links[*parting.link].provider].front() = "{reason: subtask_done, continue: true}";
   for (std::size_t i = 0; i < column.links.size(); ++i) {
     const Link& link = column.links[i];

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The scenario of a cell as pieces of text: what the bodies do on the way of the row and then on that of the column. A
-// piece is said once for all cells that have it.
+// The scenario of a cell as pieces of text: the answers of bodies on the chain of the row and then on that of the
+// column. Cells share equal pieces.
 
 #include "compiler/transitions/way.hpp"
 
@@ -19,29 +19,29 @@ using Script = std::map<ProviderId, std::vector<std::string>>;
 
 /// Where two ways part.
 struct Parting {
-  std::optional<std::size_t> link; ///< of both; nothing: at the program
-  bool replaced = false;           ///< the requester cannot ask for both at once
+  std::optional<std::size_t> link; ///< of both; empty: at the program
+  bool replaced = false;           ///< the requester cannot request both at once
 };
 Parting part(const Model& model, const Way& row, const Way& column);
 
-/// Until it rests: what leads there, and what is pushed keeps its promise. The target is done a millisecond later.
+/// Until it is at rest: the answers that lead there; pushed bodies keep their promises. The target is done a
+/// millisecond later.
 Script script_of(const Model& model, const Way& row);
 
 /// The column's request.
 struct Until {
   Runs runs;      ///< before it
-  Values outside; ///< what is pushed from then on leaves these states as they are
+  Values outside; ///< pushed bodies do not change these states from then on
 };
-/// ... and then what leads to the column.
+/// ... and then those that lead to the column.
 Script script_of(const Model& model, const Way& row, const Way& column, const Until& until);
 
-/// The steps: the outside says so much, and the program asks for what leads there; the outside alone; the row's task is
-/// done.
+/// The steps: values from outside and the program's request; values from outside alone; the row's task is done.
 std::string request_step(const Model& model, const Way& way, const Values& values);
 std::string settings_step(const Model& model, const Values& values);
 std::string done_step();
 
-/// `given: {Load: box}`; empty where it begins as declared.
+/// `given: {Load: box}`; empty if it begins as declared.
 std::string given_text(const Model& model, const Values& values);
 
 /// The text of one entry of the script.

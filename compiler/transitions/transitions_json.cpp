@@ -19,7 +19,7 @@ Json push_json(const Transition::Push& push, const Model& model) {
   return out;
 }
 
-/// What is empty is left out: most cells have nothing of it.
+/// Empty parts are left out: most cells have none of them.
 Json cell_json(const Transition& cell, const Model& model) {
   Json out = Json::object({{"kind", Json::text(name_of(cell.kind))}, {"words", Json::text(cell.words)}});
   if (!cell.pushes.empty()) {

@@ -34,20 +34,20 @@ Rest rest_of(const View& view, const Model& model) {
   return out;
 }
 
-/// Who should have asked for it runs in another way, or its body has not come to it: with the provider that is in
-/// charge, where there are several.
-std::string why_not_asked(const View& view, const Model& model, GroupId requester, const Task& task) {
-  const std::string& asked = model.groups[task.target].name.value;
+/// The expected requester runs another way, or its body has not come to it: names the active provider, if there are
+/// several.
+std::string why_not_requested(const View& view, const Model& model, GroupId requester, const Task& task) {
+  const std::string& requested = model.groups[task.target].name.value;
   const Group& group = model.groups[requester];
   const Index active = view.assignment[requester.value].active;
-  if (active == nil) return fmt::format("nothing requests {}", asked);
+  if (active == nil) return fmt::format("nothing requests {}", requested);
   const std::string in =
       group.providers.size() == 1 ? std::string{} : fmt::format(" in {}", model.providers[ProviderId{active}].name);
-  return fmt::format("{} runs{} and does not request {}", group.name.value, in, asked);
+  return fmt::format("{} runs{} and does not request {}", group.name.value, in, requested);
 }
 
-/// Of the first group on the way that does not run for it.
-void tell_why_not(const View& view, const Model& model, const Lowered& lowered, const Way& way, Trial& out) {
+/// For the first group of the chain that does not run for it.
+void explain_refusal(const View& view, const Model& model, const Lowered& lowered, const Way& way, Trial& out) {
   const auto state = [&](const Task& task) { return view.state(static_cast<Index>(task.edge.value)); };
   const auto runs = [&](const Task& task) { return state(task) == RunState::running; };
   const Task* stuck = runs(*way.root) ? nullptr : way.root;
@@ -58,9 +58,9 @@ void tell_why_not(const View& view, const Model& model, const Lowered& lowered, 
     requester = way.group(i);
   }
   if (stuck == nullptr) return;
-  out.is_asked = state(*stuck) != RunState::none;
-  out.why = requester && !out.is_asked ? why_not_asked(view, model, *requester, *stuck)
-                                       : reason_why(view, stuck->target, model, lowered).text;
+  out.is_requested = state(*stuck) != RunState::none;
+  out.why = requester && !out.is_requested ? why_not_requested(view, model, *requester, *stuck)
+                                           : reason_why(view, stuck->target, model, lowered).text;
 }
 
 } // namespace
@@ -99,7 +99,7 @@ Trial play_trial(const std::string& text, const Model& model, const Lowered& low
   options.end = [&](const Engine& engine) {
     const View view = view_of(engine);
     out.rest = rest_of(view, model);
-    tell_why_not(view, model, lowered, way, out);
+    explain_refusal(view, model, lowered, way, out);
   };
   const Played played = play(resolved.scenario, model, lowered, options, [&](const Happening& happening) {
     if (happening.kind == Happening::Kind::input) listener.step = happening.step;

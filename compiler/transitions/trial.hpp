@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The text of a scenario, played on the real engine: what holds in the end, and what happened in its last steps.
+// Plays the text of a scenario on the real engine: the final state, and the events of its last steps.
 
 #include "compiler/lower/lowered.hpp"
 #include "compiler/model/model.hpp"
@@ -13,10 +13,10 @@
 
 namespace director::compiler::transitions {
 
-/// When the engine had come to rest.
+/// The state when the engine was at rest.
 struct Rest {
   struct Held {
-    std::optional<EdgeId> by; ///< nothing: nobody, or limbo
+    std::optional<EdgeId> by; ///< empty: none, or limbo
     bool granted = false;
     std::optional<ProviderId> active;
   };
@@ -24,7 +24,7 @@ struct Rest {
   std::vector<bool> running;              ///< by edge
   std::map<StateId, std::int64_t> values; ///< those that have one
 
-  /// The edge that holds it is that one, or is below that one.
+  /// Whether the edge that holds it is that one, or is below that one.
   bool is_under(const Model& model, GroupId group, EdgeId edge) const;
 };
 
@@ -33,11 +33,11 @@ struct Trial {
   Rest rest;
   Runs runs;                 ///< all of them
   std::vector<Event> events; ///< from the step `from` on
-  std::string why;           ///< why the first group on the way does not run; empty: all do
-  bool is_asked = true;      ///< somebody asks for that group
+  std::string why;           ///< why the first group of the chain does not run; empty: all do
+  bool is_requested = true;  ///< that group is requested
 };
 
-/// `way`: whose groups are asked about in the end.
+/// `way`: the chain whose groups are examined at the end.
 Trial play_trial(const std::string& text, const Model& model, const Lowered& lowered, std::uint32_t from,
                  const Way& way);
 

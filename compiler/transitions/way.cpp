@@ -1,9 +1,9 @@
 // Header: compiler/transitions/way.hpp. Test: tests/compiler/transitions/way_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// A `when` is a conjunction of conditions on one state each, so what a choice of providers wants is a set of values for
-// each state, and the first value of each set will do. Only a preferred provider that would run instead of the one that
-// is chosen asks for more: one of its conditions has to be false, and which one is searched.
+// A `when` is a conjunction of conditions on one state each, so a choice of providers needs a set of values for each
+// state, and the first value of each set is used. Only a preferred provider that would run instead of the chosen one
+// requires more: one of its conditions has to be false, which is searched.
 #include "compiler/transitions/way.hpp"
 
 #include <algorithm>
@@ -14,16 +14,16 @@ namespace director::compiler::transitions {
 
 namespace {
 
-constexpr std::size_t most_ways = 32; ///< choices of providers that are tried for one group
+constexpr std::size_t most_ways = 32; ///< limit for the choices of providers that are tried for one group
 
-/// By group: what asks for it first, breadth first from the program.
-struct FirstAsked {
+/// By group: its first requester, breadth first from the program.
+struct FirstRequest {
   bool reached = false;
-  std::optional<GroupId> by; ///< nothing: the program
+  std::optional<GroupId> by; ///< empty: the program
 };
 
-IdTable<GroupId, FirstAsked> find_first_asked(const Model& model) {
-  IdTable<GroupId, FirstAsked> out(model.groups.size());
+IdTable<GroupId, FirstRequest> find_first_requests(const Model& model) {
+  IdTable<GroupId, FirstRequest> out(model.groups.size());
   std::deque<GroupId> open;
   const auto reach = [&](GroupId group, std::optional<GroupId> by) {
     if (out[group].reached) return;
@@ -40,10 +40,10 @@ IdTable<GroupId, FirstAsked> find_first_asked(const Model& model) {
   return out;
 }
 
-/// From the first group below the program to this one. A group leads to itself by no chain.
-std::vector<GroupId> chain_to(const IdTable<GroupId, FirstAsked>& asked, GroupId group) {
+/// From the first group below the program to this one. A group has no chain to itself.
+std::vector<GroupId> chain_to(const IdTable<GroupId, FirstRequest>& first_requests, GroupId group) {
   std::vector<GroupId> out{group};
-  while (asked[out.back()].by) out.push_back(*asked[out.back()].by);
+  while (first_requests[out.back()].by) out.push_back(*first_requests[out.back()].by);
   std::reverse(out.begin(), out.end());
   return out;
 }
@@ -155,7 +155,7 @@ private:
     });
   }
 
-  /// From this one on, none of those that are preferred would run.
+  /// Makes sure that from this one on no preferred provider would run.
   bool avoid(std::size_t at) {
     while (at < avoided_.size() && !would_run(avoided_[at])) ++at;
     if (at == avoided_.size()) return true;
@@ -191,17 +191,17 @@ bool Way::passes(GroupId id) const {
 }
 
 std::vector<Way> find_ways(const Model& model, GroupId target) {
-  const IdTable<GroupId, FirstAsked> asked = find_first_asked(model);
+  const IdTable<GroupId, FirstRequest> first_requests = find_first_requests(model);
   std::vector<Way> out;
-  if (!asked[target].reached) return out;
-  add_ways(model, chain_to(asked, target), out);
+  if (!first_requests[target].reached) return out;
+  add_ways(model, chain_to(first_requests, target), out);
   for (const EdgeId id : model.groups[target].requesters) {
     const Edge& edge = model.edges[id];
-    if (edge.levels.empty() || edge.requester == asked[target].by) continue;
+    if (edge.levels.empty() || edge.requester == first_requests[target].by) continue;
     std::vector<GroupId> chain{target};
     if (edge.requester) {
-      if (!asked[*edge.requester].reached) continue;
-      chain = chain_to(asked, *edge.requester);
+      if (!first_requests[*edge.requester].reached) continue;
+      chain = chain_to(first_requests, *edge.requester);
       if (std::find(chain.begin(), chain.end(), target) != chain.end()) continue;
       chain.push_back(target);
     }

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// How a group is brought to run: by which chain of requests from the program, with which provider of each group on it,
-// and which values the outside has to give.
+// Finds how a group is brought to run: the chain of requests from the program, the provider of each group on it, and
+// the values that are needed from outside.
 
 #include "compiler/model/model.hpp"
 
@@ -11,14 +11,15 @@
 
 namespace director::compiler::transitions {
 
-/// A provider that asks for what comes next on the way.
+/// A provider that requests the next task of the chain.
 struct Link {
   ProviderId provider{};
   std::size_t pack = 0; ///< of Provider::packs
   const Task* next = nullptr;
 };
 
-/// The provider of each link belongs to what the one before asks for; that of the first, to what the program asks for.
+/// The provider of each link belongs to the group that the link before requests; that of the first, to the program's
+/// request.
 struct Way {
   const Task* root = nullptr;
   std::vector<Link> links;
@@ -30,23 +31,23 @@ struct Way {
   bool passes(GroupId id) const; ///< above the target
 };
 
-/// The shortest chain, ties by declaration, and for each choice of providers on it one way; behind these the ways
-/// through its other requesters. None where no chain leads there.
+/// The shortest chain, ties by declaration, with one way for each choice of providers on it; then the ways through its
+/// other requesters. None if no chain leads there.
 std::vector<Way> find_ways(const Model& model, GroupId target);
 
 using Values = std::map<StateId, std::int64_t>;
 
-/// What the outside has to say for these providers to be the ones that run.
+/// The values from outside with which these providers are the ones that run.
 struct Outside {
   std::map<StateId, ValueSet> wanted; ///< what their conditions accept
-  Values values;                      ///< of those states that do not begin so, the first value in order of declaration
-  Values given;                       ///< likewise of states that only bodies set: what it begins with
+  Values values;                      ///< of those states that begin otherwise, the first value in order of declaration
+  Values given;                       ///< likewise the initial values of states that only bodies set
 };
 
-/// Whether states that only bodies set may begin with what is wanted, or all of them with what is declared.
+/// Whether states that only bodies set may begin with the wanted values, or all of them with the declared ones.
 enum class Assume : bool { nothing, inside };
 
-/// Nothing where no values do.
+/// Empty if no values are suitable.
 std::optional<Outside> outside_for(const Model& model, const Way& way, Assume assume);
 
 } // namespace director::compiler::transitions

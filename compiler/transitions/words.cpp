@@ -30,7 +30,7 @@ namespace transitions {
 
 namespace {
 
-/// Behind another sentence, or nothing.
+/// Appended to another sentence; may be empty.
 std::string sentence(std::string text) {
   if (text.empty()) return {};
   if (text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 'a' + 'A');
@@ -47,13 +47,13 @@ std::string names_of(const std::vector<GroupId>& groups, const Model& model) {
   return and_list(names);
 }
 
-std::string stops(const Transition& cell, const Told& told) {
+std::string stops(const Transition& cell, const CellContext& context) {
   std::string out;
   if (!cell.stops.empty())
-    out += fmt::format(" {} {}.", names_of(cell.stops, told.model), cell.stops.size() == 1 ? "stops" : "stop");
+    out += fmt::format(" {} {}.", names_of(cell.stops, context.model), cell.stops.size() == 1 ? "stops" : "stop");
   if (!cell.taken.empty())
-    out += fmt::format(" {} {} on, but not for {} any more.", names_of(cell.taken, told.model),
-                       cell.taken.size() == 1 ? "runs" : "run", told.model.groups[told.row.group].name.value);
+    out += fmt::format(" {} {} on, but not for {} any more.", names_of(cell.taken, context.model),
+                       cell.taken.size() == 1 ? "runs" : "run", context.model.groups[context.row.group].name.value);
   return out;
 }
 
@@ -93,42 +93,44 @@ std::string words_of(const TransitionMatrix::Row& row, const Model& model) {
   return fmt::format("Requested by way of {}.{}{}", fmt::join(names, " \u2192 "), outside(row.states), given);
 }
 
-std::string words_of(const Transition& cell, const Told& told) {
+std::string words_of(const Transition& cell, const CellContext& context) {
   using Kind = Transition::Kind;
-  const std::string& first = told.model.groups[told.row.group].name.value;
-  const std::string& second = told.model.groups[told.column.group].name.value;
+  const std::string& first = context.model.groups[context.row.group].name.value;
+  const std::string& second = context.model.groups[context.column.group].name.value;
   switch (cell.kind) {
   case Kind::both:
-    return fmt::format("{} and {} run beside each other.{}{}", first, second, pushes(cell, told.model),
+    return fmt::format("{} and {} run beside each other.{}{}", first, second, pushes(cell, context.model),
                        outside(cell.states));
   case Kind::soft: {
     const std::string all = cell.pushes.size() > 1 && cell.bound
                                 ? fmt::format(" All of that is promised within {}.", dsl::time_text(*cell.bound))
                                 : std::string{};
     const std::string bound = cell.bound ? all : " No time is promised for that.";
-    return fmt::format("{} waits.{}{} Then {} takes over.{}{}", second, pushes(cell, told.model), bound, second,
-                       stops(cell, told), outside(cell.states));
+    return fmt::format("{} waits.{}{} Then {} takes over.{}{}", second, pushes(cell, context.model), bound, second,
+                       stops(cell, context), outside(cell.states));
   }
   case Kind::hard:
-    return fmt::format("{} takes at once what {} holds.{}{}", second, first, stops(cell, told), outside(cell.states));
+    return fmt::format("{} takes at once what {} holds.{}{}", second, first, stops(cell, context),
+                       outside(cell.states));
   case Kind::waits:
     return fmt::format("{} {} when {} is done.{}{}{}", second,
-                       told.is_asked ? "is queued, and runs" : "is not requested yet, and runs", first,
-                       pushes(cell, told.model), outside(cell.states), sentence(told.why));
+                       context.is_requested ? "is queued, and runs" : "is not requested yet, and runs", first,
+                       pushes(cell, context.model), outside(cell.states), sentence(context.why));
   case Kind::never:
     return fmt::format("{} does not run, nor when {} is done.{}{}", second, first, outside(cell.states),
-                       sentence(told.why));
+                       sentence(context.why));
   case Kind::same_chain:
-    return told.row.group == told.column.group ? "It is the same group."
-                                               : fmt::format("One of {} and {} leads to the other.", first, second);
+    return context.row.group == context.column.group
+               ? "It is the same group."
+               : fmt::format("One of {} and {} leads to the other.", first, second);
   case Kind::replaced:
-    return fmt::format("{} requests {} instead of {}.{}{}{}", told.withdrawer, second, first, pushes(cell, told.model),
-                       stops(cell, told), outside(cell.states));
+    return fmt::format("{} requests {} instead of {}.{}{}{}", context.withdrawer, second, first,
+                       pushes(cell, context.model), stops(cell, context), outside(cell.states));
   case Kind::condition_lost:
     return fmt::format("What {} wants from outside ends {}.{}", second, first, outside(cell.states));
   case Kind::unreachable: break;
   }
-  return fmt::format("{} cannot be brought to run.", told.row.reached ? second : first);
+  return fmt::format("{} cannot be brought to run.", context.row.reached ? second : first);
 }
 
 } // namespace transitions

@@ -1,4 +1,4 @@
-// Header: tests/docs/comment.hpp. Test: tests/docs/told_test.cpp.
+// Header: tests/docs/comment.hpp. Test: tests/docs/expected_page_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/docs/comment.hpp"
 
@@ -14,7 +14,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Takes what stands before the next comma or colon off the text, but not one between quotation marks.
+/// Removes the part before the next comma or colon from the text, but not one between quotation marks.
 std::string_view take(std::string_view& text) {
   bool quoted = false;
   std::size_t end = 0;

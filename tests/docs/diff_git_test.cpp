@@ -87,7 +87,7 @@ TEST_CASE("a place in a revision is one that git takes") {
             .output != "0\n");
 }
 
-TEST_CASE("a file that is called otherwise now is compared with what it was") {
+TEST_CASE("a file that is renamed is compared with its old content") {
   const Repository repository;
   REQUIRE(
       repository.run("mkdir legged && git mv robot/walker.yaml legged/strider.yaml && git mv robot/parts legged/parts")
@@ -122,7 +122,7 @@ TEST_CASE("what the old one imported is read in that revision too") {
   CHECK(repository.run("directorc diff --git HEAD~1 robot/walker.yaml").output.starts_with("handler: "));
 }
 
-TEST_CASE("a revision or a file that there is not is said, with status 2") {
+TEST_CASE("an unknown revision or file is reported, with status 2") {
   const Repository repository;
   const Ran revision = repository.run("directorc diff --git v1 robot/walker.yaml");
   CHECK(revision.output == "directorc: git knows no revision `v1`\n");
@@ -141,7 +141,7 @@ TEST_CASE("a revision or a file that there is not is said, with status 2") {
   CHECK(none.output == no_repository);
 }
 
-TEST_CASE("what git says itself is a part of the message, and nothing stands beside it") {
+TEST_CASE("git's own error is a part of the message, and nothing is beside it") {
   const Repository repository;
   for (const char* other : {"HEAD^{tree}", "HEAD:robot/walker.yaml"}) {
     const Ran ran = repository.run("directorc diff --git '" + std::string(other) + "' robot/walker.yaml");
@@ -177,14 +177,14 @@ TEST_CASE("of a file that is new or gone git's difftool has nothing to compare")
   CHECK(json.status == 0);
 }
 
-TEST_CASE("the hook tells, and refuses what it was told to") {
+TEST_CASE("the hook reports changes, and refuses the configured ones") {
   const Repository repository;
   const std::string hook = (source_dir() / "docs/hooks/pre-commit").string();
   REQUIRE(repository.run("cp '" + hook + "' .git/hooks/pre-commit").status == 0);
   repository.write("robot/walker.yaml", Repository::walker("[Legs, Arms]"));
-  const Ran told = repository.run("cd robot && git commit --quiet -a -m second");
-  CHECK(told.output == std::string("robot/walker.yaml:\n") + needs_arms + "\n");
-  CHECK(told.status == 0);
+  const Ran expected_page = repository.run("cd robot && git commit --quiet -a -m second");
+  CHECK(expected_page.output == std::string("robot/walker.yaml:\n") + needs_arms + "\n");
+  CHECK(expected_page.status == 0);
   repository.write("robot/walker.yaml", Repository::walker("[Legs]"));
   const Ran refused = repository.run("git config director.breaking needs_removed && git commit --quiet -a -m third");
   CHECK(refused.output.find("  breaking: `Walk` no longer needs `Arms`\n") != std::string::npos);
@@ -197,12 +197,12 @@ TEST_CASE("the hook tells, and refuses what it was told to") {
   CHECK(silent.status == 0);
 }
 
-TEST_CASE("what is staged is compared, with what it imports, not what lies there") {
+TEST_CASE("what is staged is compared, with what it imports, not the files on the disk") {
   const Repository repository;
   repository.write("robot/walker.yaml", Repository::walker("[Legs, Arms]"));
   CHECK(repository.run("directorc diff --staged robot/walker.yaml").output.empty());
   CHECK(repository.run("git add . && directorc diff --staged robot/walker.yaml").output == needs_arms);
-  // The file in the folder has gone on since.
+  // The file in the folder has been changed since.
   repository.write("robot/walker.yaml", "no behaviour any more");
   CHECK(repository.run("directorc diff --staged robot/walker.yaml").output == needs_arms);
   CHECK(repository
@@ -248,7 +248,7 @@ TEST_CASE("a link is followed in a revision and in what is staged, as far as it 
           .output.starts_with("directorc: cannot read `HEAD:robot/none.yaml`: no such file in the revision `HEAD`\n"));
 }
 
-TEST_CASE("a file that is not staged, or lies in no repository, is said") {
+TEST_CASE("a file that is not staged, or is in no repository, is reported") {
   const Repository repository;
   const Ran gone =
       repository.run("git rm --quiet --cached robot/walker.yaml && directorc diff --staged robot/walker.yaml");
@@ -261,7 +261,7 @@ TEST_CASE("a file that is not staged, or lies in no repository, is said") {
   CHECK(none.output == no_repository);
 }
 
-TEST_CASE("the hook judges what is committed, not what lies beside it") {
+TEST_CASE("the hook judges what is committed, not the files on the disk") {
   const Repository repository;
   REQUIRE(repository
               .run("cp '" + (source_dir() / "docs/hooks/pre-commit").string() +
@@ -284,7 +284,7 @@ TEST_CASE("the hook judges what is committed, not what lies beside it") {
   const Ran beside = repository.run("git add other.yaml && git commit --quiet -m other");
   CHECK(beside.output.empty());
   CHECK(beside.status == 0);
-  // One that is staged is, although the file has been put right since.
+  // One that is staged is, although the file has been corrected since.
   const std::string right = Repository::walker("[Legs]");
   CHECK(repository.run("git add robot/walker.yaml").status == 0);
   repository.write("robot/walker.yaml", right);
@@ -306,7 +306,7 @@ TEST_CASE("the hook judges what is committed, not what lies beside it") {
   CHECK(others.status == 0);
 }
 
-TEST_CASE("the hook says where the program is to be when it is not found") {
+TEST_CASE("the hook reports where the program is expected when it is not found") {
   const Repository repository;
   REQUIRE(
       repository.run("cp '" + (source_dir() / "docs/hooks/pre-commit").string() + "' .git/hooks/pre-commit").status ==

@@ -16,7 +16,7 @@ using namespace director::tests;
 
 namespace {
 
-/// The keys that a schema describes, wherever they stand. JSON is YAML too.
+/// The keys that a schema describes, at any depth. JSON is YAML too.
 void collect(const dsl::YamlNode& node, std::set<std::string>& keys) {
   for (const dsl::YamlNode& item : node.items) collect(item, keys);
   for (const dsl::YamlPair& pair : node.pairs) {
@@ -59,7 +59,7 @@ TEST_CASE("the reference has an example of each key") {
       FAIL_CHECK("docs/language.md: no example has the key `" << key << "` of scenarios");
 }
 
-TEST_CASE("each key has a row in a table of the reference, and `directorc explain` tells it") {
+TEST_CASE("each key has a row in a table of the reference, and `directorc explain` prints it") {
   const std::string page = read_file(source_dir() / "docs/language.md");
   CHECK(std::string(compiler::language_page()) == page);
   const std::vector<std::string> rows = compiler::keys_of(page);

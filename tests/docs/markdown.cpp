@@ -19,7 +19,7 @@ std::string without_margin(std::string_view text) {
 
 bool is_fence(std::string_view line) { return line.starts_with("```"); }
 
-/// What GitHub calls the place of a heading.
+/// GitHub's anchor for a heading.
 std::string anchor_of(std::string_view heading) {
   std::string anchor;
   for (const char c : heading) {

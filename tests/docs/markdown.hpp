@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A page in Markdown, taken apart as far as its tests look at it. Unit: lines, from 0. Errors: none; what is not
-// understood is text.
+// A page in Markdown, parsed as far as its tests need it. Unit: lines, from 0. Errors: none; what is not recognised is
+// text.
 
 #include <cstddef>
 #include <string>
@@ -15,7 +15,7 @@ using Lines = std::vector<std::string>;
 Lines lines_of(std::string_view text);
 std::string text_of(const Lines& lines);
 
-/// A fenced block, or a picture: what a comment directly before it can speak of.
+/// A fenced block, or a picture: what a comment directly before it can refer to.
 struct Block {
   std::string comment; ///< without its brackets; empty: there is none
   std::size_t line = 0;
@@ -27,7 +27,7 @@ struct Picture {
   std::string target;
 };
 
-/// Something within a line: where a link leads to (a picture's too), or what stands between backticks.
+/// Something within a line: the target of a link (a picture's too), or the text between backticks.
 struct Inline {
   std::size_t line = 0;
   std::string text;

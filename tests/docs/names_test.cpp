@@ -16,14 +16,14 @@ TEST_CASE("a link must lead to a file, or to a heading in it") {
                                  "tests/docs/page.md:5: ../../start has no line 9999"});
 }
 
-TEST_CASE("a file of the source tree that stands between backticks must exist") {
+TEST_CASE("a file of the source tree that is between backticks must exist") {
   const Markdown page = read_markdown(
       "`docs/README.md` `./start` `build/any` `and/or` `tests/*` `soccer.yaml`\n`docs/no.md` `./finish`\n");
   CHECK(name_faults("page.md", page) ==
         std::vector<std::string>{"page.md:2: there is no `docs/no.md`", "page.md:2: there is no `./finish`"});
 }
 
-TEST_CASE("a command that stands between backticks must exist, with its options") {
+TEST_CASE("a command that is between backticks must exist, with its options") {
   const Markdown page = read_markdown("`directorc --version` `directorc check --format=json soccer.yaml`\n"
                                       "`directorc cook` `directorc check --hard` `directorc --hard`\n");
   CHECK(name_faults("page.md", page) == std::vector<std::string>{"page.md:2: `directorc` has no command cook",

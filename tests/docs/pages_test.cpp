@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The pages themselves.
-#include "tests/support/command.hpp"
 #include "tests/docs/comment.hpp"
+#include "tests/docs/expected_page.hpp"
 #include "tests/docs/names.hpp"
-#include "tests/docs/told.hpp"
+#include "tests/support/command.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
@@ -25,13 +25,14 @@ std::vector<std::string> pages_in(const std::string& folder) {
   return paths;
 }
 
-/// The pages that say what lies in the folders beside them.
+/// The pages that list the folders beside them.
 const std::vector<std::string> maps{"compiler/README.md", "dsl/README.md", "runtime/README.md",
                                     "runtime/core/README.md", "tests/README.md"};
 
 std::vector<std::string> documentation() {
   std::vector<std::string> paths = pages_in("docs");
-  std::erase_if(paths, [](const std::string& path) { return path.starts_with("docs/behaviours/"); }); // see own_pages_test.cpp
+  std::erase_if(paths,
+                [](const std::string& path) { return path.starts_with("docs/behaviours/"); }); // see own_pages_test.cpp
   paths.insert(paths.begin(), "README.md");
   for (const char* path : {"CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "runtime/dds/README.md"})
     paths.emplace_back(path);
@@ -41,7 +42,7 @@ std::vector<std::string> documentation() {
 
 Markdown read(const std::string& path) { return read_markdown(read_file(source_dir() / path)); }
 
-/// The version that wrote a picture, which says it in a comment; another one may draw it otherwise.
+/// The version that drew a picture, which is in a comment; another one may draw it differently.
 std::string renderer(const std::string& svg) {
   const std::size_t at = svg.find("graphviz version");
   return at == std::string::npos ? "" : svg.substr(at, svg.find('\n', at) - at);
@@ -49,15 +50,15 @@ std::string renderer(const std::string& svg) {
 
 } // namespace
 
-TEST_CASE("each block of a page says what it is said to come from", "[golden]") {
+TEST_CASE("each block of a page equals the source that it names", "[golden]") {
   for (const std::string& path : documentation()) {
-    const Told page = told(path, read(path));
+    const ExpectedPage page = expected_page(path, read(path));
     for (const std::string& fault : page.faults) FAIL_CHECK(fault);
     check_golden(path, page.text);
   }
 }
 
-TEST_CASE("code stands between fences, where a comment can tell where it comes from") {
+TEST_CASE("code is between fences, where a comment can name its source") {
   for (const std::string& path : documentation())
     for (const Inline& line : read(path).indented)
       FAIL_CHECK(path << ":" << line.line + 1 << ": code by its indentation alone");
@@ -96,7 +97,7 @@ TEST_CASE("files and commands that the pages name exist") {
   SUCCEED();
 }
 
-TEST_CASE("a page that says what lies beside it leads to each folder there") {
+TEST_CASE("a page that lists what is beside it leads to each folder there") {
   for (const std::string& path : maps)
     for (const std::string& fault : folder_faults(path, read(path))) FAIL_CHECK(fault);
   SUCCEED();

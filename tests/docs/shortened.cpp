@@ -1,6 +1,6 @@
 // Header: tests/docs/shortened.hpp. Test: tests/docs/shortened_test.cpp.
 // SPDX-License-Identifier: MIT
-// The cheapest alignment of two texts, as diff finds it, but a line `…` takes any lines for nothing.
+// The cheapest alignment of two texts, as in diff, but a line `…` matches any lines without cost.
 #include "tests/docs/shortened.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ bool is_ellipsis(const std::string& line) {
   return first != std::string::npos && line.substr(first) == "…";
 }
 
-/// 0: the same line; 2: another one, which costs as much as to drop the one and add the other.
+/// 0: the same line; 2: another one, which costs as much as removing the one and adding the other.
 double change(const std::string& from, const std::string& to) {
   if (from == to) return 0;
   const auto head = std::ranges::mismatch(from, to).in1 - from.begin();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests dsl/cpp_type.hpp. What is said of each fault: compiler/checks/bad_type.md, bad_header.md.
+// Tests dsl/cpp_type.hpp. The messages: compiler/checks/bad_type.md, bad_header.md.
 #include "dsl/cpp_type.hpp"
 
 #include <catch2/catch.hpp>
@@ -45,7 +45,7 @@ TEST_CASE("A task can carry a type of a name, of arguments, of the language, and
         (std::string(text) == "Box<0x1Fu, 1'0>" ? "`Box<0x1Fu, 1'0>` is no type of C++: expected `>`, found `'`" : ""));
 }
 
-TEST_CASE("A type is read to its end, and says what was expected where") {
+TEST_CASE("A type is read to its end, and the message has what was expected where") {
   const auto wrong = [](const std::string& text, const std::string& why) {
     CHECK(said_of(text) == "`" + text + "` is no type of C++: " + why);
   };
@@ -83,14 +83,14 @@ TEST_CASE("A type is read to its end, and says what was expected where") {
   CHECK(said_of("int\xE2\x80\xAE") == "this is no type of C++: it has control characters");
 }
 
-TEST_CASE("What the preprocessor replaces is no type, wherever it stands") {
+TEST_CASE("What the preprocessor replaces is no type, at any place") {
   const std::string macro = " is a macro of the standard headers of C++";
   CHECK(said_of("EOF") == "`EOF` is no type of C++: `EOF`" + macro);
   CHECK(said_of("robot::errno*") == "`robot::errno*` is no type of C++: `errno`" + macro);
   CHECK(said_of("std::vector<NULL>") == "`std::vector<NULL>` is no type of C++: `NULL`" + macro);
   CHECK(said_of("DIRECTOR_INLINE") ==
         "`DIRECTOR_INLINE` is no type of C++: names that begin with `DIRECTOR_` are macros of Director's own");
-  CHECK(said_of("linux::Course").empty()); // no namespace for all compilers, and one for some
+  CHECK(said_of("linux::Course").empty()); // a macro of some compilers, and a namespace for others
   CHECK(said_of("std::FILE*").empty());
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("What cannot be stored by value is refused, within arguments it is not
   CHECK(said_of("robot::voids").empty());
 }
 
-TEST_CASE("The first word of each name in a type is known, and how it is looked for") {
+TEST_CASE("The first word of each name in a type is known, and how it is looked up") {
   using Words = std::vector<FirstWord>;
   CHECK(
       first_words("std::array<robot::Course<a, ::b, ::c::d>, 3>") ==

@@ -32,7 +32,7 @@ TEST_CASE("What is not a duration is none") {
   }
 }
 
-TEST_CASE("What is too long for a duration is told apart from what is none, with the longest in its unit") {
+TEST_CASE("What is too long for a duration is distinguished from what is none, with the longest in its unit") {
   struct Row {
     const char* text;
     const char* most;
@@ -55,7 +55,7 @@ TEST_CASE("What is too long for a duration is told apart from what is none, with
   }
 }
 
-TEST_CASE("a time is said in the largest unit, up to seconds, that leaves no rest") {
+TEST_CASE("a time is printed in the largest unit, up to seconds, that leaves no rest") {
   CHECK(to_text(in_largest_unit(0)) == "0 s");
   CHECK(to_text(in_largest_unit(120'000'000)) == "120 s");
   CHECK(to_text(in_largest_unit(1'500'000)) == "1500 ms");

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder of its own that goes away with the test.
+/// A temporary folder for the test.
 struct Folder {
   fs::path path = fs::temp_directory_path() / ("director_file_access_" + std::to_string(getpid()));
   Folder() { fs::create_directories(path / "inner"); }
@@ -35,14 +35,14 @@ TEST_CASE("A file on the disk is read byte by byte") {
   CHECK(read.value() == text);
 }
 
-TEST_CASE("What cannot be read says why") {
+TEST_CASE("What cannot be read has a reason") {
   const Folder folder;
   DiskFiles files;
   const auto missing = files.read((folder.path / "none.yaml").string(), 100);
   REQUIRE_FALSE(missing);
   CHECK(missing.error().kind == FileError::Kind::not_found);
   CHECK(missing.error().message == "No such file or directory");
-  // No other file is read than the one that is named.
+  // No other file is read than the named one.
   const auto cut = files.read(folder.file("whole.yaml", "") + std::string("\0.yaml", 6), 100);
   REQUIRE_FALSE(cut);
   CHECK(cut.error().kind == FileError::Kind::not_found);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands where a file should: behaviours and scenarios are refused in bounded time and memory.
+// Special files in place of a file: behaviours and scenarios are refused in bounded time and memory.
 #include "dsl/load_file.hpp"
 #include "tests/dsl/reading.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::chrono::milliseconds patience(20);
 
-/// A folder of its own, and the working directory, so that messages are the same everywhere.
+/// A folder of its own as the working directory, so that messages are the same everywhere.
 class HostileFolder {
 public:
   HostileFolder() {
@@ -63,7 +63,7 @@ void check_refused(const std::string& path, const std::string& id_and_message,
         "3:11 `" + path + "` " + id_and_message + " (" + (help_of_import.empty() ? help : help_of_import) + ")\n");
 }
 
-/// Does something as somebody who may not do everything.
+/// Runs something as a user without permissions.
 template <class Act>
 void as_nobody(const Act& act) {
   const bool root = geteuid() == 0;
@@ -102,7 +102,7 @@ TEST_CASE("A file that may not be read is refused") {
   CHECK(scenario == expected);
 }
 
-TEST_CASE("A pipe to which nobody writes is not waited for") {
+TEST_CASE("A pipe without a writer is not waited for") {
   const HostileFolder folder;
   REQUIRE(mkfifo("pipe.yaml", 0600) == 0);
   const std::string shown =
@@ -124,7 +124,7 @@ TEST_CASE("An import that is a pipe is refused at once, also where only `.yaml` 
         "that it stands in)\n");
 }
 
-TEST_CASE("Who reads a pipe to which nobody writes is told soon what is waited for, and once") {
+TEST_CASE("That a pipe without a writer is waited for is reported soon, and once") {
   const HostileFolder folder;
   REQUIRE(mkfifo("pipe.yaml", 0600) == 0);
   std::vector<std::string> told;
@@ -134,7 +134,7 @@ TEST_CASE("Who reads a pipe to which nobody writes is told soon what is waited f
   CHECK(told == std::vector<std::string>{"pipe.yaml"});
 }
 
-TEST_CASE("Where an ordinary file is wanted a pipe is told at once, and nobody's writing is spoiled") {
+TEST_CASE("Where an ordinary file is wanted a pipe is reported at once, and its writer is not disturbed") {
   const HostileFolder folder;
   REQUIRE(mkfifo("pipe.hpp", 0600) == 0);
   bool is_told = false;
@@ -149,7 +149,7 @@ TEST_CASE("Where an ordinary file is wanted a pipe is told at once, and nobody's
   CHECK(nothing.value().empty());
 }
 
-TEST_CASE("A pipe to which somebody writes is read") {
+TEST_CASE("A pipe with a writer is read") {
   int ends[2];
   REQUIRE(pipe(ends) == 0);
   const std::string text = "behaviour: piped\nlanguage: 1\n";
@@ -199,7 +199,7 @@ TEST_CASE("A file that imports itself under another name is a cycle") {
   }
 }
 
-TEST_CASE("Files that import one another in a circle, deep down, are a cycle") {
+TEST_CASE("Files that import one another in a cycle, deep down, are reported") {
   MemoryFiles files;
   for (std::size_t i = 0; i < 150; ++i)
     files.add("a" + std::to_string(i) + ".yaml",

@@ -70,7 +70,7 @@ TEST_CASE("Each kind of assertion names its groups") {
   CHECK(assertions[3].groups.at(1).value == "Kick");
 }
 
-TEST_CASE("What stands wrong at the top of a file is said where it stands") {
+TEST_CASE("What is wrong at the top of a file is reported at its place") {
   for (const Case& c : {
            Case{
                "",
@@ -109,7 +109,7 @@ TEST_CASE("What stands wrong at the top of a file is said where it stands") {
   }
 }
 
-TEST_CASE("What stands wrong in an assertion is said where it stands") {
+TEST_CASE("What is wrong in an assertion is reported at its place") {
   for (const Case& c : {
            Case{"{can_run: Kick}",
                 "3:13 `{can_run: Kick}` wrong_node_kind: `assertions`: expected a list, found a mapping (write `- ` "

@@ -117,7 +117,7 @@ TEST_CASE("A group without any words has a provider without any") {
   CHECK(with_group("{providers: []}").file().groups.at(0).providers.empty());
 }
 
-TEST_CASE("What stands wrong in a group is said where it stands") {
+TEST_CASE("What is wrong in a group is reported at its place") {
   for (const Case& c : {
            Case{"", "4:3 `Walk` wrong_node_kind: `Walk`: expected a mapping, found nothing (an empty one is `{}`)\n"},
            Case{"null",

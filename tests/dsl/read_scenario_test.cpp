@@ -147,7 +147,7 @@ TEST_CASE("What is expected is a line for each event, each with its place") {
   CHECK_FALSE(steps.at(2).expect);
 }
 
-TEST_CASE("What stands wrong in a scenario's head is said where it stands") {
+TEST_CASE("What is wrong in a scenario's head is reported at its place") {
   for (const Case& c : {
            Case{"senario: x\n",
                 "2:1 `senario` unknown_key: a scenario file has no key `senario` (did you mean `scenario`?)\n"},
@@ -181,7 +181,7 @@ TEST_CASE("What stands wrong in a scenario's head is said where it stands") {
   CHECK_FALSE(lost.readable);
 }
 
-TEST_CASE("What stands wrong in a script is said where it stands") {
+TEST_CASE("What is wrong in a script is reported at its place") {
   for (const Case& c : {
            Case{"{Kick: }",
                 "2:10 `Kick` wrong_node_kind: `Kick`: expected a case or a list of cases, found nothing (an empty "
@@ -226,7 +226,7 @@ TEST_CASE("What stands wrong in a script is said where it stands") {
   }
 }
 
-TEST_CASE("What stands wrong in a step is said where it stands") {
+TEST_CASE("What is wrong in a step is reported at its place") {
   for (const Case& c : {
            Case{"[Walk]",
                 "2:9 `Walk` wrong_node_kind: `steps`: expected a mapping such as {request: Walk}, found `Walk`\n"},
@@ -282,7 +282,7 @@ TEST_CASE("Every scenario of this project is read without a finding") {
   CHECK(count > 0);
 }
 
-TEST_CASE("A file of the other kind is told by its keys") {
+TEST_CASE("A file of the other kind is recognised by its keys") {
   CHECK(read_scenario_body("language: 1\ngroups: {}\n").findings() ==
         "2:1 `language` unknown_key: a scenario file has no key `language` (this belongs to a behaviour file, which "
         "`directorc check` reads)\n"

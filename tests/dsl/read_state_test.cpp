@@ -55,7 +55,7 @@ TEST_CASE("A state's words are read with their places") {
   CHECK(states[3].of->value == "Striker");
 }
 
-TEST_CASE("What stands wrong in a state is said where it stands") {
+TEST_CASE("What is wrong in a state is reported at its place") {
   for (const Case& c : {
            Case{"{}", "4:3 `S` missing_key: state `S` needs `values`, `range` or `type` (for example `values: [low, "
                       "high]`, or `range: [0, 100]`)\n"},

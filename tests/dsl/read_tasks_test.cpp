@@ -63,7 +63,7 @@ TEST_CASE("A task, its name and its words have their places") {
   CHECK(read.text(walk.levels[0].priority.span) == "2");
 }
 
-TEST_CASE("What stands wrong in a task is said where it stands") {
+TEST_CASE("What is wrong in a task is reported at its place") {
   for (
       const Case& c : {
           Case{"Walk",
@@ -128,7 +128,7 @@ TEST_CASE("What stands wrong in a task is said where it stands") {
   }
 }
 
-TEST_CASE("`optional` and `apart` may stand together where one of them is false") {
+TEST_CASE("`optional` and `apart` may be together if one of them is false") {
   CHECK(with_roots("{Walk: {optional: true, apart: false}}").findings() == "");
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests dsl/reader.hpp; what its parts say of real files is tested beside the readers that use them.
+// Tests dsl/reader.hpp; its messages for real files are tested beside the readers that use them.
 #include "dsl/reader.hpp"
 #include "dsl/yaml_tree.hpp"
 

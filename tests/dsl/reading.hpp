@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Reads texts and writes what was found in a line each, so that tests compare it whole:
+// Reads texts and prints the findings in a line each, so that tests compare all of it:
 //   3:5 `wehn` unknown_key: group `Kick` has no key `wehn` (did you mean `when`?)
 
 #include "dsl/file_access.hpp"
@@ -42,7 +42,7 @@ struct ScenarioRead {
 /// `b.scenario.yaml`, behind the line `behaviour: b.yaml`: `body` begins in line 2.
 ScenarioRead read_scenario_body(const std::string& body);
 
-/// A mistake and what is said about it.
+/// A mistake and its message.
 struct Case {
   const char* text;
   const char* findings;

@@ -57,7 +57,7 @@ TEST_CASE("A place between two bytes, and one at the end of the text, have one m
 )");
 }
 
-TEST_CASE("Marks stand below what they mean in lines with tabs and letters of several bytes") {
+TEST_CASE("Marks are below what they mean in lines with tabs and letters of several bytes") {
   const Shown shown("\tä: \"grün\"\t# wert\n");
   CHECK(render(shown.error("\"grün\""), shown.sources) == "walk.yaml:1:6: error: no such key [unknown_key]\n"
                                                           "    1 |     ä: \"grün\"   # wert\n"
@@ -67,7 +67,7 @@ TEST_CASE("Marks stand below what they mean in lines with tabs and letters of se
                                                       "      |                   ^~~~\n");
 }
 
-TEST_CASE("Marks stand below what they mean behind characters of two columns, and of none") {
+TEST_CASE("Marks are below what they mean behind characters of two columns, and of none") {
   const Shown wide("a: \"行動 🤖\" # here\n");
   CHECK(render(wide.error("here"), wide.sources) == "walk.yaml:1:20: error: no such key [unknown_key]\n"
                                                     "    1 | a: \"行動 🤖\" # here\n"
@@ -195,7 +195,8 @@ walk.yaml:1:4: lint: no such key [unknown_key]
   CHECK(render(std::vector<Diagnostic>{}, shown.sources) == "");
 }
 
-TEST_CASE("Of many findings that say the same the last one shown tells how many there are, and others are not hidden") {
+TEST_CASE(
+    "Of many findings with equal messages the last one printed has the number of the rest, and others are not hidden") {
   std::string text;
   for (int i = 0; i < 10; ++i) text += "a\n";
   const Shown shown(text);
@@ -225,7 +226,7 @@ TEST_CASE("Of many findings that say the same the last one shown tells how many 
   CHECK(render(findings, shown.sources) == expected + "20 errors\n");
 }
 
-TEST_CASE("Lines that stand right above are not shown again, and notes keep their order, which is that of a way") {
+TEST_CASE("Lines that are right above are not shown again, and notes keep their order, which is that of a path") {
   Sources sources;
   const FileId walk = sources.add("walk.yaml", "Walk: {}\n"), legs = sources.add("legs.yaml", "Legs: {}\n");
   const Span here{walk, 0, 4}, leg{legs, 0, 4};

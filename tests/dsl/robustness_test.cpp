@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// No input crashes, hangs or takes all the memory: mutations of real files, and texts made to be hard.
+// No input crashes, hangs or exhausts memory: mutations of real files, and texts that are made to be hard.
 #include "dsl/print_spec.hpp"
 #include "dsl/render.hpp"
 #include "tests/dsl/reading.hpp"
@@ -61,7 +61,7 @@ steps:
   - inputs: [{request: A}, {enable: A.b}]
 )";
 
-/// Texts that mean something, to be put anywhere.
+/// Meaningful texts, to be inserted anywhere.
 constexpr const char* pieces[] = {"\n",          " ",  "  ",   "\t", ":",    ": ",   "- ",      "[",
                                   "]",           "{",  "}",    ",",  "\"",   "'",    "|\n",     ">-\n",
                                   "&a ",         "*a", "!t ",  "? ", "<<: ", "# ",   "---\n",   "...\n",
@@ -99,7 +99,7 @@ private:
   std::mt19937 random_;
 };
 
-/// Every place must lie in its text, and every finding can be shown.
+/// Every place must be in its text, and every finding printable.
 void check_places(const std::vector<Diagnostic>& diagnostics, const Sources& sources) {
   for (const Diagnostic& d : diagnostics) {
     const std::size_t size = sources[d.span.file].text().size();
@@ -108,7 +108,7 @@ void check_places(const std::vector<Diagnostic>& diagnostics, const Sources& sou
   (void)render(diagnostics, sources);
 }
 
-/// Of the time of a processor, which does not depend on what else a machine does.
+/// Processor time, which does not depend on the load of a machine.
 double seconds(const std::string& text) {
   const std::clock_t begin = std::clock();
   const Read read = read_text(text);

@@ -20,7 +20,7 @@ bool is_utf8(std::string_view text) {
 
 } // namespace
 
-TEST_CASE("What somebody reads stays as it is") {
+TEST_CASE("A text of readable length is unchanged") {
   const std::string path(longest_quotation, 'p');
   CHECK(shortened("cannot read `" + path + "`: no such file") == "cannot read `" + path + "`: no such file");
   CHECK(shortened(std::string(longest_message, '`')) == std::string(longest_message, '`'));

@@ -37,7 +37,7 @@ TEST_CASE("providers are written as a mapping") {
              "(each is an entry of a list: write `- ` before its `name`)\n");
 }
 
-TEST_CASE("a state has a type of C++ itself: that is told once") {
+TEST_CASE("a state has a type of C++ itself: that is reported once") {
   check_body("states: {X: {type: bool, initial: false}}\n",
              "3:20 `bool` wrong_node_kind: `type`: expected a C++ enum, found `bool` (leave it out and name the two "
              "values: `values: [closed, open]`; an enum is generated for them)\n");
@@ -56,7 +56,7 @@ TEST_CASE("a state has a type of C++ itself: that is told once") {
              "stand in `values`: `X: {values: [...]}`)\n");
 }
 
-TEST_CASE("keys of other tools are told what stands for them here") {
+TEST_CASE("keys of other tools are reported with the right ones") {
   check_body(
       "groups: {A: {sequence: [B], timeout: 3 s, unless: [X == a], priority: 3}}\n",
       "3:14 `sequence` unknown_key: group `A` has no key `sequence` (there is no sequence: give each step a "
@@ -79,7 +79,7 @@ TEST_CASE("keys of other tools are told what stands for them here") {
         "2:10 `wait` unknown_key: a step has no key `wait` (time passes with `advance: 100 ms`)\n");
 }
 
-TEST_CASE("a list stands for a mapping, and a mapping for a list") {
+TEST_CASE("a list in place of a mapping, and a mapping in place of a list") {
   check_body("groups: [A]\n",
              "3:9 `[A]` wrong_node_kind: `groups`: expected a mapping, found a list (each with its name "
              "and a `:`, such as `Legs: {}`)\n");
@@ -113,7 +113,7 @@ TEST_CASE("a condition is written as a sentence") {
              "3:23 `is` bad_condition: expected one of ==, !=, <, <=, >, >= behind `X`, found `is` (write `==`)\n");
 }
 
-TEST_CASE("no word of the language is taken for a slip where it belongs") {
+TEST_CASE("no word of the language is taken for a mistake where it belongs") {
   for (const char* key :
        {"name", "when",  "stay",    "causing", "sets",   "needs", "uses",     "triggers", "every", "tasks",    "packs",
         "doc",  "allow", "because", "layer",   "module", "data",  "realtime", "start",    "stop",  "providers"}) {
@@ -126,7 +126,7 @@ TEST_CASE("no word of the language is taken for a slip where it belongs") {
   }
 }
 
-TEST_CASE("what is no list is told as one, whatever stands between its parts") {
+TEST_CASE("what is no list is reported as one, whatever separates its parts") {
   check_body("states: {X: {values: open|shut}}\n",
              "3:22 `open|shut` wrong_node_kind: `values`: expected a list, found `open|shut` (write `[open, shut]`)\n");
   check_body("groups: {A: {needs: 'Left , Right'}}\n",
@@ -168,7 +168,7 @@ TEST_CASE("what should be a mapping is a word") {
                                               "stands in `headers`: `headers: [types.hpp]`)\n");
 }
 
-TEST_CASE("the members of a task's data, and types of other languages, are told where they belong") {
+TEST_CASE("the members of a task's data, and types of other languages, are reported where they belong") {
   check_body(
       "groups: {A: {data: {x: int}}}\n",
       "3:20 `{x: int}` wrong_node_kind: `data`: expected a C++ type, found a mapping (what has members is a struct "

@@ -8,7 +8,7 @@ namespace {
 using director::dsl::suggest;
 const std::vector<std::string> names{"Walk", "WalkTo", "Kick", "LeftLeg", "LeftArm"};
 
-TEST_CASE("a misspelt word is led to the nearest one") {
+TEST_CASE("for a misspelt word the nearest one is suggested") {
   CHECK(suggest("Wlak", names) == "Walk");
   CHECK(suggest("Kicks", names) == "Kick");
   CHECK(suggest("LeftLge", names) == "LeftLeg");
@@ -21,7 +21,7 @@ TEST_CASE("a word in another case is nearer than a word with other letters") {
   CHECK(suggest("b", {"a", "B"}) == "B");
 }
 
-TEST_CASE("a word that is like none gets no suggestion") {
+TEST_CASE("a word that is like no other gets no suggestion") {
   CHECK_FALSE(suggest("Grasp", names));
   CHECK_FALSE(suggest("", names));
   CHECK_FALSE(suggest("b", {"a"}));
@@ -29,7 +29,7 @@ TEST_CASE("a word that is like none gets no suggestion") {
   CHECK_FALSE(suggest(std::string(101, 'a'), {std::string(100, 'a')}));
 }
 
-TEST_CASE("a word that was not written to its end is led to the only one that begins like it") {
+TEST_CASE("for a word that is not complete the only one that begins like it is suggested") {
   CHECK(suggest("assert", {"allow", "assertions"}) == "assertions");
   CHECK(suggest("pri", {"priority", "optional"}) == "priority");
   CHECK_FALSE(suggest("pr", {"priority", "optional"}));

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A Spec whose places are all the same, so that two Specs can be compared by what they say. A leaf that is forgotten
-// here makes the comparison of equal Specs fail.
+// A Spec whose places are all the same, so that the content of two Specs can be compared. A leaf that is forgotten here
+// makes the comparison of equal Specs fail.
 
 #include "dsl/spec.hpp"
 

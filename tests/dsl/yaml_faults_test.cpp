@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The faults of yaml-cpp that are known, one test each: what the reader makes of texts that yaml-cpp takes for
-// something else, or never comes back from.
+// The known faults of yaml-cpp, one test each: how the reader handles texts that yaml-cpp misreads, or never finishes.
 #include "tests/dsl/reading.hpp"
 
 #include <catch2/catch.hpp>
@@ -42,12 +41,12 @@ TEST_CASE("yaml-cpp: a word without a colon is a key without a value") {
   check_scenario("not-a-key\n", "2:1 `not-a-key` yaml_syntax: expected `:` behind `not-a-key`\n");
 }
 
-TEST_CASE("yaml-cpp: a quote that is never closed ends the text without a word") {
+TEST_CASE("yaml-cpp: a quote that is never closed ends the text silently") {
   check_behaviour("doc: \"never\n", "3:6 `\"` yaml_syntax: this quote is never closed (close it with `\"`)\n");
   check_scenario("scenario: 'never\n", "2:11 `'` yaml_syntax: this quote is never closed (close it with `'`)\n");
 }
 
-TEST_CASE("yaml-cpp: a key may stand twice") {
+TEST_CASE("yaml-cpp: a key may occur twice") {
   check_behaviour("doc: a\ndoc: b\n", "4:1 `doc` duplicate_key: the key `doc` stands here twice (leave one of them "
                                       "out, or put into one what both say)\n"
                                       "  3:1 `doc` the first one is here\n");
@@ -57,7 +56,7 @@ TEST_CASE("yaml-cpp: a key may stand twice") {
       "  2:9 `A` the first one is here\n");
 }
 
-TEST_CASE("yaml-cpp: an alias may be part of what it stands for") {
+TEST_CASE("yaml-cpp: an alias may be part of what it refers to") {
   check_behaviour("layers: &x [*x]\n",
                   "3:9 `&x` yaml_syntax: anchors are not part of the language (write the value wherever it is needed)\n"
                   "3:13 `*x` yaml_syntax: aliases are not part of the language (write the value itself)\n");
@@ -163,7 +162,7 @@ TEST_CASE("yaml-cpp: nesting ends the program, or an exception, at 500 levels") 
                   "nests the others)\n");
 }
 
-TEST_CASE("a key without its colon is told where it stands, not in the line behind it") {
+TEST_CASE("a key without its colon is reported at its place, not in the line behind it") {
   const std::string help =
       " (a key and its value are written `key: value`; a text goes on in a line of its own only with "
       "`|` or in quotes)\n";
@@ -179,7 +178,7 @@ TEST_CASE("a key without its colon is told where it stands, not in the line behi
                   "4:22 `needs` yaml_syntax: expected `:` behind `needs`" + help);
   check_behaviour("groups: {Legs {}}\n", "3:10 `Legs` yaml_syntax: expected `:` behind `Legs`" + help);
   check_behaviour("groups:\n  Walk:\n    providers:\n      - {name a, needs: [Legs]}\n",
-                  "6:10 `name a` yaml_syntax: expected `:` behind `name a`\n"); // and no word that there is no name
+                  "6:10 `name a` yaml_syntax: expected `:` behind `name a`\n"); // and no report of a missing name
   CHECK(read_text("behaviour b\nlanguage: 1\n").findings() ==
         "1:1 `behaviour` yaml_syntax: expected `:` behind `behaviour`" + help);
   check_behaviour(

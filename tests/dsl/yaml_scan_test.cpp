@@ -77,7 +77,7 @@ TEST_CASE("A place in a plain text is found over its line breaks") {
   CHECK(place("one  \n   two x", "one two x", 4) == 9);
   CHECK(place("one\n\n  two", "one\ntwo", 4) == 7);
   CHECK(place("one two", "one two", 7) == 7);
-  CHECK(place("one", "other", 5) == 1); // never behind what agrees
+  CHECK(place("one", "other", 5) == 1); // only from where they differ on
   CHECK(place("", "", 0) == 0);
 }
 

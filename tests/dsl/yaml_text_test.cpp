@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests dsl/yaml_text.hpp; that every text comes back is tested in tests/dsl/print_spec_test.cpp.
+// Tests dsl/yaml_text.hpp; that every text is read back is tested in tests/dsl/print_spec_test.cpp.
 #include "dsl/yaml_text.hpp"
 
 #include <catch2/catch.hpp>
@@ -12,7 +12,7 @@ TEST_CASE("Names, conditions, types and paths need no quotes") {
     CHECK(yaml_word(text) == text);
 }
 
-TEST_CASE("What YAML would take for something else is quoted") {
+TEST_CASE("What YAML would read as something else is quoted") {
   struct Row {
     const char* text;
     const char* written;

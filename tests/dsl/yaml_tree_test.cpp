@@ -86,7 +86,7 @@ TEST_CASE("Keys and values know where they begin and end") {
   }
 }
 
-TEST_CASE("Nulls stand at their word, or at the key or dash before them") {
+TEST_CASE("The place of a null is its word, or the key or dash before it") {
   Tree tree("a: null\nb: ~\nc:\nd: [ , ~]\ne:\n  -\n  - Null\nf: nullable\ng: \"null\"");
   CHECK(tree.findings() == "");
   CHECK(tree.shape(tree.root) ==
@@ -138,7 +138,7 @@ TEST_CASE("A tab in a text, behind a value or before a comment is no indentation
   }
 }
 
-TEST_CASE("Where the text is no YAML the place and the likely reason are said") {
+TEST_CASE("If the text is no YAML the place and the likely reason are reported") {
   for (
       const Case& c : {
           Case{"a: \"un\nb: 1\n", "1:4 `\"` yaml_syntax: this quote is never closed (close it with `\"`)\n"},
@@ -229,7 +229,7 @@ TEST_CASE("64 levels are read, and one more is refused") {
                                             "ten at most: leave out what nests the others)\n");
 }
 
-TEST_CASE("A file of more values than anybody writes is refused") {
+TEST_CASE("A file of too many values is refused") {
   std::string text = "k: [a";
   while (text.size() < 2 * most_values) text += ",a";
   Tree tree(text + "]");

@@ -102,7 +102,7 @@ void EngineRun::post(const compiler::ScenarioInput& input) {
   std::vector<director::Input> records;
   switch (input.kind) {
   case Wanted::request:
-    for (const compiler::Asked& asked : input.requests) {
+    for (const compiler::RequestedTask& asked : input.requests) {
       records.push_back(record(Record::request, asked.edge.value));
       const Range levels = tables_.edges[records.back().thing].levels;
       records.back().set_level(static_cast<Index>(levels.begin + asked.level));

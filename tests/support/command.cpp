@@ -1,4 +1,4 @@
-// Header: tests/support/command.hpp. Test: tests/docs/told_test.cpp.
+// Header: tests/support/command.hpp. Test: tests/docs/expected_page_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/support/command.hpp"
 

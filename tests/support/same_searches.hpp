@@ -23,7 +23,7 @@ inline std::string search_both_ways(const compiler::Ground& ground, compiler::Se
   compare("seen", some.seen == all.seen);
   compare("ran", some.happened.ran == all.happened.ran);
   compare("granted", some.happened.granted == all.happened.granted);
-  compare("asked", some.happened.asked == all.happened.asked);
+  compare("asked", some.happened.runnable == all.happened.runnable);
   compare("cycles", some.cycles == all.cycles);
   compare("root sets", some.root_sets == all.root_sets);
   return out;

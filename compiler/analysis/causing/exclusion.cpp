@@ -20,26 +20,26 @@ using dsl::Note;
 
 class Exclusion {
 public:
-  Exclusion(const Model& model, const Facts& facts, ProviderId id, const Task* told)
+  Exclusion(const Model& model, const Facts& facts, ProviderId id, const Task* reported)
       : model_(model),
         facts_(facts),
         id_(id),
-        told_entry_(told) {}
+        reported_entry_(reported) {}
 
   std::vector<Note> run() {
     find_needed();
     find_states();
     if (states_.empty()) return {};
-    if (facts_.excluded.contains(id_)) tell_above();
-    tell_conditions(id_);
+    if (facts_.excluded.contains(id_)) explain_above();
+    explain_conditions(id_);
     for (const GroupId group : needed_) {
-      for (const ProviderId id : model_.groups[group].providers) tell_conditions(id);
+      for (const ProviderId id : model_.groups[group].providers) explain_conditions(id);
     }
     return std::move(notes_);
   }
 
 private:
-  /// What its needs may come down to, the nearest first.
+  /// Finds the groups that its needs may lead to, the nearest first.
   void find_needed() {
     SparseSet<GroupId> seen;
     const auto add = [&](ProviderId id) {
@@ -59,7 +59,8 @@ private:
     return out;
   }
 
-  /// Those of which two parties accept nothing in common; where more than two it takes, those of which two speak.
+  /// Finds the states for which two sets of conditions accept no common value; if it takes more than two sets, the
+  /// states of at least two of them.
   void find_states() {
     std::vector<std::vector<Region>> parties{{mended(id_)}};
     if (facts_.excluded.contains(id_)) parties.push_back({facts_.grants[model_.providers[id_].group]});
@@ -87,8 +88,8 @@ private:
     }
   }
 
-  /// Who asks for it, and what those above it that speak of these states run under.
-  void tell_above() {
+  /// Explains which groups request it, and under which conditions the groups above it run that use these states.
+  void explain_above() {
     std::vector<GroupId> open{model_.providers[id_].group};
     SparseSet<GroupId> seen;
     seen.add(open.front());
@@ -96,42 +97,42 @@ private:
       for (const EdgeId edge : model_.groups[open[next]].requesters) {
         const auto requester = model_.edges[edge].requester;
         if (!requester) continue;
-        bool asks = false;
+        bool requests = false;
         for (const ProviderId id : model_.groups[*requester].providers) {
           if (!facts_.active.contains(id)) continue;
-          asks = tell_request(id, open[next]) || asks;
-          tell_conditions(id);
+          requests = explain_request(id, open[next]) || requests;
+          explain_conditions(id);
         }
-        if (asks && seen.add(*requester)) open.push_back(*requester);
+        if (requests && seen.add(*requester)) open.push_back(*requester);
       }
     }
   }
 
-  bool tell_request(ProviderId id, GroupId group) {
+  bool explain_request(ProviderId id, GroupId group) {
     for (const Pack& pack : model_.providers[id].packs) {
       for (const Task& task : pack.tasks) {
         if (task.target != group) continue;
-        if (&task != told_entry_)
+        if (&task != reported_entry_)
           notes_.push_back({task.span, fmt::format("{} requests {}", name_of(model_, id), name_of(model_, group))});
-        tell_members(pack, task);
+        explain_members(pack, task);
         return true;
       }
     }
     return false;
   }
 
-  /// What is granted with it or not at all, as far as that speaks of these states.
-  void tell_members(const Pack& pack, const Task& task) {
+  /// Explains which tasks are granted only together with it, if their conditions use these states.
+  void explain_members(const Pack& pack, const Task& task) {
     if (pack.name.empty() || !may_be_member(model_, task)) return;
     for (const Task& other : pack.tasks) {
       if (&other == &task || !may_be_member(model_, other) || !speaks(other.target)) continue;
       notes_.push_back({other.span, fmt::format("it is granted only together with {}", name_of(model_, other.target))});
-      for (const ProviderId id : model_.groups[other.target].providers) tell_conditions(id);
+      for (const ProviderId id : model_.groups[other.target].providers) explain_conditions(id);
     }
   }
 
-  void tell_conditions(ProviderId id) {
-    if (!told_.insert(id).second) return;
+  void explain_conditions(ProviderId id) {
+    if (!reported_.insert(id).second) return;
     for (const ConditionUse& use : model_.providers[id].when) {
       if (states_.count(model_.conditions[use.id].state) != 0) notes_.push_back(runs_only_while(model_, id, use));
     }
@@ -143,7 +144,7 @@ private:
     }
   }
 
-  /// One of its providers, or of those below, looks at these states.
+  /// Whether one of its providers, or of those below, has conditions on these states.
   bool speaks(GroupId group) const {
     std::vector<GroupId> open{group};
     SparseSet<GroupId> seen;
@@ -164,17 +165,17 @@ private:
   const Model& model_;
   const Facts& facts_;
   ProviderId id_;
-  const Task* told_entry_;
+  const Task* reported_entry_;
   std::vector<GroupId> needed_;
   std::set<StateId> states_;
-  std::set<ProviderId> told_;
+  std::set<ProviderId> reported_;
   std::vector<Note> notes_;
 };
 
 } // namespace
 
-std::vector<Note> explain_exclusion(const Model& model, const Facts& facts, ProviderId provider, const Task* told) {
-  return Exclusion(model, facts, provider, told).run();
+std::vector<Note> explain_exclusion(const Model& model, const Facts& facts, ProviderId provider, const Task* reported) {
+  return Exclusion(model, facts, provider, reported).run();
 }
 
 } // namespace director::analysis

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Why a provider never begins although each of its conditions, and of those of its needs, holds at some time: they
-// exclude each other, or what those above it run under.
+// Explains why a provider never begins although each of its conditions, and of those of its needs, holds at some time:
+// they exclude each other, or the conditions of the groups above it.
 
 #include "compiler/analysis/facts/facts.hpp"
 #include "dsl/diagnostic.hpp"
@@ -10,9 +10,9 @@
 
 namespace director::analysis {
 
-/// The conditions that exclude each other, each at its place, with the requests and needs that bring them together.
-/// Nothing where the provider lacks something else. `told`: an entry of which it is told already who requests it.
+/// The conditions that exclude each other, each at its place, with the requests and needs that combine them. Empty if
+/// the provider lacks something else. `reported`: an entry whose requester the finding names already.
 std::vector<dsl::Note> explain_exclusion(const Model& model, const Facts& facts, ProviderId provider,
-                                         const Task* told = nullptr);
+                                         const Task* reported = nullptr);
 
 } // namespace director::analysis

@@ -21,13 +21,13 @@ namespace {
 
 using dsl::Note;
 
-/// Goes down from a provider that never runs, and says at each step what is missing there.
+/// Follows the reasons down from a provider that never runs, and explains at each step what is missing there.
 class IdleReasons {
 public:
-  IdleReasons(const Model& model, const Facts& facts, const Task* told)
+  IdleReasons(const Model& model, const Facts& facts, const Task* reported)
       : model_(model),
         facts_(facts),
-        told_(told),
+        reported_(reported),
         sources_(find_sources(model)) {}
 
   std::vector<Note> run(const std::vector<ProviderId>& providers) {
@@ -39,7 +39,7 @@ public:
   std::optional<Deadlock> deadlock() const { return has_end_ ? std::nullopt : deadlock_; }
 
 private:
-  /// `needed`: it lacks no request.
+  /// `needed`: it needs no request.
   void explain(ProviderId id, bool needed = false) {
     if (facts_.active.contains(id) || !seen_.insert(id).second) return;
     const Provider& provider = model_.providers[id];
@@ -57,12 +57,12 @@ private:
     if (facts_.excluded.contains(id) && explain_company(provider.group)) return;
     has_end_ = true;
     if (facts_.requested.contains(provider.group) && facts_.capable.contains(id) && !facts_.excluded.contains(id)) {
-      // Nothing is missing: it is not chosen, and not pushed.
+      // Nothing is missing: it is neither chosen nor pushed.
       notes_.push_back({provider.span, fmt::format("{} never runs: whenever it could, others of its group come first",
                                                    name_of(model_, id))});
       return;
     }
-    for (Note& note : explain_exclusion(model_, facts_, id, told_)) {
+    for (Note& note : explain_exclusion(model_, facts_, id, reported_)) {
       if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) notes_.push_back(std::move(note));
     }
   }
@@ -70,26 +70,26 @@ private:
   void explain_request(GroupId group) {
     if (!groups_.insert(group).second) return;
     std::vector<ProviderId> next;
-    bool asked = false;
+    bool requested = false;
     for (const EdgeId edge : model_.groups[group].requesters) {
       if (!model_.edges[edge].requester || model_.edges[edge].levels.empty()) continue;
       for (const ProviderId id : model_.groups[*model_.edges[edge].requester].providers) {
         const Span entry = entry_of(id, group);
         if (entry == Span{}) continue;
-        asked = true;
+        requested = true;
         notes_.push_back(
             {entry, fmt::format("{} requests {}, but never runs itself", name_of(model_, id), name_of(model_, group))});
         next.push_back(id);
       }
     }
-    if (!asked) {
+    if (!requested) {
       notes_.push_back({model_.groups[group].name.span, fmt::format("nothing requests {}", name_of(model_, group))});
       has_end_ = true;
     }
     for (const ProviderId id : next) explain(id);
   }
 
-  /// Where it is asked for it is granted only together with something that can never run; true: so it is.
+  /// Explains that its requests are granted only together with something that can never run; false if that is not so.
   bool explain_company(GroupId group) {
     if (kept_.count(group) != 0) return true;
     std::vector<GroupId> others;
@@ -118,7 +118,7 @@ private:
     });
     if (other == members.end()) return;
     const GroupId target = (*other)->target;
-    if (*own != told_)
+    if (*own != reported_)
       notes_.push_back({(*own)->span, fmt::format("{} requests {}", name_of(model_, by), name_of(model_, group))});
     notes_.push_back({(*other)->span, fmt::format("it is granted only together with {}", name_of(model_, target))});
     if (!deadlock_) deadlock_ = Deadlock{*other, *own};
@@ -157,13 +157,13 @@ private:
 
   const Model& model_;
   const Facts& facts_;
-  const Task* const told_;
+  const Task* const reported_;
   IdTable<StateId, std::vector<Source>> sources_;
   std::vector<Note> notes_;
   std::set<ProviderId> seen_;
   std::set<GroupId> groups_, kept_;
-  std::optional<Deadlock> deadlock_; ///< the first one met
-  bool has_end_ = false;             ///< something is missing that hangs on nothing else
+  std::optional<Deadlock> deadlock_; ///< the first one found
+  bool has_end_ = false;             ///< something is missing that depends on nothing else
 };
 
 std::int32_t highest_priority(const Model& model, const Task& task) {
@@ -187,8 +187,8 @@ Idleness explain_idle(const Input& input, ProviderId provider) {
 }
 
 Idleness explain_idle(const Model& model, const Facts& facts, const std::vector<ProviderId>& providers,
-                      const Task* told) {
-  IdleReasons reasons(model, facts, told);
+                      const Task* reported) {
+  IdleReasons reasons(model, facts, reported);
   Idleness out;
   out.notes = reasons.run(providers);
   out.deadlock = reasons.deadlock();

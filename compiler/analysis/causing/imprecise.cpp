@@ -12,7 +12,7 @@ std::vector<Imprecise> find_imprecise(const Model& model, const Causers& causers
     for (const ConditionUse& use : model.providers[causer].causing)
       promises[model.conditions[use.id].state].emplace_back(causer, use);
   }
-  // A task waits for what its needs wait for, too.
+  // A task also waits for the conditions of its needs.
   IdSet<ProviderId> waiters(model.providers.size());
   for (const GroupId group : model.groups.ids()) {
     if (!facts.requested.contains(group)) continue;

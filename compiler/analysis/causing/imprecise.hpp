@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Promises that overlap what somebody waits for without lying within it: no reason to push.
+// Promises that overlap an awaited condition without implying it: they cause no push.
 
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/facts/pushes.hpp"

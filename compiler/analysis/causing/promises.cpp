@@ -33,7 +33,7 @@ public:
   bool is_idle(ProviderId id) const { return !facts_.active.contains(id); }
   const Arrows& arrows() const { return arrows_; }
 
-  /// Conditions of a provider that never hold, and are not reported as impossible.
+  /// Conditions of a provider that never hold, unless they are reported as impossible.
   std::vector<ConditionUse> unmet(ProviderId id) const {
     std::vector<ConditionUse> out;
     for (const ConditionUse& use : model_.providers[id].when) {
@@ -63,7 +63,7 @@ private:
     return out;
   }
 
-  /// One that is capable and lacks a push: on what its waiters lack besides.
+  /// Blames, for a capable provider that is never pushed, what the waiting providers lack besides.
   void find_unpushed(const Chains& chains) {
     Pushes pushes(model_, facts_, chains, causers_);
     for (const GroupId waiter : model_.groups.ids()) {
@@ -102,7 +102,7 @@ private:
     return out;
   }
 
-  /// Providers that would give the state a value that the condition accepts.
+  /// Providers that would set the state to a value that the condition accepts.
   std::vector<ProviderId> setters(const ConditionUse& use) const {
     const Condition& condition = model_.conditions[use.id];
     std::vector<ProviderId> out;
@@ -142,20 +142,21 @@ public:
   Promises run() {
     find_relevant();
     Promises out;
-    std::vector<Node> told;
-    for (const std::vector<Node>& circle : lowest_circles(candidate_)) {
-      told.insert(told.end(), circle.begin(), circle.end());
-      NeverKept promise = make(ProviderId{circle.front()});
+    std::vector<Node> explained;
+    for (const std::vector<Node>& cycle : lowest_cycles(candidate_)) {
+      explained.insert(explained.end(), cycle.begin(), cycle.end());
+      NeverKept promise = make(ProviderId{cycle.front()});
       if (promise.pushable || !is_waited_for_as_is(promise.causer)) out.never_kept.push_back(std::move(promise));
     }
-    out.explained = explained_by(told);
+    out.explained = explained_by(explained);
     find_lost(out);
     out.never_run = find_never_run(out.explained);
     return out;
   }
 
 private:
-  /// What somebody waits for whose group is requested (or held for one that is), and all that is to blame for that.
+  /// Finds the awaited providers whose group is requested (or held for a requested one), and everything they are blamed
+  /// on.
   void find_relevant() {
     relevant_ = IdSet<ProviderId>(model_.providers.size());
     std::vector<ProviderId> open;
@@ -180,8 +181,8 @@ private:
     }
   }
 
-  /// What of the relevant is to blame on these, or they on it: of the rest nothing is told with them.
-  IdSet<ProviderId> explained_by(const std::vector<Node>& told) const {
+  /// The relevant providers that are blamed on these or the other way round: the findings about these explain them.
+  IdSet<ProviderId> explained_by(const std::vector<Node>& explained) const {
     Arrows back(model_.providers.size()), there(model_.providers.size());
     for (const ProviderId id : model_.providers.ids()) {
       for (const Node next : blame_.arrows()[id.value]) {
@@ -191,9 +192,9 @@ private:
       }
     }
     IdSet<ProviderId> out(model_.providers.size());
-    for (const Node id : told) out.add(ProviderId{id});
+    for (const Node id : explained) out.add(ProviderId{id});
     for (const Arrows* arrows : {&there, &back}) {
-      const std::vector<bool> reached = reachable(*arrows, told);
+      const std::vector<bool> reached = reachable(*arrows, explained);
       for (const ProviderId id : model_.providers.ids()) {
         if (reached[id.value]) out.add(id);
       }
@@ -201,8 +202,8 @@ private:
     return out;
   }
 
-  /// A condition that holds at the start, that something can make false, and that nothing makes true again but a
-  /// provider that could run and is neither chosen nor pushed.
+  /// A condition that holds at the start, that something can make false, and that only a provider can make true again
+  /// which could run but is neither chosen nor pushed.
   void find_lost(Promises& out) const {
     IdTable<StateId, ValueSet> later(model_.states.size());
     for (const StateId state : model_.states.ids()) {
@@ -255,8 +256,8 @@ private:
            facts_.capable.contains(causer) && !facts_.excluded.contains(causer) && blame_.is_idle(causer);
   }
 
-  /// Of what can never run for a reason that no other finding tells, the lowest. Where no provider of a requested group
-  /// can, that is told of the group, and explains what is above it.
+  /// The lowest of those that can never run for a reason that no other finding reports. If no provider of a requested
+  /// group can run, that is reported for the group, and explains everything above it.
   std::vector<ProviderId> find_never_run(const IdSet<ProviderId>& explained) const {
     std::vector<bool> idle(model_.providers.size(), false);
     for (const ProviderId id : model_.providers.ids()) {
@@ -266,31 +267,31 @@ private:
                        std::all_of(faults.begin(), faults.end(), [](const Impossible& fault) { return fault.stay; });
     }
     std::vector<ProviderId> out;
-    for (const std::vector<Node>& circle : lowest_circles(idle)) {
-      const ProviderId id{circle.front()};
+    for (const std::vector<Node>& cycle : lowest_cycles(idle)) {
+      const ProviderId id{cycle.front()};
       if (facts_.capable_groups.contains(model_.providers[id].group)) out.push_back(id);
     }
     return out;
   }
 
-  /// Candidates that blame each other, and no other candidate: each circle sorted, in order of the first.
-  std::vector<std::vector<Node>> lowest_circles(const std::vector<bool>& candidate) const {
+  /// Candidates that blame each other and no other candidate: each cycle sorted, in order of the first.
+  std::vector<std::vector<Node>> lowest_cycles(const std::vector<bool>& candidate) const {
     const std::size_t size = model_.providers.size();
-    std::vector<Node> circle_of(size);
+    std::vector<Node> cycle_of(size);
     std::vector<std::vector<Node>> members(size);
-    for (Node node = 0; node < size; ++node) circle_of[node] = node;
+    for (Node node = 0; node < size; ++node) cycle_of[node] = node;
     for (const std::vector<Node>& cycle : cycles(blame_.arrows())) {
-      for (const Node node : cycle) circle_of[node] = cycle.front();
+      for (const Node node : cycle) cycle_of[node] = cycle.front();
     }
     for (Node node = 0; node < size; ++node) {
-      if (candidate[node]) members[circle_of[node]].push_back(node);
+      if (candidate[node]) members[cycle_of[node]].push_back(node);
     }
-    // From the bottom up; in this order the members of a circle stand together.
-    std::vector<bool> blames(size, false); // a circle: another one with candidates, directly or not
+    // From the bottom up; in this order the members of a cycle are adjacent.
+    std::vector<bool> blames(size, false); // a cycle: another one with candidates, directly or not
     const std::vector<Node> order = topological_order(blame_.arrows());
     for (auto node = order.rbegin(); node != order.rend(); ++node) {
       for (const Node next : blame_.arrows()[*node]) {
-        const Node here = circle_of[*node], below = circle_of[next];
+        const Node here = cycle_of[*node], below = cycle_of[next];
         if (here != below && (blames[below] || !members[below].empty())) blames[here] = true;
       }
     }
@@ -302,7 +303,8 @@ private:
     return out;
   }
 
-  /// By a provider whose conditions are reported as impossible: a task may wait for that one for ever, and push for it.
+  /// Whether a provider with conditions reported as impossible waits for it: a task may wait for that one for ever, and
+  /// push for it.
   bool is_waited_for_as_is(ProviderId causer) const {
     const std::vector<const Graph::Causing*>& all = arrows_of_[causer];
     return std::any_of(all.begin(), all.end(), [&](const Graph::Causing* arrow) {

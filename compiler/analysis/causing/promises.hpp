@@ -1,7 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Promises that are never kept although somebody waits for them and nothing else serves: who is to blame. A provider
-// that never runs is blamed on what it lacks, and that on what keeps it away, down to where nothing else is to blame.
+// Finds promises that are never kept although a condition waits for them and nothing else serves it, and what is to
+// blame. A provider that never runs is blamed on what it lacks, that on what prevents it, and so on, down to causes
+// that blame nothing else.
 
 #include "compiler/analysis/chains/meetings.hpp"
 #include "compiler/analysis/facts/facts.hpp"
@@ -18,7 +19,7 @@ struct NeverKept {
   ProviderId causer{};
   ConditionUse promise{};
   bool pushable = true;  ///< false: it could run, but is neither chosen nor pushed
-  bool at_first = false; ///< what waits for it holds at the start, and never again once it is lost
+  bool at_first = false; ///< the condition that waits for it holds at the start, and never again once it is lost
 
   struct Waiting {
     ProviderId provider{};
@@ -36,24 +37,23 @@ struct Promises {
 /// `chains`: over the providers that may be active.
 Promises find_promises(const Model& model, const Graph& graph, const Facts& facts, const Chains& chains);
 
-/// Two members of one unit.
+/// Two members of one unit that wait for each other.
 struct Deadlock {
   const Task *waits = nullptr, *kept = nullptr; ///< one can never run, and the other one waits with it
 };
 
-/// `to_push`: what waits has to push the other one.
+/// `to_push`: the group that the waiting task has to push.
 std::string apart_help(const Model& model, const Deadlock& deadlock, bool to_push = false);
 
 /// Why something never runs.
 struct Idleness {
-  std::vector<dsl::Note> notes; ///< to the bottom: each reason at its own place
-  std::optional<Deadlock>
-      deadlock; ///< where all of that goes round: what is kept could bring about what the other lacks
+  std::vector<dsl::Note> notes;     ///< down to the cause, each reason at its own place
+  std::optional<Deadlock> deadlock; ///< if the reasons form a cycle: the kept task could cause what the other one lacks
 };
 
 Idleness explain_idle(const Input& input, ProviderId provider);
-/// `told`: an entry of which it is told already who requests it.
+/// `reported`: an entry whose requester the finding names already.
 Idleness explain_idle(const Model& model, const Facts& facts, const std::vector<ProviderId>& providers,
-                      const Task* told = nullptr);
+                      const Task* reported = nullptr);
 
 } // namespace director::analysis

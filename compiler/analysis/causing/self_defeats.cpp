@@ -32,7 +32,7 @@ public:
   std::vector<SelfDefeat> take() { return std::move(out_); }
 
 private:
-  /// Values of the state with which a provider can run, or go on; nothing: any.
+  /// Values of the state with which a provider can run, or continue; empty: any.
   std::optional<ValueSet> accepted(ProviderId provider, StateId state, bool going) const {
     const Provider& row = model_.providers[provider];
     const Region when = region_of(model_, row.when);
@@ -42,7 +42,7 @@ private:
     return at->second;
   }
 
-  /// Some other provider that may run beside the same values of all other states accepts some of these.
+  /// Whether some other provider that may run with the same values of all other states accepts some of these.
   bool is_taken_over(ProviderId from, StateId state, const ValueSet& values) const {
     Region here = region_of(model_, model_.providers[from].when);
     here.states.erase(state);
@@ -60,7 +60,7 @@ private:
                          [&](const ConditionUse& use) { return model_.conditions[use.id].state == state; });
   }
 
-  /// Values that the state may have when the group starts: its own one is back at what its stop left.
+  /// Values that the state may have when the group starts: a state of the group has the value that its stop left.
   ValueSet values_before(GroupId group, StateId id) const {
     const State& state = model_.states[id];
     if (!state.of || state.of->id != group) return facts_.values[id];
@@ -86,7 +86,7 @@ private:
     }
   }
 
-  /// Values that stop the group: under which this provider cannot go on, and no other one can run.
+  /// Values that stop the group: with them this provider cannot continue, and no other one can run.
   bool is_stopped_by(ProviderId id, StateId state) const {
     const std::optional<ValueSet> going = accepted(id, state, true);
     if (!going) return false;

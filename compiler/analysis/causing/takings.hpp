@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a task takes from the providers of other groups when it is granted.
+// Finds what a task takes from the providers of other groups when it is granted.
 
 #include "compiler/analysis/causing/wants.hpp"
 #include "compiler/analysis/chains/claims.hpp"
@@ -12,27 +12,27 @@
 
 namespace director::analysis {
 
-/// How it comes to a loss, and the requests below the task on the way: what they ask for goes with the task.
+/// How something is lost, and the requests below the task on that chain: what they request ends with the task.
 struct Taking {
   std::vector<dsl::Note> notes;
   std::vector<dsl::Span> requests;
 };
 
-/// Of a finding that what a granted task takes makes its condition false again: where that is seen.
+/// Adds to a finding, that the condition becomes false because of what the granted task takes, where this happens.
 void add_taking(const Model& model, const Want& want, ProviderId causer, Taking how, dsl::Diagnostic& finding);
 
 class Takings {
 public:
-  /// `claims`: those of the task, which is there as long as this is.
+  /// `claims`: those of the task; must outlive this.
   Takings(const Model& model, const Indispensable& indispensable, const Claims& claims, GroupId task)
       : model_(model),
         indispensable_(indispensable),
         claims_(claims),
         task_(task) {}
 
-  /// The task, or one below it, may hold the group itself.
+  /// Whether the task, or one below it, may hold the group itself.
   bool takes(GroupId group) const { return claims_.contains(group); }
-  /// The provider's first need that comes down to something taken in any case.
+  /// The provider's first need that leads to a group which is certainly taken.
   const Use<GroupId>* need_taken(ProviderId id) const;
   /// How that need is lost.
   Taking way_to(const Use<GroupId>& need) const;

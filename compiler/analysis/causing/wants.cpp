@@ -64,7 +64,7 @@ private:
     return out;
   }
 
-  /// The provider, and those of the groups that its needs may come down to.
+  /// The provider, and those of the groups that its needs may lead to.
   std::vector<ProviderId> with_needs(ProviderId provider) const {
     std::vector<ProviderId> out{provider};
     SparseSet<GroupId> seen;

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What tasks wait for, and whom they may push for it (semantics.md 4.4, "Refuse").
+// Finds the conditions that tasks wait for, and the providers that they may push for them (semantics.md 4.4, "Refuse").
 
 #include "compiler/analysis/chains/meetings.hpp"
 #include "compiler/analysis/facts/facts.hpp"
@@ -10,14 +10,14 @@
 
 namespace director::analysis {
 
-/// A condition that may be lacking although some provider could be pushed for it.
+/// A condition that may be false although some provider could be pushed for it.
 struct Want {
-  ProviderId waiter{}; ///< the provider of the task, or one that its needs may come down to
+  ProviderId waiter{}; ///< the provider of the task, or one that its needs may lead to
   ConditionUse condition{};
   std::vector<ProviderId> causers; ///< of other groups, in order; never empty
 };
 
-/// What one provider of a requested group wants, by itself and by its needs.
+/// The conditions that one provider of a requested group may wait for, by itself and by its needs.
 struct Wanting {
   GroupId task{};
   ProviderId provider{};

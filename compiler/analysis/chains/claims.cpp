@@ -11,7 +11,7 @@ namespace {
 
 using Filter = Branches::Filter;
 
-/// A group that is only needed holds what it needs itself, and requests nothing.
+/// A group that is only needed holds its own needs, and requests nothing.
 std::vector<Branch> branches_of(const Model& model, GroupId group, const Filter& runs, const Filter& is_picked) {
   std::vector<Branch> out;
   for (const ProviderId id : model.groups[group].providers) {
@@ -33,7 +33,7 @@ std::vector<Branch> branches_of(const Model& model, GroupId group, const Filter&
   return out;
 }
 
-/// Where some provider of the group that counts can be active.
+/// The states with which some counted provider of the group can be active.
 Region grantable_region(const Model& model, GroupId group, const Filter& runs, const Filter& is_picked) {
   std::optional<Region> out;
   for (const ProviderId id : model.groups[group].providers) {
@@ -66,14 +66,14 @@ const Region& Branches::grantable(GroupId group) const {
 Claims::Claims(const Branches& branches, GroupId task, const std::vector<GroupId>& without, const Enough& enough) {
   std::deque<std::pair<GroupId, Reach>> open;
 
-  // First in, first out: the first way to a group is a shortest one. A group whose region grows is gone through again.
+  // Breadth first: the first path to a group is a shortest one. A group whose region grows is visited again.
   claims_[0].emplace(task, Claim{branches.grantable(task), 0, {}, false, {}, Reach::own});
   open.emplace_back(task, Reach::own);
   bool ended = enough && enough(task, Reach::own, claims_[0].at(task));
   while (!open.empty() && !ended) {
     const auto [group, reach] = open.front();
     open.pop_front();
-    const Claim here = *find(group, reach); // a copy: it may grow on the way round
+    const Claim here = *find(group, reach); // a copy: it may grow if a cycle leads back here
     const auto go = [&](const Branch& branch, Reach next) {
       ++effort_;
       Region region = here.region;
@@ -111,7 +111,7 @@ Claims::Claims(const Branches& branches, GroupId task, const std::vector<GroupId
 
 std::vector<ChainStep> Claims::path(GroupId group, Reach reach) const {
   std::vector<ChainStep> out;
-  // Ends at the task itself, also where needs lead back to it.
+  // Ends at the task itself, even if needs lead back to it.
   for (const Claim* claim = find(group, reach); claim != nullptr && claim->steps > 0;) {
     const GroupId from = claim->from;
     out.push_back({from, group, claim->by_need, claim->span});

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a task may come to hold: its group, what that needs, what it requests, and so on down. For each group the states
-// under which that can happen, as far as one state at a time tells.
+// Finds what a task may come to hold: its group, what that needs, what it requests, and so on. For each group the
+// states with which that can happen, as far as each state by itself determines it.
 
 #include "compiler/analysis/chains/step.hpp"
 #include "compiler/analysis/states/region.hpp"
@@ -17,22 +17,22 @@ namespace director::analysis {
 
 /// How a group is reached from the task.
 enum class Reach {
-  own,       ///< the task's group, or by needs alone: held from the moment the task is granted
-  mandatory, ///< by a request, and none on the way is optional
-  optional   ///< some request on the way is
+  own,       ///< the task's group, or by needs alone: held as soon as the task is granted
+  mandatory, ///< by a request, with no optional request on the path
+  optional   ///< with an optional request on the path
 };
 inline constexpr Reach all_reaches[] = {Reach::own, Reach::mandatory, Reach::optional};
 
 struct Claim {
   Region region;                 ///< under which it may happen
-  std::size_t steps = 0;         ///< on a shortest way; 0: the task's own
-  GroupId from{};                ///< the last step of that way
-  bool by_need = false;          ///< it needs the group; else requests it
-  Span span{};                   ///< where it does
+  std::size_t steps = 0;         ///< on a shortest path; 0: the task's own
+  GroupId from{};                ///< the last step of that path
+  bool by_need = false;          ///< by a need of the group; else by a request
+  Span span{};                   ///< where that is declared
   Reach reach_from = Reach::own; ///< how it is reached
 };
 
-/// One way down from a group, and the states under which it is open.
+/// One edge down from a group, and the states with which it can be used.
 struct Branch {
   GroupId to{};
   bool by_need = false;
@@ -41,15 +41,15 @@ struct Branch {
   Region region;
 };
 
-/// The ways down from each group, found when they are asked for.
+/// The edges down from each group, found on first use.
 class Branches {
 public:
   using Filter = std::function<bool(ProviderId)>;
-  /// By providers that may run for a task, or at least be picked for a need.
+  /// By providers that may run for a task, or at least be chosen for a need.
   Branches(const Model& model, Filter runs, Filter is_picked);
   Branches(const Model& model, const Filter& counts) : Branches(model, counts, counts) {}
   const std::vector<Branch>& from(GroupId group) const;
-  /// Where some provider of the group that counts can be active.
+  /// The states with which some counted provider of the group can be active.
   const Region& grantable(GroupId group) const;
 
 private:
@@ -61,24 +61,24 @@ private:
 
 class Claims {
 public:
-  /// Ends the search early: of a group, how it is reached, and its claim, which may grow if it goes on.
+  /// Ends the search early. Called with a group, how it is reached, and its claim, which may still grow.
   using Enough = std::function<bool(GroupId, Reach, const Claim&)>;
 
-  /// Through no group of `without`.
+  /// Only over groups that are not in `without`.
   Claims(const Branches& branches, GroupId task, const std::vector<GroupId>& without = {}, const Enough& enough = {});
 
-  /// Nothing: never.
+  /// Null: it never claims the group.
   const Claim* find(GroupId group, Reach reach) const {
     const auto& claims = claims_[static_cast<std::size_t>(reach)];
     const auto at = claims.find(group);
     return at == claims.end() ? nullptr : &at->second;
   }
-  /// All that there is a claim to, in order.
+  /// All claimed groups, in order.
   const std::vector<GroupId>& groups() const { return groups_; }
   bool contains(GroupId group) const { return std::binary_search(groups_.begin(), groups_.end(), group); }
-  /// How many ways down were gone.
+  /// How many edges were followed.
   std::size_t effort() const { return effort_; }
-  /// A shortest way to the group; empty for the task's own.
+  /// A shortest path to the group; empty for the task's own.
   std::vector<ChainStep> path(GroupId group, Reach reach) const;
 
 private:

@@ -54,9 +54,9 @@ std::vector<Chains::Above> Chains::above(GroupId waiter, End end) const {
       if (edge.has_mandatory()) reach(requester, here.optional, direct);
       if (has_optional(edge)) reach(requester, true, direct);
     }
-    if (is_first && end != End::held) continue; // a task that waits was requested, not only needed
+    if (is_first && end != End::held) continue; // a waiting task was requested, not only needed
     if (here.direct) continue;
-    // What is needed leads on as well: it may still run for an older request.
+    // Chains also lead through a needed group: it may still run for an older request.
     for (const EdgeId id : model_.groups[here.group].requesters) {
       if (model_.edges[id].needed) reach(*model_.edges[id].requester, here.optional, false);
     }
@@ -89,7 +89,7 @@ const std::vector<Chains::Entry>& Chains::entries_above(GroupId group, End end) 
   return out;
 }
 
-/// At one level of each entry.
+/// Visits the pair at one level of each entry.
 void Chains::visit_pair(Meeting& meeting, bool optional_above, const Entry& second, GroupId other,
                         const std::function<void(const Meeting&, GroupId other)>& visitor) const {
   meeting.first_optional = optional_above || meeting.first_level.optional;
@@ -142,7 +142,7 @@ bool Chains::beats(const Entry& waiting, const Entry& entry, GroupId other) cons
       Meeting meeting{waiting.together, waiting.task, entry.task, model_.edges[waiting.task->edge].levels[a.level],
                       model_.edges[entry.task->edge].levels[b.level]};
       if (other == entry.task->target && meeting.one_unit()) continue;
-      // To have no optional edge above it only helps the one, and one only helps the other.
+      // Either having no optional edge above it helps only the one, or having one helps only the other.
       meeting.first_optional = meeting.first_level.optional || !waiting.mandatory;
       meeting.second_optional = meeting.second_level.optional || entry.optional;
       if (meeting.first_goes_before()) return true;

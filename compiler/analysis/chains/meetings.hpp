@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Who goes before whom (semantics.md, 4.1, rules 1 to 4): two tasks meet below their closest common requester, at two
-// entries of one pack, of one flat list, or of the roots, and the ranks of these two decide.
+// Finds the order between tasks (semantics.md, 4.1, rules 1 to 4): two tasks meet below their closest common requester,
+// at two entries of one pack, of one flat list, or of the roots, and the ranks of these two decide.
 
 #include "compiler/analysis/chains/sparse_set.hpp"
 #include "compiler/graph/dominators.hpp"
@@ -19,7 +19,7 @@ using namespace director::compiler;
 
 /// Entries that may be requested at the same time.
 struct Together {
-  std::optional<ProviderId> provider; ///< nothing: the roots
+  std::optional<ProviderId> provider; ///< empty: the roots
   const std::vector<Task>* tasks = nullptr;
   std::string_view pack; ///< empty for roots and flat `tasks`
   bool whole = false;    ///< a named pack: if one of them, then all
@@ -28,16 +28,16 @@ struct Together {
 /// Every pack and list of these providers, and the roots, first.
 std::vector<Together> find_together(const Model& model, const std::function<bool(ProviderId)>& counts);
 
-/// Two entries and what one of their levels says of each.
+/// Two entries and one level of each.
 struct Meeting {
   const Together* together = nullptr;
   const Task* first = nullptr;
   const Task* second = nullptr;
   Level first_level, second_level;
-  bool first_optional = false; ///< some edge of the first's chain is, this entry or one below
+  bool first_optional = false; ///< some edge of the first chain is, from this entry down
   bool second_optional = false;
 
-  /// Members of one unit: granted whole, or not at all.
+  /// Whether they are members of one unit: granted together or not at all.
   bool one_unit() const { return together->provider && first_level.shares_unit() && second_level.shares_unit(); }
   bool first_goes_before() const {
     if (first_optional != second_optional) return second_optional;
@@ -46,7 +46,7 @@ struct Meeting {
   bool equal() const { return first_optional == second_optional && first_level.priority == second_level.priority; }
 };
 
-/// What chains of requests can lead to, each provider of a chain being one of those that count.
+/// The groups that chains of requests lead to, if each provider of a chain is one of those that count.
 class Chains {
 public:
   /// An entry from which a chain leads to a group: without an optional edge below it, with one, or both.
@@ -57,24 +57,26 @@ public:
   };
 
   enum class End {
-    requested, ///< the group is
-    held,      ///< or needed only
-    pushing    ///< it is, by one that was itself granted for a request: what only a need holds pushes nobody
+    requested, ///< the group is requested
+    held,      ///< or only needed
+    pushing    ///< it is needed by a group that was itself granted by a request: a group that is only needed pushes
+               ///< nothing
   };
-  /// Of places where something else is asked for too, in order of place and task.
+  /// Only in places that request something else too, in order of place and task.
   const std::vector<Entry>& entries_above(GroupId group, End end = End::requested) const;
 
   Chains(const Model& model, std::function<bool(ProviderId)> counts);
 
-  /// Every way in which a task for `waiter` and a request for one of `others` meet.
+  /// Visits every way in which a task for `waiter` and a request for one of `others` meet.
   void visit(GroupId waiter, const std::vector<GroupId>& others,
              const std::function<void(const Meeting&, GroupId other)>& visitor) const;
 
-  /// A task for `waiter` may push the other group: that is requested by an edge that it may go before, and not granted
-  /// with it or with what is above it in one unit. Itself where somebody else requests it too.
+  /// Whether a task for `waiter` may push the other group: an edge requests that group which the task may go before,
+  /// and which is not granted in one unit with the task or with what is above it. True for itself if another requester
+  /// requests it too.
   bool may_beat(GroupId waiter, GroupId other) const;
 
-  /// Every chain that leads to the group, of requests and needs, passes the other one.
+  /// Whether every chain to the group, of requests and needs, passes the other one.
   bool always_below(GroupId group, GroupId other) const;
 
   const std::vector<Together>& together() const { return together_; }
@@ -84,7 +86,7 @@ private:
   struct Above {
     GroupId group{};
     bool optional = false; ///< an edge between the two is
-    bool direct = false;   ///< it requests the group itself, as looked at with End::pushing
+    bool direct = false;   ///< it requests the group itself, in the sense of End::pushing
   };
   std::vector<Above> above(GroupId group, End end) const;
   bool beats(const Entry& waiting, const Entry& entry, GroupId other) const;

@@ -10,9 +10,9 @@ Overlaps::Overlaps(const Model& model, const Branches& branches)
     : model_(model),
       branches_(branches),
       lonely_(model.groups.size()),
-      found_by_(model.groups.size(), nobody) {
-  // From the leaves up: who is on a circle never comes to have nothing left.
-  IdTable<GroupId, std::size_t> left(model.groups.size()); // edges to what is not known to be lonely
+      found_by_(model.groups.size(), no_group) {
+  // From the leaves up: a group on a cycle always has an edge left.
+  IdTable<GroupId, std::size_t> left(model.groups.size()); // edges to groups that are not known to be lonely
   for (const Edge& edge : model.edges) {
     if (edge.requester) ++left[*edge.requester];
   }
@@ -33,9 +33,9 @@ Overlaps::Overlaps(const Model& model, const Branches& branches)
   }
 }
 
-// An entry stops where an earlier one has been, as that has gone on from there. No overlap is lost by it: where two
-// come to one group, either the later one meets the earlier one on its way, or another one that has been there between
-// the two, and that one has met the earlier one for the same reason.
+// An entry stops at groups that an earlier entry has visited, as that one has continued from there. This loses no
+// overlap: if two entries reach one group, the later one meets on its path either the earlier one, or a third one that
+// came between the two and has met the earlier one for the same reason.
 std::vector<bool> Overlaps::among(const std::vector<GroupId>& targets) {
   std::vector<bool> out(targets.size(), false);
   std::vector<GroupId> found, open;
@@ -46,7 +46,7 @@ std::vector<bool> Overlaps::among(const std::vector<GroupId>& targets) {
       open.pop_back();
       std::size_t& by = found_by_[group];
       if (by == i) continue;
-      if (by != nobody) {
+      if (by != no_group) {
         out[i] = out[by] = true;
         continue;
       }
@@ -56,7 +56,7 @@ std::vector<bool> Overlaps::among(const std::vector<GroupId>& targets) {
       for (const Branch& branch : branches_.from(group)) open.push_back(branch.to);
     }
   }
-  for (const GroupId group : found) found_by_[group] = nobody;
+  for (const GroupId group : found) found_by_[group] = no_group;
   return out;
 }
 

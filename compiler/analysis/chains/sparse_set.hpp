@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A few of many ids: what is found on the way from one group is small, and there are as many ways as groups.
+// A small set out of many ids: a search from one group finds few, and there are as many searches as groups.
 
 #include <unordered_set>
 

@@ -11,7 +11,7 @@ using namespace director::compiler;
 struct ChainStep {
   GroupId from{}, to{};
   bool by_need = false; ///< else by a request
-  Span span{};          ///< where it is written
+  Span span{};          ///< where it is declared
 };
 
 } // namespace director::analysis

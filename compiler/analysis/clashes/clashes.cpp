@@ -47,7 +47,7 @@ private:
 
   void look_at(const Wanting& wanting, const Want& first, const Want& second) {
     if (condition(first.condition).state == condition(second.condition).state) return;
-    // Two providers of one group are no parts of one plan.
+    // Two providers of one group are never parts of one plan.
     if (first.waiter != second.waiter && row(first.waiter).group == row(second.waiter).group) return;
     const bool both = std::any_of(first.causers.begin(), first.causers.end(), [&](ProviderId id) {
       return std::find(second.causers.begin(), second.causers.end(), id) != second.causers.end();
@@ -63,7 +63,7 @@ private:
     out_.push_back(std::move(*clash));
   }
 
-  /// No push of it is ever made where the groups above the task keep what it needs.
+  /// A push for it is never made if the groups above the task hold what it needs.
   void look_above(GroupId task, const Want& want) {
     std::vector<Note> because;
     for (const ProviderId causer : want.causers) {
@@ -79,13 +79,13 @@ private:
     out_.push_back(std::move(clash));
   }
 
-  /// Where a clash is told of the condition, that is reason enough.
+  /// If the condition is part of another clash, that finding is enough.
   void take_lost() {
     for (LostForGood& each : find_lost_for_good(model_, facts_, shared_)) {
-      const bool is_told = std::any_of(seen_.begin(), seen_.end(), [&](const auto& pair) {
+      const bool is_noted = std::any_of(seen_.begin(), seen_.end(), [&](const auto& pair) {
         return pair.first == each.condition.span || pair.second == each.condition.span;
       });
-      if (is_told) continue;
+      if (is_noted) continue;
       Clash& clash = out_.emplace_back();
       clash.kind = Clash::Kind::vain;
       clash.loss = Clash::Loss::for_good;

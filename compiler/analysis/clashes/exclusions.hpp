@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Why what one provider does leaves no room for a condition or for another provider: the place that shows it. Nothing:
-// it leaves room.
+// Explains why what one provider does excludes a condition or another provider: the place that shows it. Empty: it does
+// not.
 
 #include "compiler/analysis/input.hpp"
 #include "dsl/diagnostic.hpp"
@@ -10,13 +10,13 @@
 
 namespace director::analysis {
 
-/// A condition of `provider` that what `other` causes excludes.
+/// A condition of `provider` that excludes what `other` causes.
 std::optional<dsl::Note> excludes(const Model& model, ProviderId provider, ProviderId other);
 
 /// Why a causing provider can run only while a condition is false.
 std::optional<dsl::Note> runs_without(const Model& model, ProviderId causer, const ConditionUse& other);
 
-/// Why a causing provider makes a condition false: it cannot run otherwise, or sets the state to something else.
+/// Why a causing provider makes a condition false: it cannot run otherwise, or sets the state to another value.
 std::optional<dsl::Note> undoes(const Model& model, ProviderId causer, const ConditionUse& other);
 
 } // namespace director::analysis

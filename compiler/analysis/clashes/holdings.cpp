@@ -13,7 +13,7 @@ namespace director::analysis {
 
 namespace {
 
-/// Whichever pack is chosen, it asks for the same group as a mandatory task.
+/// Whether each of its packs requests the same group as a mandatory task.
 bool is_in_every_pack(const Model& model, const std::vector<Pack>& packs, const Task& task) {
   return std::all_of(packs.begin(), packs.end(), [&](const Pack& pack) {
     return std::any_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& other) {

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a provider holds for itself as long as it runs, and whom it leads to.
+// Finds what a provider holds as long as it runs, and the groups that it leads to.
 
 #include "compiler/analysis/input.hpp"
 #include "dsl/diagnostic.hpp"
@@ -12,16 +12,16 @@ namespace director::analysis {
 struct Holding {
   GroupId group{};
   dsl::Note note;      ///< where it takes the group
-  bool by_need = true; ///< else it always requests it as a mandatory task
+  bool by_need = true; ///< else every pack requests it as a mandatory task
 };
 
-/// By its needs and by what every pack of it requests, each with what that cannot do without.
+/// By its needs and by what each of its packs requests, each with what that cannot run without.
 std::vector<Holding> holdings_of(const Model& model, const Shared& shared, ProviderId provider);
 
-/// Where the provider requests the group; null: it does not.
+/// The entry in which the provider requests the group; null: it does not.
 const Task* entry_for(const Model& model, ProviderId provider, GroupId group);
 
-/// It requests the group, or something that may come down to it.
+/// Whether it requests the group, or a group that may lead to it.
 bool leads_to(const Model& model, const Shared& shared, ProviderId provider, GroupId group);
 
 } // namespace director::analysis

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a push takes away from another provider, so that this one is pushed in vain: the places that show it. Nothing:
-// it takes nothing away.
+// Explains what a push takes away from another provider, which is therefore pushed in vain: the places that show it.
+// Empty: it takes nothing away.
 
 #include "compiler/analysis/causing/wants.hpp"
 #include "compiler/analysis/input.hpp"
@@ -26,15 +26,15 @@ public:
 
   /// Only the group of `a` leads to that of `b`, and `a` does not.
   Because lost_request(ProviderId a, ProviderId b) const;
-  /// The one holds what the other cannot do without, or both want the same.
+  /// The one holds what the other cannot run without, or both want the same group.
   Because lost_group(ProviderId a, ProviderId b) const;
-  /// What the one sets makes a condition of the other one false, and nothing else makes it true again while the task
-  /// waits for what the other one causes.
+  /// What the one sets makes a condition of the other false, and nothing else makes it true again while the task waits
+  /// for what the other one causes.
   Because lost_provider(ProviderId a, ProviderId b, const Want& wanted) const;
-  /// What `causer` needs is kept by a group above the task.
+  /// What `causer` needs is held by a group above the task.
   Because held_above(GroupId task, ProviderId causer) const;
 
-  /// Something that no push is needed for may make the condition true.
+  /// Whether the condition may become true without a push.
   bool comes_otherwise(const Want& want) const;
 
 private:
@@ -42,7 +42,7 @@ private:
   /// Every provider of the group that leads to the task needs the other group.
   std::optional<dsl::Note> always_keeps(GroupId group, GroupId task, GroupId kept) const;
   bool comes_from_others(StateId state, const ValueSet& values, ProviderId but, const Want& wanted) const;
-  /// It, or what requests it, runs only while what is wanted holds, as the task itself does.
+  /// Whether it, or its requester, runs only while the wanted condition holds, like the task itself.
   bool waits_too(ProviderId id, const Want& wanted) const;
 
   const Model& model_;

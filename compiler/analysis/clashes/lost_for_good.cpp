@@ -66,24 +66,24 @@ private:
     found_.push_back({task, waiter, use, *causer, std::move(lost), std::move(stopping)});
   }
 
-  /// Of what stands at one place, and of what is lost with more than it takes, the least.
+  /// Chooses, of those at one place, and of those that are lost with superfluous conditions, the smallest.
   void choose() {
     std::vector<const Found*> all, kept;
     for (const Found& each : found_) all.push_back(&each);
     std::stable_sort(all.begin(), all.end(),
                      [](const Found* a, const Found* b) { return a->lost.size() < b->lost.size(); });
     for (const Found* each : all) {
-      const bool is_told = std::any_of(kept.begin(), kept.end(), [&](const Found* one) {
+      const bool is_noted = std::any_of(kept.begin(), kept.end(), [&](const Found* one) {
         return one->use.span == each->use.span ||
                std::includes(each->lost.begin(), each->lost.end(), one->lost.begin(), one->lost.end());
       });
-      if (!is_told) kept.push_back(each);
+      if (!is_noted) kept.push_back(each);
     }
-    std::sort(kept.begin(), kept.end()); // as they were found
+    std::sort(kept.begin(), kept.end()); // in the order of discovery
     for (const Found* each : kept) add(*each);
   }
 
-  /// Something makes it false: of the start it is not asked.
+  /// Whether something makes it false; the value at the start is not considered.
   bool is_spoilt_by(const Source& source, ConditionId id) const {
     if (source.values.subset_of(model_.conditions[id].accepts)) return false;
     if (source.provider)
@@ -93,8 +93,8 @@ private:
     return std::any_of(all.begin(), all.end(), [&](ProviderId each) { return facts_.active.contains(each); });
   }
 
-  /// Each may be lacking. Where it takes several, something makes one of them false that runs whether or not they hold:
-  /// what is taken away with them may see to it itself that they are never lost at one time.
+  /// Whether each may be false. If there are several, one of them must be made false by something that runs whether or
+  /// not they hold: otherwise the sources may ensure that the conditions are never lost together.
   bool is_credible(const Stopping& stopping) const {
     bool by_others = stopping.lost().size() == 1;
     for (const ConditionId id : stopping.lost()) {
@@ -119,19 +119,19 @@ private:
       return !lacking_below(need.id, stopping).empty();
     });
     explained_now_.clear();
-    told_ = {{use.span, {}}, {promise_of(model_, causer, use.id).span, {}}};
+    noted_ = {{use.span, {}}, {promise_of(model_, causer, use.id).span, {}}};
     for (const ConditionId id : stopping.lost()) {
       for (const Source& source : sources_[model_.conditions[id].state]) {
         if (source.provider && !source.values.intersected(model_.conditions[id].accepts).empty() &&
             facts_.active.contains(*source.provider))
-          tell_source(*source.provider, source, stopping, out.because);
+          add_source(*source.provider, source, stopping, out.because);
       }
     }
-    for (const ConditionId id : stopping.lost()) tell_spoiler(id, stopping, out.because);
+    for (const ConditionId id : stopping.lost()) add_spoiler(id, stopping, out.because);
   }
 
-  void tell(Note note, std::vector<Note>& notes) {
-    if (told_.insert({note.span, note.message}).second && told_.count({note.span, {}}) == 0)
+  void add_note(Note note, std::vector<Note>& notes) {
+    if (noted_.insert({note.span, note.message}).second && noted_.count({note.span, {}}) == 0)
       notes.push_back(std::move(note));
   }
 
@@ -147,35 +147,35 @@ private:
     return {};
   }
 
-  /// What it could bring back, and why it cannot run then.
-  void tell_source(ProviderId id, const Source& source, const Stopping& stopping, std::vector<Note>& notes) {
-    tell({source.span, sets(source, id)}, notes);
-    tell_reason(id, stopping, notes);
+  /// Explains what the source could bring back, and why it cannot run then.
+  void add_source(ProviderId id, const Source& source, const Stopping& stopping, std::vector<Note>& notes) {
+    add_note({source.span, sets(source, id)}, notes);
+    add_reason(id, stopping, notes);
   }
 
-  void tell_reason(ProviderId id, const Stopping& stopping, std::vector<Note>& notes) {
+  void add_reason(ProviderId id, const Stopping& stopping, std::vector<Note>& notes) {
     if (!explained_now_.insert(id).second) return;
     if (const auto lacked = stopping.lacked_by(id)) {
-      tell(runs_only_while(model_, id, *lacked), notes);
+      add_note(runs_only_while(model_, id, *lacked), notes);
       return;
     }
     const Provider& provider = model_.providers[id];
     for (const Use<GroupId>& need : provider.needs) {
       for (const auto& [below, lacked] : lacking_below(need.id, stopping)) {
-        tell({need.span, fmt::format("{} needs {}", name_of(model_, id), name_of(model_, need.id))}, notes);
-        tell(runs_only_while(model_, below, lacked), notes);
+        add_note({need.span, fmt::format("{} needs {}", name_of(model_, id), name_of(model_, need.id))}, notes);
+        add_note(runs_only_while(model_, below, lacked), notes);
       }
     }
     for (const EdgeId edge : model_.groups[provider.group].requesters) {
       const std::optional<GroupId> requester = model_.edges[edge].requester;
       if (!requester || model_.edges[edge].levels.empty()) continue;
       for (const ProviderId by : model_.groups[*requester].providers) {
-        if (facts_.active.contains(by)) tell_request(by, provider.group, stopping, notes);
+        if (facts_.active.contains(by)) add_request(by, provider.group, stopping, notes);
       }
     }
   }
 
-  /// Providers of what is needed that lack something.
+  /// Needed providers that lack something.
   std::vector<std::pair<ProviderId, ConditionUse>> lacking_below(GroupId needed, const Stopping& stopping) const {
     std::vector<std::pair<ProviderId, ConditionUse>> out;
     for (const ProviderId id : model_.groups[needed].providers) {
@@ -184,26 +184,26 @@ private:
     return out;
   }
 
-  void tell_request(ProviderId by, GroupId group, const Stopping& stopping, std::vector<Note>& notes) {
+  void add_request(ProviderId by, GroupId group, const Stopping& stopping, std::vector<Note>& notes) {
     for (const Pack& pack : model_.providers[by].packs) {
       for (const Task& task : pack.tasks) {
         if (task.target != group) continue;
-        tell({task.span, fmt::format("{} requests {}", name_of(model_, by), name_of(model_, group))}, notes);
-        tell_reason(by, stopping, notes);
+        add_note({task.span, fmt::format("{} requests {}", name_of(model_, by), name_of(model_, group))}, notes);
+        add_reason(by, stopping, notes);
         return;
       }
     }
   }
 
-  /// The first that makes it false, one that runs whether or not all this holds before the others.
-  void tell_spoiler(ConditionId id, const Stopping& stopping, std::vector<Note>& notes) {
+  /// Explains the first source that makes it false, with preference for one that runs whether or not all this holds.
+  void add_spoiler(ConditionId id, const Stopping& stopping, std::vector<Note>& notes) {
     const Source* first = nullptr;
     for (const Source& source : sources_[model_.conditions[id].state]) {
       if (!source.provider || !is_spoilt_by(source, id)) continue;
       if (first == nullptr || (stopping.is_stopped(*first->provider) && !stopping.is_stopped(*source.provider)))
         first = &source;
     }
-    if (first != nullptr) tell({first->span, sets(*first, *first->provider)}, notes);
+    if (first != nullptr) add_note({first->span, sets(*first, *first->provider)}, notes);
   }
 
   const Model& model_;
@@ -212,7 +212,7 @@ private:
   IdTable<StateId, std::vector<Source>> sources_;
   Waiting waiting_;
   std::vector<Found> found_;
-  std::set<std::pair<dsl::Span, std::string>> told_; ///< without words: nothing more is told there
+  std::set<std::pair<dsl::Span, std::string>> noted_; ///< without text: nothing more is reported there
   std::set<ProviderId> explained_now_;
   std::vector<LostForGood> out_;
 };

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Conditions that never come back once they are lost together, since whatever could bring one of them back runs only
-// while one of them holds: a siphon, as it is called of Petri nets. Exact where it says so: what the rest of the
-// behaviour does is taken for possible. Only whether they are ever lost at one time is not known.
+// Finds conditions that never become true again once they are lost together, since everything that could cause one of
+// them runs only while one of them holds: a siphon, in terms of Petri nets. Exact in what it reports: all other effects
+// are assumed possible. Unknown is only whether the conditions are ever lost together.
 
 #include "compiler/analysis/input.hpp"
 #include "dsl/diagnostic.hpp"
@@ -18,10 +18,10 @@ struct LostForGood {
   ConditionUse condition{};
   std::vector<ConditionId> lost; ///< that condition, and those that have to be lost with it
   ProviderId causer{};
-  /// Of the causer: what it lacks; nothing: a request, or what it needs.
+  /// Of the causer: the condition that it lacks; empty: a request, or a need.
   std::optional<ConditionId> lacking;
   bool unrequested = false;       ///< it lacks a request
-  std::vector<dsl::Note> because; ///< who could bring them back, and who makes them false
+  std::vector<dsl::Note> because; ///< what could cause them, and what makes them false
 };
 
 /// In order of task and waiter; each condition of each task once.

@@ -11,7 +11,8 @@ namespace director::analysis {
 
 namespace {
 
-/// So many providers that cause a condition are looked at as better than one of them; the earliest come first.
+/// Limit for the providers causing one condition that are considered as preferred to one of them; the earliest are
+/// taken.
 constexpr std::size_t most_preferred = 16;
 
 } // namespace
@@ -54,7 +55,7 @@ Pushers::Pushers(const Input& input)
 }
 
 bool Pushers::may_push(ProviderId causer, ConditionId condition) {
-  if (is_asked_for_after(causer, condition) || pushes_.is_passed_over(causer, condition)) return false;
+  if (is_requested_after(causer, condition) || pushes_.is_passed_over(causer, condition)) return false;
   if (direct_.count({causer, condition}) != 0 || is_pushed_in_chain(causer, condition)) return true;
   const std::vector<Waiter>& all = waiters(condition);
   return std::any_of(all.begin(), all.end(), [&](const Waiter& waiter) {
@@ -90,8 +91,8 @@ const std::vector<Pushers::Waiter>& Pushers::waiters(ConditionId condition) {
   return out;
 }
 
-/// Its group is requested only where the condition holds.
-bool Pushers::is_asked_for_after(ProviderId causer, ConditionId condition) const {
+/// Whether its group is requested only while the condition holds.
+bool Pushers::is_requested_after(ProviderId causer, ConditionId condition) const {
   const GroupId group = input_.model.providers[causer].group;
   const std::vector<EdgeId>& above = input_.model.groups[group].requesters;
   const bool may_be_kept = std::any_of(above.begin(), above.end(), [&](EdgeId id) {
@@ -102,18 +103,19 @@ bool Pushers::is_asked_for_after(ProviderId causer, ConditionId condition) const
   return !may_be_kept && input_.facts.holds_always(input_.model, condition, input_.facts.contexts[group]);
 }
 
-/// A provider that never runs for another reason, which is told, may be what the task waits for all the same.
+/// A provider that never runs for another, reported reason may still be what the task waits for.
 bool Pushers::is_idle_pusher(const Waiter& waiter, ProviderId causer, ConditionId condition) {
   return waiter.idle && PushSearch(pushes_, waiter.task).may_push(causer, condition);
 }
 
-/// On the way to another push. Which task makes that, and whether it goes before this group, is not asked.
+/// Whether it is pushed for another push. Which task makes that push, and whether it goes before this group, is
+/// ignored.
 bool Pushers::is_pushed_in_chain(ProviderId causer, ConditionId condition) {
   return input_.facts.pushed.contains(causer) && in_chains_.count(condition) != 0;
 }
 
-/// Members of one unit push each other, although that seldom comes to anything: none is granted without the others but
-/// below a requester with new orders.
+/// Members of one unit push each other, although that seldom has an effect: none is granted without the others, except
+/// below a stale requester.
 bool Pushers::is_beside(const Waiter& waiter, ProviderId causer, ConditionId condition) {
   const GroupId group = input_.model.providers[causer].group;
   if (input_.facts.holds_always(input_.model, condition, input_.facts.contexts[waiter.task]) ||
@@ -122,7 +124,8 @@ bool Pushers::is_beside(const Waiter& waiter, ProviderId causer, ConditionId con
   bool out = false;
   input_.shared.chains().visit(waiter.task, {group}, [&](const Meeting& meeting, GroupId) {
     if (out || !meeting.one_unit() || meeting.second->target != group || !meeting.first_goes_before()) return;
-    // What never can be had together waits for no condition; and what is below one member finds the other granted.
+    // Tasks that can never be granted together wait for no condition; and a task below one member finds the other one
+    // granted.
     out = meeting.first->target != waiter.task
               ? !is_sure(group)
               : input_.shared.units().verdict({waiter.task, group}, true) != UnitVerdict::impossible;
@@ -130,7 +133,7 @@ bool Pushers::is_beside(const Waiter& waiter, ProviderId causer, ConditionId con
   return out;
 }
 
-/// Nothing takes it from its one requester, and nothing keeps it from running on.
+/// Whether nothing takes it from its only requester, and nothing stops it.
 bool Pushers::is_sure(GroupId group) const {
   const Group& row = input_.model.groups[group];
   return row.requesters.size() == 1 && std::all_of(row.providers.begin(), row.providers.end(), [&](ProviderId id) {
@@ -159,8 +162,8 @@ bool Pushers::comes_first(ProviderId rival, ProviderId causer, ConditionId condi
          is_free_for(rival, causer, condition);
 }
 
-/// Whoever waits for the condition goes before this group, which is held for nobody's need, and pushes nobody else
-/// there.
+/// Whether each task that waits for the condition goes before this group, which is not held for a need, and pushes no
+/// other group there.
 bool Pushers::is_free_for(ProviderId rival, ProviderId causer, ConditionId condition) {
   const Model& model = input_.model;
   const Chains& chains = input_.shared.chains();

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Whether any task ever pushes a provider for a condition, by itself or on the way to another push (semantics.md 4.4,
-// "Refuse"). It errs on one side only: what is not pushed here never is.
+// Whether any task ever pushes a provider for a condition, directly or for another push (semantics.md 4.4, "Refuse").
+// An over-approximation: what is not pushed here is never pushed.
 
 #include "compiler/analysis/facts/pushes.hpp"
 #include "compiler/analysis/facts/waiting.hpp"
@@ -19,7 +19,7 @@ class Pushers {
 public:
   explicit Pushers(const Input& input);
 
-  /// Some task may push it for this condition, if none of another group is preferred.
+  /// Whether some task may push it for this condition, if none of another group is preferred.
   bool may_push(ProviderId causer, ConditionId condition);
 
   /// Another provider that causes the condition too, can be pushed whenever this one can, and then always is.
@@ -31,9 +31,9 @@ private:
     bool idle = false; ///< some provider of it can never run
   };
 
-  /// Requested groups that look at the condition, by way of their needs too.
+  /// Requested groups whose conditions, or those of their needs, include this one.
   const std::vector<Waiter>& waiters(ConditionId condition);
-  bool is_asked_for_after(ProviderId causer, ConditionId condition) const;
+  bool is_requested_after(ProviderId causer, ConditionId condition) const;
   bool is_sure(GroupId group) const;
   bool is_idle_pusher(const Waiter& waiter, ProviderId causer, ConditionId condition);
   bool is_pushed_in_chain(ProviderId causer, ConditionId condition);
@@ -46,7 +46,7 @@ private:
   Waiting waiting_;
   Pushes pushes_;
   std::set<std::pair<ProviderId, ConditionId>> direct_;
-  std::set<ConditionId> in_chains_; ///< of providers that may be pushed, and of what these may need
+  std::set<ConditionId> in_chains_; ///< of providers that may be pushed, and of their possible needs
   std::map<ConditionId, std::vector<Waiter>> waiters_;
 };
 

@@ -9,9 +9,9 @@ namespace director::analysis {
 
 namespace {
 
-/// Beyond, nothing is said: of a condition behaviours as people write them take some tens.
+/// Limit, beyond which nothing is reported: real behaviours take some tens of steps for a condition.
 constexpr std::size_t most_steps = 200;
-/// What takes more to be lost at one time hardly ever is, and the search for it would take the square of a long ring.
+/// Limit: more conditions are hardly ever lost together, and the search would be quadratic in the length of a cycle.
 constexpr std::size_t most_lost = 3;
 
 } // namespace
@@ -36,7 +36,7 @@ bool Stopping::cannot_run(GroupId group, bool lose_more) {
   return std::all_of(all.begin(), all.end(), [&](ProviderId id) { return cannot_run(id, lose_more); });
 }
 
-/// First by what is lost already, so that no more is lost than has to be.
+/// Tries what is lost already first, to lose no more than necessary.
 bool Stopping::cannot_run(ProviderId id, bool lose_more) {
   if (is_stopped(id)) return true;
   if (steps_++ > most_steps) return false;
@@ -66,12 +66,12 @@ bool Stopping::may_be_lacking(ConditionId id) const {
   return model_.states[condition.state].may_be_unset() || !facts_.values[condition.state].subset_of(condition.accepts);
 }
 
-/// One condition of a state, so that all of them may be lacking at one time.
+/// At most one condition of a state, so that all of them may be false at one time.
 bool Stopping::lose_too(ConditionId id) {
   return order_.size() < most_lost && lost_.count(model_.conditions[id].state) == 0 && tries([&] { return lose(id); });
 }
 
-/// What comes to nothing leaves no trace.
+/// Undoes all changes if the attempt fails.
 template <class Attempt>
 bool Stopping::tries(const Attempt& attempt) {
   const auto before = std::tuple(lost_, order_, stopped_);
@@ -80,7 +80,7 @@ bool Stopping::tries(const Attempt& attempt) {
   return false;
 }
 
-/// A stop may come with the loss, and a state of a group that stops is then as it was at first.
+/// A stop may come together with the loss, and a state of a stopped group has its initial value.
 bool Stopping::cannot_act(const Source& source) {
   switch (source.kind) {
   case Source::Kind::initial: return !model_.states[source.state].of.has_value();
@@ -94,11 +94,11 @@ bool Stopping::cannot_act(const Source& source) {
   return false;
 }
 
-/// Neither its `when` nor its `stay` can do without, and no push lets it run without.
+/// Neither its `when` nor its `stay` can hold without it, and no push waives it.
 bool Stopping::is_always_needed(ProviderId id, const ConditionUse& use) const {
   const Condition& condition = model_.conditions[use.id];
   const Provider& provider = model_.providers[id];
-  if (facts_.is_impossible(id, condition.state)) return false; // taken for mended
+  if (facts_.is_impossible(id, condition.state)) return false; // treated as corrected
   const auto is_of_state = [&](const ConditionUse& other) {
     return model_.conditions[other.id].state == condition.state;
   };
@@ -110,7 +110,7 @@ bool Stopping::is_always_needed(ProviderId id, const ConditionUse& use) const {
   return at != stay.states.end() && at->second.subset_of(condition.accepts);
 }
 
-/// By itself, or by all providers of something that it needs.
+/// By itself, or by all providers of a need.
 template <class Takes>
 bool Stopping::lacks(ProviderId id, const Takes& takes) {
   const Provider& provider = model_.providers[id];
@@ -125,7 +125,7 @@ bool Stopping::lacks(ProviderId id, const Takes& takes) {
   });
 }
 
-/// All that request it are stopped.
+/// Whether all its requesters are stopped.
 bool Stopping::is_unrequested(GroupId group, bool lose_more) {
   const std::vector<EdgeId>& requesters = model_.groups[group].requesters;
   return std::all_of(requesters.begin(), requesters.end(), [&](EdgeId id) {

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What cannot run while some conditions do not hold: providers that need one of them, and what only these request.
-// Exact where it says so: all the rest is taken for possible.
+// Finds what cannot run while some conditions do not hold: providers that need one of them, and what only these
+// request. Exact in what it reports: everything else is assumed possible.
 
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/states/sources.hpp"
@@ -13,7 +13,7 @@
 
 namespace director::analysis {
 
-/// What is asked about while it is being asked about counts as stopped: it would rest on nothing but itself.
+/// A provider under examination counts as stopped: otherwise it would depend only on itself.
 class Stopping {
 public:
   Stopping(const Model& model, const Facts& facts, const IdTable<StateId, std::vector<Source>>& sources)
@@ -21,21 +21,21 @@ public:
         facts_(facts),
         sources_(sources) {}
 
-  /// The condition does not hold; whether it may come back is not asked.
+  /// Assumes that the condition does not hold; whether it may become true again is ignored.
   void suppose_lost(ConditionId id);
-  /// The condition is lost and never comes back, as all that could bring it back cannot run. If it takes that, other
-  /// conditions are lost with it, each on another state, of which that is true too.
+  /// Whether the condition, once lost, never becomes true again, as all its sources cannot run. If necessary, other
+  /// conditions are lost with it, each on another state, for which that is true too.
   bool lose(ConditionId id);
 
   /// `lose_more`: other conditions may be lost for it, as above.
   bool cannot_run(ProviderId id, bool lose_more);
   bool cannot_run(GroupId group, bool lose_more);
 
-  /// In the order in which they were found.
+  /// In the order of discovery.
   const std::vector<ConditionId>& lost() const { return order_; }
-  /// It was found that it cannot run.
+  /// Whether it was found that it cannot run.
   bool is_stopped(ProviderId id) const { return !facts_.active.contains(id) || stopped_.count(id) != 0; }
-  /// The lost condition of its own for want of which it cannot run.
+  /// The lost condition of its own for lack of which it cannot run.
   std::optional<ConditionUse> lacked_by(ProviderId id) const;
 
 private:
@@ -55,7 +55,7 @@ private:
   const IdTable<StateId, std::vector<Source>>& sources_;
   std::map<StateId, ConditionId> lost_;
   std::vector<ConditionId> order_;
-  std::set<ProviderId> stopped_; ///< those that are being asked about among them
+  std::set<ProviderId> stopped_; ///< including those under examination
   std::size_t steps_ = 0;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a check sees that reads the user's C++: the model, the facts, and for each body of a provider or handler what it
-// may come to over all that it calls.
+// The input of a check that reads the user's C++: the model, the facts, and for each body of a provider or handler
+// everything that it may call.
 
 #include "compiler/analysis/input.hpp"
 #include "compiler/facts/code.hpp"
@@ -13,7 +13,7 @@
 
 namespace director::analysis {
 
-/// Whose body a context is for.
+/// The provider or handler that a context is for.
 struct BodyOf {
   enum class Kind { provider, start, stop };
   Kind kind = Kind::provider;
@@ -21,7 +21,7 @@ struct BodyOf {
   std::optional<ProviderId> provider; ///< of a provider
 };
 
-/// What the things of a model are called in C++.
+/// The C++ names of the things of a model.
 struct CodeNames {
   explicit CodeNames(const Model& model, const CodeFacts& code);
   std::map<std::string, BodyOf, std::less<>> contexts;  ///< `soccer::Walk::Halting`
@@ -31,12 +31,12 @@ struct CodeNames {
   std::string context(const Model& model, const BodyOf& body) const;
 };
 
-/// What somebody cannot see.
+/// A call whose target is unknown.
 struct Unseen {
   std::string what; ///< "a call through a pointer", "`sim::Robot::move`"
   dsl::Span span{};
   std::string declared_in; ///< of a function without a body in what was read
-  bool carries = false;    ///< a context is given to it, so that anything may be asked for there
+  bool carries = false;    ///< it gets a context, so it may request anything
 };
 
 struct Blocked {
@@ -47,15 +47,15 @@ struct Blocked {
 struct Body {
   BodyOf of;
   const CodeFunction* function = nullptr;
-  std::vector<const CodeWord*> words; ///< of its context, here and below
-  std::vector<Blocked> blocks;        ///< each place once, the shortest chain to it
+  std::vector<const CodeWord*> words; ///< used of its context, here and below
+  std::vector<Blocked> blocks;        ///< each place once, with a shortest chain to it
   std::vector<Unseen> unseen;
-  std::vector<const CodeFunction*> open_ends; ///< functions that owe an answer and may not give one; itself first
-  bool doubtful = false;                      ///< some of it stands in a file with errors
+  std::vector<const CodeFunction*> open_ends; ///< functions that must answer and may not; itself first
+  bool doubtful = false;                      ///< some of it is in a file with errors
 
-  /// All that it may ask for is known: what is not among its words is never said.
+  /// Whether all that it may request is known: what is not among its words is never used.
   bool is_whole() const;
-  /// It is as `directorc stubs` wrote it: what it does not do yet, everybody knows.
+  /// Whether it is as `directorc stubs` wrote it: its author knows what is missing.
   bool is_unwritten() const { return function->unwritten; }
 };
 
@@ -71,16 +71,16 @@ CodeInput look_below(const Model& model, const CodeFacts& code);
 /// `Walk.halting`, "the start handler of `Walk`"
 std::string name_of(const Model& model, const BodyOf& body);
 
-/// The name of the provider or handler in the YAML.
+/// The place of the provider's or handler's name in the YAML.
 dsl::Span span_of(const Model& model, const BodyOf& body);
 
 /// `director::Outcome provide(soccer::Walk::Halting& run) override;`: how a class declares the body.
 std::string declaration_of(const BodyOf& body, const std::string& context);
 
-/// What it may set: `causing` and `sets`.
+/// The states that it may set: `causing` and `sets`.
 std::vector<ConditionUse> declared_by(const Model& model, const BodyOf& body);
 
-/// The value by its name in C++; nothing: the state has no such value.
+/// The value by its name in C++; empty: the state has no such value.
 std::optional<std::int64_t> value_of(const State& state, const std::string& name);
 
 } // namespace director::analysis

@@ -1,9 +1,9 @@
 // Header: compiler/analysis/code/code.hpp. Test: tests/compiler/checks/code_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// Two walks from each body over the calls. What it may ask for: over all calls, also of a lambda that somebody may
-// call; too much is no harm there, since the rules ask for what is never said. Whether it blocks: only over calls that
-// are made where they stand, and breadth first, so that the chain that is shown is a shortest one.
+// Searches the calls from each body twice. For what it may request: over all calls, also of a lambda that may be called
+// later; an over-approximation is safe, since the checks look for what never happens. For what blocks: only over direct
+// calls, breadth first, so that the reported chain is a shortest one.
 #include "compiler/analysis/code/code.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/model/cpp_names.hpp"
@@ -25,7 +25,7 @@ std::string without_blanks(std::string text) {
   return text.starts_with("::") ? text.substr(2) : text;
 }
 
-/// Who may be called where a virtual function is.
+/// Functions that a call of a virtual function may reach.
 using Overriders = std::map<std::string, std::vector<const CodeFunction*>, std::less<>>;
 
 Overriders find_overriders(const CodeFacts& code) {

@@ -10,7 +10,7 @@ bool is_pack(const CodeWord& word, const Pack& pack) {
   return word.kind == CodeWord::Kind::pack && word.pack == pack.name;
 }
 
-bool asks_for_pack(const Body& body, const Pack& pack) {
+bool requests_pack(const Body& body, const Pack& pack) {
   return std::any_of(body.words.begin(), body.words.end(), [&](const CodeWord* word) { return is_pack(*word, pack); });
 }
 

@@ -1,17 +1,17 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a body asks for, in the terms of the model.
+// What a body requests, in the terms of the model.
 
 #include "compiler/analysis/code/code.hpp"
 
 namespace director::analysis {
 
-/// It is this pack that the word asks for.
+/// Whether the word requests this pack.
 bool is_pack(const CodeWord& word, const Pack& pack);
-bool asks_for_pack(const Body& body, const Pack& pack);
-/// The task is among what is handed over.
+bool requests_pack(const Body& body, const Pack& pack);
+/// Whether the input contains the task.
 bool gives(const CodeInput& input, const CodeWord& word, GroupId task);
-/// It says keep() and no other answer.
+/// Whether its only answer is keep().
 bool only_keeps_going(const Body& body);
 
 } // namespace director::analysis

@@ -19,7 +19,7 @@ Groups in_common(const Groups& a, const Groups& b);
 struct Certain {
   Groups own;     ///< by its needs, from the beginning
   Groups all;     ///< and by what it requests in every pack of every provider
-  Groups depends; ///< all groups that one way or the other have a part in that
+  Groups depends; ///< all groups on which this depends
 };
 
 class Certainties {
@@ -28,16 +28,16 @@ public:
 
   const Certain& of(GroupId group);
 
-  /// Wherever the region holds some provider can run, as far as conditions go.
+  /// Whether some provider's conditions hold in the whole region.
   bool never_waits(GroupId group, const Region& region);
 
 private:
   bool never_waits(GroupId group);
-  /// What it requests as a mandatory task, whichever pack it chooses.
+  /// What it requests as a mandatory task in each of its packs.
   Groups requested_by(const Provider& provider, Groups& depends);
 
   const Input& input_;
-  std::map<GroupId, Certain> certain_; ///< a map: what `of` returned stays where it is
+  std::map<GroupId, Certain> certain_; ///< a map, for stable addresses: `of` returns references
   std::unordered_map<GroupId, bool> never_waits_;
 };
 

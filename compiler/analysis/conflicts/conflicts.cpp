@@ -18,15 +18,15 @@ const std::vector<PackConflict>& Conflicts::pack_conflicts() const {
   return *pack_conflicts_;
 }
 
-const std::vector<Circle>& Conflicts::circles() const {
-  if (!circles_) circles_ = find_circles(input_.model, input_.shared);
-  return *circles_;
+const std::vector<TaskCycle>& Conflicts::task_cycles() const {
+  if (!task_cycles_) task_cycles_ = find_task_cycles(input_.model, input_.shared);
+  return *task_cycles_;
 }
 
-bool Conflicts::closes_circle(EdgeId id) const {
+bool Conflicts::closes_cycle(EdgeId id) const {
   const Edge& edge = input_.model.edges[id];
-  return std::any_of(circles().begin(), circles().end(), [&](const Circle& circle) {
-    return circle.is_known && edge.target == circle.groups.back() && edge.requester == circle.last_requester();
+  return std::any_of(task_cycles().begin(), task_cycles().end(), [&](const TaskCycle& cycle) {
+    return cycle.is_known && edge.target == cycle.groups.back() && edge.requester == cycle.last_requester();
   });
 }
 

@@ -1,15 +1,15 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What excludes each other, which more than one check asks for: found when the first one does and kept for the run, as
-// what is shared is, from which it follows.
+// Mutual exclusions that several checks use: computed on first use and kept for the run, like Shared, from which they
+// follow.
 
 #include "compiler/analysis/clashes/clashes.hpp"
-#include "compiler/analysis/conflicts/circles.hpp"
 #include "compiler/analysis/conflicts/grants.hpp"
 #include "compiler/analysis/conflicts/losers.hpp"
 #include "compiler/analysis/conflicts/outranked.hpp"
 #include "compiler/analysis/conflicts/pack_conflicts.hpp"
 #include "compiler/analysis/conflicts/starving.hpp"
+#include "compiler/analysis/conflicts/task_cycles.hpp"
 #include "compiler/analysis/input.hpp"
 
 #include <optional>
@@ -24,15 +24,16 @@ public:
   Conflicts(const Conflicts&) = delete;
   Conflicts& operator=(const Conflicts&) = delete;
 
-  /// All that a check sees.
+  /// The input of the checks.
   const Input& input() const { return input_; }
 
   const std::vector<Clash>& clashes() const;
   /// Of all packs and flat lists.
   const std::vector<PackConflict>& pack_conflicts() const;
-  const std::vector<Circle>& circles() const;
-  /// It leads back to a group that is always above it: that it is never granted is told of the circle.
-  bool closes_circle(EdgeId edge) const;
+  const std::vector<TaskCycle>& task_cycles() const;
+  /// Whether it leads back to a group that is always above it: the finding about the cycle reports that it is never
+  /// granted.
+  bool closes_cycle(EdgeId edge) const;
   /// Below all roots.
   const Grants& grants() const;
   const std::vector<Loser>& losers() const;
@@ -46,7 +47,7 @@ private:
   Takers& takers() const;
   Packmates& packmates() const;
 
-  mutable std::optional<std::vector<Circle>> circles_;
+  mutable std::optional<std::vector<TaskCycle>> task_cycles_;
   mutable std::optional<Takers> takers_;
   mutable std::optional<Packmates> packmates_;
   mutable std::optional<Grants> grants_;

@@ -17,9 +17,9 @@ namespace {
 
 using ChainEntry = Chains::Entry;
 
-/// So many are looked at closely for one group; those with the shortest chains come first.
+/// Limit for the candidates of one group that are examined closely; those with the shortest chains are taken.
 constexpr std::size_t most_candidates_kept = 8;
-/// So many are collected, in the order in which they are written.
+/// Limit for collected candidates, in the order of declaration.
 constexpr std::size_t most_collected = 64;
 
 class ContenderSearch {
@@ -59,7 +59,7 @@ private:
     std::size_t steps = 0;
   };
 
-  /// At some levels the other one does not go after.
+  /// Whether there are levels at which the other one does not go after.
   bool may_win(const ChainEntry& ours, const ChainEntry& theirs) const {
     const std::vector<Level>& a = input_.model.edges[ours.task->edge].levels;
     const std::vector<Level>& b = input_.model.edges[theirs.task->edge].levels;
@@ -71,7 +71,7 @@ private:
     });
   }
 
-  /// The nearest way of one entry, at whichever levels the two meet.
+  /// Examines the nearest path of one entry, at all levels at which the two meet.
   void look_at(const ChainEntry& ours, const ChainEntry& theirs) {
     const Model& model = input_.model;
     const Claims& claims = input_.shared.claims(theirs.task->target);
@@ -80,14 +80,14 @@ private:
       for (const Task::NamedLevel& b : theirs.task->levels) {
         Meeting meeting{ours.together, ours.task, theirs.task, model.edges[ours.task->edge].levels[a.level],
                         model.edges[theirs.task->edge].levels[b.level]};
-        // Where its own chain may be optional it is at its weakest.
+        // The worst case for its own chain is the optional one.
         meeting.first_optional = meeting.first_level.optional || ours.optional;
         for (const Reach reach : all_reaches) {
           const Claim* claim = claims.find(group_, reach);
           if (claim == nullptr || (best && best->steps <= claim->steps) || !compatible(claim->region, region_))
             continue;
           meeting.second_optional = meeting.second_level.optional || reach == Reach::optional;
-          // What a unit holds from the beginning is another check's affair.
+          // What a unit holds from the beginning is left to another check.
           if (meeting.first_goes_before() || (meeting.one_unit() && reach == Reach::own)) continue;
           best = Candidate{meeting, reach, claim->steps};
         }
@@ -96,7 +96,7 @@ private:
     if (best) candidates_.push_back(*best);
   }
 
-  /// A group is held once: the two chains have nothing in common above.
+  /// A group is held once: the two chains have no common group above.
   std::optional<Contender> confirm(const Candidate& candidate) const {
     const Meeting& meeting = candidate.meeting;
     const Claims& ours = input_.shared.claims(meeting.first->target);
@@ -123,7 +123,7 @@ private:
   std::vector<Candidate> candidates_;
 };
 
-/// Groups that the provider holds from the beginning, whatever plan it has.
+/// Groups that the provider holds from the beginning with each of its plans.
 std::vector<GroupId> reserved_groups(const Input& input, const Provider& provider) {
   std::vector<GroupId> out;
   for (const Use<GroupId>& need : provider.needs) {
@@ -155,7 +155,7 @@ std::vector<ContendedTask> find_contended_tasks(const Input& input, ProviderId i
   const Provider& provider = model.providers[id];
   const std::vector<GroupId> reserved = reserved_groups(input, provider);
   const auto is_reserved = [&](GroupId group) { return std::binary_search(reserved.begin(), reserved.end(), group); };
-  /// Somebody asks for it who is not the provider itself, or part of the task.
+  /// Whether a group requests it that is neither the provider itself nor part of the task.
   const auto is_wanted_elsewhere = [&](GroupId group, const std::vector<GroupId>& parts) {
     const std::vector<EdgeId>& requesters = model.groups[group].requesters;
     return std::any_of(requesters.begin(), requesters.end(), [&](EdgeId edge) {
@@ -170,7 +170,7 @@ std::vector<ContendedTask> find_contended_tasks(const Input& input, ProviderId i
     for (const Task* task : unit_members(model, pack)) {
       if (is_reserved(task->target) || !seen.add(task->target)) continue;
       const auto& parts = input.shared.indispensable().of(task->target);
-      // What the provider holds itself the task never gets: that is another fault.
+      // What the provider itself holds the task never gets: another check reports that.
       if (!parts || std::any_of(parts->begin(), parts->end(), is_reserved)) continue;
       std::optional<ContendedTask> found;
       std::vector<GroupId> wanted{task->target};

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Who may keep a group from a provider that asks for it when it has begun: somebody who meets it above, does not go
-// after it, and may come to hold the group by a chain of its own.
+// Finds what may withhold a group from a provider that requests it after it has begun: a task that meets it above, does
+// not go after it, and may come to hold the group by a chain of its own.
 
 #include "compiler/analysis/input.hpp"
 #include "compiler/analysis/shared/shared.hpp"
@@ -23,16 +23,16 @@ std::optional<Contender> find_contender(const Input& input, ProviderId provider,
 /// The notes: where they meet, and the chain.
 void add_contender(const Model& model, const Contender& contender, GroupId group, dsl::Diagnostic& finding);
 
-/// Its mandatory tasks that others may keep from it although nobody can take its own needs away: each once, as first
-/// written.
+/// Its mandatory tasks that others may prevent although nothing can take its own needs away: each once, at its first
+/// entry.
 struct ContendedTask {
   const Task* task = nullptr;
-  GroupId group{}; ///< the task's own, or one that this comes down to
+  GroupId group{}; ///< the task's own, or one that it leads to
   Contender contender;
 };
 std::vector<ContendedTask> find_contended_tasks(const Input& input, ProviderId provider);
 
-/// The first of its needs that is also a mandatory task of its.
+/// The first of its needs that it also requests as a mandatory task.
 const Use<GroupId>* find_needed_task(const Model& model, const Provider& provider);
 
 } // namespace director::analysis

@@ -13,8 +13,8 @@ namespace director::analysis {
 
 namespace {
 
-/// So many steps down are gone to look closely, for all pairs together. A behaviour of 10,000 groups, as people write
-/// them, takes a hundredth.
+/// Limit for the edges that are followed closely, for all pairs together. A real behaviour of 10,000 groups takes a
+/// hundredth.
 constexpr std::size_t most_effort = 10'000'000;
 
 bool match(const Meeting& meeting, const Claim* a, Reach how_a, const Claim* b, Reach how_b) {
@@ -44,7 +44,7 @@ std::optional<Rivalling> Contests::look_at(const Together& together, const Task&
   return std::nullopt;
 }
 
-/// Where two levels of two entries are equal: what both may want, those with the shortest chains first.
+/// For equal levels of two entries: what both may want, those with the shortest chains first.
 std::vector<Contest> Contests::find_candidates(const Meeting& meeting) const {
   std::vector<Contest> out;
   if (meeting.first_level.priority != meeting.second_level.priority) return out;
@@ -63,8 +63,8 @@ std::vector<Contest> Contests::find_candidates(const Meeting& meeting) const {
   return out;
 }
 
-/// The first one with chains that do not meet before the end. All are looked at: of two that lead to each other the
-/// nearest hundreds may be none.
+/// The first one with chains that do not meet before the end. All are tried: for two that lead to each other the
+/// nearest hundreds may have none.
 std::optional<Contest> Contests::find(const Meeting& meeting, const std::vector<Contest>& candidates) {
   Lookups lookups;
   for (const Contest& candidate : candidates) {
@@ -86,7 +86,7 @@ std::optional<MutualWait> Contests::find_mutual_wait(const Meeting& meeting, con
   Lookups lookups;
   for (Contest other : candidates) {
     if (effort_ > most_effort) return std::nullopt;
-    // A group has one holder: nobody waits for what both hold.
+    // A group has one holder: nothing waits for a group that both hold.
     if (other.group == contest.group || held.count(other.group) == 0 || !find_paths(meeting, other, lookups)) continue;
     if (held_before(other.second_path).count(contest.group) != 0)
       return MutualWait{other.group, std::move(other.first_path), std::move(other.second_path)};
@@ -94,7 +94,7 @@ std::optional<MutualWait> Contests::find_mutual_wait(const Meeting& meeting, con
   return std::nullopt;
 }
 
-/// What is held for certain when the last request of a chain is made: what comes by needs comes all at once.
+/// What is certainly held when the last request of a chain is made: needs are granted all at once.
 std::set<GroupId> Contests::held_before(const std::vector<ChainStep>& chain) const {
   const auto last = std::find_if(chain.rbegin(), chain.rend(), [](const ChainStep& step) { return !step.by_need; });
   std::set<GroupId> out;
@@ -105,7 +105,7 @@ std::set<GroupId> Contests::held_before(const std::vector<ChainStep>& chain) con
   return out;
 }
 
-/// Once for all pairs from there on.
+/// Recorded once for all pairs from there on.
 void Contests::leave_open(const Meeting& meeting) {
   if (std::exchange(is_open_, true)) return;
   shared_.budget().leave_open(meeting.second->span,
@@ -114,8 +114,7 @@ void Contests::leave_open(const Meeting& meeting) {
                                           name_of(model_, meeting.second->target)));
 }
 
-/// Two chains that have no group in common above the contested one: a group is held once, so else they would meet
-/// there.
+/// Two chains that have no group in common above the contested one: otherwise they would meet at that group.
 bool Contests::find_paths(const Meeting& meeting, Contest& contest, Lookups& lookups) {
   const Claims& first = shared_.claims(meeting.first->target);
   const Claim* ours = first.find(contest.group, contest.first);
@@ -142,7 +141,7 @@ bool Contests::find_paths(const Meeting& meeting, Contest& contest, Lookups& loo
   Claims second(shared_.branches(), meeting.second->target, above, serves);
   effort_ += second.effort();
   if (find_second(second)) return true;
-  known.without = std::move(second); // the search went to the end
+  known.without = std::move(second); // the search was complete
   return false;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Whether two entries of one list of tasks compete at equal rank: what both may want, and how each comes to it.
+// Finds out whether two entries of one list of tasks compete at equal rank: what both may want, and by which chains.
 
 #include "compiler/analysis/chains/meetings.hpp"
 #include "compiler/analysis/shared/shared.hpp"
@@ -16,7 +16,7 @@
 
 namespace director::analysis {
 
-/// A group that two tasks may want at the same time, at equal rank, and how each comes to it.
+/// A group that two tasks may want at the same time, at equal rank, with both chains.
 struct Contest {
   GroupId group{};
   Reach first = Reach::own, second = Reach::own;
@@ -24,8 +24,8 @@ struct Contest {
   std::vector<ChainStep> first_path, second_path;
 };
 
-/// What the first one may hold while it waits for the group of the contest, and the second one waits for that while it
-/// holds the group of the contest.
+/// What the first one may hold while it waits for the contested group, and what the second one, which holds that, waits
+/// for.
 struct MutualWait {
   GroupId held{};
   std::vector<ChainStep> first_path, second_path; ///< to what is held
@@ -39,24 +39,24 @@ struct Rivalling {
   Meeting meeting;
   Contest contest;
   std::optional<MutualWait> mutual_wait;
-  std::vector<Stake> stakes; ///< all that it may be about
+  std::vector<Stake> stakes; ///< all that they may compete for
 };
 
-/// For all pairs of a behaviour: what they cost is counted together.
+/// For all pairs of a behaviour: their cost is counted together.
 class Contests {
 public:
   Contests(const Model& model, const Shared& shared) : model_(model), shared_(shared) {}
 
-  /// One for a pair, whatever its levels. `first`: who wins if both ask at once.
+  /// One contest for a pair, at all its levels. `first`: the winner if both are requested at once.
   std::optional<Rivalling> look_at(const Together& together, const Task& first, const Task& second);
 
 private:
-  /// The last step before a contested group on the first one's way, and what is known of what is above that.
+  /// The last step before a contested group on the first chain, and what is known above it.
   struct Above {
-    bool leads_through = false;    ///< the second one is there
-    std::optional<Claims> without; ///< what the second one comes to by none of it
+    bool leads_through = false;    ///< the second chain leads through it
+    std::optional<Claims> without; ///< what the second task reaches without it
   };
-  /// Of one pair, by whether there is such a step, and from where and how it goes: many groups hang on the same one.
+  /// Of one pair, by that step, if there is one: many groups depend on the same one.
   using Lookups = std::map<std::tuple<bool, GroupId, Reach>, Above>;
 
   std::vector<Contest> find_candidates(const Meeting& meeting) const;

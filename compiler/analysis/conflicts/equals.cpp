@@ -5,7 +5,7 @@
 #include "compiler/analysis/chains/overlaps.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/needs/units.hpp"
-#include "compiler/analysis/words/told.hpp"
+#include "compiler/analysis/words/reported_pairs.hpp"
 
 #include <algorithm>
 #include <map>
@@ -15,10 +15,9 @@ namespace director::analysis {
 
 namespace {
 
-/// For each entry those before it that have a priority in common with it and may come to hold the same group, in order.
-/// Of many entries only few meet, so they are not all compared with each other, and what an entry may come to hold is
-/// asked only of one that overlaps with another one of its priority: in a chain of groups all that is below would be
-/// kept for each of them.
+/// For each entry the earlier ones that share a priority with it and may come to hold the same group, in order. In a
+/// long list few entries meet, so not all pairs are compared, and claims are computed only for an entry that overlaps
+/// with another one of its priority: for a chain of groups they would hold everything below each of them.
 class Claimants {
 public:
   Claimants(const Input& input, Overlaps& overlaps, const std::vector<Task>& tasks) : stakes_(tasks.size()) {
@@ -52,7 +51,7 @@ private:
   std::vector<std::vector<const std::vector<std::size_t>*>> stakes_; ///< of each entry
 };
 
-/// Pairs of which another check tells.
+/// Pairs that another check reports.
 class Lost {
 public:
   explicit Lost(const Input& input) : units_(input.shared.units()), model_(input.model) {
@@ -74,14 +73,14 @@ public:
     }
   }
 
-  /// One side always loses, or both.
+  /// Whether one of the two always loses, or both.
   bool contains(const Task& first, const Task& second) const {
     return pairs_.count({&first, &second}) != 0 || kept_off_.count(&first) + kept_off_.count(&second) != 0;
   }
 
-  /// Two members of a long unit that exclude each other: each of them is told of with another one.
+  /// Two members of a long unit that exclude each other: each of them is reported with another one.
   bool excludes(const Together& together, const Task& first, const Task& second) const {
-    return together.provider && together.tasks->size() > told_in_pairs && shares_unit(model_, first) &&
+    return together.provider && together.tasks->size() > longest_with_all_pairs && shares_unit(model_, first) &&
            shares_unit(model_, second) && units_.verdict({first.target, second.target}) == UnitVerdict::impossible;
   }
 
@@ -89,7 +88,7 @@ private:
   Units& units_;
   const Model& model_;
   std::set<std::pair<const Task*, const Task*>> pairs_;
-  std::set<const Task*> kept_off_; ///< by what the requester keeps for itself
+  std::set<const Task*> kept_off_; ///< by what the requester holds itself
 };
 
 } // namespace
@@ -102,17 +101,17 @@ std::vector<EqualList> find_equals(const Input& input) {
   for (const Together& together : input.shared.chains().together()) {
     const std::vector<Task>& tasks = *together.tasks;
     const Claimants claimants(input, overlaps, tasks);
-    Told<Stake> told(tasks.size()), told_by_others(tasks.size());
+    ReportedPairs<Stake> reported(tasks.size()), reported_by_others(tasks.size());
     EqualList list{&together, {}};
     for (std::size_t j = 1; j < tasks.size(); ++j) {
       for (const std::size_t i : claimants.before(j)) {
-        if (told.covers(i, j) || told_by_others.covers(i, j) || lost.contains(tasks[i], tasks[j])) continue;
-        // Asked at once, the edge that is declared first wins.
+        if (reported.covers(i, j) || reported_by_others.covers(i, j) || lost.contains(tasks[i], tasks[j])) continue;
+        // If both are requested at once, the edge that is declared first wins.
         const bool swapped = tasks[j].edge < tasks[i].edge;
         auto found = contests.look_at(together, tasks[swapped ? j : i], tasks[swapped ? i : j]);
         if (!found) continue;
         const bool excluded = lost.excludes(together, tasks[i], tasks[j]);
-        for (const Stake& stake : found->stakes) (excluded ? told_by_others : told).tell(i, j, stake);
+        for (const Stake& stake : found->stakes) (excluded ? reported_by_others : reported).add(i, j, stake);
         if (!excluded) list.pairs.push_back({std::move(*found), i, j});
       }
     }

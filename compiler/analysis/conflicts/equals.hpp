@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Of each list of tasks the pairs that compete at equal rank and of which no other check tells.
+// For each list of tasks the pairs that compete at equal rank and that no other check reports.
 
 #include "compiler/analysis/conflicts/contests.hpp"
 #include "compiler/analysis/input.hpp"
@@ -10,7 +10,7 @@
 
 namespace director::analysis {
 
-/// Two of one list, by their places in it.
+/// Two entries of one list, by their places.
 struct EqualPair : Rivalling {
   std::size_t earlier = 0, later = 0;
 };
@@ -20,8 +20,8 @@ struct EqualList {
   std::vector<EqualPair> pairs;
 };
 
-/// Lists without such a pair are left out. Of a long list (told.hpp) each entry with the first one that competes with
-/// it for the same.
+/// Lists without such a pair are left out. In a long list (reported_pairs.hpp) each entry is paired with the first one
+/// that competes with it for the same.
 std::vector<EqualList> find_equals(const Input& input);
 
 } // namespace director::analysis

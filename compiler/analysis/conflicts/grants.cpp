@@ -11,7 +11,8 @@ namespace director::analysis {
 
 namespace {
 
-/// Whether something that a provider takes can be had while others hold something, and else one of these.
+/// Decides whether what a provider takes is available while others hold something, and if not, which of them prevents
+/// it.
 class Trial {
 public:
   /// `only_steady`: also of a unit.
@@ -25,7 +26,7 @@ public:
         is_needed_(input.model.edges[task.edge].needed),
         only_steady_(only_steady) {}
 
-  /// A claim to the group by a request or need of `by`. `whole`: with some way to meet what it needs.
+  /// A claim to the group by a request or need of `by`. `whole`: with some plan for its needs.
   bool can_have(std::optional<GroupId> by, GroupId group) {
     const auto at = held_.find(group);
     if (at == held_.end() || !counts(at->second) || (by && has(at->second.needers, *by))) return true;
@@ -43,7 +44,7 @@ public:
 private:
   bool can_meet(GroupId by, GroupId group) {
     if (!can_have(by, group)) return false;
-    const auto [at, is_new] = met_.try_emplace(group, false); // on the way round a circle: no
+    const auto [at, is_new] = met_.try_emplace(group, false); // at a cycle: no
     if (!is_new) return at->second;
     bool out = false;
     for (const ProviderId id : input_.model.groups[group].providers) {
@@ -55,16 +56,16 @@ private:
   bool counts(const Taker& taker) const {
     if (taker.steady) return true;
     if (taker.kind == Taker::Kind::unit || taker.kind == Taker::Kind::above) return !only_steady_;
-    // Beside an entry of the same group that has new orders nothing new is granted either. Where somebody else keeps
-    // the taker from something, the task has its chance, unless it must have that too; and it has that if its requester
-    // needs it.
+    // Nothing new is granted beside a stale entry of the same group either. If another requester withholds something
+    // from the taker, the task may get it, unless it must have that too; and it has that if its requester needs it.
     return taker.over == &task_ && !is_needed_ &&
            std::includes(must_.begin(), must_.end(), taker.spoilers.begin(), taker.spoilers.end()) &&
            std::none_of(taker.spoilers.begin(), taker.spoilers.end(),
                         [&](GroupId group) { return may_inherit(group); });
   }
 
-  /// Somebody else may run what needs the group for the task, and when the one changes hands so does the other.
+  /// Whether another requester may run what needs the group for the task: if control of that group passes, so does
+  /// control of this one.
   bool may_inherit(GroupId group) const {
     const Groups& needed = input_.shared.units().needed(task_.target);
     const std::vector<EdgeId>& all = input_.model.groups[group].requesters;
@@ -91,7 +92,7 @@ void put(Held& into, const Taker& taker) {
   if (!is_new && !at->second.steady && taker.steady) at->second = taker;
 }
 
-/// What both hold. False: `into` is what it was.
+/// Intersects the two; false: `into` is unchanged.
 bool meet(Held& into, const Held& other) {
   bool changed = false;
   for (auto at = into.begin(); at != into.end();) {
@@ -173,7 +174,7 @@ std::vector<ChainStep> Grants::chain_to(GroupId group) const {
 }
 
 void Grants::run() {
-  // Requesters first, so that most are looked at once.
+  // Requesters first, so that most groups are visited once.
   while (!open_.empty()) {
     const GroupId group = open_.begin()->second;
     open_.erase(open_.begin());
@@ -206,8 +207,8 @@ void Grants::visit(const Provider& provider, const Pack& pack, const Standing& a
   }
 }
 
-/// With what the group itself holds as long as it runs, whichever of its providers does: what it requested stands until
-/// another one requests something else.
+/// Includes what the group itself holds as long as it runs, with any of its providers: its requests remain until
+/// another provider requests something else.
 Grants::Standing Grants::standing_of(GroupId group) {
   Standing out = standing_[group];
   std::vector<ProviderId> running;
@@ -285,7 +286,7 @@ void Grants::enter(std::optional<GroupId> requester, const Entry& entry) {
   if (changed) open_.emplace(takers_.place_of(target), target);
 }
 
-/// When all is known.
+/// Called when everything is known.
 void Grants::refuse(std::optional<GroupId> requester, const Entry& entry) {
   const std::vector<ProviderId>& all = input_.model.groups[entry.task->target].providers;
   const bool runs = std::any_of(all.begin(), all.end(), [&](ProviderId id) { return granted_.contains(id); });

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Which tasks are ever granted, as far as what is held before them tells. From some entries down: for whom a task runs
-// sometimes, and what is certain to be held by then; each follows from the other, so both are found together. It errs
-// on one side only: what is not granted here never is.
+// Finds the tasks that are ever granted, given what is held before them. From some entries down: the requesters for
+// which a task may run, and what is certainly held by then; both are found together, as each depends on the other. An
+// over-approximation: what is not granted here is never granted.
 
 #include "compiler/analysis/chains/sparse_set.hpp"
 #include "compiler/analysis/chains/step.hpp"
@@ -18,7 +18,7 @@
 
 namespace director::analysis {
 
-/// By what is held.
+/// The groups that are held, each with its taker.
 using Held = std::map<GroupId, Taker>;
 
 /// Why a provider is not granted for an entry.
@@ -29,25 +29,27 @@ struct Refusal {
 
 /// An entry that is never granted, with a reason for each provider that could run for it.
 struct Refused {
-  std::optional<GroupId> requester; ///< nothing: root
+  std::optional<GroupId> requester; ///< empty: root
   const Task* task = nullptr;
   std::vector<Refusal> refusals; ///< never empty
 };
 
 class Grants {
 public:
-  /// Below all roots. Only what is taken steadily counts.
+  /// Below all roots. Only what is held steadily counts.
   Grants(const Input& input, Takers& takers, Packmates& packmates);
-  /// Only below this pack, while that provider is active, whoever its group runs for.
+  /// Only below this pack, while that provider is active, for any requester of its group.
   Grants(const Input& input, Takers& takers, Packmates& packmates, ProviderId above, const Pack& pack);
 
-  /// Tasks that are never granted, by edge: the entries for them. Not where others of their unit are to blame.
+  /// Tasks that are never granted, by edge: their entries. Without those that fail because of other members of their
+  /// unit.
   const std::map<EdgeId, std::vector<Refused>>& refused() const { return refused_; }
   /// Providers that never run although others of their group do, and what they lack at the first entry.
   const std::map<ProviderId, Refused>& idle() const { return idle_; }
-  /// Some request for it comes to be tried with something to be had: else it is blocked, and waits for no condition.
+  /// Whether some request for it is tried with something available: otherwise it is blocked, and waits for no
+  /// condition.
   bool is_tried(GroupId group) const { return standing_.count(group) != 0; }
-  /// How many packs were looked at, some of them more than once.
+  /// How many packs were visited, some more than once.
   std::size_t visits() const { return visits_; }
   /// The shortest chain of requests that leads to this group from the pack.
   std::vector<ChainStep> chain_to(GroupId group) const;
@@ -55,13 +57,13 @@ public:
 private:
   struct Standing {
     Held held;     ///< whenever the group runs
-    Held optional; ///< and by the time when something optional below it is tried
+    Held optional; ///< and when something optional below it is tried
   };
   struct Entry {
     const Task* task = nullptr;
     bool in_unit = false, grantable = false;
     Held held;      ///< when it is tried
-    Standing below; ///< when what is below it is
+    Standing below; ///< when something below it is tried
   };
 
   void run();

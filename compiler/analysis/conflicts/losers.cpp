@@ -10,13 +10,13 @@ namespace director::analysis {
 
 namespace {
 
-/// So many packs are looked at below all others. A behaviour of 10,000 groups, as people write them, takes a tenth.
+/// Limit for the packs visited below all others. A real behaviour of 10,000 groups takes a tenth.
 constexpr std::size_t most_visits = 100'000;
 
-/// Something that is held from the beginning may be wanted once more further down.
+/// Whether something that is held from the beginning may be wanted again further down.
 bool is_worth_a_look(const Input& input, Takers& takers, ProviderId id, const Pack& pack) {
   const Provider& provider = input.model.providers[id];
-  std::map<GroupId, const Task*> held; ///< by which entry, if by one alone
+  std::map<GroupId, const Task*> held; ///< by which entry, if only by one
   for (const GroupId group : takers.must(id)) {
     if (takers.is_contested(group)) held[group] = nullptr;
   }
@@ -36,7 +36,7 @@ bool is_worth_a_look(const Input& input, Takers& takers, ProviderId id, const Pa
   });
 }
 
-/// The fault of this pack, or of whose it is; nothing: of none of the two.
+/// The taker if this pack or its owner is the cause; null if neither is.
 const Taker* find_own(const Refused& refused, GroupId above, const Pack& pack) {
   for (const Refusal& refusal : refused.refusals) {
     const Taker& taker = refusal.taker;
@@ -74,7 +74,7 @@ std::vector<Loser> find_losers(const Input& input, Takers& takers, Packmates& pa
           const GroupId first = loser.chain.front().to;
           const auto entry = std::find_if(pack.tasks.begin(), pack.tasks.end(),
                                           [&](const Task& task) { return task.target == first; });
-          if (entry == pack.tasks.end()) continue; // it is reached again, by way of another pack of it
+          if (entry == pack.tasks.end()) continue; // it is reached again, by another of its packs
           loser.entry = &*entry;
           out.push_back(std::move(loser));
           break;

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Who never gets what is held above it, or by the company of one that is above it.
+// Finds tasks that never get what is held above them, or by a task that is granted together with one above them.
 
 #include "compiler/analysis/conflicts/grants.hpp"
 #include "compiler/analysis/input.hpp"
@@ -10,14 +10,14 @@
 namespace director::analysis {
 
 struct Loser {
-  ProviderId above{};           ///< whose pack it is
+  ProviderId above{};           ///< the owner of the pack
   const Task* entry = nullptr;  ///< of that pack: from there requests lead to the loser, or it is the loser itself
   Refused refused;              ///< the loser
-  Taker taker;                  ///< `above`: by that provider; else by another entry of the pack
+  Taker taker;                  ///< `above`: that provider; else another entry of the pack
   std::vector<ChainStep> chain; ///< the requests from the pack to the loser
 };
 
-/// Of every pack, whoever its group runs for; shorter chains first. Not what is the fault of somebody further down.
+/// For every pack, and any requester of its group; shorter chains first. Without those whose cause is further down.
 std::vector<Loser> find_losers(const Input& input, Takers& takers, Packmates& packmates);
 
 } // namespace director::analysis

@@ -38,7 +38,7 @@ private:
     for (const ProviderId id : shared_.causers()[use.id]) {
       const GroupId group = model_.providers[id].group;
       if (group == model_.providers[waiter].group) continue;
-      // What runs without a push may cause it, and what never runs is reported with that.
+      // What runs without a push may cause it; what never runs is reported by another check.
       if (!facts_.active.contains(id) || facts_.chosen.contains(id)) return;
       want.causers.push_back(id);
       groups.push_back(group);
@@ -57,7 +57,7 @@ private:
     return companies_.try_emplace(groups, model_, facts_, shared_.requests(), groups).first->second;
   }
 
-  /// By whatever but the causing providers, and the end of their groups: these are requested all the while.
+  /// By anything but the causing providers and the stop of their groups, which are requested the whole time.
   bool comes_otherwise(const Want& want, const std::vector<GroupId>& groups) const {
     const Condition& condition = model_.conditions[want.condition.id];
     const auto among = [](const auto& all, auto one) { return std::find(all.begin(), all.end(), one) != all.end(); };
@@ -70,7 +70,7 @@ private:
     });
   }
 
-  /// Another task of the same list goes before the causing group, and may push it for its own sake.
+  /// Another task of the same list goes before the causing group, and may push it for itself.
   bool others_push(const Want& want, const Company::Rank& rank) const {
     const auto is_wanted = [&](ProviderId causer) {
       return std::find(want.causers.begin(), want.causers.end(), causer) != want.causers.end();
@@ -81,7 +81,7 @@ private:
     });
   }
 
-  /// What waits is there to be pushed by what goes first, not to run beside it.
+  /// What waits is meant to be pushed by the task that goes first, not to run beside it.
   bool is_pushed_company(const Company::Rank& rank) const {
     const Claims& below = shared_.claims(rank.waits->target);
     return leads_to_pusher(rank.first->target,

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Requests that may wait for a condition, and for which nobody is pushed: where they stand, the group that could cause
-// it does not rank after what waits.
+// Finds requests that may wait for a condition without pushing anything: the group that could cause it does not rank
+// after what waits.
 
 #include "compiler/analysis/input.hpp"
 
@@ -18,7 +18,7 @@ struct Outranked {
   const Task* first = nullptr;     ///< beside `waits`: leads to a causing group and does not rank after it
 };
 
-/// In order of waiter, condition and request. Nothing where the state may come true without that push.
+/// In order of waiter, condition and request. Without those whose condition may become true without that push.
 std::vector<Outranked> find_outranked(const Input& input);
 
 } // namespace director::analysis

@@ -7,7 +7,7 @@
 #include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
-#include "compiler/analysis/words/told.hpp"
+#include "compiler/analysis/words/reported_pairs.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/base/counted.hpp"
 
@@ -31,7 +31,7 @@ std::vector<GroupId> targets_of(const std::vector<const Task*>& members) {
   return out;
 }
 
-/// A group that two tasks cannot do without, by the shortest chains.
+/// A group that two tasks cannot run without, by the shortest chains.
 struct SharedGroup {
   GroupId group{};
   std::vector<ChainStep> first, second;
@@ -47,7 +47,7 @@ std::optional<SharedGroup> find_shared_group(const Input& input, GroupId a, Grou
   return best;
 }
 
-/// A state that the two can never agree about.
+/// A state on which no choices of the two agree.
 std::optional<StateId> find_split_state(Units& units, GroupId a, GroupId b) {
   const Region first = units.region_at_best(a), second = units.region_at_best(b);
   for (const auto& [state, values] : first.states) {
@@ -72,7 +72,7 @@ void add_conditions(const Model& model, Units& units, GroupId member, StateId st
   }
 }
 
-/// What each choice takes and where it runs, for a conflict that no single group or state explains.
+/// Adds what each choice takes and where it runs, for a conflict that no single group or state explains.
 void add_choices(const Model& model, const std::vector<const Task*>& members, Diagnostic& finding) {
   for (const Task* member : members) {
     for (const ProviderId id : model.groups[member->target].providers) {
@@ -88,7 +88,7 @@ void add_choices(const Model& model, const std::vector<const Task*>& members, Di
   }
 }
 
-/// Of two that take the same the one that is granted, were the second one to wait for itself alone.
+/// Of two tasks that take the same group the one that is granted, if the second one were not in the unit.
 const Task& winner_of(const Model& model, const Task& first, const Task& second) {
   const auto rank = [&](const Task& task) {
     const auto& levels = model.edges[task.edge].levels;
@@ -97,7 +97,7 @@ const Task& winner_of(const Model& model, const Task& first, const Task& second)
   return rank(first) < rank(second) ? second : first;
 }
 
-/// `by_groups`: they exclude each other whatever the states are.
+/// `by_groups`: they exclude each other with all values of states.
 std::string propose(const Input& input, const PackConflict& conflict, bool by_groups) {
   const Model& model = input.model;
   if (!model.providers[conflict.provider].has_packs)
@@ -106,7 +106,7 @@ std::string propose(const Input& input, const PackConflict& conflict, bool by_gr
   if (!conflict.others.empty())
     return "request them in packs of their own, or make all but one of them `apart`, so that each waits for itself "
            "alone";
-  // The one that never has to wait would always take what the other one wants.
+  // The task that never has to wait would always take what the other one wants.
   if (conflict.members.size() == 2 && by_groups &&
       !input.facts.may_wait.contains(winner_of(model, *conflict.members[0], *conflict.members[1]).target))
     return "request them in two packs";
@@ -126,7 +126,7 @@ std::string members_in_words(const Model& model, const std::vector<const Task*>&
 
 namespace {
 
-/// Whatever is granted together with it.
+/// Whether it can be granted with no other member.
 bool is_impossible_alone(Units& units, GroupId member) {
   bool found = false;
   const bool complete = units.visit({member}, false, [&](const Combination&) {
@@ -136,7 +136,7 @@ bool is_impossible_alone(Units& units, GroupId member) {
   return complete && !found;
 }
 
-/// One of them can never be granted, and that is no fault of the others. Where they want the same groups, it is.
+/// Whether one member can never be granted because of itself alone. If members want the same groups, it is not.
 bool is_fault_of_one(Units& units, const std::vector<GroupId>& members) {
   return std::any_of(members.begin(), members.end(),
                      [&](GroupId member) { return is_impossible_alone(units, member); }) &&
@@ -160,7 +160,7 @@ std::vector<PackConflict> find_pack_conflicts(const Model& model, Units& units) 
           const GroupId a = members[i]->target, b = members[j]->target;
           if (a == b || units.verdict({a, b}) != UnitVerdict::impossible || is_fault_of_one(units, {a, b})) continue;
           out.push_back({id, &pack, {members[i], members[j]}, UnitVerdict::impossible});
-          if (members.size() > told_in_pairs) break; // each but the first is told of once
+          if (members.size() > longest_with_all_pairs) break; // each but the first is reported once
         }
       }
       if (out.size() == before && model.providers[id].has_packs &&
@@ -231,7 +231,7 @@ void report(const Input& input, const PackConflict& conflict, Findings& findings
   finding->help = propose(input, conflict, !state);
 }
 
-/// Why two members exclude each other, where a third one may do so for the same reason; else nothing.
+/// Why two members exclude each other, if a third one may do so for the same reason; else empty.
 std::string reason_of(const Input& input, const PackConflict& conflict) {
   const GroupId a = conflict.members[0]->target, b = conflict.members[1]->target;
   if (const auto shared = find_shared_group(input, a, b))
@@ -240,12 +240,12 @@ std::string reason_of(const Input& input, const PackConflict& conflict) {
   return state ? "state " + name_of(input.model, *state) : "";
 }
 
-/// Of a long unit what one member excludes for one reason is one conflict.
+/// In a long unit, everything that one member excludes for one reason is one conflict.
 std::vector<PackConflict> gathered(const Input& input, const std::vector<PackConflict>& all) {
   std::vector<PackConflict> out;
   std::map<std::tuple<const Pack*, const Task*, std::string>, std::size_t> known;
   for (const PackConflict& each : all) {
-    const bool is_long = unit_members(input.model, *each.pack).size() > told_in_pairs;
+    const bool is_long = unit_members(input.model, *each.pack).size() > longest_with_all_pairs;
     const std::string reason = is_long && each.members.size() == 2 ? reason_of(input, each) : "";
     if (!reason.empty()) {
       const auto [at, is_new] = known.try_emplace({each.pack, each.members[0], reason}, out.size());

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Members of a pack that can never be granted together, and why.
+// Finds members of a pack that can never be granted together, and explains why.
 
 #include "compiler/analysis/findings.hpp"
 #include "compiler/analysis/input.hpp"
@@ -11,7 +11,7 @@
 
 namespace director::analysis {
 
-/// The fewest members that exclude each other: two, or the whole unit.
+/// A smallest set of members that exclude each other: two, or the whole unit.
 struct PackConflict {
   ProviderId provider{};
   const Pack* pack = nullptr;
@@ -21,11 +21,11 @@ struct PackConflict {
       {}; ///< of a long unit: what the first member excludes for the same reason as the second
 };
 
-/// Of every pack and flat list of every provider; of a flat list only pairs, since nobody says that all is asked for.
-/// Of long ones each member stands in one, with the first that it excludes.
+/// For every pack and flat list of every provider; in a flat list only pairs, since any part of it may be requested. In
+/// long ones each member is in one conflict, with the first that it excludes.
 std::vector<PackConflict> find_pack_conflicts(const Model& model, Units& units);
 
-/// Says what excludes what, to the bottom, at the last member: of packs with names, or of flat lists.
+/// Reports what excludes what, down to the cause, at the last member: for named packs, or for flat lists.
 void report_pack_conflicts(const Input& input, bool of_packs, Findings& findings);
 
 /// "`A` and `B`".

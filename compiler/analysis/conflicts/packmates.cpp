@@ -11,7 +11,8 @@ namespace director::analysis {
 
 namespace {
 
-/// So many that may take one group are looked at for one entry; those of the highest rank come first.
+/// Limit for the entries that may take one group and are considered for one entry; those of the highest rank come
+/// first.
 constexpr std::size_t most_others = 8;
 
 bool is_in(const Unit& unit, const Task* task) { return std::find(unit.begin(), unit.end(), task) != unit.end(); }
@@ -22,7 +23,7 @@ const std::vector<PackEntry>& Packmates::of(const Provider& provider, const Pack
   const auto [at, is_new] = entries_.try_emplace(&pack);
   std::vector<PackEntry>& out = at->second;
   if (!is_new) return out;
-  // Who says that all of a list is asked for together: its mandatory entries, those that are `apart` each by itself.
+  // The members that a request for all of a list has in one unit: its mandatory entries; `apart` ones each by itself.
   const Unit& unit = units_.emplace_back(provider.has_packs ? unit_members(input_.model, pack) : Unit{});
   Unit& company = units_.emplace_back();
   for (const Task& task : pack.tasks) {
@@ -30,7 +31,7 @@ const std::vector<PackEntry>& Packmates::of(const Provider& provider, const Pack
   }
   ByTaken by_taken;
   if (provider.has_packs && pack.tasks.size() > 1) {
-    // At other levels others may be members too, and then it waits for them.
+    // At other levels more entries may be members, and then it waits for them.
     const bool is_all = std::all_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& task) {
       return is_in(unit, &task) || takers_.is_optional(task) || (takers_.is_mandatory(task) && takers_.is_apart(task));
     });
@@ -57,7 +58,7 @@ void Packmates::add_rivals(GroupId requester, const Unit& unit, bool is_all, ByT
   const UnitTakes& takes = takers_.takes(requester, unit);
   const bool at_first = is_all && !takes.at_first.empty();
   for (std::size_t i = 0; i < unit.size(); ++i) {
-    const Groups& groups = at_first ? takes.at_first[i] : takes.always[i]; // the more
+    const Groups& groups = at_first ? takes.at_first[i] : takes.always[i]; // the larger set
     for (const GroupId group : groups) {
       if (takers_.is_contested(group)) to[group].push_back({unit[i], &unit, has(takes.always[i], group), at_first});
     }
@@ -86,8 +87,9 @@ std::optional<Packmate> Packmates::find_mate(GroupId requester, const Rival& riv
   const Task &by = *rival.task, &over = *entry.task;
   const bool before = takers_.always_before(by, over);
   const bool first = before || takers_.always_first_of_equals(requester, by, over);
-  // Of two equals that are asked for together both are granted before anything below one of them is tried. Not while
-  // the requester changes hands: what is held for it is nobody's then, and who asked first goes first with all below.
+  // Of two equals that are requested together both are granted before anything below one of them is tried. Not during a
+  // hand-over of the requester: then nothing is held for it, and the one that was requested first goes first with
+  // everything below it.
   const bool together = !first && by.edge != over.edge && takers_.always_beside(requester, by, over) &&
                         !takers_.may_change_hands(requester);
   const Beside beside{requester, rival.unit, &by, &over, together};
@@ -101,15 +103,15 @@ std::optional<Packmate> Packmates::find_mate(GroupId requester, const Rival& riv
     return out;
   }
   out.from_below = first || together;
-  // A unit is tried in the place of the first of its members.
+  // A unit is tried at the position of its first member.
   out.from_entry =
       first &&
       (entry.company == nullptr || std::all_of(entry.company->begin(), entry.company->end(), [&](const Task* each) {
          return takers_.always_before(by, *each) || takers_.always_first_of_equals(requester, by, *each);
        }));
   if (!rival.at_first || (!first && !together && !takers_.is_mandatory(over))) return std::nullopt;
-  // It waits until who goes before it has run, and then for its requester if that has new orders by now: what the
-  // first one asked for may be granted meanwhile.
+  // It waits until the task that goes before it has run, and then for its requester if that is stale by then: meanwhile
+  // what the first one requested may be granted.
   if (!out.from_below && takers_.may_get_new_orders(requester)) return std::nullopt;
   out.taker.kind = Taker::Kind::before;
   const UnitTakes& takes = takers_.takes(requester, *rival.unit);

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What the other entries of a pack take from one of them, and from all that is below it.
+// Finds what the other entries of a pack take from one of them, and from everything below it.
 
 #include "compiler/analysis/conflicts/spoilers.hpp"
 #include "compiler/analysis/conflicts/takers.hpp"
@@ -19,7 +19,7 @@ struct Packmate {
   Taker taker;
   const Unit* unit = nullptr; ///< in which it is granted
   bool from_entry = false;    ///< the entry itself finds it taken
-  bool from_below = false;    ///< so does what is below it; if not, what is optional there
+  bool from_below = false;    ///< so does everything below it; if false, only what is optional there
 };
 
 /// One entry of a pack.
@@ -27,15 +27,15 @@ struct PackEntry {
   const Task* task = nullptr;
   const Unit* unit = nullptr; ///< that it is a member of, if of any
   std::vector<Packmate> mates;
-  const Unit* company = nullptr; ///< all that may be in one unit with it, at some level, if it may be in any
+  const Unit* company = nullptr; ///< all that may be in one unit with it at some level; null if none may
 };
 
-/// Found when it is asked for, and kept.
+/// Computed on first use, and kept.
 class Packmates {
 public:
   Packmates(const Input& input, Takers& takers) : input_(input), takers_(takers) {}
 
-  /// Of the provider's. Of a flat list, of which any part may be asked for, each entry is alone.
+  /// The entries of the provider's pack. In a flat list, of which any part may be requested, each entry is alone.
   const std::vector<PackEntry>& of(const Provider& provider, const Pack& pack);
 
 private:
@@ -54,8 +54,8 @@ private:
   const Input& input_;
   Takers& takers_;
   std::unordered_map<const Pack*, std::vector<PackEntry>> entries_;
-  std::deque<Unit> units_;                                                            ///< where they are they stay
-  std::map<std::pair<const Task*, const Task*>, std::unique_ptr<Spoilers>> spoilers_; ///< all that go after: null
+  std::deque<Unit> units_;                                                            ///< a deque, for stable addresses
+  std::map<std::pair<const Task*, const Task*>, std::unique_ptr<Spoilers>> spoilers_; ///< null: everything goes after
 };
 
 } // namespace director::analysis

@@ -11,7 +11,7 @@ namespace director::analysis {
 
 namespace {
 
-/// Of more groups than this it is not asked which of them have other requesters: all may.
+/// Limit for the groups for which other requesters are searched; of more, all may have some.
 constexpr std::size_t most_inside = 2'000;
 
 } // namespace
@@ -48,7 +48,7 @@ void Spoilers::find_after(const Beside& beside) {
         return takers_.always_before(*beside.by, task) ||
                (&task == beside.over && takers_.always_first_of_equals(requester_, *beside.by, task));
       };
-      // A unit is tried in the place of the first of its members.
+      // A unit is tried at the position of its first member.
       const Unit unit = unit_members(input_.model, pack);
       const bool is_unit_after =
           std::all_of(unit.begin(), unit.end(), [&](const Task* each) { return is_after(*each); });

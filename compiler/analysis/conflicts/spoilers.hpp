@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What may keep a task from what it would surely take.
+// Finds what may withhold from a task what it would certainly take.
 
 #include "compiler/analysis/conflicts/takers.hpp"
 
@@ -8,18 +8,17 @@
 
 namespace director::analysis {
 
-/// Two entries of one pack: `by` takes something that `over`, or what is below that, wants too.
+/// Two entries of one pack: `by` takes something that `over`, or a task below it, also wants.
 struct Beside {
   GroupId requester{};
   const Unit* unit = nullptr; ///< in which `by` is granted
   const Task* by = nullptr;
   const Task* over = nullptr;
-  bool is_before_below =
-      false; ///< `by` is granted before anything below `over` is tried, though not before that itself
+  bool is_before_below = false; ///< `by` is granted before anything below `over` is tried, but not before `over` itself
 };
 
-/// Those that may hold something when `by` is tried. What surely goes after it is not asked; below `over` that is
-/// everything, or at least what is optional.
+/// The tasks that may hold something when `by` is tried. Those that certainly go after it do not count: everything
+/// below `over`, or at least what is optional there.
 class Spoilers {
 public:
   Spoilers(const Input& input, const Takers& takers, const Beside& beside);
@@ -38,8 +37,8 @@ private:
   const Takers& takers_;
   GroupId requester_, by_, over_;
   std::set<GroupId> own_;   ///< of the unit
-  std::set<GroupId> after_; ///< other tasks of the requester that surely go after `by`, wherever they are asked for
-  std::set<GroupId> early_; ///< what the requester needs, with all that this needs: held before what it requests
+  std::set<GroupId> after_; ///< other tasks of the requester that certainly go after `by` in each of its packs
+  std::set<GroupId> early_; ///< the requester's needs, and theirs: held before what it requests
   Groups inside_;           ///< what is below the unit, below those and below `over`, and below nothing else
   bool goes_before_over_ = false, is_before_below_ = false;
 };

@@ -22,9 +22,9 @@ std::vector<StarvingTask> find_starving_tasks(const Input& input) {
   for (const Loser& loser : input.conflicts.losers()) lost.insert(loser.refused.task->edge);
   std::vector<StarvingTask> out;
   for (const auto& [edge, places] : input.conflicts.grants().refused()) {
-    if (lost.count(edge) != 0 || input.conflicts.closes_circle(edge)) continue;
+    if (lost.count(edge) != 0 || input.conflicts.closes_cycle(edge)) continue;
     StarvingTask starving{places, false};
-    // Where one entry of several has another reason, what goes before tells more.
+    // If only one entry has another reason, the reason `before` explains more.
     std::stable_partition(starving.places.begin(), starving.places.end(), [](const Refused& refused) {
       return refused.refusals.front().taker.kind == Taker::Kind::before;
     });
@@ -53,8 +53,8 @@ void add_taker(const Input& input, const Refused& refused, const Taker& taker, s
 
 namespace {
 
-/// What helps a mandatory task. Who ranks lower in one unit takes all the same what it needs before anything below is
-/// tried.
+/// Help for a mandatory task. A lower rank within one unit does not change that its needs are taken before anything
+/// below is tried.
 std::string propose(const Input& input, const Refused& refused, const Taker& taker) {
   const Model& model = input.model;
   if (taker.kind == Taker::Kind::above)
@@ -67,7 +67,7 @@ std::string propose(const Input& input, const Refused& refused, const Taker& tak
     return one_unit ? elsewhere
                     : fmt::format("give {} a higher priority than {}, or {}", name_of(model, taker.over->target),
                                   name_of(model, by), elsewhere);
-  // The other way round it would be the other one that never runs.
+  // With the order reversed the other one would never run.
   const Indispensable& indispensable = input.shared.indispensable();
   const bool either = !input.facts.may_wait.contains(task) && indispensable.contains(task, taker.group) &&
                       indispensable.contains(by, taker.group);
@@ -95,11 +95,11 @@ void report_starving_task(const Input& input, const StarvingTask& starving, Find
                 name, requester, by, group));
   finding.rules_out = {first.task->span};
   add_taker(input, first, taker, finding.notes);
-  std::set<const Task*> told{first.task};
+  std::set<const Task*> reported{first.task};
   for (std::size_t i = 1; i < starving.places.size(); ++i) {
     const Refused& place = starving.places[i];
     const Taker& one = place.refusals.front().taker;
-    if (told.insert(place.task).second)
+    if (reported.insert(place.task).second)
       finding.notes.push_back({place.task->span, fmt::format("the same here, by {}, which takes {}", taken_by(one),
                                                              name_of(model, one.group))});
   }

@@ -16,7 +16,7 @@ namespace director::analysis {
 
 namespace {
 
-/// Of more ways than this to grant a unit only what its members must have is told.
+/// Limit for the ways to grant a unit; with more, only what its members must have is known.
 constexpr std::size_t most_ways_known = 64;
 
 void sort_out(Groups& groups) {
@@ -24,7 +24,7 @@ void sort_out(Groups& groups) {
   groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
 }
 
-/// Every level of the one entry with every level of the other.
+/// Whether the test holds for every level of the one entry with every level of the other.
 template <class Test>
 bool at_all_levels(const Model& model, const Task& first, const Task& second, const Test& test) {
   const std::vector<Level>& a = model.edges[first.edge].levels;
@@ -126,7 +126,7 @@ Groups Takers::needers(GroupId holder, GroupId group) {
 }
 
 Region Takers::region_of_requests(GroupId requester) const {
-  // They stand while any provider of it runs, also one that was pushed, whose own promise is left out then.
+  // Requests remain while any provider of the group runs, also a pushed one, whose own promise is then waived.
   std::optional<Region> out;
   for (const ProviderId id : input_.model.groups[requester].providers) {
     if (!input_.facts.active.contains(id)) continue;
@@ -148,8 +148,8 @@ const UnitTakes& Takers::takes(GroupId requester, const Unit& unit) {
   std::vector<GroupId> members;
   for (const Task* member : unit) members.push_back(member->target);
   std::vector<std::vector<Groups>> ways; ///< in the order in which they are tried: what each member takes
-  std::vector<Region> regions;           ///< in which they are open
-  std::optional<std::size_t> first_ones; ///< so many of them, of which one is always open
+  std::vector<Region> regions;           ///< in which they can be used
+  std::optional<std::size_t> first_ones; ///< so many of them, of which one can always be used
   bool is_pushed = false;
   const bool complete = input_.shared.units().visit(members, false, [&](const Combination& combination) {
     Region region;
@@ -158,7 +158,7 @@ const UnitTakes& Takers::takes(GroupId requester, const Unit& unit) {
       if (!input_.facts.capable.contains(pick.provider)) return true;
       is_pushed = is_pushed || input_.facts.pushed.contains(pick.provider);
       region.meet(region_of(model, model.providers[pick.provider].when));
-      // What a member needs comes behind it, before the next one.
+      // A member's needs come after it, before the next member.
       if (way.size() < members.size() && pick.group == members[way.size()]) way.emplace_back();
       way.back().push_back(pick.group);
     }
@@ -256,11 +256,11 @@ bool Takers::always_beside(GroupId requester, const Task& first, const Task& sec
   for (const ProviderId id : model.groups[requester].providers) {
     const Provider& provider = model.providers[id];
     for (const Pack& pack : provider.packs) {
-      const auto asks_for = [&](const Task& task) {
+      const auto requests_it = [&](const Task& task) {
         return std::any_of(pack.tasks.begin(), pack.tasks.end(),
                            [&](const Task& each) { return each.edge == task.edge; });
       };
-      if (asks_for(second) && !(provider.has_packs && asks_for(first))) return false;
+      if (requests_it(second) && !(provider.has_packs && requests_it(first))) return false;
     }
   }
   return true;

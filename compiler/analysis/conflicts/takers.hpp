@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What tasks are certain to hold when others are tried, and what may keep them from it.
+// Finds what tasks certainly hold when others are tried, and what may prevent that.
 
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/input.hpp"
@@ -29,7 +29,7 @@ using Unit = std::vector<const Task*>;
 struct Taker {
   enum class Kind {
     above, ///< by `holder`, which is above the task: it is that group, or one that it needs
-    unit,  ///< by `by`, a member of a unit that is granted whole before anything below it is tried
+    unit,  ///< by `by`, a member of a unit that is granted together before anything below it is tried
     before ///< by `by`, which goes before and never has to wait
   };
   Kind kind = Kind::above;
@@ -37,21 +37,22 @@ struct Taker {
   GroupId holder{};           ///< of `above`
   const Task* by = nullptr;   ///< of `unit` and `before`
   const Task* over = nullptr; ///< the entry beside `by`: the task's own, or one that leads to it
-  Groups needers;             ///< of `above`: by whose need it is held, so that their own request for it is met
-  /// What others may keep from `by`. Only to a task that must have all of this too it makes no difference.
+  Groups needers;             ///< of `above`: the groups whose need it is held for, so that their own request for it is
+                              ///< granted
+  /// What others may withhold from `by`. It makes no difference to a task that must have all of this too.
   Groups spoilers;
-  /// Nothing ever takes it away, not even for the moment until somebody above `by`, who has new orders, has run.
+  /// Whether nothing ever takes it away, not even while a stale group above `by` is about to run.
   bool steady = true;
 };
 
-/// What the members of a unit take, each with what it needs.
+/// What the members of a unit take, each with its needs.
 struct UnitTakes {
-  std::vector<Groups> always; ///< by each member, however the unit is granted
-  /// The same where nobody else holds anything: then it never has to wait. Nothing: it may.
+  std::vector<Groups> always; ///< by each member, with every way to grant the unit
+  /// The same if nothing else is held: then it never has to wait. Empty: it may.
   std::vector<Groups> at_first;
   Groups maybe; ///< all of them together, in these ways
-  /// What one member takes and another one's tasks may hold, with equal rank, from a time when that one was asked for
-  /// without the first: equals take nothing from each other.
+  /// Groups that one member takes and another member's tasks may hold at equal rank, from a time when that member was
+  /// requested without the first: equals take nothing from each other.
   Groups disputed;
 };
 
@@ -59,51 +60,51 @@ class Takers {
 public:
   explicit Takers(const Input& input);
 
-  /// Several want it, so that one may take it from another.
+  /// Whether several edges want it, so that one may take it from another.
   bool is_contested(GroupId group) const { return input_.model.groups[group].requesters.size() > 1; }
 
-  /// What the provider takes whichever plan it has: its own group, and what its needs come down to.
+  /// What the provider takes with each of its plans: its own group, and what its needs lead to.
   const Groups& must(ProviderId provider);
-  /// The same for a task, whichever provider that may be active runs for it.
+  /// The same for a task, with any active provider.
   const Groups& must(GroupId group);
-  /// What the group holds while one of these runs, or while it is held for a need after that.
+  /// What the group holds while one of these runs, or while it is held for a need afterwards.
   Groups held_by(GroupId group, const std::vector<ProviderId>& running);
-  /// By whose need the group may be held while `holder` runs.
+  /// The groups whose need the group may be held for while `holder` runs.
   Groups needers(GroupId holder, GroupId group);
 
-  /// What the unit takes where it is granted, by its members.
+  /// What the unit takes if it is granted, by member.
   const UnitTakes& takes(GroupId requester, const Unit& unit);
-  /// No condition of it, or of what it may need, ever makes it change its provider.
+  /// Whether no condition of it, or of its possible needs, ever changes its provider.
   bool is_unconditional(GroupId group);
   /// In the graph's order, requesters first.
   std::size_t place_of(GroupId group) const { return place_[group]; }
-  /// Somebody who may run may request or need it by this edge.
+  /// Whether a requester that may run may request or need it by this edge.
   bool is_alive(EdgeId edge) const;
 
-  /// At whichever levels the two are requested.
+  /// With all levels at which the two are requested.
   bool always_before(const Task& first, const Task& second) const;
-  /// They have one rank, and the second one is never asked for without the first or before it.
+  /// Whether they have one rank, and the second one is never requested without the first or before it.
   bool always_first_of_equals(GroupId requester, const Task& first, const Task& second) const;
-  /// They are equal at all levels, and whenever this requester asks for the second it asks for the first.
+  /// Whether they are equal at all levels, and this requester requests the first whenever it requests the second.
   bool always_beside(GroupId requester, const Task& first, const Task& second) const;
-  /// It may run on for somebody else, or for nobody until the next one has asked for it.
+  /// Whether it may continue for another requester, or without one until the next request.
   bool may_change_hands(GroupId group) const;
-  /// Between two runs of others: it changes its provider or its holder, or is requested anew.
+  /// Whether between two runs of others it may change its provider or its holder, or be requested again.
   bool may_get_new_orders(GroupId group) const;
-  /// A plan of somebody else may hold the group, by any provider that can run.
+  /// Whether another group's plan may hold the group, by any provider that can run.
   bool is_needed(GroupId group) const;
   bool is_mandatory(const Task& task) const;
   bool is_optional(const Task& task) const;
   bool is_apart(const Task& task) const;
   bool is_member(const Task& task) const; ///< of the unit of its pack
-  /// Its members exclude each other: that is a finding of its own.
+  /// Whether its members exclude each other, which another check reports.
   bool is_never_whole(const Pack& pack) const { return never_whole_.count(&pack) != 0; }
 
 private:
   Groups find_disputed(GroupId requester, const Unit& unit) const;
-  /// Around all states in which something that the group requested may stand.
+  /// A region around all states in which a request of the group may exist.
   Region region_of_requests(GroupId requester) const;
-  /// Wherever the region holds one of the ways is open.
+  /// Whether one of the ways can be used in the whole region.
   bool covers(const Region& region, const std::vector<Region>& ways) const;
 
   const Input& input_;

@@ -1,7 +1,7 @@
 // Header: compiler/analysis/decisions/pass.hpp. Test: tests/property/decisions_test.cpp.
 // SPDX-License-Identifier: MIT
-// semantics.md, 4.3: how a group can be granted: in which order its providers come, with which plans, and the first
-// combination of the members of a unit.
+// semantics.md, 4.3: how a group can be granted: the order of its providers, their plans, and the first combination of
+// the members of a unit.
 #include "compiler/analysis/decisions/pass.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ bool Pass::holds(Row condition) const {
   return (row.accepts & bit(last_.value[row.state])) != 0;
 }
 
-/// The push that stands on a group so far, if the picks say that one does.
+/// The push that is assumed to be in force on a group, according to the picks.
 const PossiblePush* Pass::standing(Row group) {
   const std::vector<PossiblePush>& pushes = gathered_.pushes;
   int& at = standing_[group];
@@ -23,8 +23,8 @@ const PossiblePush* Pass::standing(Row group) {
       return part_.providers[push.to].group == group && (keeping_ & bit(push.by)) != 0;
     };
     const auto count = std::count_if(pushes.begin(), pushes.end(), is_possible);
-    if (count > asked_[group]) {
-      asked_[group] = static_cast<int>(count);
+    if (count > picked_among_[group]) {
+      picked_among_[group] = static_cast<int>(count);
       auto picked = picks_.pick(static_cast<std::size_t>(count) + 1);
       for (std::size_t i = 0; picked > 0; ++i) {
         if (is_possible(pushes[i]) && --picked == 0) at = static_cast<int>(i);
@@ -86,8 +86,8 @@ Rows Pass::lacking(Row provider) {
   const auto hold = [&](Row condition) { return holds(condition); };
   if (active && !row.stay.empty() && std::all_of(row.stay.begin(), row.stay.end(), hold)) return 0;
   if (row.unsure) {
-    if ((asked_whether_ & bit(provider)) == 0 && picks_.any()) taken_to_hold_ |= bit(provider);
-    asked_whether_ |= bit(provider);
+    if ((picked_unsure_ & bit(provider)) == 0 && picks_.any()) taken_to_hold_ |= bit(provider);
+    picked_unsure_ |= bit(provider);
     if ((taken_to_hold_ & bit(provider)) != 0) return 0;
   }
   Rows out = 0;

@@ -37,7 +37,7 @@ public:
       for (const ProviderId provider : model_.groups[id].providers) add_provider(provider);
     }
     for (Component::ProviderRow& row : out_.providers) {
-      // With one that has no plan nobody plans, unless that is reported: then it is taken to need nothing.
+      // A provider without a plan is never granted, unless that is reported: then it is assumed to need nothing.
       if (facts_.plans[row.id] == PlanVerdict::undecided) return std::nullopt;
       if (facts_.plans[row.id] == PlanVerdict::none && reported_ == Reported::mended) {
         row.plans.emplace_back();
@@ -55,7 +55,7 @@ public:
 
 private:
   using Plan = Component::Plan;
-  using Open = std::vector<std::pair<Row, GroupId>>; ///< needs that are still to be met, the next one last
+  using Open = std::vector<std::pair<Row, GroupId>>; ///< needs that are not met yet, the next one last
 
   template <class Id>
   static void number(std::map<Id, Row>& rows, Id id) {
@@ -267,11 +267,11 @@ private:
       while (!open.empty()) {
         const Row target = out_.edges[open.back()].target;
         open.pop_back();
-        if ((row.may_ask_for & bit(target)) != 0) continue;
-        row.may_ask_for |= bit(target);
+        if ((row.may_request & bit(target)) != 0) continue;
+        row.may_request |= bit(target);
         open.insert(open.end(), out_.groups[target].edges.begin(), out_.groups[target].edges.end());
       }
-      row.below = row.may_ask_for | bit(group_.at(row.id));
+      row.below = row.may_request | bit(group_.at(row.id));
     }
   }
 
@@ -299,7 +299,8 @@ std::optional<Component> make_component(const Model& model, const Facts& facts, 
 }
 
 std::vector<std::vector<GroupId>> small_components(const Model& model) {
-  // Union and find; who promises something of a state and who looks at it count as joined, whatever the values.
+  // Union-find; a group with a promise for a state is joined with each group that has conditions on it, whatever the
+  // values.
   std::vector<std::uint32_t> above(model.groups.size());
   std::iota(above.begin(), above.end(), 0U);
   const auto find = [&](std::uint32_t at) {

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A part of a behaviour that decides for itself (semantics.md, section 4), in rows so small that a moment of it fits
-// into few bytes: groups that request or need each other, or wait for what others promise. Of a state only counts which
-// conditions its value satisfies.
+// A part of a behaviour that is decided independently (semantics.md, section 4): groups that request or need each
+// other, or wait for promises of others. Its tables have so few rows that a Moment fits into few bytes. The value of a
+// state only counts by the conditions that it satisfies.
 
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/states/sources.hpp"
@@ -39,7 +39,7 @@ private:
 constexpr RowRange each(Rows rows) { return RowRange(rows); }
 
 struct Component {
-  // What has more is not looked at: a moment has a fixed size, and there would be too many of them anyway.
+  // Limits, beyond which a component is not examined: a Moment has a fixed size, and there would be too many of them.
   static constexpr std::size_t most_groups = 10, most_edges = 32, most_states = 6, most_providers = 40,
                                most_conditions = 60, most_plans = 12, most_values = 12, most_roots = 4;
 
@@ -54,7 +54,7 @@ struct Component {
     bool operator==(const Planned&) const = default;
   };
   using Plan = std::vector<Planned>;
-  /// What may be set: one of the values, or nothing.
+  /// A possible assignment: one of the values, or unset.
   struct Setting {
     Row state = 0;
     std::vector<Row> values;
@@ -66,7 +66,8 @@ struct Component {
   };
   struct PackRow {
     std::vector<Entry> entries;
-    std::vector<Row> members; ///< edges of a named pack that are granted all or none; else, or if but one, empty
+    std::vector<Row> members; ///< edges of a named pack that are granted together or not at all; empty if there are
+                              ///< fewer than two
   };
   struct ProviderRow {
     ProviderId id{};
@@ -82,17 +83,17 @@ struct Component {
   struct GroupRow {
     GroupId id{};
     std::vector<Row> providers, edges, requesters;
-    Rows may_ask_for = 0; ///< by requests and needs, transitively
+    Rows may_request = 0; ///< by requests and needs, transitively
     Rows below = 0;       ///< that, and itself
     std::vector<Setting> start, stop;
     std::vector<Row> owned; ///< states that belong to it
   };
   struct StateRow {
     StateId id{};
-    Row values = 0; ///< kinds of values, 0 and up; `values` itself is unset
+    Row values = 0; ///< kinds of values, from 0; `values` itself is unset
     Row initial = 0;
     std::vector<Row> from_outside; ///< at rest: set from outside, or expired
-    std::vector<Row> at_any_time;  ///< from other components, or what is missing and reported
+    std::vector<Row> at_any_time;  ///< from other components, or missing and reported
   };
   struct ConditionRow {
     ConditionId id{};
@@ -108,7 +109,7 @@ struct Component {
   Row roots = 0; ///< edges of root
 };
 
-/// Nothing: it is larger than what is looked at.
+/// Empty: it is above the limits.
 std::optional<Component> make_component(const Model& model, const Facts& facts, Reported reported,
                                         const IdTable<StateId, std::vector<Source>>& sources,
                                         const std::vector<GroupId>& groups);

@@ -21,7 +21,7 @@ public:
     find_goals(model, facts);
   }
 
-  /// False: there is more than may be looked at, or nothing to tell.
+  /// False: it is above the limits, or there is nothing to report.
   bool run() {
     for (;;) {
       gathered_.pushes = gathered_.found;
@@ -30,7 +30,7 @@ public:
     }
   }
 
-  void tell() {
+  void store() {
     for (const Component::GroupRow& group : part_.groups) out_.decided.add(group.id);
     for (Row edge = 0; edge < part_.edges.size(); ++edge) {
       const EdgeId id = part_.edges[edge].id;
@@ -56,8 +56,8 @@ private:
 
   enum class Closed { whole, again, not_at_all };
 
-  /// All moments that follow from the first one, given the pushes that are known so far. With each new one it begins
-  /// again: what was decided without it may be decided otherwise.
+  /// All moments that follow from the first one, with the pushes that are known so far. It restarts with each new push:
+  /// earlier decisions may be different with it.
   Closed close() {
     Moves moves(part_, gathered_, left_);
     seen_.clear();
@@ -94,7 +94,7 @@ private:
     }
   }
 
-  /// What may happen as far as the facts tell.
+  /// What may happen according to the facts.
   void find_goals(const Model& model, const Facts& facts) {
     const auto runs = [&](Row provider) { return facts.active.contains(part_.providers[provider].id); };
     const auto any_runs = [&](Row edge) {
@@ -178,7 +178,7 @@ Decisions find_decisions(const Model& model, const Facts& facts, Reported report
     const std::optional<Component> part = make_component(model, facts, reported, sources, groups);
     if (!part) continue;
     Finder finder(*part, model, facts, out, left);
-    if (finder.run()) finder.tell();
+    if (finder.run()) finder.store();
     for (std::size_t i = 0; left >= 0 && i < groups.size(); ++i) out.looked_at.add(groups[i]);
     out.moments += finder.moments();
     out.passes += finder.passes();

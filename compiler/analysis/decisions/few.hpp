@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A list of at most so many, in place: a pass makes some dozens of them, and to allocate each one would take longer
-// than to fill it.
+// A list of limited size, in place: a pass makes some dozens of them, and allocating each one would take longer than
+// filling it.
 
 #include <algorithm>
 #include <array>
@@ -45,7 +45,7 @@ public:
   const T* end() const { return all_.data() + size_; }
 
 private:
-  std::array<T, most> all_; ///< of which only what is in use was ever written
+  std::array<T, most> all_; ///< of which only the used part was ever written
   std::size_t size_ = 0;
 };
 

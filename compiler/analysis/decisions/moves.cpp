@@ -8,7 +8,7 @@ namespace director::analysis {
 
 namespace {
 
-/// Steps that a pass takes besides those that it counts.
+/// Steps of each pass besides those that it counts.
 constexpr std::int64_t of_any_pass = 20;
 
 } // namespace
@@ -24,9 +24,9 @@ Moment Moves::first() const {
   return out;
 }
 
-bool Moves::from(const Moment& moment, const std::function<void(const Moment& next)>& told) {
-  told_ = &told;
-  if (moment.is_given()) { // before all else
+bool Moves::from(const Moment& moment, const std::function<void(const Moment& next)>& visit) {
+  visit_ = &visit;
+  if (moment.is_given()) { // before anything else
     Change change{moment, 0};
     for (std::size_t state = 0; state < part_.states.size(); ++state) {
       if (moment.given[state] != nothing) change.moment.value[state] = moment.given[state];
@@ -72,14 +72,14 @@ bool Moves::from(const Moment& moment, const std::function<void(const Moment& ne
   return left_ >= 0;
 }
 
-/// Nothing runs, and what was decided stays. What else it may come to is told.
+/// Visits other decisions that are possible at rest; false if something has still to run.
 bool Moves::is_at_rest(const Moment& moment) {
   Moment same = moment;
   same.open = 0;
   bool found = false;
   const auto look = [&](const Moment& next) {
     found = found || next == same;
-    (*told_)(next);
+    (*visit_)(next);
   };
   decide(same, 0, look);
   for (Row group = 0; group < part_.groups.size(); ++group)
@@ -95,13 +95,13 @@ void Moves::change_in_all_ways(const std::function<bool(Change&)>& make) {
   ways_.clear();
 }
 
-/// All that may come of it, once.
+/// Visits all outcomes of the decision, each once.
 void Moves::decide(Change change) {
   change.anew &= that_matter(change);
-  if (decided_.add(change)) decide(change.moment, change.anew, *told_);
+  if (decided_.add(change)) decide(change.moment, change.anew, *visit_);
 }
 
-/// A request that is made anew is news for a group that runs for it and has no other.
+/// A repeated request only concerns the group that runs for it and has no other reason to run.
 Rows Moves::that_matter(const Change& change) const {
   Rows out = 0;
   for (Row group = 0; group < part_.groups.size(); ++group) {
@@ -111,7 +111,7 @@ Rows Moves::that_matter(const Change& change) const {
   return out;
 }
 
-void Moves::decide(const Moment& from, Rows anew, const std::function<void(const Moment& next)>& told) {
+void Moves::decide(const Moment& from, Rows anew, const std::function<void(const Moment& next)>& visit) {
   outcomes_.clear();
   pass_.begin(from, anew);
   do {
@@ -123,7 +123,7 @@ void Moves::decide(const Moment& from, Rows anew, const std::function<void(const
     if (!next) continue;
     if (picks_.has_picked() && !outcomes_.add(*next)) continue;
     act(from, *next);
-    told(*next);
+    visit(*next);
   } while (picks_.again());
   picks_.clear();
 }
@@ -185,7 +185,7 @@ bool Moves::request(Change& change) {
   return change.anew != 0;
 }
 
-/// From outside, or what expires.
+/// Applies inputs from outside, and expired values.
 bool Moves::set(Change& change) {
   bool any = false;
   for (std::size_t state = 0; state < part_.states.size(); ++state) {

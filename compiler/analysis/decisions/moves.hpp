@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What may happen next (semantics.md, sections 3, 5 and 6): all moments that may follow one.
+// Computes what may happen next (semantics.md, sections 3, 5 and 6): all moments that may follow one.
 
 #include "compiler/analysis/decisions/pass.hpp"
 #include "compiler/analysis/decisions/seen.hpp"
@@ -18,19 +18,19 @@ public:
         pass_(part, picks_, gathered) {}
 
   Moment first() const;
-  /// All moments that may follow, but for those that another one has led to in the same way. `run`: providers that
-  /// may run then. False: it took more steps than were left.
-  bool from(const Moment& moment, const std::function<void(const Moment& next)>& told);
+  /// Visits all moments that may follow, without those that another one has led to in the same way. `run`: providers
+  /// that may run then. False: it took more steps than were left.
+  bool from(const Moment& moment, const std::function<void(const Moment& next)>& visit);
 
 private:
-  /// What is decided after an input or a run.
+  /// The input of a decision, after an input or a run.
   struct Change {
-    Moment moment; ///< of which nothing is decided yet
+    Moment moment; ///< for which nothing is decided yet
     Rows anew = 0; ///< edges that were requested anew
   };
 
   void decide(Change change);
-  void decide(const Moment& from, Rows anew, const std::function<void(const Moment& next)>& told);
+  void decide(const Moment& from, Rows anew, const std::function<void(const Moment& next)>& visit);
   Rows that_matter(const Change& change) const;
   void act(const Moment& before, Moment& now);
   void set_some(const std::vector<Component::Setting>& settings, Moment& next);
@@ -46,8 +46,8 @@ private:
   Picks picks_, ways_;
   Pass pass_;
   Seen<Change> decided_;
-  Seen<Moment> outcomes_; ///< of the decision in hand
-  const std::function<void(const Moment&)>* told_ = nullptr;
+  Seen<Moment> outcomes_; ///< of the current decision
+  const std::function<void(const Moment&)>* visit_ = nullptr;
 };
 
 } // namespace director::analysis

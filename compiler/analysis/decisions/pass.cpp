@@ -15,7 +15,7 @@ void Pass::begin(const Moment& last, Rows anew) {
 
 std::optional<Moment> Pass::run() {
   stage_ = Stage::taking;
-  forgotten_ = open_ = asked_whether_ = taken_to_hold_ = 0;
+  forgotten_ = open_ = picked_unsure_ = taken_to_hold_ = 0;
   for (;;) {
     begin_way();
     if (!take_candidates()) return std::nullopt;
@@ -28,12 +28,13 @@ std::optional<Moment> Pass::run() {
   return finish();
 }
 
-/// Whether another way through the pass has come to where this one is, which has picked: then it may end here.
+/// Whether another way through the pass, with other picks, has reached the same point: then this one may end here.
 bool Pass::is_known() {
   if (!picks_.has_picked()) return false;
-  Way way{candidates_,    tried_,         refused_,  forgotten_, keeping_, open_,
-          asked_whether_, taken_to_hold_, standing_, asked_,     now_.by,  now_.active,
-          now_.plan,      now_.flags,     {},        0,          stage_};
+  Way way{candidates_, tried_,         refused_,       forgotten_, keeping_,
+          open_,       picked_unsure_, taken_to_hold_, standing_,  picked_among_,
+          now_.by,     now_.active,    now_.plan,      now_.flags, {},
+          0,           stage_};
   way.denied.fill(nothing);
   std::copy(denied_.begin(), denied_.end(), way.denied.begin());
   return !known_.add(way);
@@ -49,7 +50,7 @@ void Pass::begin_way() {
   candidates_ = tried_ = refused_ = keeping_ = 0;
   denied_.clear();
   standing_.fill(-1);
-  asked_.fill(0);
+  picked_among_.fill(0);
   for (Row edge = 0; edge < part_.roots; ++edge) {
     if (last_.level[edge] != nothing) candidates_ |= bit(edge);
   }
@@ -160,15 +161,15 @@ bool Pass::stale(Row group) const {
   }
 }
 
-bool Pass::may_ask(Row from) const { return from == nothing || now_.has(from, Moment::granted) || stale(from); }
+bool Pass::may_request(Row from) const { return from == nothing || now_.has(from, Moment::granted) || stale(from); }
 
 bool Pass::granted_before(Row edge) const {
   const Row group = part_.edges[edge].target;
   return last_.by[group] == edge && last_.has(group, Moment::granted);
 }
 
-/// Of those that nobody goes before one is picked: in what order they were requested is not known. Where what they may
-/// come to claim has nothing in common it does not matter.
+/// Picks one of the candidates that no other goes before: the order of their requests is unknown. If their possible
+/// claims have nothing in common, the order is irrelevant.
 Row Pass::first_candidate() {
   Few<Chain, Component::most_edges> all;
   for (const Row edge : each(candidates_)) all.push_back(claimed(edge));
@@ -183,7 +184,7 @@ Row Pass::first_candidate() {
     });
     if (!same_unit) first.push_back(edge);
   }
-  if (first.empty()) return all.front().edge(); // "equal" is not transitive; it cannot be
+  if (first.empty()) return all.front().edge(); // "equal" is not transitive; this cannot happen
   const auto below = [&](Row edge) {            // with its unit
     Rows out = 0;
     for (const Row other : each(candidates_)) {
@@ -206,7 +207,7 @@ Pass::Unit Pass::unit_of(Row first) {
   for (const Row edge : each(candidates_)) {
     if (!alone(edge) && requester(edge) == requester(first)) open.push_back(edge);
   }
-  // Siblings: by priority, and among equals in any order.
+  // Siblings: by priority, and equals in any order.
   while (!open.empty()) {
     Groups best; // of those that are open
     for (Row i = 0; i < open.size(); ++i) {
@@ -228,11 +229,11 @@ Pass::Unit Pass::unit_of(Row first) {
   return unit;
 }
 
-/// False: it may end here.
+/// False: this way may end here.
 bool Pass::take_candidates() {
   for (;;) {
     for (const Row edge : each(candidates_)) {
-      if (!may_ask(requester(edge))) candidates_ &= ~bit(edge);
+      if (!may_request(requester(edge))) candidates_ &= ~bit(edge);
     }
     if (candidates_ == 0) return true;
     if (is_known()) return false;
@@ -321,7 +322,7 @@ bool Pass::deferred(const Combination& combination) const {
   for (const Choice& choice : combination) {
     if (granted_before(choice.chain.edge())) continue;
     for (Row other = 0; other < part_.groups.size(); ++other) {
-      if (!now_.has(other, Moment::granted) || (part_.groups[other].may_ask_for & choice.claims) == 0 || !stale(other))
+      if (!now_.has(other, Moment::granted) || (part_.groups[other].may_request & choice.claims) == 0 || !stale(other))
         continue;
       const Chain& holder = holders_[other];
       if (before(holder, choice.chain) && !choice.chain.below(holder.edge())) return true;
@@ -336,7 +337,7 @@ bool Pass::hand_over() {
     if (last_.active[group] != nothing) open_ |= bit(group);
   }
   while (open_ != 0) {
-    // In the old order, of which among equals nothing is known.
+    // In the old order, which is unknown among equals.
     Groups first;
     for (const Row group : each(open_)) {
       bool is_first = true;
@@ -358,7 +359,7 @@ bool Pass::hand_over() {
     if (now_.by[group] != nothing) continue;
     bool heir = false;
     for (Row other = 0; other < part_.groups.size() && !heir; ++other)
-      heir = now_.has(other, Moment::granted) && (part_.groups[other].may_ask_for & bit(group)) != 0 && stale(other);
+      heir = now_.has(other, Moment::granted) && (part_.groups[other].may_request & bit(group)) != 0 && stale(other);
     if (!heir) continue;
     const std::vector<Component::Plan>& plans = part_.providers[last_.active[group]].plans;
     const Row plan = last_.plan[group] != nothing ? last_.plan[group] : static_cast<Row>(picks_.pick(plans.size()));

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// One decision (semantics.md, section 4) from what a Moment knows: all assignments that may come of it. It follows the
-// pass rule by rule where that is known, and picks where it is not: among equals, whether a push stands, what plan
-// a group had that is held only as a need. So what the engine decides is among what comes out.
+// One decision (semantics.md, section 4) based on a Moment: all assignments that may result. It follows the rules of
+// the pass where they are determined, and picks where they are not: among equals, whether a push is in force, what plan
+// a group had that is held only as a need. So the results include the engine's decision.
 
 #include "compiler/analysis/decisions/few.hpp"
 #include "compiler/analysis/decisions/moment.hpp"
@@ -14,7 +14,7 @@
 
 namespace director::analysis {
 
-/// That a unit may push, at some time: a push stays for longer than the decision that made it.
+/// A push that a unit may make at some time: a push remains for longer than the decision that made it.
 struct PossiblePush {
   Row by = 0, to = 0, unmet = 0; ///< edge, provider, condition
   bool operator==(const PossiblePush&) const = default;
@@ -24,7 +24,7 @@ struct PossiblePush {
 struct Reasons {
   Rows lacking = 0;  ///< conditions that did not hold
   Rows taken = 0;    ///< groups that were not available
-  Rows holders = 0;  ///< edges that held them
+  Rows holders = 0;  ///< edges that held these groups
   Rows first = 0;    ///< of a provider: others of its group that came before it
   Rows together = 0; ///< of a task: edges granted only together with it that had nothing to run
   void add(const Reasons& other) {
@@ -33,27 +33,26 @@ struct Reasons {
   }
 };
 
-/// What is gathered over all decisions.
+/// Collected over all decisions.
 struct Gathered {
-  std::vector<PossiblePush> pushes, found; ///< those that are reckoned with, and all that were made
+  std::vector<PossiblePush> pushes, found; ///< assumed ones, and all that were made
   std::vector<Reasons> passed_over;        ///< by provider
   std::vector<Reasons> refused;            ///< by edge
   std::size_t passes = 0;
-  std::int64_t steps = 0; ///< that were taken: edges that were compared, providers that were looked at
+  std::int64_t steps = 0; ///< steps taken: edges compared, providers examined
 };
 
 class Pass {
 public:
   Pass(const Component& part, Picks& picks, Gathered& gathered) : part_(part), picks_(picks), gathered_(gathered) {}
-  /// What the next passes are about.
+  /// Sets the input of the next passes.
   void begin(const Moment& last, Rows anew);
-  /// Who holds what, runs what, and for what; news is in outdated. Nothing: since begin() other picks have led to the
-  /// same.
+  /// The next assignment, with new reasons to run in `outdated`. Empty: since begin() other picks have led to the same.
   std::optional<Moment> run();
 
 private:
   struct Chain {
-    std::array<Row, Component::most_groups + 2> edges; ///< root's, ..., who holds the edge's requester, the edge
+    std::array<Row, Component::most_groups + 2> edges; ///< root's, ..., the holder of the edge's requester, the edge
     std::uint32_t size;
     bool complete; ///< it begins at root
     Row edge() const { return edges[size - 1]; }
@@ -66,7 +65,7 @@ private:
     Rows lacking; ///< conditions
   };
   using By = std::array<Row, Component::most_groups>;
-  using ChainBy = std::array<Chain, Component::most_groups>; ///< of who holds each group; empty: nobody
+  using ChainBy = std::array<Chain, Component::most_groups>; ///< of the holder of each group; empty: none
   template <class T>
   using ByCondition = std::array<T, Component::most_conditions>;
   using Edges = Few<Row, Component::most_edges>;
@@ -77,10 +76,10 @@ private:
   using Unit = Groups; ///< edges of one requester, each to another group
   using Combination = Few<Choice, Component::most_groups>;
   enum class Stage : std::uint32_t { taking, handing_over, finishing };
-  /// All that the rest of a pass depends on.
+  /// Everything that the rest of a pass depends on.
   struct Way {
-    Rows candidates, tried, refused, forgotten, keeping, open, asked_whether, taken_to_hold;
-    std::array<int, Component::most_groups> standing, asked;
+    Rows candidates, tried, refused, forgotten, keeping, open, picked_unsure, taken_to_hold;
+    std::array<int, Component::most_groups> standing, picked_among;
     By by, active, plan, flags, denied;
     std::uint16_t unused;
     Stage stage;
@@ -125,7 +124,7 @@ private:
   Unit unit_of(Row first);
   bool alone(Row edge) const;
   bool stale(Row group) const;
-  bool may_ask(Row requester) const;
+  bool may_request(Row requester) const;
   bool granted_before(Row edge) const;
   void take(const Unit& unit);
   void take_below_stale(Row member);
@@ -140,7 +139,7 @@ private:
   Moment finish();
 
   // Refuse: refusal.cpp
-  using Lengths = ByCondition<int>; ///< 0: no way is known
+  using Lengths = ByCondition<int>; ///< 0: no path is known
   void refuse(const Unit& unit);
   std::vector<Row> lacking_in_order(const Choice& choice) const;
   bool can_be_pushed(Row provider, const Chain& member, const Unit& unit, bool surely) const;
@@ -157,15 +156,16 @@ private:
   ChainBy last_holders_{}, holders_{};
   Rows anew_ = 0;
   Rows candidates_ = 0, tried_ = 0, refused_ = 0, forgotten_ = 0;
-  Rows keeping_ = 0; ///< edges whose pushes may stand
+  Rows keeping_ = 0; ///< edges whose pushes may remain
   Groups denied_;
-  std::array<int, Component::most_groups> standing_{}; ///< a push, or none: -1
-  std::array<int, Component::most_groups> asked_{};    ///< of how many that was picked
-  Reasons blame_;                                      ///< of the unit in hand
-  Rows asked_whether_ = 0, taken_to_hold_ = 0;         ///< providers of whose conditions it is not known
+  std::array<int, Component::most_groups> standing_{};     ///< a push, or none: -1
+  std::array<int, Component::most_groups> picked_among_{}; ///< the number of pushes from which that was picked
+  Reasons blame_;                                          ///< of the current unit
+  Rows picked_unsure_ = 0, taken_to_hold_ = 0;             ///< providers for which it was picked whether their
+                                                           ///< conditions hold
   Stage stage_ = Stage::taking;
   Rows open_ = 0;               ///< groups that have not been handed over
-  std::vector<Choice> choices_; ///< of the unit in hand, member by member
+  std::vector<Choice> choices_; ///< of the current unit, member by member
   Seen<Way> known_;             ///< since begin()
 };
 

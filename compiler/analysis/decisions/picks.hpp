@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// All ways through something that picks now and then: it is done again and again, each time with other picks.
+// Enumerates all ways through a computation that picks at some points: it is repeated, each time with other picks.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace director::analysis {
 
 class Picks {
 public:
-  /// One of `count`.
+  /// Picks one of `count`.
   std::size_t pick(std::size_t count) {
     if (count < 2) return 0;
     if (at_ == picked_.size()) picked_.push_back({0, static_cast<std::uint32_t>(count)});
@@ -18,10 +18,10 @@ public:
   }
   bool any() { return pick(2) == 1; }
 
-  /// This way is not on the part that it has in common with the one before.
+  /// Whether this way has left the part that it shares with the one before.
   bool has_picked() const { return !picked_.empty() && at_ == picked_.size(); }
 
-  /// From the beginning, with other picks. False: there are none left.
+  /// Restarts with other picks. False: there are none left.
   bool again() {
     while (!picked_.empty() && picked_.back().now + 1 == picked_.back().count) picked_.pop_back();
     at_ = 0;

@@ -1,8 +1,8 @@
 // Header: compiler/analysis/decisions/pass.hpp. Test: tests/property/decisions_test.cpp.
 // SPDX-License-Identifier: MIT
-// semantics.md, 4.4: a unit that is refused, and the pushes that it may make. Which pushes of other units stand in the
-// way is not known, so there are two answers to what can be pushed: surely, and maybe. The shortest way is among those
-// that are no longer than the shortest sure one.
+// semantics.md, 4.4: a unit that is refused, and the pushes that it may make. Which pushes of other units conflict with
+// these is unknown, so there are two answers for what can be pushed: certainly, and possibly. The shortest path is
+// among those that are no longer than the shortest certain one.
 #include "compiler/analysis/decisions/pass.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ void Pass::refuse(const Unit& unit) {
   Rows causable = 0;
   for (const Component::ProviderRow& provider : part_.providers) causable |= provider.causes;
   for (const Choice& choice : *combination) {
-    if ((choice.lacking & ~causable) != 0) return; // it waits for the outside
+    if ((choice.lacking & ~causable) != 0) return; // it waits for inputs from outside
   }
   keep();
   std::vector<PossiblePush> made;
@@ -73,12 +73,12 @@ bool Pass::can_be_pushed(Row provider, const Chain& member, const Unit& unit, bo
     return false;
   return std::any_of(part_.groups[group].requesters.begin(), part_.groups[group].requesters.end(), [&](Row edge) {
     if (last_.level[edge] == nothing || edge == member.edge()) return false;
-    const Chain asking = before_now(edge);
-    return asking.complete && before(member, asking) && !asking.below(member.edge());
+    const Chain requesting = before_now(edge);
+    return requesting.complete && before(member, requesting) && !requesting.below(member.edge());
   });
 }
 
-/// How long the way by this provider is; 0: there is none.
+/// The length of the path by this provider; 0: there is none.
 int Pass::way(Row provider, const Chain& member, const Unit& unit, bool surely, const Lengths& known,
               std::vector<Row>* first_lacking) {
   gathered_.steps += static_cast<std::int64_t>(part_.providers[provider].plans.size());
@@ -109,7 +109,7 @@ int Pass::way(Row provider, const Chain& member, const Unit& unit, bool surely, 
   return best;
 }
 
-/// A least fixed point: lengths only ever shrink.
+/// A least fixed point: lengths only decrease.
 Pass::Lengths Pass::search(const Chain& member, const Unit& unit, bool surely) {
   Lengths known{};
   for (bool more = true; more;) {
@@ -130,7 +130,7 @@ Pass::Lengths Pass::search(const Chain& member, const Unit& unit, bool surely) {
   return known;
 }
 
-/// Of the ways that may be the shortest, with the last provider of each.
+/// Adds the pushes of paths that may be the shortest, each with the last provider.
 void Pass::add_pushes(const Chain& member, Row unmet, const Unit& unit, std::vector<PossiblePush>& out) {
   const Lengths maybe = search(member, unit, false), sure = search(member, unit, true);
   if (maybe[unmet] == 0) return;
@@ -138,7 +138,7 @@ void Pass::add_pushes(const Chain& member, Row unmet, const Unit& unit, std::vec
   for (std::vector<Row> open{unmet}; !open.empty();) {
     const Row aim = open.back();
     open.pop_back();
-    Row best = nothing; // of the sure ones
+    Row best = nothing; // of the certain ones
     for (Row provider = 0; provider < part_.providers.size(); ++provider) {
       if ((part_.providers[provider].causes & bit(aim)) == 0) continue;
       std::vector<Row> lacking;

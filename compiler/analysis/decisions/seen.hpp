@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Which values there were so far. They lie one after the other, and a table tells by their hash where: to add one, or
-// to begin anew, hardly ever allocates.
+// A set of the values that have occurred. They are contiguous, with a hash table of their places: adding one, or
+// clearing, hardly ever allocates.
 
 #include <algorithm>
 #include <cstddef>
@@ -17,7 +17,7 @@ class Seen {
   static_assert(std::has_unique_object_representations_v<T>, "it is hashed and compared as the bytes that it is");
 
 public:
-  /// True if it was not there before.
+  /// True if it is new.
   bool add(const T& value) {
     if (2 * values_.size() >= slots_.size()) grow();
     std::uint32_t& slot = slots_[slot_of(value)];
@@ -34,7 +34,7 @@ public:
 
 private:
   static constexpr std::uint32_t empty = 0xffff'ffffU;
-  static constexpr std::size_t fewest_slots = 64; ///< as always a power of two
+  static constexpr std::size_t fewest_slots = 64; ///< like all sizes a power of two
 
   /// Where it is, or would be: linear probing.
   std::size_t slot_of(const T& value) const {

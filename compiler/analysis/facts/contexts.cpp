@@ -1,8 +1,8 @@
 // Header: compiler/analysis/facts/contexts.hpp. Test: tests/compiler/analysis/facts/contexts_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// What runs already may go on by its `stay`, and one that was pushed without the conditions on what it causes itself;
-// what begins does so by its `when`.
+// A running provider may continue by its `stay`, and a pushed one without the conditions on what it causes itself; one
+// that begins needs its `when`.
 #include "compiler/analysis/facts/contexts.hpp"
 
 #include "compiler/analysis/plans/choices.hpp"
@@ -16,14 +16,14 @@ namespace director::analysis {
 
 namespace {
 
-/// More combinations than this are taken to leave one that serves.
+/// With more combinations than this one is assumed to be possible.
 constexpr std::int64_t most_context_steps = 20'000;
-/// Of the budget of a run: with each pick goes a region.
+/// In units of the run's budget: each pick copies a region.
 constexpr std::int64_t context_step_cost = 20;
 
 } // namespace
 
-/// The choice so far, with what its conditions leave.
+/// The current choice, with the region of its conditions.
 class JointPlan {
 public:
   JointPlan(const Contexts& contexts, Region within) : contexts_(contexts), now_(std::move(within)) {}
@@ -44,7 +44,7 @@ public:
     if (before_.back()) now_ = std::move(*before_.back());
     before_.pop_back();
   }
-  /// A provider without a plan is reported as such; here it is taken to need nothing.
+  /// A provider without a plan is reported by another check; here it is assumed to need nothing.
   bool leave_needs(ProviderId provider) const { return contexts_.facts_.plans[provider] != PlanVerdict::found; }
   bool complete() {
     found_ = true;
@@ -55,7 +55,7 @@ public:
 private:
   const Contexts& contexts_;
   Region now_;
-  std::vector<std::optional<Region>> before_; ///< each pick; nothing: it left all as it was
+  std::vector<std::optional<Region>> before_; ///< for each pick; empty: it changed nothing
   bool found_ = false;
 };
 
@@ -63,10 +63,10 @@ Contexts::Contexts(const Model& model, Facts& facts) : model_(model), facts_(fac
   facts.contexts = facts.grants = IdTable<GroupId, Region>(model.groups.size());
 }
 
-bool Contexts::widen(GroupId group, const Asked& asked) {
+bool Contexts::widen(GroupId group, const Requested& requested) {
   if (facts_.requested.add(group)) {
-    facts_.contexts[group] = asked.tried;
-    facts_.grants[group] = asked.granted;
+    facts_.contexts[group] = requested.tried;
+    facts_.grants[group] = requested.granted;
     return true;
   }
   const auto widen = [](Region& here, const Region& region) {
@@ -75,8 +75,8 @@ bool Contexts::widen(GroupId group, const Asked& asked) {
     here = std::move(both);
     return true;
   };
-  const bool tried = widen(facts_.contexts[group], asked.tried);
-  return widen(facts_.grants[group], asked.granted) || tried;
+  const bool tried = widen(facts_.contexts[group], requested.tried);
+  return widen(facts_.grants[group], requested.granted) || tried;
 }
 
 Region Contexts::around_requested(ProviderId id) {
@@ -89,10 +89,10 @@ Region Contexts::around_requested(ProviderId id) {
   return out;
 }
 
-void Contexts::visit_below(GroupId group, const std::function<void(GroupId, const Asked&)>& visitor) {
+void Contexts::visit_below(GroupId group, const std::function<void(GroupId, const Requested&)>& visitor) {
   std::size_t running = 0;
-  Asked anywhere;
-  std::map<GroupId, Asked> asked;
+  Requested anywhere;
+  std::map<GroupId, Requested> requested;
   for (const ProviderId id : model_.groups[group].providers) {
     if (!facts_.active.contains(id)) continue;
     const Region region = around_requested(id);
@@ -101,15 +101,16 @@ void Contexts::visit_below(GroupId group, const std::function<void(GroupId, cons
       Region whole = region;
       whole.meet(around_members(pack));
       for (const Task& task : pack.tasks) {
-        const Asked here{region, is_always_member(pack, task) ? whole : region};
-        const auto [at, is_new] = asked.try_emplace(task.target, here);
-        Asked& all = at->second;
+        const Requested here{region, is_always_member(pack, task) ? whole : region};
+        const auto [at, is_new] = requested.try_emplace(task.target, here);
+        Requested& all = at->second;
         if (!is_new) all = {hull(all.tried, here.tried), hull(all.granted, here.granted)};
       }
     }
   }
-  for (auto& [target, all] : asked) {
-    // Another one of the group may keep the request of one that ran before it, even where it asks for the same itself.
+  for (auto& [target, all] : requested) {
+    // Another provider of the group may keep the request of the one that ran before, even if it requests the same
+    // itself.
     if (running > 1) {
       const auto keep = [&](Region& region) {
         Region kept = after(region);
@@ -149,14 +150,14 @@ const Region& Contexts::around_members(const Pack& pack) {
 }
 
 bool Contexts::is_kept_adrift(GroupId group) const {
-  const auto asks = [&](EdgeId id) { return model_.edges[id].requester.has_value(); };
+  const auto has_requester = [&](EdgeId id) { return model_.edges[id].requester.has_value(); };
   const std::vector<EdgeId>& above = model_.groups[group].requesters;
   return std::any_of(above.begin(), above.end(), [&](EdgeId id) {
     if (!model_.edges[id].requester || model_.edges[id].levels.empty()) return false;
     const std::vector<EdgeId>& next = model_.groups[*model_.edges[id].requester].requesters;
-    // One without conditions that only one group asks for has it as long as that runs.
+    // A task without conditions that only one group requests is granted as long as that group runs.
     return (next.size() > 1 || facts_.may_wait.contains(*model_.edges[id].requester)) &&
-           std::any_of(next.begin(), next.end(), asks);
+           std::any_of(next.begin(), next.end(), has_requester);
   });
 }
 
@@ -168,7 +169,7 @@ bool Contexts::forget_needed() {
 }
 
 const Region& Contexts::around_needed(GroupId group) {
-  const auto [at, is_new] = needed_.try_emplace(group); // in a circle of needs: anywhere
+  const auto [at, is_new] = needed_.try_emplace(group); // in a cycle of needs: anywhere
   if (!is_new || !facts_.may_wait.contains(group)) return at->second;
   std::optional<Region> out;
   for (const ProviderId id : model_.groups[group].providers) {
@@ -214,7 +215,7 @@ bool Contexts::can_go_on(ProviderId id, Region within) {
   return has_choice(id, std::move(within));
 }
 
-/// Nothing that it may need has a condition, or can never run: then any plan serves.
+/// Whether none of its possible needs has a condition, or can never run: then any plan is possible.
 bool Contexts::always_has_needs(const Provider& provider) const {
   IdSet<GroupId> seen(model_.groups.size());
   std::vector<const Provider*> open{&provider};
@@ -236,7 +237,7 @@ bool Contexts::always_has_needs(const Provider& provider) const {
 bool Contexts::has_choice(ProviderId id, Region within) {
   if (!may_be(within)) return false;
   const Provider& provider = model_.providers[id];
-  // Needs that no plan can meet are reported as such; elsewhere they are taken for mended.
+  // Needs without a possible plan are reported by another check; elsewhere they are treated as corrected.
   if (provider.needs.empty() || facts_.plans[id] != PlanVerdict::found || always_has_needs(provider)) return true;
   JointPlan plan(*this, std::move(within));
   const std::int64_t granted = facts_.budget.grant(most_context_steps * context_step_cost) / context_step_cost;

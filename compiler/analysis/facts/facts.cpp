@@ -69,7 +69,7 @@ public:
       if (contexts_.forget_needed()) {
         for (const GroupId group : model_.groups.ids()) look_again(group);
       }
-      // Who may push whom takes the longest: it is asked only where all else has settled.
+      // Pushes take the longest: they are searched only when everything else is stable.
       settle_all();
       changed_ = false;
       find_pushed();
@@ -81,21 +81,21 @@ public:
         facts_.excluded.add(id);
     }
     for (const GroupId group : model_.groups.ids()) {
-      contexts_.visit_below(group,
-                            [&](GroupId target, const Contexts::Asked& asked) { exclude(group, target, asked); });
+      contexts_.visit_below(
+          group, [&](GroupId target, const Contexts::Requested& requested) { exclude(group, target, requested); });
     }
     std::sort(facts_.excluded_tasks.begin(), facts_.excluded_tasks.end());
     return std::move(facts_);
   }
 
 private:
-  /// The target runs for others, and can nowhere where this one asks for it.
-  void exclude(GroupId requester, GroupId target, const Contexts::Asked& asked) {
+  /// The target runs for others, but its providers never can where this group requests it.
+  void exclude(GroupId requester, GroupId target, const Contexts::Requested& requested) {
     const std::vector<ProviderId>& all = model_.groups[target].providers;
     const auto runs = [&](ProviderId each) { return facts_.active.contains(each); };
-    if (asked.granted.states.empty() || std::none_of(all.begin(), all.end(), runs) ||
+    if (requested.granted.states.empty() || std::none_of(all.begin(), all.end(), runs) ||
         std::any_of(all.begin(), all.end(), [&](ProviderId each) {
-          return facts_.capable.contains(each) && contexts_.can_go_on(each, asked.granted);
+          return facts_.capable.contains(each) && contexts_.can_go_on(each, requested.granted);
         }))
       return;
     for (const EdgeId id : model_.groups[target].requesters) {
@@ -111,7 +111,7 @@ private:
     }
   }
 
-  /// Whom a new fact may concern.
+  /// Finds the groups that a new fact may concern.
   void find_concerned() {
     for (const GroupId group : model_.groups.ids()) {
       for (const ProviderId id : model_.groups[group].providers) {
@@ -161,21 +161,21 @@ private:
     }
   }
 
-  /// All that follows without a push. Each round looks where the one before changed something: requesters come before
-  /// what they request, so few rounds do; but a chain of causes takes as many as it has links.
+  /// Derives everything that follows without a push. Each round examines what the one before changed: requesters come
+  /// before what they request, so there are few rounds; but a chain of causes takes as many as it has links.
   void settle() {
     while (!again_.empty()) {
       std::vector<GroupId> groups = std::move(again_);
       again_.clear();
       for (const GroupId group : groups) waits_for_a_look_.remove(group);
       std::sort(groups.begin(), groups.end(), [&](GroupId a, GroupId b) { return place_[a] < place_[b]; });
-      // What is needed comes last in the graph's order, and its capability first.
+      // Needed groups come last in the graph's order, but their capability first.
       for (auto group = groups.rbegin(); group != groups.rend(); ++group) find_capable(*group);
       for (const GroupId group : groups) find_active(group);
     }
   }
 
-  /// And what failed for conditions of several groups together, until that is the same with all that is known.
+  /// Also for conditions of several groups together that failed, until the result is stable.
   void settle_all() {
     settle();
     while (news_ != news_then_ && !together_.empty()) {
@@ -189,7 +189,7 @@ private:
     if (facts_.holding.add(edge)) ++news_;
   }
 
-  /// All that its plans may hold.
+  /// Records everything that its plans may hold.
   void hold_needs(ProviderId provider) {
     std::vector<ProviderId> open{provider};
     while (!open.empty()) {
@@ -209,8 +209,8 @@ private:
     }
   }
 
-  void request(GroupId group, const Contexts::Asked& asked) {
-    if (!contexts_.widen(group, asked)) return;
+  void request(GroupId group, const Contexts::Requested& requested) {
+    if (!contexts_.widen(group, requested)) return;
     ++news_;
     look_again(group);
   }
@@ -219,7 +219,7 @@ private:
     if (waits_for_a_look_.add(group)) again_.push_back(group);
   }
 
-  /// `again`: not at the start alone.
+  /// `again`: not only at the start.
   void grow(StateId state, const ValueSet& values, bool again) {
     if (again && !values.subset_of(facts_.given[state])) {
       facts_.given[state] = facts_.given[state].united(values);
@@ -238,7 +238,7 @@ private:
       if (facts_.capable.contains(id)) continue;
       const Provider& provider = model_.providers[id];
       if (!conditions_may_hold(id)) continue;
-      // Needs that no plan can meet are reported as such; elsewhere they are taken for mended.
+      // Needs without a possible plan are reported by another check; elsewhere they are treated as corrected.
       if (reported_ == Reported::as_is && facts_.plans[id] == PlanVerdict::none) continue;
       const bool has_needs = facts_.plans[id] != PlanVerdict::found ||
                              std::all_of(provider.needs.begin(), provider.needs.end(), [&](const Use<GroupId>& need) {
@@ -272,7 +272,7 @@ private:
     return out;
   }
 
-  /// Its `when` may hold while each of its rivals lacks something. Those that exclude it lack it then.
+  /// Whether its `when` may hold while each of its rivals lacks something. Rivals that exclude it lack it then.
   bool may_come_first(ProviderId id) {
     const GroupId group = model_.providers[id].group;
     Region own = contexts_.own(id);
@@ -304,14 +304,14 @@ private:
       if (!facts_.active.contains(id) && (facts_.chosen.contains(id) || facts_.pushed.contains(id)))
         become_active(group, id);
     }
-    ask_below(group);
+    request_below(group);
   }
 
-  /// What one of its providers asks for stands while any of them runs.
-  void ask_below(GroupId group) {
-    contexts_.visit_below(group, [&](GroupId target, const Contexts::Asked& asked) {
-      for (const auto& entry : asked.granted.states) followers_[entry.first].insert(group);
-      request(target, asked);
+  /// What one of its providers requests remains while any of them runs.
+  void request_below(GroupId group) {
+    contexts_.visit_below(group, [&](GroupId target, const Contexts::Requested& requested) {
+      for (const auto& entry : requested.granted.states) followers_[entry.first].insert(group);
+      request(target, requested);
     });
   }
 
@@ -327,8 +327,7 @@ private:
     for (const auto& [state, source] : set_by_handlers_[group]) grow(state, source->values, true);
   }
 
-  /// What a push leads to is followed at once, so that whoever waits behind it need not look down the whole chain
-  /// again.
+  /// The consequences of a push are derived at once, so that tasks behind it need not search the whole chain again.
   void find_pushed() {
     const Chains chains(model_, [&](ProviderId id) { return facts_.active.contains(id); });
     Pushes pushes(model_, facts_, chains, causers_);
@@ -353,17 +352,17 @@ private:
   Rivals rivals_;
   IdTable<GroupId, std::vector<GroupId>> needers_;
   IdTable<StateId, std::vector<GroupId>> waiters_;
-  IdTable<StateId, std::set<GroupId>> followers_; ///< whose requests outlast values that it once had
+  IdTable<StateId, std::set<GroupId>> followers_; ///< whose requests remain after the values with which they were made
   using Sets = std::vector<std::pair<StateId, const Source*>>;
   IdTable<ProviderId, Sets> set_by_provider_;
   IdTable<GroupId, Sets> set_by_handlers_;
   IdTable<GroupId, std::size_t> place_; ///< in the graph's order
   std::vector<GroupId> again_;          ///< that a new fact concerns
   SparseSet<GroupId> waits_for_a_look_; ///< ... each once
-  IdSet<GroupId> planned_;              ///< needed by a plan of one that may be active
+  IdSet<GroupId> planned_;              ///< needed by a plan of a provider that may be active
   SparseSet<ProviderId> holds_needs_;
-  std::vector<GroupId> together_;        ///< that have a provider which may run if what others add lets it
-  std::size_t news_ = 0, news_then_ = 0; ///< facts so far, and when that was looked at
+  std::vector<GroupId> together_;        ///< with a provider that may run, depending on what other groups cause
+  std::size_t news_ = 0, news_then_ = 0; ///< number of facts, now and when that was last examined
   Facts facts_;
   Contexts contexts_;
   bool changed_ = false;

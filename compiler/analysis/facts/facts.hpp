@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What may ever happen in a deployment: the least fixed point of rules like "a provider may be active if its group may
-// be requested and its conditions may hold there". It takes every state for itself and forgets order, so it errs on one
-// side only: what is not among the facts never happens, what is among them may. Method: checks.md, "When and Causing"
-// (Dowling and Gallier 1984).
+// Derives what may ever happen in a deployment: the least fixed point of rules like "a provider may be active if its
+// group may be requested and its conditions may hold there". It treats every state independently and ignores order, so
+// it is an over-approximation: what is not among the facts never happens, what is among them may. Method: checks.md,
+// "When and Causing" (Dowling and Gallier 1984).
 
 #include "compiler/analysis/effort/budget.hpp"
 #include "compiler/analysis/plans/plans.hpp"
@@ -18,57 +18,58 @@ namespace director::analysis {
 
 using namespace director::compiler;
 
-/// Conditions of one provider on one state that nothing can satisfy, by declarations alone. The rule that reports it is
-/// reason enough: everywhere else they are taken for mended.
+/// Conditions of one provider on one state that nothing can satisfy, by declarations alone. The check that reports this
+/// is enough: everywhere else they are treated as corrected.
 struct Impossible {
   enum class Why {
     contradictory,  ///< no value satisfies all of them
     without_source, ///< the state never has a value
-    unreachable     ///< what sets the state never sets it to such a value
+    unreachable     ///< no source sets the state to such a value
   };
   ProviderId provider{};
   bool stay = false; ///< of `stay`; else of `when`
   StateId state{};
   Why why = Why::contradictory;
-  std::vector<ConditionUse> uses; ///< in the order written
+  std::vector<ConditionUse> uses; ///< in the order of declaration
 };
 
 struct Facts {
-  IdTable<StateId, ValueSet> declared; ///< what any source names, whether or not it can ever act
+  IdTable<StateId, ValueSet> declared; ///< what all sources name, whether or not they can ever act
   std::vector<Impossible> impossible;  ///< in order of provider
   IdTable<ProviderId, PlanVerdict> plans;
   IdSet<GroupId> may_wait; ///< some provider of it, or of a group that its plans may hold, has a `when`
 
   IdTable<StateId, ValueSet> values; ///< that the state may have
-  IdTable<StateId, ValueSet> given;  ///< ... and that something may give it again; not those of the start alone
+  IdTable<StateId, ValueSet> given;  ///< ... and that something may set again, besides the start
   IdSet<GroupId> capable_groups;     ///< some provider is capable
   IdSet<GroupId> requested;
-  IdSet<EdgeId> holding;             ///< by which something alive may hold their target: requested, or in some plan
+  IdSet<EdgeId> holding;             ///< through which a group that may run may hold their target: requested, or in
+                                     ///< some plan
   IdTable<GroupId, Region> contexts; ///< of requested groups: around all states in which a task for it is tried
   IdTable<GroupId, Region> grants;   ///< ... in which it can be granted, with all that is granted together with it
   IdSet<ProviderId> capable;         ///< its conditions may hold, together with those of some choice for its needs
   IdSet<ProviderId> excluded; ///< capable, its group requested, but only where its conditions, or its needs', fail
-  IdSet<ProviderId> chosen;   ///< capable, and sometimes the first that is, or it was not decided
+  IdSet<ProviderId> chosen;   ///< capable, and sometimes the first that is, or that was undecided
   std::vector<EdgeId>
-      excluded_tasks;       ///< of groups that run for others: so is every provider where this one asks for it
-  IdSet<ProviderId> pushed; ///< somebody may push it
+      excluded_tasks;       ///< of groups that run for others: all providers are excluded where this edge requests them
+  IdSet<ProviderId> pushed; ///< some task may push it
   IdSet<ProviderId> active; ///< its group requested, and it is chosen or pushed and capable
 
   Budget budget; ///< what the search for all this has left to the checks
 
   std::span<const Impossible> impossible_of(ProviderId provider) const;
-  /// Of this provider's `when`, the conditions on this state are reported as impossible.
+  /// Whether this provider's `when` conditions on this state are reported as impossible.
   bool is_impossible(ProviderId provider, StateId state) const;
-  /// It may hold. True also for what is reported as impossible.
+  /// True also for what is reported as impossible.
   bool may_hold(const Model& model, ProviderId provider, const ConditionUse& condition) const;
-  /// It holds wherever all states are in the region.
+  /// Whether it holds wherever all states are in the region.
   bool holds_always(const Model& model, ConditionId condition, const Region& region) const;
 };
 
-/// What is reported as impossible by declarations alone (`impossible`, needs without a plan).
+/// How to treat what is reported as impossible by declarations alone (`impossible`, needs without a plan).
 enum class Reported {
-  mended, ///< is taken for mended: what would never happen for want of it is no finding of its own
-  as_is   ///< never happens, and nothing that takes it either
+  mended, ///< as corrected: what never happens because of it is no further finding
+  as_is   ///< as it is: it never happens, nor anything that depends on it
 };
 
 Facts find_facts(const Model& model, const Graph& graph, Reported reported = Reported::mended);

@@ -8,8 +8,8 @@ namespace director::analysis {
 
 namespace {
 
-/// The providers of the group and of every group that their plans may hold, as far as one of them waits for anything.
-/// `waiting`: of those that are never what it waits for none; nothing: these too.
+/// The providers of the group and of every group that their plans may hold, if one of them has conditions. `waiting`:
+/// without those that are never what it waits for; null: with these.
 std::vector<ProviderId> providers_of_plans(const Model& model, const Facts& facts, Waiting* waiting, GroupId waiter) {
   std::vector<ProviderId> out;
   if (!facts.may_wait.contains(waiter) || (waiting != nullptr && !waiting->may_wait(waiter))) return out;
@@ -31,7 +31,7 @@ std::vector<ProviderId> providers_of_plans(const Model& model, const Facts& fact
   return out;
 }
 
-/// So many earlier ones that cause the same are looked at.
+/// Limit for the earlier causing providers that are considered.
 constexpr std::size_t most_earlier = 16;
 
 } // namespace
@@ -112,12 +112,12 @@ std::optional<ProviderId> Pushes::earlier_causer(ProviderId causer, ConditionId 
   return std::nullopt;
 }
 
-/// What is reported as impossible is taken for mended.
+/// Whether it is reported as impossible, and treated as corrected.
 bool Pushes::is_mended(ProviderId provider, ConditionId id) const {
   return facts_.is_impossible(provider, model_.conditions[id].state);
 }
 
-/// Each provider counts the conditions that it lacks, and each condition wakes those that wait for it.
+/// Each provider counts the conditions that it lacks, and each condition notifies the providers that wait for it.
 void Pushes::find_hopeful() {
   IdTable<ConditionId, std::vector<ProviderId>> waiting(model_.conditions.size());
   IdTable<ProviderId, std::size_t> lacking(model_.providers.size(), 0);
@@ -168,8 +168,7 @@ bool PushSearch::is_servable(ConditionId id) {
   return servable_.contains(id);
 }
 
-/// Collects what the condition waits for by way of causing providers and theirs, as far as it does not hold anyway, and
-/// decides all of it.
+/// Collects what the condition waits for through causing providers, unless it holds anyway, and decides all of it.
 void PushSearch::settle(ConditionId id) {
   std::vector<ConditionId> open{id};
   settled_.add(id);
@@ -181,7 +180,7 @@ void PushSearch::settle(ConditionId id) {
       }
     }
   }
-  // Backwards: what a condition waits for was collected behind it.
+  // Backwards: what a condition waits for was collected after it.
   for (bool changed = true; changed;) {
     changed = false;
     for (auto at = open.rbegin(); at != open.rend(); ++at) {
@@ -197,7 +196,7 @@ bool PushSearch::may_serve(ProviderId causer) {
   return all_.hopeful_.contains(causer) && beats(all_.model_.providers[causer].group);
 }
 
-/// A soft transition is begun only when it can be completed.
+/// A soft transition begins only if it can be completed.
 bool PushSearch::can_be_completed(ProviderId provider) {
   const std::vector<ConditionUse>& when = all_.model_.providers[provider].when;
   return std::all_of(when.begin(), when.end(),
@@ -231,7 +230,7 @@ std::vector<ProviderId> PushSearch::explore(Explored& explored) {
         wanted.push_back(use.id);
     }
   };
-  // And of the groups that it may need.
+  // Also for the groups that it may need.
   const auto want_below = [&](ProviderId causer) {
     SparseSet<GroupId> needed;
     std::vector<ProviderId> open{causer};

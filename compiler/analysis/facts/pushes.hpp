@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Which causing providers may be pushed, given what is known to be possible so far (semantics.md 4.4, "Refuse").
+// Finds the causing providers that may be pushed, given what is known to be possible so far (semantics.md 4.4,
+// "Refuse").
 
 #include "compiler/analysis/chains/meetings.hpp"
 #include "compiler/analysis/chains/sparse_set.hpp"
@@ -15,20 +16,21 @@ namespace director::analysis {
 using Causers = IdTable<ConditionId, std::vector<ProviderId>>;
 Causers find_causers(const Model& model);
 
-/// What every search for pushes asks again and again. Requests and values are those of `facts` when it is made.
+/// What all searches for pushes share. Requests and values are those of `facts` at construction.
 class Pushes {
 public:
   Pushes(const Model& model, const Facts& facts, const Chains& chains, const Causers& causers);
 
-  /// The one may be lacking while the other is.
+  /// Whether the one may be false while the other is.
   bool may_lack_with(ConditionId id, ConditionId wanted) const;
 
-  /// Each condition of the rival holds wherever those of the causer do, or can be served by whoever serves those; or
-  /// because what is wanted is lacking.
+  /// Whether each condition of the rival holds wherever those of the causer do, or is served together with those, or
+  /// holds because the wanted condition is false.
   bool holds_with(ProviderId rival, ProviderId causer, ConditionId wanted) const;
 
-  /// Never pushed for this: it waits for the same or more itself, so that whoever brings that about serves without it;
-  /// or an earlier one of its group causes it too, and can be pushed whenever this one can.
+  /// Whether it is never pushed for this condition: it waits for the same or more itself, so that what causes that
+  /// serves without it; or an earlier provider of its group causes the condition too, and can be pushed whenever this
+  /// one can.
   bool is_passed_over(ProviderId causer, ConditionId wanted) const;
   std::optional<ProviderId> earlier_causer(ProviderId causer, ConditionId wanted) const;
 
@@ -43,30 +45,30 @@ private:
   const Chains& chains_;
   const Causers& causers_;
   Waiting waiting_;
-  IdSet<ProviderId> hopeful_; ///< causing providers that could be pushed by one who goes before everybody
+  IdSet<ProviderId> hopeful_; ///< causing providers that a task before all others could push
 };
 
-/// What searches have found that had this in common: a later one need not go there again.
+/// Shared results of searches, so that a later one need not repeat them.
 struct Explored {
   IdSet<ProviderId> pushable;
-  IdSet<ConditionId> conditions; ///< who causes them is pushable, and so on for what these wait for
+  IdSet<ConditionId> conditions; ///< whose causers are pushable, and so on for what these wait for
   explicit Explored(const Model& model) : pushable(model.providers.size()), conditions(model.conditions.size()) {}
 };
 
-/// The causing providers that a task for one group may push. Looks only as far as it is asked: to follow every chain of
-/// causes from each task that waits somewhere along it would take the square of its length.
+/// The causing providers that a task for one group may push. Searches only what is queried: following every chain of
+/// causes from each task that waits along it would be quadratic in its length.
 class PushSearch {
 public:
   /// `waiter` is a requested group.
   PushSearch(Pushes& all, GroupId waiter);
 
-  /// It may go before the group of this causing provider.
+  /// Whether it may go before the group of this causing provider.
   bool beats(GroupId group);
-  /// It may hold, or a chain of pushes may bring it about.
+  /// Whether it may hold, or a chain of pushes may cause it.
   bool is_servable(ConditionId id);
-  /// The task waits for this condition itself, and may push the provider for it.
+  /// Whether the task waits for this condition itself, and may push the provider for it.
   bool may_push(ProviderId causer, ConditionId condition);
-  /// Those that may be pushed, by way of chains too, and are not in `explored` already.
+  /// Those that may be pushed, also through chains, and are not in `explored` already.
   std::vector<ProviderId> explore(Explored& explored);
 
 private:
@@ -80,13 +82,13 @@ private:
   std::vector<ProviderId> providers_;
   SparseSet<GroupId> beaten_, compared_;
   SparseSet<ConditionId> settled_, servable_;    ///< of those that do not hold anyway
-  std::optional<SparseSet<ConditionId>> wanted_; ///< by the task itself, where it can be completed
+  std::optional<SparseSet<ConditionId>> wanted_; ///< by the task itself, if it can be completed
 };
 
 /// In order of id.
 std::vector<ProviderId> find_pushable(const Model& model, Pushes& all, GroupId waiter);
 
-/// Who may push whom at all: requested groups, each with those that a task for it may push. In order.
+/// All possible pushes: requested groups, each with the providers that a task for it may push. In order.
 std::vector<std::pair<GroupId, ProviderId>> find_all_pushes(const Model& model, const Facts& facts);
 
 /// What a task for this group may wait for: the conditions of its providers and of those in their plans.

@@ -11,7 +11,7 @@ namespace director::analysis {
 
 namespace {
 
-/// What may be in a context: each state that it speaks of, and no value only where it does not.
+/// The possible values in a context: of each state in the region, and unset only for other states.
 Box box_of_context(const Facts& facts, const Region& context) {
   Box out;
   for (const auto& [state, values] : context.states)
@@ -78,13 +78,13 @@ bool Waiting::is_carefree(GroupId group, const Region& context) {
   return carefree_[group] = out;
 }
 
-/// Wherever the groups of one of its choices are to be had, some of them are a choice whose conditions hold.
+/// Whether, wherever the groups of one of its choices are available, some of them form a choice whose conditions hold.
 bool Waiting::can_do_without(GroupId group, const Region& context, std::set<GroupId>& above) const {
   if (!facts_.may_wait.contains(group)) return true;
   if (!above.insert(group).second) return false;
   const std::vector<ProviderId>& all = model_.groups[group].providers;
   std::vector<Region> serving;
-  const Provider* fewest = nullptr; ///< whose needs all others have, if anybody's
+  const Provider* fewest = nullptr; ///< whose needs are among those of all others, if there is one
   for (const ProviderId id : all) {
     if (fewest == nullptr || model_.providers[id].needs.size() < fewest->needs.size()) fewest = &model_.providers[id];
   }
@@ -101,11 +101,11 @@ bool Waiting::can_do_without(GroupId group, const Region& context, std::set<Grou
   if (serving.empty()) return false;
   if (std::any_of(serving.begin(), serving.end(), [](const Region& region) { return region.states.empty(); }))
     return true;
-  Budget budget = facts_.budget; // a question that nobody hears of where it stays open
+  Budget budget = facts_.budget; // a copy, so that an open question is not reported
   return find_covering(model_, facts_.values, box_of_context(facts_, context), serving, budget) == Covering::covered;
 }
 
-/// Every condition of it, and of what it may need.
+/// Whether every condition of it, and of its possible needs, holds.
 bool Waiting::holds_always(GroupId group, const Region& context, std::set<GroupId>& seen) const {
   if (!facts_.may_wait.contains(group) || !seen.insert(group).second) return true;
   const std::vector<ProviderId>& all = model_.groups[group].providers;

@@ -1,7 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Which tasks ever wait for a condition, and for which providers' (semantics.md 4.4, "Refuse"): of a unit that is
-// refused the first combination counts whose groups are available, whatever its conditions.
+// Finds the tasks that ever wait for a condition, and the providers whose conditions they wait for (semantics.md 4.4,
+// "Refuse"): of a unit that is refused, the first combination counts whose groups are available, whatever its
+// conditions.
 
 #include "compiler/analysis/facts/facts.hpp"
 
@@ -12,32 +13,33 @@
 
 namespace director::analysis {
 
-/// Whatever is there for the second one's needs is there for the first one's.
+/// Whether the first one's needs are available whenever the second one's are.
 bool needs_no_more(const Provider& first, const Provider& second);
 
-/// Of one moment: what the facts allow when it is asked.
+/// Valid for one time: what the facts allow when it is called.
 class Waiting {
 public:
   Waiting(const Model& model, const Facts& facts);
 
-  /// Its conditions may be what a task for its group waits for. Not where an earlier one needs nothing that it does not
-  /// need too, unless a push moves it to the front.
+  /// Whether its conditions may be what a task for its group waits for. Not if an earlier provider needs nothing more
+  /// than it does, unless a push moves it to the front.
   bool may_be_first(ProviderId id) const;
 
-  /// A task for this requested group may be refused for a condition, its own or that of another member of its unit.
+  /// Whether a task for this requested group may be refused for a condition, its own or that of another member of its
+  /// unit.
   bool may_wait(GroupId group);
 
 private:
-  /// Where a task is asked for.
+  /// A place where a task is requested.
   struct Entry {
     ProviderId provider{};
     const Pack* pack = nullptr;
     bool in_unit = false;
   };
 
-  /// A member of its unit may be refused for a condition.
+  /// Whether a member of its unit may be refused for a condition.
   bool unit_waits(const Pack& pack);
-  /// As far as conditions go it can be granted wherever it can be had at all.
+  /// Whether its conditions allow a grant wherever its groups are available.
   bool is_carefree(GroupId group, const Region& context);
   bool can_do_without(GroupId group, const Region& context, std::set<GroupId>& above) const;
   bool holds_always(GroupId group, const Region& context, std::set<GroupId>& seen) const;

@@ -1,7 +1,7 @@
 // Header: compiler/analysis/facts/witness.hpp. Test: tests/compiler/analysis/facts/witness_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// The rules of facts.cpp once more, forwards, each remembering what it was applied to. A rule is applied only to what
+// Applies the rules of facts.cpp again, forwards, and records what each was applied to. A rule is applied only to what
 // is known already, so the supporters of a fact never lead back to it.
 #include "compiler/analysis/facts/witness.hpp"
 
@@ -18,7 +18,7 @@ namespace director::analysis {
 
 namespace {
 
-/// What is known: a group is requested; a provider can run, or does; a source (by its place) gives a state its values.
+/// A known fact: a group is requested; a provider can run, or does; a source (by its index) gives a state its values.
 struct Fact {
   enum class Kind { requested, capable, active, source };
   Kind kind = Kind::requested;
@@ -28,7 +28,7 @@ struct Fact {
 
 struct Support {
   std::vector<Fact> by;
-  std::optional<dsl::Note> note; ///< nothing: not worth a line
+  std::optional<dsl::Note> note; ///< empty: not worth a line
 };
 
 class WitnessSearch {
@@ -47,7 +47,7 @@ public:
     } while (grown_);
     const std::optional<Fact> last = fact_of(goal);
     if (!last) return std::nullopt;
-    tell(*last);
+    explain(*last);
     return std::move(told_);
   }
 
@@ -115,7 +115,7 @@ private:
     }
   }
 
-  /// The first source known that gives the state one of the values.
+  /// The first known source that gives the state one of the values.
   std::optional<Fact> source_of(StateId state, const ValueSet& values) const {
     for (std::uint32_t i = 0; i < sources_[state].size(); ++i) {
       const Fact fact{Fact::Kind::source, state.value, i};
@@ -164,11 +164,11 @@ private:
     return knows(active) ? std::optional(active) : std::nullopt;
   }
 
-  /// Each fact once, behind what supports it.
-  void tell(const Fact& fact) {
+  /// Adds each fact once, after its supporters.
+  void explain(const Fact& fact) {
     if (!done_.insert(fact).second) return;
     const Support& support = known_.at(fact);
-    for (const Fact& each : support.by) tell(each);
+    for (const Fact& each : support.by) explain(each);
     if (support.note) told_.push_back(*support.note);
   }
 

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Why something may happen: for each of the facts the first rule that supports it, from what needs no support on. Where
-// facts.hpp says "may", so does this.
+// Explains why something may happen: for each fact the first rule that supports it, beginning with facts that need no
+// support. Like facts.hpp, an over-approximation.
 
 #include "compiler/analysis/facts/facts.hpp"
 #include "dsl/diagnostic.hpp"
@@ -20,7 +20,7 @@ struct StateValue {
 /// A group that runs, a provider that runs, or a state's value.
 using Goal = std::variant<GroupId, ProviderId, StateValue>;
 
-/// What happens one after another, the goal last; nothing if it can never be.
+/// The events one after another, the goal last; empty if it can never happen.
 std::optional<std::vector<dsl::Note>> find_witness(const Model& model, const Facts& facts, const Goal& goal);
 
 } // namespace director::analysis

@@ -11,7 +11,7 @@ namespace director::analysis {
 
 namespace {
 
-/// Groups that can be had if a group may serve any number of needs, `without` this one: needs end somewhere.
+/// Groups that can be granted if a group may serve any number of needs, `without` this one: their needs end somewhere.
 IdSet<GroupId> find_ending(const Model& model, std::optional<GroupId> without) {
   IdSet<GroupId> ending(model.groups.size());
   IdTable<ProviderId, std::size_t> missing(model.providers.size());
@@ -60,8 +60,8 @@ Arrows arrows_of_needs(const Model& model) {
   return arrows;
 }
 
-/// Where every provider of every group needs another group of these.
-std::vector<std::vector<ChainStep>> circles_of_groups(const Model& model) {
+/// Cycles in which every provider of every group needs another group of the cycle.
+std::vector<std::vector<ChainStep>> cycles_of_groups(const Model& model) {
   const IdSet<GroupId> ending = find_ending(model, std::nullopt);
   Arrows stuck = arrows_of_needs(model);
   for (const GroupId group : model.groups.ids()) {
@@ -75,7 +75,7 @@ std::vector<std::vector<ChainStep>> circles_of_groups(const Model& model) {
   return out;
 }
 
-/// The first need of a provider that cannot be had without the provider's own group.
+/// The first need of a provider that cannot be granted without the provider's own group.
 const Use<GroupId>* find_need_of_itself(const Model& model, ProviderId id) {
   const Provider& provider = model.providers[id];
   const IdSet<GroupId> ending = find_ending(model, provider.group);
@@ -85,7 +85,7 @@ const Use<GroupId>* find_need_of_itself(const Model& model, ProviderId id) {
   return nullptr;
 }
 
-/// Providers without a plan whose needs end somewhere, and that would have none either if all others had theirs.
+/// Providers without a plan whose needs end somewhere, and that would have none even if all others had one.
 std::vector<ProviderId> find_faulty(const Model& model, const Facts& facts, Budget& budget) {
   std::vector<ProviderId> out;
   IdSet<ProviderId> planless(model.providers.size());
@@ -98,7 +98,7 @@ std::vector<ProviderId> find_faulty(const Model& model, const Facts& facts, Budg
     const bool ends = std::all_of(provider.needs.begin(), provider.needs.end(),
                                   [&](const Use<GroupId>& need) { return ending.contains(need.id); });
     if (!planless.contains(id) || !ends) continue;
-    IdSet<ProviderId> mended = planless; // of its own needs the search takes no notice of this
+    IdSet<ProviderId> mended = planless; // the search ignores this for its own needs
     if (find_plan(model, id, budget, &mended) != PlanVerdict::found) out.push_back(id);
   }
   return out;
@@ -106,15 +106,15 @@ std::vector<ProviderId> find_faulty(const Model& model, const Facts& facts, Budg
 
 } // namespace
 
-std::vector<std::vector<ChainStep>> find_need_circles(const Model& model, const Facts& facts, Budget& budget) {
-  std::vector<std::vector<ChainStep>> out = circles_of_groups(model);
+std::vector<std::vector<ChainStep>> find_need_cycles(const Model& model, const Facts& facts, Budget& budget) {
+  std::vector<std::vector<ChainStep>> out = cycles_of_groups(model);
   for (const ProviderId id : find_faulty(model, facts, budget)) {
     const Use<GroupId>* need = find_need_of_itself(model, id);
     if (need == nullptr) continue;
     const GroupId group = model.providers[id].group;
-    std::vector<ChainStep> circle{{group, need->id, true, need->span}};
-    for (const ChainStep& step : need_path(model, need->id, group)) circle.push_back(step);
-    out.push_back(std::move(circle));
+    std::vector<ChainStep> cycle{{group, need->id, true, need->span}};
+    for (const ChainStep& step : need_path(model, need->id, group)) cycle.push_back(step);
+    out.push_back(std::move(cycle));
   }
   return out;
 }
@@ -129,7 +129,7 @@ std::vector<ProviderId> find_need_conflicts(const Model& model, const Facts& fac
 
 std::vector<ChainStep> need_path(const Model& model, GroupId from, GroupId to) {
   if (from == to) return {};
-  // Asked for once a finding, so it looks at no more than it has to.
+  // Called once for each finding, so it searches no more than necessary.
   std::unordered_map<GroupId, GroupId> above;
   std::vector<GroupId> open{from};
   for (std::size_t next = 0; next < open.size() && above.count(to) == 0; ++next) {

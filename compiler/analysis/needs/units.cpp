@@ -13,10 +13,10 @@ namespace director::analysis {
 
 namespace {
 
-/// Of the budget of a run: with each pick goes a region.
+/// In units of the run's budget: each pick copies a region.
 constexpr std::int64_t unit_step_cost = 20;
 
-/// The choice so far, with what its conditions leave.
+/// The current choice, with the region of its conditions.
 class Combining {
 public:
   Combining(const Model& model, const Facts& facts, const Units& units, bool by_groups_alone,
@@ -40,7 +40,7 @@ public:
     now_.region = std::move(before_.back());
     before_.pop_back();
   }
-  /// A provider without a plan is reported as such; here it is taken to need nothing.
+  /// A provider without a plan is reported by another check; here it is assumed to need nothing.
   bool leave_needs(ProviderId provider) const { return facts_.plans[provider] != PlanVerdict::found; }
   bool complete() const { return visitor_(now_); }
 
@@ -51,7 +51,7 @@ private:
   bool by_groups_alone_;
   const std::function<bool(const Combination&)>& visitor_;
   Combination now_;
-  std::vector<Region> before_; ///< each pick
+  std::vector<Region> before_; ///< for each pick
 };
 
 } // namespace
@@ -97,7 +97,7 @@ Region Units::region_at_best(ProviderId id) const {
 }
 
 Region Units::region_at_best(GroupId group) {
-  const auto [at, is_new] = regions_.try_emplace(group); // in a circle of needs: anywhere
+  const auto [at, is_new] = regions_.try_emplace(group); // in a cycle of needs: anywhere
   if (!is_new) return at->second;
   std::optional<Region> out;
   for (const ProviderId id : model_.groups[group].providers) {

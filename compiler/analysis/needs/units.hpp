@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Whether the members of a unit can be granted together (semantics.md, 4.4): a provider and a plan for each, no group
-// twice, and conditions that can hold at the same time. To decide it is NP-complete, as for plans, so the search counts
-// its steps.
+// Decides whether the members of a unit can be granted together (semantics.md, 4.4): a provider and a plan for each, no
+// group twice, and conditions that can hold at the same time. This is NP-complete, like plans, so the search counts its
+// steps.
 
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/states/region.hpp"
@@ -13,19 +13,19 @@
 
 namespace director::analysis {
 
-/// It is mandatory and not `apart` at each of its levels.
+/// Whether it is mandatory and not `apart` at each of its levels.
 bool shares_unit(const Model& model, const Task& task);
 
 /// The tasks that are granted together in this pack: those that share its unit.
 std::vector<const Task*> unit_members(const Model& model, const Pack& pack);
 
-/// A choice for every member and for all that these need.
+/// A choice for every member and for all their needs.
 struct Combination {
   struct Pick {
     GroupId group{};
     ProviderId provider{};
   };
-  std::vector<Pick> picks; ///< each member in front of what it needs
+  std::vector<Pick> picks; ///< each member before its needs
   Region region;           ///< where their conditions hold
 };
 
@@ -33,28 +33,28 @@ enum class UnitVerdict { possible, impossible, undecided };
 
 class Units {
 public:
-  /// More steps than a pack of people took by a factor of a thousand.
+  /// A thousand times the steps of any real pack.
   static constexpr std::int64_t most_steps = 200'000;
 
   Units(const Model& model, const Facts& facts, Budget& budget) : model_(model), facts_(facts), budget_(budget) {}
 
-  /// Whether all of these can be granted at once. Quick where they share no need and no state. `by_groups_alone`:
-  /// whatever their conditions.
+  /// Whether all of these can be granted at once. Fast if they share no need and no state. `by_groups_alone`: ignoring
+  /// conditions.
   UnitVerdict verdict(const std::vector<GroupId>& members, bool by_groups_alone = false);
 
-  /// Every combination, in the order in which they are tried, until the visitor says false. False: there are more than
-  /// could be looked at. `by_groups_alone`: also those whose conditions exclude each other.
+  /// Visits every combination, in the order in which they are tried, until the visitor returns false. False: there are
+  /// more than the limit. `by_groups_alone`: also those whose conditions exclude each other.
   bool visit(const std::vector<GroupId>& members, bool by_groups_alone,
              const std::function<bool(const Combination&)>& visitor);
 
-  /// The group, what it may need, what that may need; sorted.
+  /// The group, its possible needs, and theirs; sorted.
   const std::vector<GroupId>& needed(GroupId group);
 
-  /// Where a provider may run, leaving out what other checks report: conditions that never hold, and those that do not
-  /// count while it is pushed.
+  /// Where a provider may run, without what other checks report: conditions that never hold, and those that are waived
+  /// while it is pushed.
   Region region_at_best(ProviderId provider) const;
 
-  /// Where some choice for the group may run, its needs included.
+  /// Where some choice for the group may run, with its needs.
   Region region_at_best(GroupId group);
 
 private:

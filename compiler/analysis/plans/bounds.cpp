@@ -14,7 +14,7 @@ namespace director::analysis {
 
 namespace {
 
-constexpr std::int64_t most_plans = 100'000; ///< of one provider; who has more is told of by unbounded_choice
+constexpr std::int64_t most_plans = 100'000; ///< of one provider; unbounded_choice reports more
 
 class Counting {
 public:
@@ -59,7 +59,7 @@ private:
   Trials trials_;
 };
 
-/// Each repetition forgets one holder for whose sake a group was denied to an equal.
+/// Each repetition removes one holder because of which a group was denied to an equal.
 std::int64_t groups_of_equals(const Tables& tables) {
   return std::count_if(tables.groups.begin(), tables.groups.end(),
                        [](const director::Group& group) { return group.equals; });

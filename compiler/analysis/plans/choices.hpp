@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Every choice of a provider for each of some needs, and for all that these need in turn, no group twice
-// (semantics.md, section 1). Depth first, the nearest need first; who asks counts the steps, since there may be more
-// choices than anybody has time for.
+// Enumerates every choice of a provider for each of some needs, and for their own needs, no group twice (semantics.md,
+// section 1). Depth first, the nearest need first; the visitor counts the steps, since the number of choices is
+// exponential.
 
 #include "compiler/model/model.hpp"
 
@@ -15,13 +15,13 @@ namespace director::analysis {
 
 using namespace director::compiler;
 
-/// What a search asks and tells on its way.
+/// The callbacks of a search.
 template <class Visitor>
 concept ChoiceVisitor = requires(Visitor visitor, ProviderId provider) {
   { visitor.pick(provider) } -> std::same_as<bool>;        ///< false: not with those picked before
-  { visitor.leave_needs(provider) } -> std::same_as<bool>; ///< what it needs is not asked for
+  { visitor.leave_needs(provider) } -> std::same_as<bool>; ///< its needs are not searched
   visitor.drop();                                          ///< the one that was picked last
-  { visitor.complete() } -> std::same_as<bool>;            ///< all needs are met; false: that is enough
+  { visitor.complete() } -> std::same_as<bool>;            ///< all needs are met; false: end the search
 };
 
 template <ChoiceVisitor Visitor>
@@ -33,7 +33,7 @@ public:
         steps_(steps),
         visitor_(visitor) {}
 
-  /// The group is not there for any of the needs.
+  /// Excludes the group for all needs.
   void hold(GroupId group) { held_[group.value] = true; }
 
   /// False: it ran out of steps.
@@ -45,8 +45,8 @@ public:
   std::int64_t steps_left() const { return std::max<std::int64_t>(steps_, 0); }
 
 private:
-  /// Needs that are still to be met: a list for each provider that was picked, the latest first. They lie on the stack
-  /// of the search itself, so that taking a step back costs nothing.
+  /// Needs that are not met yet: a list for each picked provider, the latest first. They are on the call stack of the
+  /// search, so that backtracking costs nothing.
   struct Agenda {
     const std::vector<Use<GroupId>>* needs = nullptr;
     std::size_t next = 0;

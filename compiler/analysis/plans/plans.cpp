@@ -13,7 +13,7 @@ namespace director::analysis {
 
 namespace {
 
-/// Of the budget of a run: to pick a provider takes longer than to look at a condition.
+/// In units of the run's budget: picking a provider takes longer than checking a condition.
 constexpr std::int64_t plan_step_cost = 4;
 
 class PlanCounter {
@@ -44,9 +44,9 @@ PlanCount count(const Model& model, ProviderId provider, std::int64_t most, Budg
   return {counter.plans(), finished && counter.plans() < most};
 }
 
-using Parts = std::optional<std::vector<GroupId>>; ///< sorted; nothing: all groups
+using Parts = std::optional<std::vector<GroupId>>; ///< sorted; empty optional: all groups
 
-/// What is indispensable by way of one provider: whatever its needs cannot do without.
+/// What is indispensable for one provider: what all ways to meet its needs have in common.
 Parts by_provider(const Provider& provider, const IdTable<GroupId, Parts>& parts) {
   std::vector<GroupId> out;
   for (const Use<GroupId>& need : provider.needs) {
@@ -86,8 +86,8 @@ Indispensable::Indispensable(const Model& model, const IdSet<ProviderId>* counts
     if (edge.needed) needs[edge.requester->value].push_back(edge.target.value);
   }
   const std::vector<Node> order = topological_order(needs);
-  // A greatest fixed point: begin with everything and take away what some provider does without. What is needed comes
-  // first, so one round does where there is no cycle, and a second one sees that it did.
+  // A greatest fixed point: begin with everything and remove what some provider does not use. Needed groups come first,
+  // so one round is enough without cycles, and a second one confirms it.
   for (bool changed = true; changed;) {
     changed = false;
     for (auto node = order.rbegin(); node != order.rend(); ++node) {

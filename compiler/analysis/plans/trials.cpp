@@ -89,8 +89,8 @@ TrialCount Trials::ways(const CountedUnit& unit) {
 TrialCount Trials::decision(const CountedUnit& unit) {
   TrialCount out;
   if (unit.members.size() == 1) return ways(unit.members.front()->target);
-  // One after the other, up to the first that has no choice beside those before it; and each for itself. Then those
-  // that can claim the same group, in all combinations.
+  // One after the other, up to the first that has no choice beside those before it; and each by itself. Then those that
+  // can claim the same group, in all combinations.
   for (const Task* member : unit.members) add(out, ways(member->target), 2);
   if (unit.colliding.size() == unit.members.size()) return out;
   for (const std::vector<const Task*>& members : unit.colliding) add(out, product(members));

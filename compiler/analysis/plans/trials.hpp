@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// How many combinations of providers and plans the engine may have to try (semantics.md 4.4, as
-// runtime/core/arbitration/combination.cpp does it). Members of a unit that can never claim the same group are chosen
-// one by one, and add up; those that can are combined, and multiply.
+// Bounds how many combinations of providers and plans the engine may have to try (semantics.md 4.4, as implemented in
+// runtime/core/arbitration/combination.cpp). Members of a unit that can never claim the same group are chosen one by
+// one, and add up; those that can are combined, and multiply.
 
 #include "compiler/analysis/plans/plans.hpp"
 
@@ -10,46 +10,46 @@
 
 namespace director::analysis {
 
-/// At some level the task is granted with the other mandatory ones of its pack, whole or not at all.
+/// Whether at some level the task is granted together with the other mandatory ones of its pack.
 bool may_be_member(const Model& model, const Task& task);
 
-/// What one decision is about: a task alone, or the tasks of a pack that are granted together.
+/// The unit of one decision: a task alone, or the tasks of a pack that are granted together.
 struct CountedUnit {
   std::vector<const Task*> members;
-  /// The members by cluster: who can claim the same group as others, or is alone. In order.
+  /// The members by cluster: those that can claim the same group, or one alone. In order.
   std::vector<std::vector<const Task*>> colliding;
 };
 
 struct TrialCount {
   std::int64_t count = 0;
-  bool complete = true; ///< false: at least so many
+  bool complete = true; ///< false: a lower bound
 };
 
-/// What a group asks for at a time is one pack, or list, of one of its providers: the one that one pass tries most for.
+/// A group requests one pack, or list, of one of its providers at a time: the one for which a pass tries most.
 struct LargestPack {
-  TrialCount count;      ///< 0: the group asks for nothing
-  ProviderId provider{}; ///< whose it is
+  TrialCount count;      ///< 0: the group requests nothing
+  ProviderId provider{}; ///< the owner of the pack
 };
 
 class Trials {
 public:
-  /// `most_plans`: of one provider, more are not counted.
+  /// `most_plans`: limit for one provider; more are not counted.
   Trials(const Model& model, std::int64_t most_plans, Budget& budget);
 
   CountedUnit alone(const Task& task) const;
   CountedUnit together(const Pack& pack) const; ///< without members: everything in it is decided alone
 
-  /// To have the group: its providers, each with each plan of its needs.
+  /// Ways to grant the group: its providers, each with each plan of its needs.
   const TrialCount& ways(GroupId group);
   PlanCount plans(ProviderId provider);
   /// All combinations of members that can claim the same group.
   TrialCount product(const std::vector<const Task*>& members);
-  /// The largest of these products: what the members multiply to.
+  /// The largest of these products: the multiplied ways of the members.
   TrialCount ways(const CountedUnit& unit);
-  /// What one decision about the unit tries at most.
+  /// Bound for one decision about the unit.
   TrialCount decision(const CountedUnit& unit);
-  /// What one pass tries for the tasks of a pack: the unit whole, and each task alone, where it is none of the unit,
-  /// below a stale group, or where others wait; each with its conditions, and then without, for what it lacks.
+  /// Bound for the tasks of a pack in one pass: the unit whole, and each task alone, if it is in no unit, below a stale
+  /// group, or others wait; each with its conditions, and then without, for what it lacks.
   TrialCount pass(const Pack& pack);
   TrialCount pass(const Task& root);
   LargestPack pass(GroupId group);

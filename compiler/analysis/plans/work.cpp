@@ -17,8 +17,8 @@ constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t sum(std::int64_t a, std::int64_t b) { return a > most - b ? most : a + b; }
 constexpr std::int64_t product(std::int64_t a, std::int64_t b) { return b != 0 && a > most / b ? most : a * b; }
 
-/// How often one unit may be tried: with its conditions, and then without them if that failed, or once more if what is
-/// new is deferred.
+/// How often one unit may be tried: with its conditions, and then without them if that failed, or again if new claims
+/// are deferred.
 constexpr std::int64_t attempts = 2;
 
 class Working {
@@ -31,7 +31,7 @@ public:
         pushes_(model.groups.size(), -1),
         searches_(tables.conditions.size(), -1) {}
 
-  /// Of a sweep over each component: what its root tasks and its groups ask for.
+  /// Of a sweep over each component: what its root tasks and its groups request.
   std::vector<std::int64_t> sweeps() {
     std::vector<std::int64_t> out(t_.components.size());
     const auto add = [&](Index group, std::int64_t work) {
@@ -52,21 +52,20 @@ private:
     return count.count;
   }
 
-  /// All choices of a member, once: a provider that is looked at, a plan that is found, and one that is left for the
-  /// next.
+  /// All choices of a member, once: examined providers, found plans, and one search for the next.
   std::int64_t choices(GroupId group) {
     return sum(static_cast<std::int64_t>(model_.groups[group].providers.size()), product(2, ways(group)));
   }
 
-  /// Decided for itself: where an equal may deny it something all choices, and then up to the first. If it waits for a
-  /// condition, it searches for somebody to push.
+  /// Decided by itself: if an equal may deny it something all choices, and then up to the first. If it waits for a
+  /// condition, it searches for a push.
   std::int64_t alone(const Task& task) {
     const std::int64_t scans = t_.groups[task.target.value].deniable ? 2 : 1;
     return sum(product(scans * attempts, choices(task.target)), pushes(task.target));
   }
 
-  /// Decided whole or not at all: each member for itself, one after the other, and what can claim the same group in all
-  /// combinations. That is more than all members take where each of them is decided alone. All may search.
+  /// Decided whole or not at all: each member by itself, one after the other, and members that can claim the same group
+  /// in all combinations. That bounds the cost of deciding each member alone. All may search.
   std::int64_t together(const CountedUnit& unit) {
     std::int64_t work = 0;
     for (const Task* member : unit.members) work = sum(work, product(2, choices(member->target)));
@@ -82,7 +81,7 @@ private:
     return work;
   }
 
-  /// A group asks for one pack at a time; what is not of its unit is decided alone.
+  /// A group requests one pack at a time; what is not in its unit is decided alone.
   std::int64_t largest_pack(GroupId group) {
     std::int64_t largest = 0;
     for (const ProviderId provider : model_.groups[group].providers) {
@@ -100,11 +99,11 @@ private:
     return largest;
   }
 
-  /// For each condition that a choice of the group can lack, a search; of the choice that costs the most.
+  /// For each condition that a choice of the group can lack, a search; for the choice that costs the most.
   std::int64_t pushes(GroupId group) {
     std::int64_t& known = pushes_[group.value];
     if (known >= 0) return known;
-    known = 0; // of a group that needs itself no plan is made
+    known = 0; // a group that needs itself has no plan
     std::int64_t dearest = 0;
     for (const ProviderId id : model_.groups[group].providers) {
       const director::Provider& row = t_.providers[id.value];
@@ -116,8 +115,8 @@ private:
     return known = dearest;
   }
 
-  /// Of a chain that makes the condition true: all plans of each provider that may stand in it, again until nothing
-  /// gets shorter.
+  /// Of a chain that makes the condition true: all plans of each provider that may be in it, again until no length
+  /// decreases.
   std::int64_t search(Index condition) {
     std::int64_t& out = searches_[condition];
     if (out >= 0) return out;
@@ -139,8 +138,8 @@ private:
         }
       }
     }
-    // After as many rounds as there are conditions no length changes any more; then who is declared earlier counts, and
-    // then nothing.
+    // After as many rounds as there are conditions no length changes any more; then the order of declaration counts,
+    // and then nothing.
     const auto rounds = static_cast<std::int64_t>(lacking.size()) + 2;
     return out = product(rounds, plans);
   }
@@ -162,7 +161,7 @@ WorkBound bound_work(const Model& model, const Tables& tables, Trials& trials) {
   }
   const std::vector<std::int64_t> sweeps = Working(model, tables, trials, out).sweeps();
   for (std::size_t c = 0; c < sweeps.size(); ++c) {
-    // Before the first repetition a pass that did not decide all begins again.
+    // Before the first repetition an incomplete pass begins again.
     const bool begins_again = repetitions[c] != 0 && tables.components[c].groups.size() > director::most_decided_whole;
     const std::int64_t pass = product(1 + repetitions[c] + (begins_again ? 1 : 0), sweeps[c]);
     out.pass = std::max(out.pass, pass);

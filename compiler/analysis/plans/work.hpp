@@ -1,16 +1,15 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// How much work (Engine::work: groups placed, units decided, choices and plans tried) a pass and a micro-step take at
-// most. Follows what runtime/core/arbitration does, function by function, and never what it does well.
+// Bounds the work (Engine::work: groups placed, units decided, choices and plans tried) of a pass and a micro-step.
+// Mirrors runtime/core/arbitration function by function, without its optimisations.
 
 #include "compiler/analysis/plans/trials.hpp"
 #include "runtime/core/base/tables.hpp"
 
 namespace director::analysis {
 
-/// What a unit of work is taken to cost where nobody says what it costs on his machine: the dearest of the behaviours
-/// for which ./bench measures it, rounded up. docs/performance.md, "dearest micro-step", has the machine and the
-/// numbers.
+/// The default cost of a unit of work, for a machine without a measurement: the highest of the behaviours in ./bench,
+/// rounded up. docs/performance.md, "dearest micro-step", has the machine and the numbers.
 inline constexpr double nanoseconds_of_work = 150;
 
 struct WorkBound {

@@ -24,7 +24,7 @@ std::vector<const Task*> Company::find_bare_chain(const Request& request, bool w
 }
 
 std::optional<Company::Rank> Company::find_outranking(const Request& request) {
-  visited_.clear(); // ways up that were gone for another request
+  visited_.clear(); // paths up that were followed for another request
   return find_outranking(request, true);
 }
 
@@ -93,7 +93,7 @@ bool Company::is_covered(const Request& request, bool waits) {
   return out;
 }
 
-/// The entry is for a wanted group, or a mandatory one for a group that always requests one.
+/// Whether the entry is for a wanted group, or a mandatory one for a group that always requests one.
 bool Company::brings(const Task& entry) {
   if (is_wanted(entry.target)) return true;
   if (!leading_.contains(entry.target)) return false;
@@ -101,7 +101,7 @@ bool Company::brings(const Task& entry) {
   return mandatory && always_requests(entry.target);
 }
 
-/// The same where nothing on some way is optional.
+/// The same if nothing on some path is optional.
 bool Company::brings_firmly(const Task& entry) {
   const auto is_optional = [&](const Task::NamedLevel& level) {
     return model_.edges[entry.edge].levels[level.level].optional;

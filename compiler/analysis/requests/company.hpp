@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Who is surely requested together with a task: by the same pack, or by one above it.
+// Finds what is certainly requested together with a task: by the same pack, or by one above it.
 
 #include "compiler/analysis/chains/sparse_set.hpp"
 #include "compiler/analysis/requests/requests.hpp"
@@ -12,8 +12,8 @@
 
 namespace director::analysis {
 
-/// Asked about some groups: whether any of them is surely requested. Of a flat list any part may be requested, so it
-/// promises no company; but of a mandatory member with a flat list all of that is taken to be requested.
+/// For a set of groups: whether any of them is certainly requested. Of a flat list any part may be requested, so its
+/// entries are no company; but for a mandatory member with a flat list all of that is assumed to be requested.
 class Company {
 public:
   Company(const Model& model, const Facts& facts, const Requests& requests, std::vector<GroupId> wanted)
@@ -24,25 +24,24 @@ public:
     find_leading();
   }
 
-  /// The entries from this one up to a root among which nothing requests any while it waits; empty: there is always
-  /// one.
+  /// The entries from this one up to a root that request none of the groups while it waits; empty: there is always one.
   std::vector<const Task*> find_bare_chain(const Request& request);
 
   /// Two entries of one named pack.
   struct Rank {
     const std::vector<Task>* list = nullptr;
     const Task* waits = nullptr; ///< leads to what waits
-    const Task* first = nullptr; ///< surely leads to a wanted group, and does not rank after it
+    const Task* first = nullptr; ///< certainly leads to a wanted group, and does not rank after it
   };
-  /// Where the nearest company of this request is of that kind and no other, on some way up.
+  /// The entries, if on some path up the nearest company of this request is of that kind and no other.
   std::optional<Rank> find_outranking(const Request& request);
-  /// At no level does `a` rank after `b`, as far as their entries tell.
+  /// Whether at no level `a` ranks after `b`, according to their entries.
   static bool goes_first(const Model& model, const Task& a, const Task& b);
 
   /// Entries that would lead to one, but are granted only together with what waits.
   const std::set<const Task*>& held_back() const { return held_back_; }
 
-  /// The lists in which one was found beside the chains that were looked at so far.
+  /// The lists in which one was found beside the chains that were examined so far.
   const std::set<const std::vector<Task>*>& found_in() const { return found_in_; }
 
 private:
@@ -60,7 +59,7 @@ private:
   const Facts& facts_;
   const Requests& requests_;
   std::vector<GroupId> wanted_;
-  SparseSet<GroupId> leading_; ///< from which requests lead to a wanted group: of many roots only few
+  SparseSet<GroupId> leading_; ///< from which requests lead to a wanted group: few of many roots
   std::set<GroupId> visited_;
   std::map<GroupId, bool> always_, firm_;
   std::set<const std::vector<Task>*> found_in_;

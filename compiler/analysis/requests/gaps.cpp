@@ -12,14 +12,14 @@ namespace director::analysis {
 
 namespace {
 
-/// More would be no help to anybody who reads them.
+/// Limit: more would not help the reader.
 constexpr std::size_t most_boxes = 256;
-/// A group with more different ways to run is taken to be able to run always.
+/// A group with more different ways to run is assumed to be always able to run.
 constexpr std::size_t most_open_ways = 512;
-/// The same of a provider with more combinations of its own ways and those of what it needs.
+/// The same for a provider with more combinations of its own ways and those of its needs.
 constexpr std::size_t most_combined = 4'096;
 
-/// How many subtract adds, told without the boxes themselves, which are as large as the region.
+/// The number of boxes that subtract adds, without computing them: each is as large as the region.
 std::size_t count_outside(const Box& box, const Region& region) {
   std::size_t out = 0;
   for (const auto& [state, accepted] : region.states) {
@@ -54,7 +54,7 @@ bool within(const Region& inner, const Region& outer) {
   });
 }
 
-/// Leaves out what another way allows anyway.
+/// Adds a way unless another one includes it.
 void add_way(std::vector<Region>& ways, Region way) {
   if (way.empty()) return;
   if (std::any_of(ways.begin(), ways.end(), [&](const Region& other) { return within(way, other); })) return;
@@ -63,7 +63,7 @@ void add_way(std::vector<Region>& ways, Region way) {
   ways.push_back(std::move(way));
 }
 
-/// Makes one way of two that differ in what they accept of one state alone.
+/// Merges two ways that differ only in what they accept of one state.
 void unite(std::vector<Region>& ways) {
   std::vector<Region> out;
   for (Region& way : ways) {
@@ -87,7 +87,7 @@ void unite(std::vector<Region>& ways) {
   ways = std::move(out);
 }
 
-/// Where they are too many to be listed.
+/// If there are too many to list.
 Gaps find_one_gap(const Model& model, const Facts& facts, const Box& start, const std::vector<Region>& ways,
                   Budget& budget) {
   Box gap;
@@ -150,7 +150,7 @@ const std::vector<Region>& Ways::of(GroupId group) {
   static const std::vector<Region> always{Region{}};
   if (!facts_.may_wait.contains(group)) return always;
   const auto [at, is_new] = ways_.try_emplace(group);
-  if (!is_new) return at->second; // in a circle of needs: no way
+  if (!is_new) return at->second; // in a cycle of needs: no way
   std::vector<Region> out;
   for (const ProviderId id : model_.groups[group].providers) {
     for (Region& way : of(id)) add_way(out, std::move(way));
@@ -165,7 +165,7 @@ const std::vector<Region>& Ways::of(GroupId group) {
 
 std::vector<Region> Ways::of(ProviderId id) {
   const Provider& provider = model_.providers[id];
-  // What is reported elsewhere is taken for mended.
+  // What another check reports is treated as corrected.
   if (facts_.plans[id] != PlanVerdict::found) return {Region{}};
   const auto region_by = [&](const std::vector<ConditionUse>& uses, bool stay) {
     Region region;

@@ -1,7 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Which values of states no way to run covers: what is left of all combinations when the regions of the ways are taken
-// away.
+// Finds the values of states with which no provider can run: all combinations minus the regions of the ways to run.
 
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/states/covering.hpp"
@@ -17,26 +16,26 @@ namespace director::analysis {
 /// The states of the region with the values that they may have.
 Box box_of(const Facts& facts, const Region& region);
 
-/// Disjoint boxes in which none of the ways is open.
+/// Disjoint boxes in which none of the ways can be used.
 struct Gaps {
   std::vector<Box> boxes;
-  bool all = true;     ///< else they are too many to be listed, and this is one of them
-  bool decided = true; ///< else nobody knows whether there are any
+  bool all = true;     ///< false: there are too many to list, and this is one of them
+  bool decided = true; ///< false: it is unknown whether there are any
 };
 Gaps find_gaps(const Model& model, const Facts& facts, const Box& start, const std::vector<Region>& ways,
                Budget& budget);
 
-/// A gap that no state narrows.
+/// A gap that no state restricts.
 inline constexpr std::string_view everywhere = "always";
 
-/// "`A` is 0 or unset while `B` is 1": of the states that `ways` speak of those that `box` narrows.
+/// "`A` is 0 or unset while `B` is 1": of the states in `ways` those that `box` restricts.
 std::string gap_in_words(const Model& model, const Facts& facts, const Box& box);
 
-/// In which regions a group or provider can run: its own conditions with those of the providers that its needs can come
-/// down to.
+/// The regions in which a group or provider can run: its own conditions with those of the providers that its needs can
+/// lead to.
 class Ways {
 public:
-  /// `counts`: conditions that are taken into account; others are taken to hold.
+  /// `counts`: conditions that are considered; others are assumed to hold.
   Ways(const Model& model, const Facts& facts, bool with_stay,
        std::function<bool(ProviderId, const ConditionUse&)> counts);
 

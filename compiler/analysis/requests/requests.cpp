@@ -16,7 +16,7 @@ Requests::Requests(const Model& model, const Graph& graph, const Facts& facts)
       for (const Task& task : pack.tasks) requests_[task.target].push_back({id, &pack, &task});
     }
   }
-  // Requesters come first; where a cycle makes that impossible, what is not known yet is open.
+  // Requesters come first; if a cycle prevents that, an unknown region is open.
   for (const Node node : graph.order) {
     const GroupId group{node};
     std::optional<Region> out;

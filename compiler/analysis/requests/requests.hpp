@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Who requests a group, and under which states.
+// Finds the requests for a group, and the states with which they are made.
 
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/requests/gaps.hpp"
@@ -23,10 +23,10 @@ public:
   Requests(const Model& model, const Graph& graph, const Facts& facts);
 
   const std::vector<Request>& of(GroupId group) const { return requests_[group]; }
-  /// A region around all states under which a task for the group may stand, as far as those above it tell. A needed
-  /// group that nobody requests: any.
+  /// A region around all states with which a task for the group may exist, according to the groups above it. For a
+  /// needed group without requests: any.
   const Region& region(GroupId group) const { return regions_[group]; }
-  /// The regions in which a request stands: where its provider can run, its needs included.
+  /// The regions in which a request exists: where its provider can run, with its needs.
   std::vector<Region> regions(const Request& request) const;
 
 private:

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Whether a task that is requested somewhere may have to wait for one condition.
+// Decides whether a requested task may have to wait for one condition.
 
 #include "compiler/analysis/facts/pushes.hpp"
 #include "compiler/analysis/requests/requests.hpp"
@@ -19,14 +19,14 @@ public:
         budget_(budget),
         ways_(model, facts, false, [](ProviderId, const ConditionUse&) { return true; }) {}
 
-  /// While this request stands, there are states under which no provider of its group can run, this condition being
-  /// false, and `waiter` might push for it: what the waiter lacks besides is not up to the outside alone. `absent`: a
-  /// state of one of these groups has its initial value.
+  /// Whether, while this request exists, there are states with which no provider of its group can run, this condition
+  /// is false, and `waiter` might push for it: what the waiter lacks besides does not depend only on inputs. `absent`:
+  /// a state of one of these groups has its initial value.
   bool may_wait(const Request& request, ProviderId waiter, const ConditionUse& use,
                 const std::vector<GroupId>& absent = {});
 
 private:
-  /// What the waiter lacks besides could be caused too. Else it pushes nobody.
+  /// Whether what the waiter lacks besides could be caused too. Otherwise it pushes nothing.
   bool is_servable(ProviderId waiter, ConditionId id) const;
   Possible& possible(StateId state, Box& box) const;
 

@@ -75,7 +75,7 @@ const Claims& Shared::claims(GroupId task) const {
 }
 
 const Claims& Shared::claims(GroupId task, GroupId requester) const {
-  // Where nothing leads back to the requester, the two are the same.
+  // If nothing leads back to the requester, the two are equal.
   const Claims& all = claims(task);
   if (!all.contains(requester)) return all;
   const std::pair key{task, requester};

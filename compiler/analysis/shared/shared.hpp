@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What more than one check asks for, found when the first one does and kept for the run.
+// Results that several checks use, computed on first use and kept for the run.
 
 #include "compiler/analysis/causing/imprecise.hpp"
 #include "compiler/analysis/causing/promises.hpp"
@@ -30,12 +30,12 @@ public:
   Shared(const Shared&) = delete;
   Shared& operator=(const Shared&) = delete;
 
-  /// Of all searches of this run.
+  /// For all searches of this run.
   Budget& budget() const { return budget_; }
   /// Over the providers that may be active.
   const Chains& chains() const;
   const Promises& promises() const;
-  /// Where what is reported as impossible is taken for mended.
+  /// With what is reported as impossible treated as corrected.
   const Decisions& decisions() const;
   const Requests& requests() const;
   const Causers& causers() const;
@@ -48,7 +48,7 @@ public:
   const Branches& branches() const;
   /// What a task for this group may come to hold, by providers that may be active.
   const Claims& claims(GroupId task) const;
-  /// The same while `requester` runs: nothing goes through that again.
+  /// The same while `requester` runs: nothing leads through that again.
   const Claims& claims(GroupId task, GroupId requester) const;
 
 private:

@@ -8,7 +8,7 @@ namespace director::analysis {
 
 namespace {
 
-/// More ways of one rival are left out.
+/// Limit for the ways of one rival; further ones are left out.
 constexpr std::size_t most_ways = 16;
 
 DominatorTree tree_of(const Model& model) {
@@ -86,8 +86,8 @@ std::vector<Region> Rivals::ways(ProviderId rival, Trial& trial) const {
 }
 
 std::vector<Region> Rivals::ways(GroupId group, GroupId needer, Trial& trial) const {
-  // What that one needs itself it has by the same edge. What only a part of its plan needs does not count: an equal
-  // that lets that part have it may deny it to this one.
+  // The later provider holds its own needs by the same edge. Needs of only a part of its plan do not count: an equal
+  // from which that part may get the group may deny it to this one.
   const Provider& provider = model_.providers[trial.provider];
   if (needer == provider.group &&
       std::any_of(provider.needs.begin(), provider.needs.end(), [&](const auto& need) { return need.id == group; }))
@@ -105,7 +105,7 @@ std::vector<Region> Rivals::ways(GroupId group, GroupId needer, Trial& trial) co
   return out;
 }
 
-/// Somebody but `needer` may hold it when the provider's group is tried, or take it in the same plan.
+/// Whether a group other than `needer` may hold it when the provider's group is tried, or take it in the same plan.
 bool Rivals::is_contended(GroupId group, GroupId needer, const Trial& trial) const {
   const GroupId above = model_.providers[trial.provider].group;
   const std::vector<EdgeId>& all = model_.groups[group].requesters;
@@ -118,7 +118,7 @@ bool Rivals::is_contended(GroupId group, GroupId needer, const Trial& trial) con
   });
 }
 
-/// What is below the provider's group holds nothing that everything which runs there needs itself.
+/// Whether the groups below the provider's group hold nothing except what all providers there need themselves.
 bool Rivals::goes_without(GroupId holder, GroupId group, ProviderId provider) const {
   const GroupId above = model_.providers[provider].group;
   if (holder == above || !below_.is_below(holder.value, above.value)) return true;

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// When a provider is the first of its group that can run.
+// Decides when a provider is the first of its group that can run.
 
 #include "compiler/analysis/states/covering.hpp"
 #include "compiler/analysis/states/region_index.hpp"
@@ -12,8 +12,8 @@
 
 namespace director::analysis {
 
-/// An earlier provider of the group, and regions in each of which it can run whenever the later one can: what it needs
-/// nobody else can hold, or the later one needs it itself.
+/// An earlier provider of the group, and regions in each of which it can run whenever the later one can: no other group
+/// can hold its needs, or the later one needs them itself.
 struct Rival {
   ProviderId provider{};
   std::vector<Region> ways;
@@ -21,7 +21,7 @@ struct Rival {
 
 class Rivals {
 public:
-  /// `holding`: edges by which something alive may hold their target; it may grow, and so may `active`.
+  /// `holding`: edges through which a group that may run may hold their target; it may grow, like `active`.
   Rivals(const Model& model, const IdSet<EdgeId>& holding, const IdSet<ProviderId>& active);
 
   std::vector<Rival> of(ProviderId provider) const { return that_meet(provider, {}); }
@@ -32,7 +32,7 @@ private:
   /// Of one rival.
   struct Trial {
     ProviderId provider{};     ///< the later one
-    std::vector<GroupId> path; ///< the groups above, against going in circles
+    std::vector<GroupId> path; ///< the groups above, to detect cycles
     std::set<GroupId> parties; ///< all that the rival's plans may hold
   };
   std::vector<Region> ways(ProviderId rival, Trial& trial) const;
@@ -48,12 +48,12 @@ private:
   DominatorTree below_;                    ///< of groups below the roots, over requests and needs
 };
 
-/// Whether `others` cover all of `own`, each state having one of `values` or, where `own` does not speak of it and it
-/// may, none. Open: `own` can hold while each of the others lacks something.
+/// Whether `others` cover all of `own`, if each state has one of `values` or, if it is not in `own` and may be, is
+/// unset. Open: `own` can hold while each of the others lacks something.
 Covering find_covering(const Model& model, const Region& own, const std::vector<Region>& others,
                        const IdTable<StateId, ValueSet>& values, Budget& budget);
 
-/// The same of the `when` of a provider and the ways of `rivals`. Covered: it never comes first.
+/// The same for the `when` of a provider and the ways of `rivals`. Covered: it never comes first.
 Covering find_choice(const Model& model, ProviderId provider, const std::vector<Rival>& rivals,
                      const IdTable<StateId, ValueSet>& values, Budget& budget);
 

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Every region has to lack something: one of its states has a value that it does not accept. That is satisfiability of
-// clauses over variables with many values, and it is searched for as that: a region that only one of its states can
-// still deny decides that state (unit propagation), and where nothing follows any more, the state that stands in the
-// most and shortest open regions is split in two (Davis, Logemann and Loveland 1962; Jeroslow and Wang 1990). A group
-// has at most some hundred providers: there a search that learns from conflicts (CaDiCaL 1.5.3) took twice to twenty
-// times as long, and decision diagrams of random conditions on
-// sixty states grow beyond all memory.
+// clauses over many-valued variables: if only one state of a region can still deny it, that state is decided (unit
+// propagation); if nothing more follows, the state that occurs in the most and shortest open regions is split in two
+// (Davis, Logemann and Loveland 1962; Jeroslow and Wang 1990). A group has at most some hundred providers: there a
+// search that learns from conflicts (CaDiCaL 1.5.3) took two to twenty times as long, and decision diagrams of random
+// conditions on sixty states exceeded all memory.
 #include "compiler/analysis/states/covering.hpp"
 
 #include <algorithm>
@@ -18,17 +17,17 @@ namespace director::analysis {
 
 namespace {
 
-/// For one question: what people write takes a thousandth, and this a fraction of a second.
+/// For one question: a real one takes a thousandth, and this a fraction of a second.
 constexpr std::int64_t covering_steps = 2'000'000;
 
 using Word = std::uint64_t;
 constexpr std::size_t word_bits = 64;
 
-/// A state, cut where some region begins or ends: between two cuts all values are alike.
+/// A state, cut where some region begins or ends: between two cuts all values are equivalent.
 struct Column {
   StateId state{};
   std::vector<ValueSet::Interval> cells;
-  bool may_be_unset = false; ///< then the bit behind those of the cells
+  bool may_be_unset = false; ///< then the bit after those of the cells
   std::size_t first = 0;     ///< of its words, in the row of all columns
   std::size_t words = 0;
 };
@@ -44,7 +43,7 @@ Possible possible_at(const Model& model, const IdTable<StateId, ValueSet>& value
   return at == start.end() ? Possible{values[state], model.states[state].may_be_unset()} : at->second;
 }
 
-/// No place of the box is in the region.
+/// Whether no place of the box is in the region.
 bool is_apart(const IdTable<StateId, ValueSet>& values, const Box& box, const Region& region) {
   return std::any_of(region.states.begin(), region.states.end(), [&](const auto& entry) {
     const auto at = box.find(entry.first);
@@ -91,7 +90,7 @@ public:
 
   std::int64_t steps_left() const { return std::max<std::int64_t>(steps_, 0); }
 
-  /// What is left of the states that the regions speak of.
+  /// What is left of the states in the regions.
   Box box() const {
     Box out;
     for (const Column& column : columns_) {
@@ -105,7 +104,7 @@ public:
   }
 
 private:
-  /// A state that was cut in two, to take the other part if this one leads nowhere.
+  /// A state that was split, to try the other part if this one has no solution.
   struct Split {
     std::size_t changes;
     Entry entry;
@@ -152,7 +151,7 @@ private:
     const Column& column = columns_[place];
     const std::size_t mask = masks_.size();
     masks_.resize(mask + column.words, 0);
-    // A cell lies wholly within an interval that is accepted, or wholly outside.
+    // A cell is completely within an accepted interval, or completely outside.
     for (const ValueSet::Interval& each : accepted.intervals()) {
       const auto begins_before = [](const ValueSet::Interval& cell, std::int64_t low) { return cell.low < low; };
       auto cell = std::lower_bound(column.cells.begin(), column.cells.end(), each.low, begins_before);
@@ -162,7 +161,7 @@ private:
     entries_.push_back({place, mask});
   }
 
-  /// The state can still be something that the region accepts, and something that it does not.
+  /// Whether the state can still have a value that the region accepts, and one that it does not.
   struct Standing {
     bool may_hold = false, may_lack = false;
   };
@@ -186,7 +185,8 @@ private:
     }
   }
 
-  /// How a region stands: it lacks something for certain, or these of its states can still be what it does not accept.
+  /// The status of a region: it certainly lacks something, or these of its states can still have a value that it does
+  /// not accept.
   struct Chances {
     bool lacks = false;
     std::size_t count = 0;
@@ -205,7 +205,7 @@ private:
     return out;
   }
 
-  /// Everything that follows. False: some region cannot lack anything any more.
+  /// Unit propagation. False: some region cannot lack anything any more.
   bool narrow() {
     std::vector<std::size_t>& open = open_.back();
     for (bool changed = true; changed;) {
@@ -256,7 +256,7 @@ private:
     keep(*entry, false);
   }
 
-  /// To the last split whose other part was not looked at.
+  /// Backtracks to the last split whose other part was not tried.
   bool turn_back() {
     if (splits_.empty()) return false;
     const Split split = splits_.back();
@@ -278,7 +278,7 @@ private:
   std::vector<Change> changes_;
 };
 
-/// Every place of the box is in the region.
+/// Whether every place of the box is in the region.
 bool is_within(const Model& model, const IdTable<StateId, ValueSet>& values, const Box& box, const Region& region) {
   return std::all_of(region.states.begin(), region.states.end(), [&](const auto& entry) {
     const auto at = box.find(entry.first);
@@ -288,7 +288,7 @@ bool is_within(const Model& model, const IdTable<StateId, ValueSet>& values, con
   });
 }
 
-/// Each state may be what it was in the beginning, where no region has any part of that.
+/// Adds the initial value of each state, if no region includes any part of it.
 void widen(const Model& model, const IdTable<StateId, ValueSet>& values, const Box& start,
            const std::vector<Region>& regions, Box& box) {
   for (auto& [state, here] : box) {
@@ -308,7 +308,7 @@ Covering find_covering(const Model& model, const IdTable<StateId, ValueSet>& val
   for (const auto& [state, possible] : start) {
     if (possible.empty()) return Covering::covered;
   }
-  // Regions outside of the box would only be looked at again and again.
+  // Regions outside of the box would only be examined in vain.
   std::vector<Region> near;
   for (const Region& region : regions) {
     if (is_apart(values, start, region)) continue;

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Whether some regions together cover a box of values of states, and what they leave open. To decide it is NP-complete:
-// it is the question whether a formula in disjunctive normal form holds always.
+// Decides whether some regions together cover a box of values of states, and what they leave open. This is NP-complete:
+// it is whether a formula in disjunctive normal form is a tautology.
 
 #include "compiler/analysis/effort/budget.hpp"
 #include "compiler/analysis/states/region.hpp"
@@ -11,7 +11,7 @@
 
 namespace director::analysis {
 
-/// What a state may be.
+/// The possible values of a state.
 struct Possible {
   ValueSet values;
   bool unset = false;
@@ -19,13 +19,13 @@ struct Possible {
   bool operator==(const Possible&) const = default;
 };
 
-/// States that are looked at, each for itself; any other state may be anything that it can be.
+/// The examined states, each independent; any other state may have any of its values.
 using Box = std::map<StateId, Possible>;
 
 enum class Covering { covered, open, undecided };
 
-/// Whether the regions cover all of `start`. A state that `start` says nothing about has one of `values` or, where it
-/// may, none. `opening`: takes a part of `start` outside all of the regions, if there is one; it cannot be widened.
+/// Whether the regions cover all of `start`. A state that is not in `start` has one of `values` or, if it may be, is
+/// unset. `opening`: gets a part of `start` outside all regions, if there is one; it cannot be widened.
 Covering find_covering(const Model& model, const IdTable<StateId, ValueSet>& values, const Box& start,
                        const std::vector<Region>& regions, Budget& budget, Box* opening = nullptr);
 

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a conjunction of conditions leaves of each state that it speaks of. States are taken one by one: whether two of
-// them can have two values at the same time is not asked.
+// The values that a conjunction of conditions accepts, for each state in it. States are independent: whether two of
+// them can have two values at the same time is ignored.
 
 #include "compiler/model/model.hpp"
 
@@ -13,7 +13,7 @@ namespace director::analysis {
 using namespace director::compiler;
 
 struct Region {
-  std::map<StateId, ValueSet> states; ///< a state that is not here may be anything, or unset
+  std::map<StateId, ValueSet> states; ///< a state that is not here may have any value, or be unset
 
   bool empty() const; ///< nothing satisfies it
   void meet(StateId state, const ValueSet& values);
@@ -22,16 +22,16 @@ struct Region {
 
 Region region_of(const Model& model, const std::vector<ConditionUse>& conditions);
 
-/// The smallest region around both: a state that one of them leaves open is open.
+/// The smallest region around both: a state that one of them does not restrict is not restricted.
 Region hull(const Region& a, const Region& b);
 
 /// Where a provider can be active: by its `when` or by its `stay`.
 Region active_region(const Model& model, const Provider& provider);
 
-/// Wherever `inner` holds, `outer` does.
+/// Whether `outer` holds wherever `inner` does.
 bool contains(const Region& outer, const Region& inner);
 
-/// False: some state would have to have two values at once.
+/// False: some state would need two values at once.
 bool compatible(const Region& a, const Region& b);
 
 } // namespace director::analysis

@@ -9,7 +9,7 @@ namespace director::analysis {
 
 namespace {
 
-/// Fewer are asked one by one sooner than they are sorted.
+/// Below this, a linear search is faster than sorting.
 constexpr std::size_t few = 16;
 
 } // namespace

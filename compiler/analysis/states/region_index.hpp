@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Which of many regions meet another one, without asking each of them. That many providers of a group are told apart by
-// one state is common; that is what it is quick for.
+// Finds the regions that meet another one, without testing each of them. It is fast for a common case: the many
+// providers of a group differ by one state.
 
 #include "compiler/analysis/states/region.hpp"
 
@@ -25,10 +25,10 @@ private:
     std::int64_t highest; ///< of all entries up to this one
     std::size_t place;
   };
-  /// How the regions stand to one state.
+  /// The regions by one state.
   struct Row {
     std::vector<Entry> entries;    ///< ascending by where they begin
-    std::vector<std::size_t> open; ///< regions that do not speak of it
+    std::vector<std::size_t> open; ///< regions that do not restrict it
   };
   using Range = std::pair<std::vector<Entry>::const_iterator, std::vector<Entry>::const_iterator>;
 
@@ -36,7 +36,7 @@ private:
   static std::size_t count(const Row& row, const ValueSet& values);
 
   std::vector<Region> regions_;
-  std::map<StateId, Row> rows_; ///< none where the regions are few
+  std::map<StateId, Row> rows_; ///< empty if the regions are few
 };
 
 } // namespace director::analysis

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Where the values of a state come from.
+// Finds the sources of the values of a state.
 
 #include "compiler/model/model.hpp"
 
@@ -25,7 +25,7 @@ struct Source {
 /// By state, in the order of Kind, then of providers and groups.
 IdTable<StateId, std::vector<Source>> find_sources(const Model& model);
 
-/// Where the provider promises what satisfies the condition.
+/// The provider's promise that satisfies the condition.
 const ConditionUse& promise_of(const Model& model, ProviderId causer, ConditionId condition);
 
 /// Every value that a provider may set, with a promise or without.

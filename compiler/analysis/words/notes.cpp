@@ -17,10 +17,10 @@ using dsl::Note;
 
 namespace {
 
-/// Who reads more steps than this reads them in the file.
-constexpr std::size_t most_told_steps = 12;
+/// Limit: a longer chain is easier to read in the file.
+constexpr std::size_t most_steps_in_notes = 12;
 
-/// Makes the first one that is left out tell of all of them.
+/// Makes the first note that is left out count all of them.
 void leave_out(Note& first, std::size_t count, std::string_view where) {
   first.message = fmt::format("and {} more of such notes, {}", count, where);
   first.link = Note::Link::aside;
@@ -31,8 +31,8 @@ void leave_out(Note& first, std::size_t count, std::string_view where) {
 void add_chain(const Model& model, const std::vector<ChainStep>& chain, std::vector<Note>& notes, Note::Link begins) {
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const ChainStep& step = chain[i];
-    if (chain.size() > most_told_steps && i == most_told_steps / 2) {
-      const std::size_t left_out = chain.size() - most_told_steps;
+    if (chain.size() > most_steps_in_notes && i == most_steps_in_notes / 2) {
+      const std::size_t left_out = chain.size() - most_steps_in_notes;
       notes.push_back({step.span,
                        fmt::format("{} more steps lead from {} to {}", left_out, name_of(model, step.from),
                                    name_of(model, chain[i + left_out - 1].to)),

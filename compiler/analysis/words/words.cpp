@@ -43,7 +43,7 @@ std::string values_in_words(const State& state, const ValueSet& values, bool uns
 }
 
 std::string chain_in_words(const Model& model, const std::vector<GroupId>& chain, std::string_view verb) {
-  constexpr std::size_t most = 12; // who reads more of them reads them in the notes
+  constexpr std::size_t most = 12; // limit: the notes have all of them
   std::string out = name_of(model, chain.front());
   for (std::size_t i = 1; i < chain.size(); ++i) {
     if (chain.size() > most + 1 && i == most / 2) {

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// How messages speak of things.
+// The wording of things in messages.
 
 #include "compiler/model/model.hpp"
 
@@ -20,7 +20,7 @@ std::string name_of(const Model& model, StateId id);
 /// `a`, `b` and `c`: of things that are quoted already.
 std::string list_of(const std::vector<std::string>& things, std::string_view last = "and");
 
-/// The same, but of many things the first ones and how many more there are.
+/// The same, but of a long list the first ones and the count of the rest.
 std::string few_of(const std::vector<std::string>& things, std::string_view last = "and");
 
 /// Values in plain words: "fallen or standing", "0 to 10, 50 or unset"; nothing: "nothing".

@@ -19,12 +19,12 @@ std::vector<std::string_view> split(std::string_view text, char at) {
   }
 }
 
-/// What a blank line would only push away from what it opens; a namespace is no such thing.
+/// Whether a blank line after it would be superfluous; not after the beginning of a namespace.
 bool is_opening(std::string_view text) { return text.ends_with('{') && !text.starts_with("namespace"); }
 
 } // namespace
 
-/// The UTF-8 of marks that turn the direction of text begins with E2 80 AA..AE or E2 81 A6..A9.
+/// The UTF-8 of marks that change the direction of text begins with E2 80 AA..AE or E2 81 A6..A9.
 std::string as_comment(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -43,7 +43,7 @@ std::string as_comment(std::string_view text) {
 }
 
 void Code::line(std::string_view text) {
-  const bool outside = text.empty() || text.starts_with('#'); // the preprocessor knows no blocks
+  const bool outside = text.empty() || text.starts_with('#'); // a preprocessor directive is in no block
   lines_.push_back({outside ? 0 : indent_, std::string(text), {}});
 }
 
@@ -114,7 +114,7 @@ void Code::list(std::string_view head, const std::vector<std::string>& items, st
   lines_[first].from = from;
 }
 
-/// As many items on a line as it holds.
+/// Puts as many items on a line as fit.
 void Code::list_below(const std::vector<std::string>& items, std::string_view tail) {
   std::string current;
   for (const std::string& item : items) {

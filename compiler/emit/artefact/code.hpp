@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Code to be written, as a value: lines with their indent, wrapped to the width of a page as they come in. Nobody glues
-// line breaks into strings. A line may say which place of the specification it comes from; the manifest lists these.
+// Generated code as a value: lines with their indent, wrapped to the page width when they are added, so that no caller
+// handles line breaks. A line may have the place of the specification that it comes from; the manifest lists these.
 
 #include "dsl/span.hpp"
 
@@ -26,24 +26,24 @@ public:
 
   void line(std::string_view text);
   void line(std::string_view text, const dsl::Span& from);
-  /// One blank line, never two and none behind an opening brace.
+  /// Adds one blank line, never two and none behind an opening brace.
   void blank();
-  /// `text` and what follows one level deeper, until close().
+  /// Adds `text` and indents what follows, until close().
   void open(std::string_view text);
   void open(std::string_view text, const dsl::Span& from);
   void close(std::string_view text);
-  /// `// ` or `/// ` before each line of `text`, broken between words.
+  /// Adds `text` as comment lines with `// ` or `/// `, broken between words.
   void comment(std::string_view text, std::string_view mark = "///");
   /// A line at the indent of the enclosing block: `public:`, `case`.
   void outdented(std::string_view text);
-  /// `head item, item, item tail` on one line where it fits, else broken between items, one level deeper.
+  /// `head item, item, item tail` on one line if it fits, otherwise broken between items, one level deeper.
   void list(std::string_view head, const std::vector<std::string>& items, std::string_view tail,
             const std::optional<dsl::Span>& from = {});
-  /// The same, and what follows one level deeper, until close().
+  /// The same, and indents what follows, until close().
   void open_list(std::string_view head, const std::vector<std::string>& items, std::string_view tail);
-  /// Lines as they stand, each two blanks at the beginning of one a level deeper.
+  /// Adds lines unchanged; each two blanks at the beginning of one are a level.
   void block(std::string_view text);
-  /// What another piece of code says, at this indent.
+  /// Adds another piece of code, at this indent.
   void append(const Code& other);
 
   const std::vector<Line>& lines() const { return lines_; }
@@ -57,7 +57,7 @@ private:
   std::uint32_t indent_ = 0;
 };
 
-/// What may stand in a comment: without control characters and marks that turn the direction of text.
+/// Text that is safe in a comment: without control characters and marks that change the direction of text.
 std::string as_comment(std::string_view text);
 
 } // namespace director::compiler

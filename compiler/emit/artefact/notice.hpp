@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// By what a file is known that directorc wrote, so that it may write it again: a comment in its first lines, or the
-// first key of its JSON.
+// The mark of generated files, by which directorc recognises what it may overwrite: a comment in the first lines, or
+// the first key of JSON.
 
 #include "compiler/base/json.hpp"
 
@@ -22,10 +22,11 @@ std::string svg_with_notice(std::string_view file, const std::string& text);
 /// The value of the key `generated_by`, which comes first.
 Json generated_by();
 
-/// Whichever version wrote it.
+/// Whether a text has the notice of any version.
 bool has_notice(std::string_view text);
 
-/// A trace in any of its formats (JSON lines, text, Perfetto's), which all have no place for a notice, or nothing.
+/// Whether it is a trace in any of its formats (JSON lines, text, Perfetto's), which have no place for a notice, or is
+/// empty.
 bool is_trace(std::string_view text);
 
 } // namespace director::compiler

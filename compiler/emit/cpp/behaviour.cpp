@@ -1,7 +1,7 @@
 // Header: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// The class that a program makes one of. Its words from outside are in runtime/core/api/post.hpp and seen.hpp.
+// The class that a program instantiates. Its functions for inputs are in runtime/core/api/post.hpp and seen.hpp.
 #include "compiler/emit/cpp/parts.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Header: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// What the engine calls: functions without a type that find the module and the context, and keep what is thrown.
+// The functions that the engine calls: untyped ones that find the module and the context, and catch exceptions.
 #include "compiler/emit/cpp/parts.hpp"
 #include "compiler/lower/row_names.hpp"
 #include "runtime/hosted/trace/fingerprint.hpp"
@@ -123,11 +123,11 @@ void call_handlers(Code& code, const CppEmission& e, std::string_view word, std:
   code.close("}");
 }
 
-/// How many bodies one function calls: a function for each takes the C++ compiler several times as long, and so does
-/// one for thousands.
+/// How many bodies one function calls: with one function for each, or one for thousands, the C++ compiler takes several
+/// times as long.
 constexpr std::uint32_t block = 32;
 
-/// What is thrown is caught here and not for each provider, which costs the C++ compiler a third of the time.
+/// Exceptions are caught here and not for each provider, which would cost the C++ compiler a third of the time.
 void call_bodies(Code& code, const CppEmission& e) {
   std::vector<std::string> blocks;
   code.blank();

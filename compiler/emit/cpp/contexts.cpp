@@ -1,8 +1,7 @@
 // Header: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// The contexts that bodies and handlers get: what all have in common is in runtime/core/api/body.hpp, here are the
-// packs.
+// The contexts of bodies and handlers: their common part is in runtime/core/api/body.hpp, the packs are here.
 #include "compiler/base/and_list.hpp"
 #include "compiler/emit/cpp/parts.hpp"
 #include "dsl/duration.hpp"
@@ -26,7 +25,7 @@ std::string triggers_text(const Model& model, const Provider& provider) {
   return out;
 }
 
-/// What the specification says of it, a line for each word.
+/// The declarations of a provider, a line for each key.
 void describe(Code& code, const Model& model, const Provider& provider) {
   for (const std::string& line : words_of(model, provider)) code.comment(line);
 }
@@ -34,18 +33,18 @@ void describe(Code& code, const Model& model, const Provider& provider) {
 void open_class(Code& code, const CppEmission& e, const std::string& name, std::string_view base,
                 const dsl::Span& span) {
   const std::string& in = e.model.name_space;
-  // From the global namespace on: a module may be called like the namespace.
+  // Qualified from the global namespace: a module may have the name of the namespace.
   code.open(fmt::format("class {}::{} final : public director::{}<::{}::detail::Facts<::{}::{}>> {{", in, name, base,
                         in, in, name),
             span);
 }
 
-/// `number`: its place among the provider's packs.
+/// `number`: index among the provider's packs.
 void define_pack(Code& code, const CppEmission& e, const Pack& pack, ProviderId provider, std::size_t number) {
   const std::string packed = fmt::format("{}::pack_{}", facts_in(e, provider), number);
-  const std::string asked = pack.tasks.empty() ? "Requests nothing." : tasks_text(e.model, pack.tasks) + ".";
+  const std::string requests = pack.tasks.empty() ? "Requests nothing." : tasks_text(e.model, pack.tasks) + ".";
   code.blank();
-  document(code, e, pack.doc.empty() ? asked : asked + " " + pack.doc, pack.span);
+  document(code, e, pack.doc.empty() ? requests : requests + " " + pack.doc, pack.span);
   if (pack.tasks.empty()) {
     code.open(fmt::format("director::Outcome {}() {{", pack.name), pack.span);
     code.line(fmt::format("return Body::ask<{}, {}>();", packed, number));
@@ -113,17 +112,18 @@ std::string conditions_text(const Model& model, const std::vector<ConditionUse>&
 
 std::vector<std::string> words_of(const Model& model, const Provider& provider) {
   std::vector<std::string> lines;
-  const auto say = [&](std::string_view word, const std::string& text) {
+  const auto add_line = [&](std::string_view word, const std::string& text) {
     if (!text.empty()) lines.push_back(fmt::format("- {}: {}", word, text));
   };
-  say("when", conditions_text(model, provider.when));
-  say("stay", conditions_text(model, provider.stay));
-  say("needs", groups_text(model, provider.needs));
-  say("causing", conditions_text(model, provider.causing));
-  say("sets", conditions_text(model, provider.sets));
-  say("uses", groups_text(model, provider.uses));
-  say("triggers", triggers_text(model, provider));
-  if (!provider.has_packs && !provider.packs.empty()) say("tasks", tasks_text(model, provider.packs.front().tasks));
+  add_line("when", conditions_text(model, provider.when));
+  add_line("stay", conditions_text(model, provider.stay));
+  add_line("needs", groups_text(model, provider.needs));
+  add_line("causing", conditions_text(model, provider.causing));
+  add_line("sets", conditions_text(model, provider.sets));
+  add_line("uses", groups_text(model, provider.uses));
+  add_line("triggers", triggers_text(model, provider));
+  if (!provider.has_packs && !provider.packs.empty())
+    add_line("tasks", tasks_text(model, provider.packs.front().tasks));
   return lines;
 }
 

@@ -1,7 +1,7 @@
 // Header: compiler/emit/cpp/cpp.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// What the C++ compiler must know of the specification: numbers of rows, and what each body may ask for.
+// What the C++ compiler needs of the specification: numbers of rows, and what each body may request.
 #include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/emit/cpp/parts.hpp"
 #include "runtime/core/base/state.hpp"
@@ -17,8 +17,8 @@ namespace {
 
 bool has_data(const CppEmission& e, GroupId group) { return !e.model.groups[group].data.empty(); }
 
-/// The members of Data, and the facts that say by the type of a task which of them are its own. No base classes: with
-/// thousands of bases a C++ compiler takes minutes for one class.
+/// The members of Data, and functions that select them by the type of a task. No base classes: with thousands of bases
+/// a C++ compiler takes minutes for one class.
 void data_facts(Code& code, const CppEmission& e) {
   std::vector<bool> is_root(e.model.groups.size(), false);
   for (const Task& root : e.model.roots) is_root[root.target.value] = true;

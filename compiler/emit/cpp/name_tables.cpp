@@ -1,7 +1,7 @@
 // Header: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// What the numbers in an observer's events are called.
+// The names for the numbers in an observer's events.
 #include "compiler/emit/cpp/parts.hpp"
 #include "compiler/lower/level_names.hpp"
 

@@ -14,8 +14,8 @@ namespace director::compiler {
 
 namespace {
 
-/// What begins with a capital letter and is declared in `detail`, in what generated classes derive from, or as a
-/// parameter of a template around the code that names a thing of the specification.
+/// Names with a capital letter that are declared in `detail`, in base classes of generated classes, or as template
+/// parameters around generated code.
 constexpr std::array<std::string_view, 37> inner_names{
     "Behaviour", "BehaviourView",   "Bodies", "Body",    "Call",     "Context", "Core",    "Data",
     "Edge",      "Event",           "Facts",  "Fault",   "Given",    "Groups",  "Handler", "Module",
@@ -37,7 +37,7 @@ std::string inside(const Model& model, const std::string& name) {
   return hidden ? from_outside(model, name) : name;
 }
 
-/// Whether the context of this provider, or the task type that it is a part of, has something else of that name.
+/// Whether the context of this provider, or the task type that it is a member of, has another member of that name.
 bool hidden_in(const CppEmission& e, const Provider& context, const std::string& name) {
   const std::vector<std::string>& levels = e.levels[context.group];
   if (std::find(levels.begin(), levels.end(), name) != levels.end()) return true;
@@ -107,7 +107,7 @@ std::string member_text(const CppEmission& e, const Task& task) {
       if (level.name == name) found = &level;
     }
     if (found == nullptr) {
-      ++skipped; // none behind the last one that there is
+      ++skipped; // none behind the last existing one
       continue;
     }
     for (; skipped > 0; --skipped) rows += ", director::nil";

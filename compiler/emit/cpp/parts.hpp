@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // The parts of the generated C++, one file each. Only compiler/emit/cpp and compiler/stubs include this; header.cpp and
-// source.cpp put the parts together. What the generated types mean is said in runtime/core: task.hpp, pack.hpp,
-// body.hpp, post.hpp, seen.hpp, program.hpp.
+// source.cpp combine the parts. runtime/core documents the generated types: task.hpp, pack.hpp, body.hpp, post.hpp,
+// seen.hpp, program.hpp.
 
 #include "compiler/emit/artefact/code.hpp"
 #include "compiler/emit/artefact/deployment.hpp"
@@ -21,9 +21,8 @@ struct CppEmission {
   IdTable<GroupId, std::vector<std::string>> levels = level_names(model);
 };
 
-// names.cpp
-// The names of names.hpp as code inside of `detail`, of a context or of the behaviour writes it: from the global name
-// space on where generated code has a name there that would be found first, as in `::robot::Data`.
+// names.cpp: the names of names.hpp as they are written inside of `detail`, of a context or of the behaviour: qualified
+// from the global namespace if another generated name would be found first, as in `::robot::Data`.
 std::string group_in(const Model& model, GroupId group);
 std::string group_in(const CppEmission& e, ProviderId context, GroupId group); ///< inside of this context
 std::string facts_in(const CppEmission& e, ProviderId provider); ///< `detail::Facts<Walk::Halting>`, inside of that
@@ -33,7 +32,7 @@ std::string trigger_in(const Model& model, TriggerId trigger);
 std::string state_in(const Model& model, StateId state);
 /// `doc`, then the place in brackets, as a comment.
 void document(Code& code, const CppEmission& e, std::string_view doc, const dsl::Span& span);
-/// Whether a pack is whole without it: it has a level that is optional.
+/// Whether a pack is complete without it: it has a level that is optional.
 bool may_be_omitted(const Model& model, const Task& task);
 /// `director::Member<Walk, 4, 0, 7>`
 std::string member_text(const CppEmission& e, const Task& task);
@@ -41,13 +40,13 @@ std::string member_text(const CppEmission& e, const Task& task);
 std::string tasks_text(const Model& model, const std::vector<Task>& tasks);
 /// Likewise: "Stability == standing within 2 s".
 std::string conditions_text(const Model& model, const std::vector<ConditionUse>& uses);
-/// What the specification says of a provider, a line for each word: "- needs: LeftLeg, RightLeg".
+/// The declarations of a provider, a line for each key: "- needs: LeftLeg, RightLeg".
 std::vector<std::string> words_of(const Model& model, const Provider& provider);
 
-/// What each file begins with: who wrote it, and of what, and the licence.
+/// The first lines of each file: the notice, and the licence.
 Code first_lines(const CppEmission& e);
 
-// What the header consists of.
+// The parts of the header.
 Code states_part(const CppEmission& e);
 Code triggers_part(const CppEmission& e);
 Code tasks_part(const CppEmission& e);
@@ -56,7 +55,7 @@ Code modules_part(const CppEmission& e);
 Code behaviour_part(const CppEmission& e);
 Code name_declarations(const CppEmission& e);
 
-// What the source consists of.
+// The parts of the source.
 Code tables_part(const CppEmission& e);
 Code bodies_part(const CppEmission& e);
 Code name_definitions(const CppEmission& e);

@@ -1,7 +1,8 @@
 // Header: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// A state with values is an enum class, one with a range a struct with a number, one with a type the user's own enum.
+// A state with values becomes an enum class, one with a range a struct with a number, one with a type the user's own
+// enum.
 #include "compiler/emit/cpp/parts.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // Header: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// The tables of runtime/core/base/tables.hpp as constants. A row names the columns that say something; its comment says
-// what the row is.
+// The tables of runtime/core/base/tables.hpp as constants. A row has only the columns that differ from their defaults,
+// and a comment that names it.
 #include "compiler/emit/cpp/parts.hpp"
 
 #include <fmt/format.h>
@@ -41,7 +41,7 @@ private:
   std::string columns_;
 };
 
-/// `name` of these rows; row_text(row) is the text of one, comment(i) what the i-th one is.
+/// `name` of these rows; row_text(row) is the text of one, comment(i) the name of the i-th one.
 template <class Rows, class RowText, class Comment>
 void table(Code& code, std::string_view type, std::string_view name, const Rows& rows, RowText row_text,
            Comment comment) {
@@ -61,7 +61,7 @@ void list(Code& code, std::string_view name, std::span<const Index> rows) {
   code.list(fmt::format("constexpr std::array<director::TableIndex, {}> {}{{", numbers.size(), name), numbers, "};");
 }
 
-/// For each row of a table that others have ranges of: whose it is. `range` is that column of an owner.
+/// The owner of each row of a table that others have ranges of. `range` is that column of an owner.
 template <class Owners, class Range>
 std::vector<std::uint32_t> owners_of(const Owners& owners, Range range, std::size_t count) {
   std::vector<std::uint32_t> out(count);
@@ -70,7 +70,7 @@ std::vector<std::uint32_t> owners_of(const Owners& owners, Range range, std::siz
   return out;
 }
 
-// Each takes its row apart, so that a column which is new there is an error here until it is written too.
+// Each decomposes its row, so that a new column is an error here until it is written too.
 
 Row group_row(const director::Group& all) {
   const auto& [providers, edges, requesters, slots, listens, owned, users, start, stop, simple, conditional, equals,

@@ -1,7 +1,7 @@
 // Header: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// The task types: what is requested, and the name space of a group's contexts and levels.
+// The task types: what is requested, and the namespace of a group's contexts and levels.
 #include "compiler/emit/cpp/parts.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ void declare_task(Code& code, const CppEmission& e, GroupId id) {
   const std::string name = group_name(e.model, id);
   const bool data = !group.data.empty();
   const bool hides_base = name == "Task";
-  // In the struct the type of the data is not named: something there may be called like it.
+  // The struct does not name the type of the data: a member may have the same name.
   if (hides_base && data) {
     code.line("namespace detail {");
     code.line(fmt::format("using task_data = {};", group.data), group.data_span);

@@ -3,7 +3,7 @@
 #include "compiler/emit/graph/boxes.hpp"
 
 #include "compiler/base/counted.hpp"
-#include "compiler/emit/graph/asks.hpp"
+#include "compiler/emit/graph/group_arrows.hpp"
 
 #include <fmt/format.h>
 
@@ -29,7 +29,7 @@ PictureBox BoxMaker::group(GroupId id) const {
   box.groups = {id};
   box.data = group.data;
   if (const Task* root = root_of(id))
-    box.asked = words_.manner(manner_of(model_, *root, has_priorities(model_, model_.roots)));
+    box.requested = words_.manner(manner_of(model_, *root, has_priorities(model_, model_.roots)));
   box.lines = words_.handler_lines(group);
   for (const ProviderId provider : group.providers) box.rows.push_back(words_.row(provider));
   box.in_focus = is_focused(id);
@@ -67,10 +67,10 @@ PictureBox BoxMaker::folded(const std::vector<GroupId>& set) const {
   for (const GroupId id : set) {
     const Task* root = root_of(id);
     if (root == nullptr) continue;
-    if (!box.asked) box.asked.emplace();
+    if (!box.requested) box.requested.emplace();
     const std::string how = words_.manner(manner_of(model_, *root, has_priorities(model_, model_.roots)));
-    *box.asked += fmt::format("{}{}{}", box.asked->empty() ? "" : ", ", model_.groups[id].name.value,
-                              how.empty() ? "" : " " + how);
+    *box.requested += fmt::format("{}{}{}", box.requested->empty() ? "" : ", ", model_.groups[id].name.value,
+                                  how.empty() ? "" : " " + how);
   }
   box.in_focus = std::any_of(set.begin(), set.end(), [&](GroupId id) { return is_focused(id); });
   box.about = words_.group(set.front());

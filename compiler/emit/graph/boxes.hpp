@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What stands in a box of a picture: of one group, of several that are asked for alike, of a module or a layer.
+// Makes the boxes of a picture: of one group, of several that are requested alike, of a module or a layer.
 
 #include "compiler/emit/graph/picture.hpp"
 #include "compiler/emit/graph/words.hpp"

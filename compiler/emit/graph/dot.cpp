@@ -1,11 +1,11 @@
 // Header: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/graph_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// A group is an HTML table: its rows are ports from which a provider's own arrows leave. A layer is a band of as many
-// ranks as it needs: an invisible node above it is above all of its first boxes and below all of the last ones of the
-// layer before. The names of layers are a chain of their own down the left side, each in the rank of that node;
-// `newrank` lets them share ranks with the rest. What Graphviz writes as titles are the names of nodes, so they are
-// names of people's things.
+// A group is an HTML table: its rows are ports for the arrows of single providers. A layer is a band of as many ranks
+// as it needs: an invisible node above it is above all of its first boxes and below all of the last ones of the layer
+// before. The names of layers are a chain of their own down the left side, each in the rank of that node; `newrank`
+// lets them share ranks with the rest. Graphviz uses the names of nodes as titles, so they are the names of the user's
+// things.
 #include "compiler/base/html.hpp"
 #include "compiler/emit/artefact/code.hpp"
 #include "compiler/emit/graph/formats.hpp"
@@ -43,15 +43,15 @@ public:
     code_.line("graph [rankdir=TB, newrank=true, fontname=\"Helvetica\", fontsize=10, nodesep=0.3, ranksep=0.4, "
                "labelloc=b, labeljust=l]");
     code_.line("node [shape=plain, fontname=\"Helvetica\", fontsize=12]");
-    // Every attribute that an arrow may have, by the alphabet: Graphviz 2.42 takes one for the other in an arrow
-    // between neighbours of one rank, where they were not told in this order.
+    // Every attribute that an arrow may have, in alphabetical order: Graphviz 2.42 confuses attributes of an arrow
+    // between neighbours of one rank if they have another order.
     code_.line("edge [URL=\"\", arrowhead=vee, arrowsize=0.7, color=black, constraint=true, edgetooltip=\"\", "
                "fontcolor=black, fontname=\"Helvetica\", fontsize=10, headport=\"\", label=\"\", labeltooltip=\"\", "
                "penwidth=1, style=solid, tailport=\"\", tooltip=\"\", weight=1]");
     code_.open("label=<");
     for (const std::string& line : legend_table(picture_)) code_.line(line);
     code_.close(">");
-    draw_layers(); // first, so that the names of layers stand on the left
+    draw_layers(); // first, so that the names of layers are on the left
     for (const PictureBox& box : picture_.boxes) draw_box(box);
     for (const PictureArrow& arrow : picture_.arrows) draw_arrow(arrow);
     code_.close("}");
@@ -59,7 +59,7 @@ public:
   }
 
 private:
-  /// `halting`, `ready.go`, `kick`: the name that a reader of titles is told.
+  /// `halting`, `ready.go`, `kick`: the name in the title.
   static std::string port(const PictureRow& row) { return row.name; }
   static std::string port(const PictureRow& row, const PicturePack& pack) {
     return row.name.empty() ? pack.name : row.name + "." + pack.name;
@@ -77,7 +77,7 @@ private:
     return text.file.empty() ? text.words : fmt::format("{}\n{}:{}", text.words, text.file, text.line);
   }
 
-  /// Of a cell or a table.
+  /// The tooltip of a cell or a table.
   std::string cell_words(const PictureText& text) const {
     std::string out = fmt::format(" TOOLTIP=\"{}\"", html_attribute(tooltip(text)));
     if (const std::string url = links_.to(text); !url.empty()) out += fmt::format(" HREF=\"{}\"", html_attribute(url));
@@ -97,7 +97,7 @@ private:
     return palette::grey;
   }
 
-  /// At a moment when it does not run, all of a box is grey.
+  /// Whether all of a box is grey, as it does not run at the moment.
   static bool is_grey(const PictureBox& box) { return box.mark == Moment::Mark::inactive; }
 
   static bool is_grey(const PictureBox& box, const PictureRow& row) {
@@ -130,7 +130,7 @@ private:
     return fmt::format("<FONT COLOR=\"{}\"><B>\u25B6 {}</B></FONT>", frame_of(box).colour, html_attribute(row.name));
   }
 
-  /// What there is to say of the moment, in words.
+  /// The note about the moment as text.
   static std::string note_text(Moment::Mark mark, const std::string& note) {
     switch (mark) {
     case Moment::Mark::inactive: return {};
@@ -148,12 +148,12 @@ private:
     return fmt::format("<FONT POINT-SIZE=\"9\" COLOR=\"{}\"><B>{}</B></FONT>", frame_of(box).colour, text);
   }
 
-  // Frames have each box at one place, so everything that differs between them has the room that the largest of it
-  // needs. How large letters are is known to Graphviz alone: these are more than any font of this size needs.
+  // Frames have each box at one place, so everything that differs between them gets the space of the largest. Only
+  // Graphviz knows the size of letters: these are more than any font of this size needs.
   static constexpr std::size_t letter_width = 9, small_letter_width = 7, line_height = 20, small_line_height = 13,
                                padding = 10;
 
-  /// At least so wide and high.
+  /// Minimum width and height.
   static std::string room(std::size_t width, std::size_t height) {
     std::string out;
     if (width != 0) out += fmt::format(" WIDTH=\"{}\"", width);
@@ -198,16 +198,16 @@ private:
     return out;
   }
 
-  /// Around groups that are asked for alike, each of which has a frame of its own that tells where it stands.
+  /// The frame around groups that are requested alike, each of which has a frame of its own for its status.
   static Frame frame_around(const PictureBox& box) {
     const std::string_view colour = box.in_focus ? palette::ink : is_grey(box) ? palette::faint : palette::frame;
     return {colour, "DASHED", box.in_focus ? 4 : 1};
   }
 
   static Frame mark_frame(const PictureBox& box, std::string_view solid) {
-    const int width = box.in_focus ? 4 : box.asked ? 2 : 1;
+    const int width = box.in_focus ? 4 : box.requested ? 2 : 1;
     if (box.kind == PictureBox::Kind::missing) return {palette::queued, "ROUNDED,DASHED", 2};
-    if (!box.mark) return {box.in_focus || box.asked ? palette::ink : palette::frame, solid, width};
+    if (!box.mark) return {box.in_focus || box.requested ? palette::ink : palette::frame, solid, width};
     switch (*box.mark) {
     case Moment::Mark::running: return {palette::need, solid, 3};
     case Moment::Mark::pushed: return {palette::push, solid, 3};
@@ -220,9 +220,9 @@ private:
 
   void draw_head(const PictureBox& box) {
     std::string text;
-    if (box.asked)
+    if (box.requested)
       text += small(is_grey(box) ? palette::grey : palette::ink,
-                    "\u25BC program" + (box.asked->empty() ? "" : ": " + *box.asked)) +
+                    "\u25BC program" + (box.requested->empty() ? "" : ": " + *box.requested)) +
               "<BR ALIGN=\"LEFT\"/>";
     if (box.kind == PictureBox::Kind::missing)
       text += small(palette::queued, "\u2716 no such group") + "<BR ALIGN=\"LEFT\"/>";
@@ -322,7 +322,7 @@ private:
     return fmt::format("color=\"{0}\", fontcolor=\"{0}\", penwidth=2, arrowhead=normalnormal", palette::take);
   }
 
-  /// On paper of its own, so that no line strikes it out.
+  /// With its own background, so that no line crosses it.
   static std::string label_of(const std::string& text) {
     std::string lines;
     for (std::size_t begin = 0; begin <= text.size();) {
@@ -347,7 +347,7 @@ private:
     code_.line(fmt::format("{} -> {} [{}]", end(arrow.from), end(arrow.to), text));
   }
 
-  /// What is in no layer has a band of its own too: in that of another it would seem to be one of its groups.
+  /// Groups in no layer have a band of their own too: in that of another they would seem to belong to it.
   void draw_layers() {
     const std::vector<PictureLayer>& layers = picture_.layers;
     if (std::all_of(layers.begin(), layers.end(), [](const PictureLayer& layer) { return layer.name.empty(); })) return;
@@ -364,7 +364,7 @@ private:
     for (std::size_t i = 0; i < layers.size(); ++i) {
       for (const std::size_t box : layers[i].first)
         code_.line(fmt::format("{} -> {} [style=invis, weight=0{}]", top(i), in_quotes(picture_.boxes[box].name),
-                               i == 0 ? ", minlen=0" : "")); // the first name stands beside its boxes
+                               i == 0 ? ", minlen=0" : "")); // the first name is beside its boxes
       if (i + 1 == layers.size()) break;
       for (const std::size_t box : layers[i].last)
         code_.line(fmt::format("{} -> {} [style=invis, weight=0]", in_quotes(picture_.boxes[box].name), top(i + 1)));

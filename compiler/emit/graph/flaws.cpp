@@ -25,7 +25,7 @@ std::optional<std::size_t> row_called(const Model& model, GroupId group, const s
 
 using Visit = std::function<void(GroupId, const Span&, const std::vector<dsl::ProviderSpec>&)>;
 
-/// Each place where a group's providers are written.
+/// Visits each place where a group's providers are declared.
 void each_group(const dsl::Spec& spec, const Model& model, const Visit& visit) {
   for (const dsl::BehaviourSpec& file : spec.files) {
     for (const dsl::GroupSpec& group : file.groups) {
@@ -57,7 +57,7 @@ public:
     conditions("stay", provider.stay);
     conditions("causing", provider.causing);
     conditions("sets", provider.sets);
-    for (const Word& need : provider.needs) ask(group, row, need, true);
+    for (const Word& need : provider.needs) request(group, row, need, true);
     if (provider.tasks) tasks(group, row, *provider.tasks);
     if (!provider.packs) return;
     for (const dsl::PackSpec& pack : *provider.packs) tasks(group, row, pack.tasks);
@@ -65,7 +65,8 @@ public:
 
   void look_at(const std::vector<dsl::TaskSpec>& roots) {
     for (const dsl::TaskSpec& root : roots) {
-      if (!model_.find_group(root.name.value)) out_.asks.push_back({{}, {}, false, root.name.value, root.name.span});
+      if (!model_.find_group(root.name.value))
+        out_.requests.push_back({{}, {}, false, root.name.value, root.name.span});
     }
   }
 
@@ -78,16 +79,16 @@ private:
     });
   }
 
-  void ask(GroupId group, std::optional<std::size_t> row, const Word& name, bool need) {
+  void request(GroupId group, std::optional<std::size_t> row, const Word& name, bool need) {
     if (model_.find_group(name.value)) return;
-    const auto same = std::find_if(out_.asks.begin(), out_.asks.end(), [&](const PictureFlaws::Ask& known) {
+    const auto same = std::find_if(out_.requests.begin(), out_.requests.end(), [&](const PictureFlaws::Request& known) {
       return known.from == group && known.row == row && known.name == name.value;
     });
-    if (same == out_.asks.end()) out_.asks.push_back({group, row, need, name.value, name.span});
+    if (same == out_.requests.end()) out_.requests.push_back({group, row, need, name.value, name.span});
   }
 
   void tasks(GroupId group, std::optional<std::size_t> row, const std::vector<dsl::TaskSpec>& all) {
-    for (const dsl::TaskSpec& task : all) ask(group, row, task.name, false);
+    for (const dsl::TaskSpec& task : all) request(group, row, task.name, false);
   }
 
   const Model& model_;

@@ -18,7 +18,7 @@ Arrows reversed(const Arrows& arrows) {
   return out;
 }
 
-/// `starts`, and what is no more than `depth` arrows behind them.
+/// `starts`, and everything at most `depth` arrows behind them.
 std::vector<Node> within(const Arrows& arrows, const std::vector<GroupId>& starts, std::size_t depth) {
   std::vector<Node> found;
   std::vector<bool> seen(arrows.size(), false);
@@ -50,18 +50,18 @@ IdSet<GroupId> groups_in_focus(const Model& model, const Graph& graph, const Pic
   const auto add = [&](const std::vector<Node>& nodes) {
     for (const Node node : nodes) out.add(GroupId{node});
   };
-  add(within(reversed(graph.claims), options.focus, depth)); // who can reach it
+  add(within(reversed(graph.claims), options.focus, depth)); // what can reach it
   add(within(graph.claims, options.focus, depth));           // what it can hold
   std::vector<bool> focused(model.groups.size(), false);
   for (const GroupId id : options.focus) focused[id.value] = true;
-  for (const Graph::Causing& causing : graph.causing) { // whom it pushes, and who pushes it
+  for (const Graph::Causing& causing : graph.causing) { // what it pushes, and what pushes it
     const GroupId waits = model.providers[causing.waiter].group, pushed = model.providers[causing.causer].group;
     if (depth < 1 || (!focused[waits.value] && !focused[pushed.value])) continue;
     out.add(waits);
     out.add(pushed);
   }
   if (depth < 2) return out;
-  const Arrows needed_by = reversed(graph.needs); // who can stand in its way
+  const Arrows needed_by = reversed(graph.needs); // what may conflict with it
   for (const Node resource : within(graph.needs, options.focus, depth - 1)) {
     if (!focused[resource]) add(needed_by[resource]);
   }

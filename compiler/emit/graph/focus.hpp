@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What has to do with some groups: who can reach them, what they can hold, whom they may push and who them, and who
-// needs what they need.
+// Finds the groups related to some groups: what can reach them, what they can hold, push relations, and groups with
+// common needs.
 
 #include "compiler/emit/graph/picture_options.hpp"
 #include "compiler/graph/graph.hpp"
@@ -9,7 +9,7 @@
 
 namespace director::compiler {
 
-/// Every group where there is no focus.
+/// All groups if there is no focus.
 IdSet<GroupId> groups_in_focus(const Model& model, const Graph& graph, const PictureOptions& options);
 
 } // namespace director::compiler

@@ -20,23 +20,23 @@ struct PictureLinks {
 /// For Graphviz: layers are bands, each group a table with a row for each provider, and a legend of what is drawn.
 std::string dot(const Picture& picture, const PictureLinks& links = {});
 
-/// What Graphviz made of it, with bands behind the layers and with words for who cannot see it.
+/// Completes the output of Graphviz with bands behind the layers, and with texts for screen readers.
 std::string finish_svg(const Picture& picture, const std::string& drawn);
 
 /// A Mermaid flowchart.
 std::string mermaid(const Picture& picture, const PictureLinks& links = {});
 
-/// What the JSON tells of.
+/// The input of the JSON.
 struct GraphDocument {
   const Model& model;
   const Graph& graph;
   const dsl::Sources& sources;
   const PictureFlaws& flaws;
   const Moment* moment = nullptr;                         ///< null: none
-  const std::vector<dsl::Diagnostic>* findings = nullptr; ///< null: they were not asked for
+  const std::vector<dsl::Diagnostic>* findings = nullptr; ///< null: they were not requested
 };
 
-/// The behaviour with everything that a picture leaves out; in the order of declaration.
+/// The behaviour with everything that a picture shows or leaves out; in the order of declaration.
 Json graph_json(const GraphDocument& of);
 
 } // namespace director::compiler

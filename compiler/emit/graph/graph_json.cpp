@@ -27,8 +27,8 @@ public:
     out.add("groups", each(model_.groups, [&](const Group& row) { return group(row); }));
     out.add("causing", each(of_.graph.causing, [&](const Graph::Causing& row) { return causing(row); }));
     out.add("assertions", each(model_.assertions, [&](const Assertion& row) { return assertion(row); }));
-    if (!of_.flaws.asks.empty())
-      out.add("missing", each(of_.flaws.asks, [&](const PictureFlaws::Ask& row) { return missing(row); }));
+    if (!of_.flaws.requests.empty())
+      out.add("missing", each(of_.flaws.requests, [&](const PictureFlaws::Request& row) { return missing(row); }));
     if (of_.findings != nullptr)
       out.add("findings",
               each(*of_.findings, [&](const dsl::Diagnostic& row) { return finding_json(row, of_.sources); }));
@@ -37,10 +37,10 @@ public:
   }
 
 private:
-  template <class Things, class Told>
-  static Json each(const Things& things, Told told) {
+  template <class Things, class ToJson>
+  static Json each(const Things& things, ToJson to_json) {
     Json list = Json::list({});
-    for (const auto& thing : things) list.add(told(thing));
+    for (const auto& thing : things) list.add(to_json(thing));
     return list;
   }
 
@@ -134,10 +134,10 @@ private:
       return out;
     }
     out.add("packs", each(row.packs, [&](const Pack& pack) {
-              Json told = Json::object({{"name", Json::text(pack.name)}, {"place", place(pack.span)}});
-              add_doc(told, pack.doc);
-              told.add("tasks", tasks(pack.tasks));
-              return told;
+              Json entry = Json::object({{"name", Json::text(pack.name)}, {"place", place(pack.span)}});
+              add_doc(entry, pack.doc);
+              entry.add("tasks", tasks(pack.tasks));
+              return entry;
             }));
     return out;
   }
@@ -178,7 +178,7 @@ private:
         {{"kind", Json::text(kind())}, {"groups", groups_named(row.groups)}, {"place", place(row.span)}});
   }
 
-  Json missing(const PictureFlaws::Ask& row) const {
+  Json missing(const PictureFlaws::Request& row) const {
     Json out = Json::object({{"name", Json::text(row.name)}});
     if (row.from) out.add("from", group_name(*row.from));
     out.add("need", Json::boolean(row.need));

@@ -23,8 +23,8 @@ void arrange_in_layers(const Model& model, const Graph& graph, bool bands, Pictu
   std::vector<std::size_t> rank(model.groups.size());
   for (std::size_t i = 0; i < graph.order.size(); ++i) rank[graph.order[i]] = i;
   const auto rank_of = [&](std::size_t box) {
-    const PictureBox& told = picture.boxes[box];
-    return told.kind == PictureBox::Kind::missing ? rank.size() : rank[told.groups.front().value];
+    const PictureBox& each = picture.boxes[box];
+    return each.kind == PictureBox::Kind::missing ? rank.size() : rank[each.groups.front().value];
   };
   const std::size_t boxes = picture.boxes.size();
   std::vector<bool> led_to(boxes, false), leads(boxes, false);

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What of a picture stands above what.
+// Finds the vertical order of a picture.
 
 #include "compiler/emit/graph/picture.hpp"
 #include "compiler/graph/graph.hpp"
@@ -8,9 +8,8 @@
 
 namespace director::compiler {
 
-/// Finds bands, and which arrows go down. Boxes that nothing else of their band leads to are its first ones; where
-/// boxes lead to each other in a circle, the order of the graph says where it begins. `bands`: false: all boxes are in
-/// one.
+/// Finds bands, and which arrows go down. The first boxes of a band are those that no other box of it leads to; in a
+/// cycle of boxes the order of the graph decides where it begins. `bands`: false: all boxes are in one.
 void arrange_in_layers(const Model& model, const Graph& graph, bool bands, Picture& picture);
 
 } // namespace director::compiler

@@ -16,9 +16,9 @@ namespace {
 
 using Sample = LegendEntry::Sample;
 
-template <class Things, class Asked>
-bool any(const Things& things, Asked asked) {
-  return std::any_of(things.begin(), things.end(), asked);
+template <class Things, class Predicate>
+bool any(const Things& things, Predicate predicate) {
+  return std::any_of(things.begin(), things.end(), predicate);
 }
 
 bool has_line(const Picture& picture, PictureLine::Kind kind) {
@@ -47,14 +47,14 @@ Line line_of(Sample sample) {
   return {};
 }
 
-/// The lower border of a cell that is no higher than that: it lies at half the height of the words beside it.
+/// The lower border of a cell of that height: it is at half the height of the text beside it.
 std::string stroke(std::string_view colour, std::string_view style, int width) {
   return fmt::format("<TD FIXEDSIZE=\"TRUE\" WIDTH=\"30\" HEIGHT=\"{}\" CELLPADDING=\"0\" BORDER=\"{}\" SIDES=\"B\" "
                      "COLOR=\"{}\" STYLE=\"{}\"></TD>",
                      2 * width, width, colour, style);
 }
 
-/// A request and a need beside each other, as the arrow has them.
+/// A request and a need side by side, as in the arrow.
 std::string two_strokes() {
   return fmt::format("<TD ALIGN=\"RIGHT\"><TABLE BORDER=\"0\" CELLBORDER=\"0\" CELLSPACING=\"1\" CELLPADDING=\"0\">"
                      "<TR>{}</TR><TR>{}</TR></TABLE></TD>",
@@ -82,18 +82,18 @@ std::vector<LegendEntry> legend_of(const Picture& picture) {
   const auto add = [&](bool is_drawn, Sample sample, std::string words) {
     if (is_drawn) out.push_back({sample, {}, std::move(words)});
   };
-  const auto say = [&](bool is_drawn, std::string sign, std::string words) {
+  const auto add = [&](bool is_drawn, std::string sign, std::string words) {
     if (is_drawn) out.push_back({Sample::text, std::move(sign), std::move(words)});
   };
   const auto has_number = [](const std::string& text) {
     return any(text, [](unsigned char letter) { return std::isdigit(letter) != 0; });
   };
-  say(!picture.nothing.empty(), "nothing drawn", picture.nothing);
+  add(!picture.nothing.empty(), "nothing drawn", picture.nothing);
   const auto marks = [&](Moment::Mark mark, std::string sign, std::string words) {
     const auto has_mark = [&](const PictureBox& box) {
       return box.mark == mark || any(box.frames, [&](const Moment::Standing& frame) { return frame.mark == mark; });
     };
-    say(any(picture.boxes, has_mark), std::move(sign), std::move(words));
+    add(any(picture.boxes, has_mark), std::move(sign), std::move(words));
   };
   marks(Moment::Mark::running, "blue frame, \u25B6", "runs, in that provider");
   marks(Moment::Mark::queued, "dashed red frame", "queued: it is requested, and waits");
@@ -115,40 +115,41 @@ std::vector<LegendEntry> legend_of(const Picture& picture) {
       "waits until that is true, and may push the other to make it true");
   add(draws([](const PictureArrow& arrow) { return arrow.kind == Kind::take; }), Sample::take,
       "may take from the other what it holds, by these ranks");
-  say(draws([&](const PictureArrow& arrow) { return asks(arrow) && has_number(arrow.label); }), "20",
+  add(draws([&](const PictureArrow& arrow) { return asks(arrow) && has_number(arrow.label); }), "20",
       "priority among all that the same one requests: the higher one wins");
-  const bool ranked = any(picture.boxes, [&](const PictureBox& box) { return box.asked && has_number(*box.asked); });
-  say(any(picture.boxes, [](const PictureBox& box) { return box.asked.has_value(); }), "thick frame",
+  const bool ranked =
+      any(picture.boxes, [&](const PictureBox& box) { return box.requested && has_number(*box.requested); });
+  add(any(picture.boxes, [](const PictureBox& box) { return box.requested.has_value(); }), "thick frame",
       fmt::format("the program itself requests it{}", ranked ? ", with that priority" : ""));
-  say(any(picture.boxes, [](const PictureBox& box) { return box.in_focus; }), "thickest", "what was asked about");
+  add(any(picture.boxes, [](const PictureBox& box) { return box.in_focus; }), "thickest", "what was asked about");
   const bool from_rows = draws([](const PictureArrow& arrow) { return arrow.from.row.has_value(); });
-  say(any(picture.boxes, [](const PictureBox& box) { return box.rows.size() > 1; }), "rows",
+  add(any(picture.boxes, [](const PictureBox& box) { return box.rows.size() > 1; }), "rows",
       fmt::format("providers, the preferred one first{}",
                   picture.packs_left_out ? "; an arrow stands for all that request"
                   : from_rows            ? "; an arrow from one row is of that provider alone"
                                          : ""));
-  say(any(picture.boxes,
+  add(any(picture.boxes,
           [](const PictureBox& box) {
             return any(box.rows, [](const PictureRow& row) { return !row.packs.empty(); });
           }),
       "\u25C7", "packs: it requests one of them at a time");
-  say(any(picture.boxes, [](const PictureBox& box) { return box.kind == PictureBox::Kind::alike; }), "dashed box",
+  add(any(picture.boxes, [](const PictureBox& box) { return box.kind == PictureBox::Kind::alike; }), "dashed box",
       "groups that the same ones request in the same way");
-  say(any(picture.boxes, [](const PictureBox& box) { return box.kind == PictureBox::Kind::missing; }) ||
+  add(any(picture.boxes, [](const PictureBox& box) { return box.kind == PictureBox::Kind::missing; }) ||
           has_line(picture, PictureLine::Kind::wrong),
       "red, \u2716", "is wrong, or missing");
-  say(has_line(picture, PictureLine::Kind::doubtful), "\u26A0", "a warning, or a lint");
-  say(has_line(picture, PictureLine::Kind::when), "when, stay", "must hold, for it to run and to go on");
-  say(has_line(picture, PictureLine::Kind::causing), "causing", "makes that true when it is pushed");
-  say(has_line(picture, PictureLine::Kind::sets), "sets", "may set that, and promises nothing");
-  say(has_line(picture, PictureLine::Kind::runs), "on, every", "runs again then");
+  add(has_line(picture, PictureLine::Kind::doubtful), "\u26A0", "a warning, or a lint");
+  add(has_line(picture, PictureLine::Kind::when), "when, stay", "must hold, for it to run and to go on");
+  add(has_line(picture, PictureLine::Kind::causing), "causing", "makes that true when it is pushed");
+  add(has_line(picture, PictureLine::Kind::sets), "sets", "may set that, and promises nothing");
+  add(has_line(picture, PictureLine::Kind::runs), "on, every", "runs again then");
   return out;
 }
 
 std::vector<std::string> legend_table(const Picture& picture) {
   std::vector<std::string> out;
   out.emplace_back("<TABLE BORDER=\"0\" CELLSPACING=\"0\" CELLPADDING=\"2\">");
-  constexpr std::size_t letter_width = 9; // more than any font needs, as of the boxes
+  constexpr std::size_t letter_width = 9; // more than any font needs, like that of the boxes
   const std::size_t letters = picture.longest_head == 0 ? 0 : picture.title.size() + 2 + picture.longest_head;
   const std::string room = letters == 0 ? "" : fmt::format(" WIDTH=\"{}\"", letters * letter_width);
   const auto line = [&](const std::string& text) {

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What stands below a picture: its title, and what is meant by all that is drawn in it, and by nothing else.
+// The text below a picture: its title, and a legend of everything that is drawn in it, and of nothing else.
 
 #include "compiler/emit/graph/picture.hpp"
 

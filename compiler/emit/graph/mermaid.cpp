@@ -1,7 +1,8 @@
 // Header: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/graph_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// A layer is a subgraph, and so is a group with several providers. Their ids are places: names may be words of Mermaid.
+// A layer is a subgraph, and so is a group with several providers. Their ids are numbers: names may be keywords of
+// Mermaid.
 #include "compiler/base/html.hpp"
 #include "compiler/emit/artefact/code.hpp"
 #include "compiler/emit/graph/formats.hpp"
@@ -98,7 +99,7 @@ private:
     std::string head = escaped(box.name);
     if (box.kind == PictureBox::Kind::missing) head += "<br/>\u2716 no such group";
     head += note_of(box);
-    if (box.asked) head += "<br/>program" + (box.asked->empty() ? "" : ": " + escaped(*box.asked));
+    if (box.requested) head += "<br/>program" + (box.requested->empty() ? "" : ": " + escaped(*box.requested));
     head += lines(box.lines);
     if (box.rows.empty() || box.is_direct()) {
       const bool packs = box.is_direct() && !box.rows.front().packs.empty();
@@ -108,13 +109,14 @@ private:
     }
     code_.open(fmt::format("subgraph g{}[\"{}\"]", at, head));
     for (std::size_t row = 0; row < box.rows.size(); ++row) {
-      const PictureRow& told = box.rows[row];
-      if (!told.name.empty())
-        code_.line(fmt::format("g{}p{}[\"{}{}\"]", at, row, (told.is_active ? "\u25B6 " : "") + escaped(told.name),
-                               lines(told.lines)));
-      for (std::size_t pack = 0; pack < told.packs.size(); ++pack) {
-        const std::string owner = told.name.empty() ? "" : told.name + ", ";
-        code_.line(fmt::format("g{}p{}k{}([\"{}{}\"])", at, row, pack, escaped(owner), escaped(told.packs[pack].name)));
+      const PictureRow& shown = box.rows[row];
+      if (!shown.name.empty())
+        code_.line(fmt::format("g{}p{}[\"{}{}\"]", at, row, (shown.is_active ? "\u25B6 " : "") + escaped(shown.name),
+                               lines(shown.lines)));
+      for (std::size_t pack = 0; pack < shown.packs.size(); ++pack) {
+        const std::string owner = shown.name.empty() ? "" : shown.name + ", ";
+        code_.line(
+            fmt::format("g{}p{}k{}([\"{}{}\"])", at, row, pack, escaped(owner), escaped(shown.packs[pack].name)));
       }
     }
     code_.close("end");
@@ -154,7 +156,7 @@ private:
   void draw_roots() {
     std::string roots;
     for (std::size_t i = 0; i < picture_.boxes.size(); ++i) {
-      if (picture_.boxes[i].asked) roots += fmt::format("{}g{}", roots.empty() ? "" : ",", i);
+      if (picture_.boxes[i].requested) roots += fmt::format("{}g{}", roots.empty() ? "" : ",", i);
     }
     if (roots.empty()) return;
     code_.line("classDef root stroke-width:3px");
@@ -179,7 +181,7 @@ private:
     std::string text;
     for (const LegendEntry& entry : legend_of(picture_)) {
       const bool is_text = entry.sample == LegendEntry::Sample::text;
-      if (entry.sign == "dashed box") continue; // the names of such a box say it
+      if (entry.sign == "dashed box") continue; // the names of such a box show it
       const std::string sign = !is_text                 ? std::string(sign_of(entry.sample))
                                : entry.sign == "\u25C7" ? "round box"
                                                         : entry.sign;

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The colours of pictures, and what Graphviz' HTML wants. They stay apart for people who see no red or green, and on
-// paper; on white and on a band each has a contrast of 4.5 at least. Source: Okabe and Ito, "Color Universal Design",
-// made darker.
+// The colours of pictures, and the HTML of Graphviz. They are distinguishable with red-green blindness and in print; on
+// white and on a band each has a contrast of at least 4.5. Source: Okabe and Ito, "Color Universal Design", made
+// darker.
 
 #include <string>
 #include <string_view>
@@ -14,7 +14,7 @@ inline constexpr std::string_view ink = "#202428", task = "#404040", need = "#00
                                   grey = "#5A616B", frame = "#6B727C", band = "#F1F3F5", paper = "#FFFFFF";
 
 /// HTML on several lines, broken between words, each at the left.
-std::string wrapped(std::string_view text, std::size_t before = 0); ///< so much stands before it already
+std::string wrapped(std::string_view text, std::size_t before = 0); ///< the width of the text before it
 /// A string of the DOT language.
 std::string in_quotes(std::string_view text);
 

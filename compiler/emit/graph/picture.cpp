@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/graph/picture.hpp"
 
-#include "compiler/emit/graph/asks.hpp"
 #include "compiler/emit/graph/boxes.hpp"
 #include "compiler/emit/graph/focus.hpp"
+#include "compiler/emit/graph/group_arrows.hpp"
 #include "compiler/emit/graph/layers.hpp"
 #include "compiler/emit/graph/words.hpp"
 
@@ -22,7 +22,7 @@ using ArrowKind = PictureArrow::Kind;
 using View = PictureOptions::View;
 using Fold = PictureOptions::Fold;
 
-/// With more boxes than this an arrow stands for all providers and packs of a group: who asks is told when asked.
+/// Limit: with more boxes an arrow represents all providers and packs of a group, and its tooltip names the requester.
 constexpr std::size_t most_boxes_in_detail = 40;
 
 bool is_seen(View view, ArrowKind kind) {
@@ -69,8 +69,8 @@ public:
 private:
   std::vector<GroupArrow> seen_arrows(Detail detail) const {
     const IdSet<GroupId> chosen = groups_in_focus(model_, graph_, options_);
-    std::vector<GroupArrow> all = find_asks(model_, detail);
-    if (options_.moment) mark_asks(model_, *options_.moment, all);
+    std::vector<GroupArrow> all = find_requests(model_, detail);
+    if (options_.moment) mark_requests(model_, *options_.moment, all);
     for (GroupArrow& push :
          options_.moment ? pushes_of(model_, *options_.moment, options_.frames) : find_pushes(model_, graph_))
       all.push_back(std::move(push));
@@ -101,7 +101,7 @@ private:
     return "there are no groups";
   }
 
-  /// What these views show is between some groups only.
+  /// Whether these views show only the ends of their arrows.
   bool only_ends() const { return options_.view == View::pushes || options_.view == View::takes; }
 
   IdSet<GroupId> drawn() const {
@@ -120,8 +120,8 @@ private:
     leads_ = IdSet<GroupId>(model_.groups.size());
     flawed_ = IdSet<GroupId>(model_.groups.size());
     for (const PictureFlaws::Line& line : options_.flaws.lines) flawed_.add(line.group);
-    for (const PictureFlaws::Ask& ask : options_.flaws.asks) {
-      if (ask.from) flawed_.add(*ask.from);
+    for (const PictureFlaws::Request& request : options_.flaws.requests) {
+      if (request.from) flawed_.add(*request.from);
     }
     find_marks();
     for (std::size_t i = 0; i < arrows_.size(); ++i) {
@@ -163,30 +163,30 @@ private:
     std::string key = fmt::format("layer {}", group.layer ? std::to_string(group.layer->id.value) : "");
     for (const Moment* moment : moments_)
       key += fmt::format(" {} {}", static_cast<int>(standing(id, *moment).mark), standing(id, *moment).note);
-    bool asked = false;
+    bool requested = false;
     if (leads_.contains(id)) return alone;
     for (const std::size_t i : arrows_to_[id]) {
       const GroupArrow& arrow = arrows_[i];
-      asked = true;
+      requested = true;
       const auto place = [](const std::optional<std::size_t>& of) { return of ? std::to_string(*of) : ""; };
       key += fmt::format("; {} {} {} {} {} {} {}", arrow.from.value, place(arrow.row), place(arrow.pack),
                          static_cast<int>(arrow.kind), arrow.optional, arrow.apart, arrow.label);
       for (const std::vector<GroupArrow>& marked : marked_)
         key += fmt::format(" {}", marked[i].mark ? static_cast<int>(*marked[i].mark) : -1);
     }
-    return asked ? key : alone;
+    return requested ? key : alone;
   }
 
   static const Moment::Standing& standing(GroupId id, const Moment& moment) { return moment.groups[id.value]; }
 
-  /// The moments that are shown, and the arrows as they are marked in each.
+  /// Computes the shown moments, and the marked arrows of each.
   void find_marks() {
     moments_.clear();
     marked_.clear();
     if (!options_.moment) return;
     for (const Moment& frame : options_.frames) moments_.push_back(&frame);
     if (moments_.empty()) moments_.push_back(&*options_.moment);
-    for (const Moment* moment : moments_) mark_asks(model_, *moment, marked_.emplace_back(arrows_));
+    for (const Moment* moment : moments_) mark_requests(model_, *moment, marked_.emplace_back(arrows_));
   }
 
   void mark(PictureBox& box) const {
@@ -204,7 +204,7 @@ private:
       box.rows[row].is_active = standing(box.groups.front(), *options_.moment).active == group.providers[row];
   }
 
-  /// What is most of note among the groups of a box.
+  /// The most notable status of the groups of a box.
   static Moment::Standing standing_of(const PictureBox& box, const Moment& moment) {
     using Mark = Moment::Mark;
     const auto rank = [](Mark mark) {
@@ -223,12 +223,12 @@ private:
 
   void add_arrows() {
     std::map<std::tuple<PictureEnd, PictureEnd, int, std::string>, std::size_t> places;
-    for (const GroupArrow& told : arrows_) {
-      PictureArrow arrow = placed(told);
+    for (const GroupArrow& from_groups : arrows_) {
+      PictureArrow arrow = placed(from_groups);
       const bool folded = options_.fold != Fold::nothing;
       if (folded && arrow.from.box == arrow.to.box) continue;
-      const bool pushes = told.kind == ArrowKind::push || told.kind == ArrowKind::take;
-      const int kind = !folded || pushes ? static_cast<int>(told.kind) : -1;
+      const bool pushes = from_groups.kind == ArrowKind::push || from_groups.kind == ArrowKind::take;
+      const int kind = !folded || pushes ? static_cast<int>(from_groups.kind) : -1;
       const auto [found, fresh] = places.try_emplace({arrow.from, arrow.to, kind, folded ? std::string{} : arrow.label},
                                                      picture_.arrows.size());
       if (fresh) {
@@ -246,59 +246,60 @@ private:
     }
   }
 
-  PictureArrow placed(const GroupArrow& told) const {
+  PictureArrow placed(const GroupArrow& from_groups) const {
     const bool whole = options_.fold != Fold::nothing;
-    const bool row_of_target = told.kind == ArrowKind::push;
+    const bool row_of_target = from_groups.kind == ArrowKind::push;
     PictureArrow out;
-    out.from.box = box_of_[told.from];
-    out.to.box = box_of_[told.to];
+    out.from.box = box_of_[from_groups.from];
+    out.to.box = box_of_[from_groups.to];
     PictureEnd& end = row_of_target ? out.to : out.from;
-    if (!whole && !picture_.boxes[end.box].rows.empty() && !picture_.boxes[end.box].is_direct()) end.row = told.row;
-    if (!whole) end.pack = told.pack;
-    out.kind = told.kind;
-    out.optional = told.optional;
-    out.apart = told.apart;
-    out.mark = told.mark;
-    out.hidden = told.hidden;
-    out.label = whole && !row_of_target && told.kind != ArrowKind::take ? std::string{} : told.label;
-    out.about = words_.at(told.words, told.span);
+    if (!whole && !picture_.boxes[end.box].rows.empty() && !picture_.boxes[end.box].is_direct())
+      end.row = from_groups.row;
+    if (!whole) end.pack = from_groups.pack;
+    out.kind = from_groups.kind;
+    out.optional = from_groups.optional;
+    out.apart = from_groups.apart;
+    out.mark = from_groups.mark;
+    out.hidden = from_groups.hidden;
+    out.label = whole && !row_of_target && from_groups.kind != ArrowKind::take ? std::string{} : from_groups.label;
+    out.about = words_.at(from_groups.words, from_groups.span);
     return out;
   }
 
-  /// What is missing gets a box of its own, below who asks for it.
+  /// A missing group gets a box of its own, below its requester.
   void add_flaws() {
     for (const PictureFlaws::Line& line : options_.flaws.lines) {
       if (!drawn_.contains(line.group)) continue;
       PictureBox& box = picture_.boxes[box_of_[line.group]];
-      const PictureLine told{line.is_error ? PictureLine::Kind::wrong : PictureLine::Kind::doubtful, line.key,
-                             line.text};
+      const PictureLine added{line.is_error ? PictureLine::Kind::wrong : PictureLine::Kind::doubtful, line.key,
+                              line.text};
       const bool in_row = line.row && *line.row < box.rows.size();
-      (in_row ? box.rows[*line.row].lines : box.lines).push_back(told);
+      (in_row ? box.rows[*line.row].lines : box.lines).push_back(added);
     }
     std::map<std::string, std::size_t> known;
-    for (const PictureFlaws::Ask& ask : options_.flaws.asks) {
-      if (ask.from && !drawn_.contains(*ask.from)) continue;
-      const auto [at, fresh] = known.try_emplace(ask.name, picture_.boxes.size());
+    for (const PictureFlaws::Request& request : options_.flaws.requests) {
+      if (request.from && !drawn_.contains(*request.from)) continue;
+      const auto [at, fresh] = known.try_emplace(request.name, picture_.boxes.size());
       if (fresh) {
         PictureBox box;
         box.kind = PictureBox::Kind::missing;
-        box.name = ask.name;
-        if (ask.from) box.groups = {*ask.from};
-        box.about = words_.at(fmt::format("{}: there is no such group", ask.name), ask.span);
+        box.name = request.name;
+        if (request.from) box.groups = {*request.from};
+        box.about = words_.at(fmt::format("{}: there is no such group", request.name), request.span);
         picture_.boxes.push_back(std::move(box));
       }
-      if (!ask.from) continue;
+      if (!request.from) continue;
       PictureArrow arrow;
-      arrow.from.box = box_of_[*ask.from];
+      arrow.from.box = box_of_[*request.from];
       const PictureBox& from = picture_.boxes[arrow.from.box];
-      if (!from.is_direct() && !from.rows.empty()) arrow.from.row = ask.row;
+      if (!from.is_direct() && !from.rows.empty()) arrow.from.row = request.row;
       arrow.to.box = at->second;
-      arrow.kind = ask.need ? ArrowKind::need : ArrowKind::task;
+      arrow.kind = request.need ? ArrowKind::need : ArrowKind::task;
       arrow.missing = true;
       arrow.label = "\u2716";
-      arrow.about = words_.at(fmt::format("{} {} {}, which no group is called", model_.groups[*ask.from].name.value,
-                                          ask.need ? "needs" : "requests", ask.name),
-                              ask.span);
+      arrow.about = words_.at(fmt::format("{} {} {}, which no group is called", model_.groups[*request.from].name.value,
+                                          request.need ? "needs" : "requests", request.name),
+                              request.span);
       picture_.arrows.push_back(std::move(arrow));
     }
     picture_.wrong = options_.flaws.elsewhere;
@@ -314,7 +315,7 @@ private:
   std::vector<const Moment*> moments_;                   ///< of all frames, or the one that is shown
   std::vector<std::vector<GroupArrow>> marked_;          ///< the arrows in each of these
   IdTable<GroupId, std::vector<std::size_t>> arrows_to_; ///< places of arrows
-  IdSet<GroupId> flawed_;                                ///< something is wrong there
+  IdSet<GroupId> flawed_;                                ///< with a fault
   IdSet<GroupId> drawn_;                                 ///< has a box
   IdSet<GroupId> leads_;                                 ///< an arrow begins there
   Picture picture_;

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a picture of a behaviour shows, before any format: boxes in layers, and arrows, each told once. It holds texts
-// and places only, so that a format has nothing to look up. Where all that a group asks for is asked in one way, the
-// arrow leaves from the group, else from the provider or from the pack that asks.
+// The content of a picture of a behaviour, before any format: boxes in layers, and arrows, each once. It holds texts
+// and places only, so that a format has nothing to look up. If a group requests everything in one way, the arrow leaves
+// from the group, otherwise from the requesting provider or pack.
 
 #include "compiler/emit/graph/picture_options.hpp"
 #include "compiler/graph/graph.hpp"
@@ -16,7 +16,7 @@
 
 namespace director::compiler {
 
-/// For people: what it is in words, and where it is declared.
+/// A tooltip: the text, and the place of the declaration.
 struct PictureText {
   std::string words;
   std::string file;       ///< as findings name it; empty: nowhere
@@ -39,7 +39,7 @@ struct PicturePack {
 };
 
 struct PictureRow {
-  std::string name; ///< empty where the group writes its words directly
+  std::string name; ///< empty if the group has the provider's keys itself
   std::vector<PictureLine> lines;
   std::vector<PicturePack> packs; ///< only where there is a choice between several
   bool is_active = false;         ///< at the moment that is shown
@@ -54,25 +54,25 @@ struct PictureMember {
 struct PictureBox {
   enum class Kind {
     group,
-    alike,   ///< several groups that all the same ones ask for in the same way
+    alike,   ///< several groups with the same requesters and the same kinds of requests
     folded,  ///< a module or a layer as a whole
     missing, ///< a name that no group has
   };
   Kind kind = Kind::group;
   std::string name; ///< no two boxes have the same
   std::vector<GroupId> groups;
-  std::vector<PictureMember> members; ///< not of a group
-  std::string data;                   ///< C++ type; empty: none
-  std::optional<std::string> asked;   ///< the program asks for it: with this priority
-  std::vector<PictureLine> lines;     ///< of its handlers
-  std::vector<PictureRow> rows;       ///< of a group
+  std::vector<PictureMember> members;   ///< not of a group
+  std::string data;                     ///< C++ type; empty: none
+  std::optional<std::string> requested; ///< the program requests it, with this priority
+  std::vector<PictureLine> lines;       ///< of its handlers
+  std::vector<PictureRow> rows;         ///< of a group
   bool in_focus = false;
   std::optional<Moment::Mark> mark;     ///< nothing: no moment is shown
   std::string note;                     ///< about the mark
-  std::vector<Moment::Standing> frames; ///< its marks and notes in all frames, each once: it needs room for them
+  std::vector<Moment::Standing> frames; ///< its marks and notes in all frames, each once: they need space
   PictureText about;
 
-  /// The group's own words are its only row.
+  /// Its only row is the direct provider of the group.
   bool is_direct() const { return rows.size() == 1 && rows.front().name.empty(); }
 };
 
@@ -81,7 +81,7 @@ struct PictureLayer {
   std::string name; ///< empty: what is in no layer
   std::vector<std::size_t> boxes;
   std::vector<std::size_t> first,
-      last; ///< of its boxes those that nothing else of it leads to, or that lead to nothing of it
+      last; ///< boxes of it that no other box of it leads to, or that lead to no box of it
   std::string title() const { return name.empty() ? "no layer here" : "layer " + name; }
 };
 
@@ -98,7 +98,7 @@ struct PictureArrow {
     task, ///< may request
     need,
     both,
-    push, ///< from who waits to who is pushed
+    push, ///< from the waiting group to the pushed one
     take, ///< by its rank the first may take something from the second
   };
   PictureEnd from, to;
@@ -108,8 +108,8 @@ struct PictureArrow {
   std::string label;                ///< priorities; of a push the conditions, one a line
   bool missing = false;             ///< it leads to a name that no group has
   bool ranks = true;                ///< the second box is to be below the first
-  std::optional<Moment::Mark> mark; ///< nothing: no moment is shown
-  bool hidden = false;              ///< it needs room, as another frame shows it
+  std::optional<Moment::Mark> mark; ///< empty: no moment is shown
+  bool hidden = false;              ///< it needs space, as another frame shows it
   PictureText about;
   bool operator==(const PictureArrow&) const = default;
 };
@@ -117,12 +117,12 @@ struct PictureArrow {
 struct Picture {
   std::string title;
   std::string doc;
-  std::string moment;               ///< what moment it shows; empty: none
+  std::string moment;               ///< the title of the shown moment; empty: none
   std::vector<std::string> values;  ///< of states, at that moment
   std::size_t longest_head = 0;     ///< letters of the longest title or value in all frames
-  std::vector<std::string> wrong;   ///< what is found that is about no box
+  std::vector<std::string> wrong;   ///< findings that are about no box
   std::string nothing;              ///< why there is no box; empty: there are some
-  bool packs_left_out = false;      ///< there are so many boxes that an arrow stands for all providers and packs
+  bool packs_left_out = false;      ///< there are so many boxes that an arrow represents all providers and packs
   std::vector<PictureLayer> layers; ///< in the order declared; what is in none comes last
   std::vector<PictureBox> boxes;
   std::vector<PictureArrow> arrows; ///< by box
@@ -131,7 +131,7 @@ struct Picture {
 Picture make_picture(const Model& model, const Graph& graph, const dsl::Sources& sources,
                      const PictureOptions& options = {});
 
-/// All that a picture has in words, for who cannot see it: how many of what.
+/// The content of a picture as text, for screen readers: the number of things of each kind.
 std::string summary(const Picture& picture);
 
 } // namespace director::compiler

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What is asked of a picture: which groups, which arrows, and what is folded.
+// The options of a picture: which groups, which arrows, and what is folded.
 
 #include "compiler/model/ids.hpp"
 #include "dsl/span.hpp"
@@ -12,7 +12,7 @@
 
 namespace director::compiler {
 
-/// By its rank the task of one edge may take something from that of another; both of one requester.
+/// The task of one edge may take something by rank from that of another; both of one requester.
 struct TakeOver {
   EdgeId taker{}, loser{};
 };
@@ -22,14 +22,14 @@ struct Moment {
   enum class Mark {
     inactive,
     running,
-    queued, ///< somebody asks for it, and it waits
-    pushed, ///< it runs, and somebody who waits has pushed it
-    held,   ///< not asked for yet by who needs it
+    queued, ///< it is requested, and waits
+    pushed, ///< it runs because a waiting task has pushed it
+    held,   ///< not requested yet by the group that needs it
   };
   struct Standing {
     Mark mark = Mark::inactive;
     std::optional<ProviderId> active;
-    std::string note; ///< what it waits for, or for whom it is pushed
+    std::string note; ///< what it waits for, or the task for which it is pushed
     bool operator==(const Standing&) const = default;
   };
   struct Push {
@@ -44,10 +44,10 @@ struct Moment {
   std::vector<Push> pushes;
 };
 
-/// What is wrong.
+/// Faults that a picture shows.
 struct PictureFlaws {
   /// A name that no group has.
-  struct Ask {
+  struct Request {
     std::optional<GroupId> from; ///< nothing: the program
     std::optional<std::size_t> row;
     bool need = false;
@@ -60,7 +60,7 @@ struct PictureFlaws {
     bool is_error = false;
     std::string key, text;
   };
-  std::vector<Ask> asks;
+  std::vector<Request> requests;
   std::vector<Line> lines;
   std::vector<std::string> elsewhere; ///< about no group
 };
@@ -70,10 +70,10 @@ struct PictureOptions {
   enum class Fold { nothing, modules, layers };
   View view = View::all;
   Fold fold = Fold::nothing;
-  std::vector<GroupId> focus;       ///< only what has to do with these; empty: everything
+  std::vector<GroupId> focus;       ///< only what is related to these; empty: everything
   std::optional<std::size_t> depth; ///< ... no more than so many arrows away
   std::vector<TakeOver> take_overs; ///< for View::takes
-  std::optional<Moment> moment;     ///< nothing: all that can be, and not what is
+  std::optional<Moment> moment;     ///< empty: all that is possible, not the state at a moment
   std::vector<Moment> frames;       ///< moments of which each box is to have one place; with `moment` among them
   PictureFlaws flaws;
 };

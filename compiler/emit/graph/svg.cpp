@@ -1,8 +1,8 @@
 // Header: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/picture_svg_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// What Graphviz cannot say: bands of the picture's whole width behind the layers, which reach from the name of one to
-// the name of the next, and what the picture is about. Nothing that it placed is moved.
+// Adds what Graphviz cannot draw: bands of the picture's whole width behind the layers, from the name of one to the
+// name of the next, and a description. Nothing that it placed is moved.
 #include "compiler/base/counted.hpp"
 #include "compiler/base/html.hpp"
 #include "compiler/emit/graph/formats.hpp"
@@ -36,7 +36,7 @@ std::string title_text(std::string_view text) {
   return out;
 }
 
-/// Where the first text behind a place stands: its base line.
+/// The base line of the first text behind a place.
 std::optional<double> text_height(const std::string& svg, std::size_t from) {
   const std::size_t text = svg.find("<text", from);
   return text == nowhere ? std::nullopt : number_behind(svg, text, " y=\"");
@@ -60,7 +60,7 @@ std::vector<Band> bands_of(const Picture& picture, const std::string& svg, doubl
   return out;
 }
 
-/// Behind everything, which is behind the paper's own polygon.
+/// Adds them behind everything but the background polygon.
 void add_bands(const Picture& picture, std::string& svg) {
   constexpr double above_legend = 12;
   const std::size_t paper = svg.find("<polygon");
@@ -87,7 +87,7 @@ void replace_all(std::string& text, std::string_view old, std::string_view with)
     text.replace(at, old.size(), with);
 }
 
-/// The names of both ends with an arrow between them: `Walk:halting` is what findings call `Walk.halting`.
+/// Puts an arrow between the names of both ends: `Walk:halting` is `Walk.halting` in findings.
 void name_arrows(std::string& svg) {
   constexpr std::string_view open = "<title>", close = "</title>";
   for (std::size_t at = svg.find(open); at != nowhere; at = svg.find(open, at + 1)) {
@@ -118,7 +118,7 @@ std::string summary(const Picture& picture) {
   for (const PictureBox& box : picture.boxes) {
     groups += box.groups.size();
     folded += box.kind == PictureBox::Kind::folded ? 1 : 0;
-    if (box.asked) roots += (roots.empty() ? "" : ", ") + box.name;
+    if (box.requested) roots += (roots.empty() ? "" : ", ") + box.name;
   }
   const auto count = [&](auto... kinds) {
     return static_cast<std::size_t>(std::count_if(picture.arrows.begin(), picture.arrows.end(), [&](const auto& arrow) {

@@ -1,15 +1,15 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What the parts of a picture say: conditions as they are written, `doc` texts, places.
+// The texts of a picture: conditions as they are written, `doc` texts, places.
 
-#include "compiler/emit/graph/asks.hpp"
+#include "compiler/emit/graph/group_arrows.hpp"
 #include "compiler/emit/graph/picture.hpp"
 
 namespace director::compiler {
 
 class PictureWords {
 public:
-  /// Both are only referred to.
+  /// Keeps references to both.
   PictureWords(const Model& model, const dsl::Sources& sources) : model_(model), sources_(sources) {}
 
   PictureText at(std::string words, const Span& span) const;

@@ -45,7 +45,7 @@ TEST_CASE("a step that has begun is finished before the next one") {
   CHECK(walking.run(bench.locomotion).outcome() == Kind::pack);
 }
 
-TEST_CASE("to halt it puts its feet together, and says that it stands once it is still") {
+TEST_CASE("to halt it puts its feet together, and reports that it stands once it is still") {
   Bench bench;
   Trial<Walk::Halting> halting{soccer::WalkCommand{}};
   const auto together = halting.reasons(Reason::pushed).run(bench.locomotion);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The soccer player's behaviour is saved in the middle of a game and goes on in a new object: what its tasks carry
-// comes along.
+// The soccer player's behaviour is saved in the middle of a game and continues in a new object: the data of its tasks
+// are included.
 #include "behaviours/soccer/player/player.hpp"
 #include "behaviours/soccer/player/servos.hpp"
 #include "runtime/hosted/trace/fingerprint.hpp"
@@ -20,7 +20,7 @@ using director::LoadResult, director::SaveResult;
 using Events = std::vector<director::tests::EventNumbers>;
 using Bytes = std::array<std::byte, soccer::Behaviour::saved_bytes()>;
 
-/// The player of behaviours/soccer with a behaviour that can be another object from one tick to the next.
+/// The player of behaviours/soccer with a behaviour that can be replaced between two ticks.
 struct Player {
   explicit Player(std::uint64_t seed) : world(seed), behaviour(fresh()) {
     behaviour->request<soccer::FallRecovery>();
@@ -75,7 +75,7 @@ TEST_CASE("the fingerprint in generated code is the one that traces have") {
 
 constexpr int a_minute = 60'000;
 
-TEST_CASE("a game whose behaviour is replaced now and then by what was saved of it is the same game") {
+TEST_CASE("a game whose behaviour is replaced several times by its saved state is the same game") {
   for (const std::uint64_t seed : {1U, 2U}) {
     CAPTURE(seed);
     Player whole(seed), cut(seed);
@@ -117,7 +117,7 @@ Bytes some_state(Player& player) {
   return bytes;
 }
 
-TEST_CASE("a slot of data that is neither full nor empty, or empty where somebody lives on it, is refused") {
+TEST_CASE("a slot of data that is neither full nor empty, or empty although it is in use, is refused") {
   Player player(1);
   Bytes bytes = some_state(player);
   const std::size_t data = director::saved_bytes(soccer::detail::Whole::shape);
@@ -138,7 +138,7 @@ TEST_CASE("a slot of data that is neither full nor empty, or empty where somebod
   CHECK(player.behaviour->load(bytes, player.now()) == LoadResult::loaded);
 }
 
-TEST_CASE("a game that goes on from bytes that nobody saved does no harm") {
+TEST_CASE("a game that continues from bytes that were never saved does no harm") {
   Player origin(2);
   const Bytes state = some_state(origin);
   director::property::Random random(1);
@@ -148,8 +148,7 @@ TEST_CASE("a game that goes on from bytes that nobody saved does no harm") {
   for (int i = 0; i < 2000; ++i) {
     Bytes bytes = state;
     for (std::size_t changes = 1 + random.below(3); changes > 0; --changes) {
-      std::byte& each =
-          bytes[head + random.below(decisions - head)]; // what bodies make of other data is theirs to check
+      std::byte& each = bytes[head + random.below(decisions - head)]; // bodies have to check other data themselves
       each = random.chance(0.5)   ? static_cast<std::byte>(random.below(30))
              : random.chance(0.5) ? std::byte{0xFF}
                                   : each ^ std::byte{1};

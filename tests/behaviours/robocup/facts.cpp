@@ -62,7 +62,7 @@ public:
     for (const dsl::YamlPair& section : at(facts_of_servos, "servo_groups").pairs) {
       Provider provider;
       provider.needs = words(section.value);
-      provider.uses = provider.needs; // "every included servo done": that is what it must see for it
+      provider.uses = provider.needs; // "every included servo done": the servos that it must read for it
       provider.flat = true;           // "each listed servo that the task includes"
       provider.packs.emplace_back();
       for (const std::string& servo : provider.needs) provider.packs.back().push_back({servo, {0}, false});
@@ -78,7 +78,7 @@ public:
     }
   }
 
-  // `configured`: what `cfg` means. Where a module's roots were read before, these do not count.
+  // `configured`: the value of `cfg`. If a module's roots were read before, these are ignored.
   void add_roots(const YamlNode& roots, int configured) {
     std::set<std::string> known;
     for (const auto& [module, asks] : roots_) known.insert(module);
@@ -118,8 +118,8 @@ public:
               [](const Role& a, const Role& b) { return a.name < b.name; });
   }
 
-  // After the roles. What a module emits outside of its providers is an initial value if every role begins with it;
-  // else it comes from outside.
+  // After the roles. A module's emission outside of its providers is an initial value if every role begins with it;
+  // otherwise it comes from outside.
   void add_states(const YamlNode& states) {
     for (const dsl::YamlPair& entry : states.pairs) {
       State state{entry.key.value, word(entry.value, "cpp"), words(entry.value, "values"), {}, {}, false};

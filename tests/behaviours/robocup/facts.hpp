@@ -17,7 +17,7 @@ struct TeamFacts {
   struct Place {
     std::string module, at;
   };
-  std::vector<Place> places; ///< where in the team's source a provider or handler stands
+  std::vector<Place> places; ///< the place of a provider or handler in the team's source
 };
 
 TeamFacts read_facts(Source source);

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What the facts and what our files say of the team's graph, in one form, and as lines that a person can compare.
+// The team's graph according to the facts and to our files, in one form, and as lines for comparison.
 
 #include <cstdint>
 #include <optional>
@@ -60,7 +60,7 @@ std::vector<std::string> lines(const State& state);
 std::vector<std::string> lines(const Module& module);
 std::vector<std::string> lines(const Role& role);
 
-/// What one must take from `facts` (-) and add to it (+) to get `told`, each line with its neighbours of equal lines;
+/// The lines to remove from `facts` (-) and to add to it (+) to get `told`, each with its neighbours of equal lines;
 /// empty if they are equal.
 std::string difference(const std::vector<std::string>& facts, const std::vector<std::string>& told);
 

@@ -16,7 +16,7 @@ TEST_CASE("a difference shows what is missing and what is extra, among the lines
   CHECK(difference({"a", "b"}, {"b", "a"}) == "\n- a\n  b\n+ a\n");
 }
 
-TEST_CASE("a module's lines say everything that is compared") {
+TEST_CASE("the lines of a module contain everything that is compared") {
   Provider provider;
   provider.when = {"Phase == PLAYING"};
   provider.needs = {"Legs"};

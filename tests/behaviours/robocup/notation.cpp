@@ -92,8 +92,8 @@ std::vector<std::vector<Ask>> packs_of(const std::string& text) {
   return packs;
 }
 
-// A provider of a template whose parameter the note lists: "template BodySection in {A, B} chosen by config". What is
-// said of the first is said of each.
+// A provider of a template whose parameter the note lists: "template BodySection in {A, B} chosen by config". The entry
+// of the first applies to each.
 void expand_template(Provider& provider, const std::string& note) {
   const Words sections = split(between(note, '{', '}').at(0), ", ");
   provider.uses = sections;
@@ -177,7 +177,7 @@ Provider provider_of(const YamlNode& entry) {
   append(provider.triggers, words(entry, "optional_trigger"));
   provider.triggers = trigger_names(provider.triggers);
   if (entry.find("dur") != nullptr) provider.every_us = microseconds_of(word(entry, "dur"));
-  for (const std::string& set : emitted(entry)) // what it promises it may set anyhow
+  for (const std::string& set : emitted(entry)) // it may set what it promises anyway
     if (std::find(provider.causing.begin(), provider.causing.end(), set) == provider.causing.end())
       provider.sets.push_back(set);
   const YamlNode& packs = at(entry, "packs");

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The notation of facts/*.yaml, explained at their beginning, in our language's words.
+// The notation of facts/*.yaml, explained at their beginning, in terms of our language.
 
 #include "dsl/yaml_tree.hpp"
 #include "tests/behaviours/robocup/graph.hpp"
@@ -21,7 +21,7 @@ std::vector<std::string> words(const dsl::YamlNode& mapping, std::string_view ke
 
 std::string file_name(std::string_view module);  ///< skill::K1VisualKick -> skill_k1_visual_kick
 std::string layer_of(const std::string& module); ///< skill::K1VisualKick -> skill
-/// What a provider or a handler emits, in whichever branch, as conditions, sorted: `Pose == UP`, `WalkState` for any
+/// The emissions of a provider or a handler, in all branches, as conditions, sorted: `Pose == UP`, `WalkState` for any
 /// value.
 std::vector<std::string> emitted(const dsl::YamlNode& entry);
 Provider provider_of(const dsl::YamlNode& entry);

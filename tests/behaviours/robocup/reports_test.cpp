@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/pipeline.hpp"
 #include "dsl/render.hpp"
-#include "tests/behaviours/robocup/told.hpp"
+#include "tests/behaviours/robocup/declared.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
@@ -15,7 +15,8 @@ using namespace director::tests;
 
 namespace {
 
-// Paths count from the root of the source tree, wherever the test runs: so they are shown in the report.
+// Paths are relative to the root of the source tree, independent of the working directory: so they are printed in the
+// report.
 class SourceTree final : public dsl::FileAccess {
 public:
   std::string identity(const std::string& path) override { return disk_.identity((source_dir() / path).string()); }
@@ -47,14 +48,14 @@ Report report(const std::string& path) {
 std::map<std::string, Report> reports() {
   std::map<std::string, Report> reports;
   for (const std::string folder : {"", "older/"})
-    for (const Role& role : read_told(source_dir() / "behaviours/robocup" / folder).roles)
+    for (const Role& role : read_declared(source_dir() / "behaviours/robocup" / folder).roles)
       reports[folder + role.name] = report("behaviours/robocup/" + folder + role.name + ".yaml");
   return reports;
 }
 
 } // namespace
 
-TEST_CASE("the checks say of each of the team's roles what its golden says", "[golden]") {
+TEST_CASE("the findings for each of the team's roles are those of its golden", "[golden]") {
   std::map<std::string, std::string> texts;
   for (const auto& [role, report] : reports()) texts[role + ".txt"] = report.text;
   check_golden_folder("tests/behaviours/robocup/golden", texts);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "tests/behaviours/robocup/declared.hpp"
 #include "tests/behaviours/robocup/facts.hpp"
-#include "tests/behaviours/robocup/told.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
@@ -48,24 +48,24 @@ std::set<std::string> group_names(const TeamGraph& graph) {
 
 } // namespace
 
-TEST_CASE("every module says of its groups, providers, packs, needs and priorities what the facts say, and no more") {
+TEST_CASE("the groups, providers, packs, needs and priorities of every module are those of the facts, and no more") {
   const Source source = GENERATE(Source::k1, Source::older);
-  compare(read_facts(source).graph.modules, read_told(folder(source)).modules);
+  compare(read_facts(source).graph.modules, read_declared(folder(source)).modules);
 }
 
-TEST_CASE("every role loads the modules and requests the root tasks that the facts say, and no others") {
+TEST_CASE("the modules and root tasks of every role are those of the facts, and no others") {
   const Source source = GENERATE(Source::k1, Source::older);
-  compare(read_facts(source).graph.roles, read_told(folder(source)).roles);
+  compare(read_facts(source).graph.roles, read_declared(folder(source)).roles);
 }
 
 TEST_CASE("states and triggers are those of the facts") {
   const Source source = GENERATE(Source::k1, Source::older);
-  const TeamGraph facts = read_facts(source).graph, told = read_told(folder(source));
+  const TeamGraph facts = read_facts(source).graph, told = read_declared(folder(source));
   compare(facts.states, told.states);
   CHECK(facts.triggers == told.triggers);
 }
 
-TEST_CASE("the place of every provider in the team's source stands in its module's file") {
+TEST_CASE("every provider's place in the team's source is in the file of its module") {
   const Source source = GENERATE(Source::k1, Source::older);
   for (const TeamFacts::Place& place : read_facts(source).places) {
     const std::string text = read_file(folder(source) / "modules" / (place.module + ".yaml"));
@@ -75,14 +75,14 @@ TEST_CASE("the place of every provider in the team's source stands in its module
 }
 
 TEST_CASE("the whole of both graphs is there") {
-  const TeamGraph k1 = read_told(folder(Source::k1)), older = read_told(folder(Source::older));
+  const TeamGraph k1 = read_declared(folder(Source::k1)), older = read_declared(folder(Source::older));
   CHECK(group_names(k1).size() == 81); // 78, Say and the two of skill::GPT
   CHECK(k1.roles.size() == 22);
   CHECK(group_names(older).size() == 65);
   CHECK(older.roles.size() == 3);
 }
 
-TEST_CASE("nothing that the checks say of the team's graph is allowed away") {
+TEST_CASE("no finding about the team's graph is suppressed by an allow") {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder(Source::k1)))
     if (entry.path().extension() == ".yaml") {
       INFO(entry.path());

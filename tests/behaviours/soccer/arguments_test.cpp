@@ -21,7 +21,7 @@ TEST_CASE("without arguments a minute of the first world is played") {
   CHECK(command.play->seconds == 60);
 }
 
-TEST_CASE("a value stands behind its name or behind an equals sign") {
+TEST_CASE("a value follows its name, or an equals sign") {
   const CommandLine command = parse({"--seed", "7", "--seconds=90"});
   REQUIRE(command.play);
   CHECK(command.play->seed == 7);

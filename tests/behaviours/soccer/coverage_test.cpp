@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the scenarios of soccer exercise, as `directorc test --coverage` counts it.
+// The coverage by the scenarios of soccer, as `directorc test --coverage` prints it.
 #include "compiler/cli/parse.hpp"
 #include "tests/support/golden.hpp"
 
@@ -40,7 +40,7 @@ TEST_CASE("what the scenarios of soccer do not exercise is known", "[golden]") {
   tests::check_golden("tests/behaviours/soccer/golden/coverage.txt", coverage());
 }
 
-TEST_CASE("the page of soccer says how much they exercise") {
+TEST_CASE("the page of soccer has the coverage of the scenarios") {
   const std::string page = tests::read_file(tests::source_dir() / "behaviours/soccer/README.md");
   std::istringstream lines(coverage());
   for (std::string line; std::getline(lines, line);) {

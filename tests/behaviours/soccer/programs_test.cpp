@@ -40,7 +40,7 @@ std::string game(const std::string& program, const std::string& arguments) {
 
 bool has(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
-/// Each part stands behind the one before.
+/// Each part comes after the one before.
 void check_order(std::string_view text, const std::vector<std::string_view>& parts) {
   std::size_t from = 0;
   for (const std::string_view part : parts) {
@@ -79,7 +79,7 @@ const std::vector<std::string_view> story{
 
 } // namespace
 
-TEST_CASE("a seed is the same game, byte for byte, whoever compiled it", "[golden]") {
+TEST_CASE("a seed is the same game, byte for byte, with every compiler", "[golden]") {
   check_golden("tests/behaviours/soccer/golden/seed_1.txt", game("bin/soccer", "--seed 1"));
 }
 
@@ -89,7 +89,7 @@ TEST_CASE("the robot walks, is pushed to a halt, kicks, falls in the middle of a
   check_order(game("bin/soccer", ""), story);
 }
 
-TEST_CASE("the same player tells the same story on other legs") { check_order(game("bin/soccer_simple", ""), story); }
+TEST_CASE("the same player has the same timeline on other legs") { check_order(game("bin/soccer_simple", ""), story); }
 
 TEST_CASE("for ten minutes of any game the robot kicks again and again") {
   for (const char* seed : {"4", "8", "21"}) {
@@ -114,7 +114,7 @@ TEST_CASE("without the promise of halting there is no push, and no kick") {
 
 TEST_CASE("a pipe gets no colours") { CHECK_FALSE(has(game("bin/soccer", "--seconds 20"), "\033")); }
 
-TEST_CASE("wrong usage is told on standard error, with exit code 2") {
+TEST_CASE("wrong usage is reported on standard error, with exit code 2") {
   const Ran ran = run("bin/soccer", "--sed 7", "2>&1 >/dev/null");
   CHECK(ran.exit_code == 2);
   CHECK(ran.text.substr(0, ran.text.find('\n')) == "soccer: unknown argument --sed");

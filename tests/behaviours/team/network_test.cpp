@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The three robots of behaviours/team in one program, over a network that delays, loses and parts them, in a time of
-// its own: what the behaviour promises follows from the behaviour, not from the middleware.
+// The three robots of behaviours/team in one program, over a network that delays, loses and partitions, with simulated
+// time: the behaviour's promises follow from the behaviour, not from the middleware.
 #include "behaviours/team/player.hpp"
 
 #include <catch2/catch.hpp>
@@ -30,7 +30,7 @@ struct Robot {
     while (std::string(team::names::state(row)) != "Role") ++row;
     return static_cast<team::Role>(behaviour.engine().value(row));
   }
-  /// As the bridge does it: the values of Role have the same names in One, Two and Three.
+  /// Like the bridge: the values of Role have the same names in One, Two and Three.
   void hear(int from, team::Role role_there) {
     const auto number = static_cast<std::int32_t>(role_there) + 2; // after unheard and silent
     switch (from) {
@@ -106,7 +106,7 @@ private:
     longest_ = std::max(longest_, with_two_);
   }
 
-  /// In order: a word never overtakes another one of the same robot.
+  /// In order: a message never overtakes another one of the same robot.
   void say(int from, int to, team::Role role) {
     if (from == to || parted_ || std::uniform_real_distribution<>(0, 1)(draw_) < lost_) return;
     Time arrives = now_ + tick * std::uniform_int_distribution<>(0, static_cast<int>(longest_delay / tick))(draw_);
@@ -124,7 +124,7 @@ private:
   double lost_ = 0;
 };
 
-/// Robots come and go at times of chance.
+/// Robots come and go at random times.
 void come_and_go(Team& team, std::mt19937& draw, int times) {
   for (int i = 0; i < times; ++i) {
     const int robot = std::uniform_int_distribution<>(0, count - 1)(draw);
@@ -147,13 +147,13 @@ TEST_CASE("the first of the team has the role soon after the start, and hands it
   CHECK(team.striker() == 2);
   team.start(0);
   team.run(300ms);
-  CHECK(team.strikers() == 0); // three has let go; one has not heard yet that two is silent
+  CHECK(team.strikers() == 0); // three has given up; one has not received yet that two is silent
   team.run(900ms);
   CHECK(team.striker() == 0);
   CHECK(team.longest_with_two() == 0ms);
 }
 
-TEST_CASE("however robots come and go, two never strike for longer than a word takes") {
+TEST_CASE("however robots come and go, two never strike for longer than a message takes") {
   for (unsigned seed = 1; seed <= 60; ++seed) {
     Team team(seed);
     std::mt19937 draw(seed);
@@ -167,7 +167,7 @@ TEST_CASE("however robots come and go, two never strike for longer than a word t
   }
 }
 
-TEST_CASE("a network that loses every third word changes nothing") {
+TEST_CASE("a network that loses every third message changes nothing") {
   for (unsigned seed = 1; seed <= 30; ++seed) {
     Team team(seed);
     team.lose(0.3);
@@ -181,7 +181,7 @@ TEST_CASE("a network that loses every third word changes nothing") {
   }
 }
 
-TEST_CASE("robots that hear nobody all strike, and one is left soon after they hear each other") {
+TEST_CASE("robots that receive no messages all strike, and one remains soon after they hear each other") {
   for (unsigned seed = 1; seed <= 30; ++seed) {
     Team team(seed);
     team.part(true);

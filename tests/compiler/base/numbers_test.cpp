@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests compiler/base/seconds.hpp and counted.hpp: numbers as people read them.
+// Tests compiler/base/seconds.hpp and counted.hpp: numbers in messages.
 #include "compiler/base/counted.hpp"
 #include "compiler/base/seconds.hpp"
 
@@ -7,7 +7,7 @@
 
 using namespace director::compiler;
 
-TEST_CASE("a duration has the digits that say something") {
+TEST_CASE("a duration has no superfluous digits") {
   CHECK(as_duration(0) == "0 s");
   CHECK(as_duration(250) == "250 us");
   CHECK(as_duration(1'000) == "0.001 s");

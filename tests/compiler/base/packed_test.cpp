@@ -26,7 +26,7 @@ TEST_CASE("what is packed is the same when it is unpacked, and the same bytes ea
   }
 }
 
-TEST_CASE("base64 of what stands in RFC 4648, section 10, and of bytes that are no letters") {
+TEST_CASE("base64 of the examples of RFC 4648, section 10, and of bytes that are no letters") {
   CHECK(base64("").empty());
   CHECK(base64("f") == "Zg==");
   CHECK(base64("fo") == "Zm8=");

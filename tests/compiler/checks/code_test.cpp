@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rules that read C++, over facts as director-clang tells them: what needs no Clang to be tried.
+// The checks that read C++, with facts in the form of director-clang's: what can be tested without Clang.
 #include "compiler/checks/code_check.hpp"
 #include "compiler/pipeline.hpp"
 
@@ -60,7 +60,7 @@ const std::string requests_both =
     R"({"context": "x::Walk::Default", "word": "request", "tasks": ["x::Leg", "x::Arm"], "at": [0, 1, 2]})";
 const std::string arm_is_missing = "no path of `Walk` requests `Arm` [task_never_requested]\n";
 
-TEST_CASE("what a function below a body requests counts, however far below, and in a circle too") {
+TEST_CASE("what a function below a body requests counts, at any depth, and in a cycle too") {
   CHECK(look(R"({BODY, "does": [)" + requests_leg + "]}").findings == arm_is_missing);
   CHECK(look(R"({BODY, "calls": [{"to": "a", "name": "a", "at": [0, 1, 2]}]},
                 {"key": "a", "calls": [{"to": "b", "name": "b", "at": [0, 1, 2]}]},
@@ -75,7 +75,7 @@ TEST_CASE("what is requested in the context of another provider does not count")
             .findings == arm_is_missing);
 }
 
-TEST_CASE("nothing is said of what never happens where the context goes out of sight") {
+TEST_CASE("no finding reports that something never happens if the context leaves the visible code") {
   const auto with = [](const std::string& more) {
     return look(R"({BODY, "does": [)" + requests_leg + "], " + more + "}");
   };
@@ -94,7 +94,7 @@ TEST_CASE("an answer that Clang may have dropped, as it does not understand the 
   CHECK(look(body, true).findings.empty());
 }
 
-TEST_CASE("a virtual function is followed to whoever overrides it, and more may be out of sight") {
+TEST_CASE("calls of a virtual function lead to all its overriders, and to functions that are not visible") {
   const Seen seen = look(R"({BODY, "calls": [{"to": "base", "name": "Base::go", "at": [0, 1, 2], "virtual": true}]},
                             {"key": "derived", "name": "Derived::go", "overrides": ["base"],
                              "blocks": [{"name": "usleep", "why": "sleeps", "at": [0, 2, 3]}], "does": [)" +
@@ -103,7 +103,7 @@ TEST_CASE("a virtual function is followed to whoever overrides it, and more may 
   CHECK(seen.unseen == "`Base::go`, which is virtual\n");
 }
 
-TEST_CASE("what somebody may call later does not block the body that makes it") {
+TEST_CASE("a lambda that may be called later does not block the body that makes it") {
   const std::string sleeper = R"({"key": "s", "blocks": [{"name": "usleep", "why": "sleeps", "at": [0, 2, 3]}]})";
   CHECK(look(R"({BODY, "does": [)" + requests_both +
              R"(], "calls": [{"to": "s", "name": "s", "at": [0, 1, 2], "maybe": true}]}, )" + sleeper)

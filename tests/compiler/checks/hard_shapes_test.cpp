@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Many of one kind of mistake: each has its place, and what is said does not grow with the square of them.
+// Many mistakes of one kind: each has its place, and the output does not grow quadratically.
 #include "tests/compiler/support/checked.hpp"
 #include "tests/support/environment.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 
 using namespace director;
 
-/// By id, how many there are and at how many places.
+/// By id, their number and the number of their places.
 std::map<std::string, std::pair<std::size_t, std::size_t>> count(const std::string& text) {
   const tests::CheckedText checked = tests::check_text(text);
   std::map<std::string, std::size_t> found;
@@ -44,11 +44,11 @@ std::string rivals(std::size_t size, const std::string& asked_for) {
 
 using Counts = std::map<std::string, std::pair<std::size_t, std::size_t>>;
 
-TEST_CASE("of a hundred tasks of a list that want one group one finding tells") {
+TEST_CASE("of a hundred tasks of a list that want one group one finding is reported") {
   CHECK(count(rivals(100, "tasks: [" + names(0, 100) + "]")) == Counts{{"possible_pack_conflict", {1, 1}}});
 }
 
-TEST_CASE("of a hundred members of a pack that exclude each other one finding tells, with each of them") {
+TEST_CASE("of a hundred members of a pack that exclude each other one finding is reported, with each of them") {
   CHECK(count(rivals(100, "packs: {a: [" + names(0, 100) + "], b: []}")) == Counts{{"pack_conflict", {1, 1}}});
   const tests::CheckedText checked = tests::check_text(rivals(25, "packs: {a: [" + names(0, 25) + "], b: []}"));
   const auto at = std::find_if(checked.checked.findings.begin(), checked.checked.findings.end(),
@@ -64,7 +64,7 @@ TEST_CASE("of a hundred members of a pack that exclude each other one finding te
                     "itself alone");
 }
 
-/// Of a list of 24 two by two want one group and have one priority.
+/// In a list of 24 every two want one group and have one priority.
 std::string couples(const std::string& allow = "") {
   std::string out = "roots: [All]\ngroups:\n  All:\n    tasks:\n";
   for (std::size_t i = 0; i < 24; ++i)
@@ -74,7 +74,7 @@ std::string couples(const std::string& allow = "") {
   return out;
 }
 
-TEST_CASE("of a long list with many sets of equal rank one finding tells, with each of the sets") {
+TEST_CASE("of a long list with many sets of equal rank one finding is reported, with each of the sets") {
   const tests::CheckedText checked = tests::check_text(couples());
   REQUIRE(checked.checked.findings.size() == 1);
   const dsl::Diagnostic& finding = checked.checked.findings.front();
@@ -89,13 +89,13 @@ TEST_CASE("of a long list with many sets of equal rank one finding tells, with e
   CHECK(finding.help == "give them priorities that say which goes first");
 }
 
-TEST_CASE("of a long list a set that is allowed is told of by itself") {
+TEST_CASE("of a long list a set that is allowed is reported separately") {
   const tests::CheckedText checked = tests::check_text(couples(", allow: [equal_priority], because: it is meant"));
   REQUIRE(checked.checked.findings.size() == 1);
   CHECK(checked.checked.findings.front().notes.size() == 11);
 }
 
-TEST_CASE("of two hundred members whose conditions exclude each other one finding tells") {
+TEST_CASE("of two hundred members whose conditions exclude each other one finding is reported") {
   std::string values, groups;
   for (std::size_t i = 0; i < 200; ++i) {
     values += fmt::format("v{}, ", i);
@@ -107,7 +107,7 @@ TEST_CASE("of two hundred members whose conditions exclude each other one findin
               names(0, 200) + "]}}\n" + groups)["pack_conflict"] == std::pair<std::size_t, std::size_t>{1, 1});
 }
 
-TEST_CASE("of sixty members of which every two want a group of their own each but the first is told of, once") {
+TEST_CASE("of sixty members of which every two want a group of their own each but the first is reported, once") {
   std::string groups;
   for (std::size_t i = 0; i < 60; ++i) {
     std::string needs;
@@ -121,7 +121,7 @@ TEST_CASE("of sixty members of which every two want a group of their own each bu
         std::pair<std::size_t, std::size_t>{59, 59});
 }
 
-TEST_CASE("of a chain of two hundred needs the first and the last steps are told") {
+TEST_CASE("of a chain of two hundred needs the first and the last steps are reported") {
   std::string groups = "  T199: {}\n";
   for (std::size_t i = 0; i < 199; ++i) groups += fmt::format("  T{}: {{needs: [T{}]}}\n", i, i + 1);
   const tests::CheckedText checked =
@@ -134,8 +134,8 @@ TEST_CASE("of a chain of two hundred needs the first and the last steps are told
   CHECK(notes[8].message == "`T193` needs `T194`");
 }
 
-/// Nothing of their equal rank: asked for together, none of them is granted.
-TEST_CASE("of twenty tasks of a list that want one group each is told of with every other, and nothing else") {
+/// Without findings about their equal rank: requested together, none of them is granted.
+TEST_CASE("of twenty tasks of a list that want one group each is reported with every other, and nothing else") {
   CHECK(count(rivals(20, "tasks: [" + names(0, 20) + "]")) == Counts{{"possible_pack_conflict", {190, 19}}});
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("of forty groups, each needing all behind it, none is left out") {
   CHECK(count(text) == Counts{{"needs_conflict", {38, 38}}});
 }
 
-TEST_CASE("of three thousand names that are nowhere each is told of, and the first ones with what was meant") {
+TEST_CASE("of three thousand unknown names each is reported, and the first ones with a suggestion") {
   std::string text = "roots: [T0]\ngroups:\n";
   for (std::size_t i = 0; i < 3'000; ++i) text += fmt::format("  T{0}: {{needs: [t{0}]}}\n", i);
   const tests::CheckedText checked = tests::check_text(text);
@@ -178,7 +178,7 @@ TEST_CASE("of three thousand names that are nowhere each is told of, and the fir
         "declare it under `groups`, import a file that does, or list it under `extern`");
 }
 
-TEST_CASE("more conditions of one provider than there is room for in a message are looked at all the same") {
+TEST_CASE("more conditions of one provider than fit into a message are all checked") {
   std::string text = "states:\n", when;
   for (std::size_t i = 0; i < 3'000; ++i) {
     text += fmt::format("  S{}: {{values: [low, high], initial: low, external: true}}\n", i);
@@ -258,7 +258,7 @@ TEST_CASE("no finding has more notes or words than one reads, however many parti
   }
 }
 
-/// All below a group, kept for each group of a chain, was 3 GB for this one.
+/// Keeping all groups below each group of a chain took 3 GB for this one.
 TEST_CASE("of a chain of five thousand groups that each request the next one and a leaf nothing is in common") {
   constexpr std::size_t size = 5'000;
   std::string text = "roots: [T0]\ngroups:\n";
@@ -268,7 +268,7 @@ TEST_CASE("of a chain of five thousand groups that each request the next one and
 }
 
 /// Only the two entries in which the chain ends have something in common.
-TEST_CASE("of a chain of three thousand groups the two entries at its end that want one group are told of") {
+TEST_CASE("of a chain of three thousand groups the two entries at its end that want one group are reported") {
   constexpr std::size_t size = 3'000;
   std::string text = "roots: [T0]\ngroups:\n";
   for (std::size_t i = 0; i + 1 < size; ++i)
@@ -277,8 +277,8 @@ TEST_CASE("of a chain of three thousand groups the two entries at its end that w
   CHECK(count(text) == Counts{{"equal_priority", {1, 1}}, {"unbounded_choice", {1, 1}}});
 }
 
-/// The way down begins again at the group, and there with what its other provider asks for.
-TEST_CASE("of a group that leads to itself no place is told of which the provider in question has none") {
+/// The path down begins again at the group, and there with the requests of its other provider.
+TEST_CASE("for a group that leads to itself no place is reported that the provider in question does not have") {
   CHECK(count(R"(
 states: {Pose: {values: [standing]}}
 roots: {Play: {}}

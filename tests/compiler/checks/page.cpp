@@ -24,7 +24,7 @@ std::string trimmed(std::string_view text) {
   return std::string(text.substr(first, text.find_last_not_of(' ') - first + 1));
 }
 
-/// What stands behind `# word: `, and whether the comment is alone on its line.
+/// The text behind `# word: `, and whether the comment is alone on its line.
 std::optional<std::pair<std::string, bool>> comment(const std::string& line, const std::string& word,
                                                     const std::string& mark = "# ") {
   const std::string begin = mark + word + ": ";
@@ -33,7 +33,7 @@ std::optional<std::pair<std::string, bool>> comment(const std::string& line, con
   return std::pair{trimmed(line.substr(at + begin.size())), trimmed(line.substr(0, at)).empty()};
 }
 
-/// Takes the id of another check off the end of a message.
+/// Removes the id of another check from the end of a message.
 std::string split_id(std::string& message, const std::string& own) {
   const std::size_t at = message.rfind(" [");
   if (at == std::string::npos || message.back() != ']') return own;

@@ -1,16 +1,15 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The page of a check, taken apart: its specimens and what they say that is found in them.
+// Parses the page of a check: its specimens and their expected findings.
 //
-// A specimen is a ```yaml block. A comment says what is found in the line it stands in (`# reported: ...`, `# note:
-// ...`), or, on a line of its own, in the nearest line above that is not such a comment (`# reported above: ...`, `#
-// note above: ...`);
-// `# help: ...` may stand anywhere. A message may end in the id of another check, ` [redefined_name]`. Where neither
+// A specimen is a ```yaml block. A comment has the expected finding of its line (`# reported: ...`, `# note: ...`), or,
+// on a line of its own, of the nearest line above that is not such a comment (`# reported above: ...`, `# note above:
+// ...`); `# help: ...` may be anywhere. A message may end in the id of another check, ` [redefined_name]`. If neither
 // `behaviour:` nor `language:` begins a line, both are added in front. `# file: other.yaml` begins a further file; one
-// that ends in .scenario.yaml is played, and what is wrong with it is found too.
+// that ends in .scenario.yaml is played, and its faults are findings too.
 //
 // ```cpp blocks that follow belong to the specimen: the user's C++, with the same words behind `//`. The first file is
-// modules.cpp unless `// file: ...` says otherwise.
+// modules.cpp unless `// file: ...` names another one.
 
 #include <cstdint>
 #include <map>

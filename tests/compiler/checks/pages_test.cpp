@@ -13,7 +13,7 @@ namespace {
 using namespace director;
 using namespace director::tests;
 
-/// Everything that a run says, in the words of a page.
+/// All findings of a run, in the form of a page.
 struct Said {
   std::vector<Expected> findings, notes;
   std::vector<std::string> helps;
@@ -54,7 +54,7 @@ std::string lines(std::vector<std::string> list) {
   return out;
 }
 
-/// In its help; or by what it expected.
+/// Whether it tells the user what to do: in its help, or by what it expected.
 bool tells_what_to_do(const dsl::Diagnostic& finding) {
   return !finding.help.empty() || finding.message.find("expected ") != std::string::npos;
 }
@@ -75,7 +75,7 @@ void try_out(const checks::Registered& check, const Specimen& specimen) {
   if (check.id == "never_runs") options.explore = 100'000;
   compiler::Checked checked = compiler::check(std::string(main_file), files, sources, options);
   options.selection.only_errors = true;
-  options.explore = 0; // which tells no errors
+  options.explore = 0; // which would report no errors
   const compiler::Checked in_short = compiler::check(std::string(main_file), files, sources, options);
   CHECK(dsl::render(in_short.findings, sources) == dsl::render(without_warnings(checked.findings), sources));
   CHECK(in_short.lowerable == checked.lowerable);
@@ -97,7 +97,7 @@ void try_out(const checks::Registered& check, const Specimen& specimen) {
   }
 }
 
-TEST_CASE("every page's specimens are found as it says") {
+TEST_CASE("the findings of every page's specimens are those on the page") {
   for (const checks::Registered& check : checks::registered()) {
     DYNAMIC_SECTION(check.id) {
       const Page page = read_page(check.page);

@@ -13,7 +13,7 @@ const std::string kick_and_walk = "roots: {Kick: {priority: 10}, Walk: {priority
 
 compiler::CheckOptions asked(checks::Selection selection) { return {std::move(selection)}; }
 
-TEST_CASE("a warning is no error unless it is asked to be one") {
+TEST_CASE("a warning is no error unless that is requested") {
   checks::Selection selection;
   CHECK(check_text(kick_and_walk).checked.findings.at(0).level == dsl::Level::warning);
   selection.warnings_as_errors = {"shadowed_provider"};
@@ -25,7 +25,7 @@ TEST_CASE("a warning is no error unless it is asked to be one") {
   CHECK(check_text(kick_and_walk, asked(selection)).checked.findings.at(0).level == dsl::Level::error);
 }
 
-TEST_CASE("lints speak when they are asked") {
+TEST_CASE("lints are reported on request") {
   const std::string text = "roots: [Walk]\ngroups:\n  Walk: {}\n  Kick: {}\n";
   checks::Selection selection;
   CHECK(check_text(text).findings().empty());
@@ -39,7 +39,7 @@ TEST_CASE("lints speak when they are asked") {
   CHECK(check_text(text, asked(selection)).checked.findings.at(0).level == dsl::Level::lint);
 }
 
-TEST_CASE("an allowance covers what stands inside its thing, and nothing beside it") {
+TEST_CASE("an allowance covers what is inside its thing, and nothing beside it") {
   const std::string allow = "allow: [equal_priority], because: first come first served";
   const auto roots = [&](const std::string& kick, const std::string& walk) {
     return check_text("roots: {Kick: {priority: 10" + kick + "}, Walk: {priority: 10" + walk + "}}\n" +
@@ -75,7 +75,7 @@ TEST_CASE("an unused allowance may be allowed itself") {
         "main.yaml:5: `unused_allow` finds nothing here that could be allowed [unused_allow]\n");
 }
 
-TEST_CASE("every check has a level, says how certain it is, and is found by its id") {
+TEST_CASE("every check has a level and a certainty, and is found by its id") {
   for (const checks::Registered& check : checks::registered()) {
     CHECK(checks::find_registered(check.id) == &check);
     CHECK_NOTHROW(checks::level_of(check));
@@ -87,7 +87,8 @@ TEST_CASE("every check has a level, says how certain it is, and is found by its 
 
 } // namespace
 
-TEST_CASE("what an error means for what comes after it, and what says never, stands in the head of the page") {
+TEST_CASE(
+    "the consequence of an error, and whether it reports that something never happens, are in the head of the page") {
   const auto consequence = [](std::string_view id) { return checks::consequence_of(*checks::find_registered(id)); };
   CHECK(consequence("needs_cycle") == checks::Consequence::nothing_runs);
   CHECK(consequence("unbounded_choice") == checks::Consequence::nothing_is_explored);

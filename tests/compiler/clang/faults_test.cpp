@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Faults planted in a copy of soccer's bodies are each found, and a cache that is spoilt or old does no harm.
+// Each fault that is planted in a copy of soccer's bodies is found, and a damaged or old cache does no harm.
 #include "compiler/base/json.hpp"
 #include "tests/compiler/clang/workshop.hpp"
 #include "tests/support/golden.hpp"
@@ -21,7 +21,7 @@ struct Planted {
   const char* file;
   const char* from;
   const char* to;
-  const char* found; ///< id, and where it is said
+  const char* found; ///< id, and place
 };
 
 constexpr Planted faults[] = {

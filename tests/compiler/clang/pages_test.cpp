@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/check.hpp"
 #include "compiler/base/json.hpp"
+#include "compiler/checks/check.hpp"
 #include "tests/compiler/checks/page.hpp"
 #include "tests/compiler/clang/workshop.hpp"
 
@@ -56,7 +56,7 @@ Said words_of(const Workshop& work, const std::string& text) {
   return out;
 }
 
-/// What `check` says with the program's flags; if that is nothing, what `verify` says of its C++.
+/// The findings of `check` with the program's flags; if there are none, those of `verify` about its C++.
 Said try_out(const Specimen& specimen, const std::string& name) {
   const Workshop work(name);
   std::vector<std::string> files;
@@ -88,7 +88,7 @@ Said try_out(const Specimen& specimen, const std::string& name) {
   return said;
 }
 
-TEST_CASE("what every page with C++ says is found") {
+TEST_CASE("the findings of every page with C++ are those on the page") {
   for (const checks::Registered& check : checks::registered()) {
     const Page page = read_page(check.page);
     std::size_t number = 0;

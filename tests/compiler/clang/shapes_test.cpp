@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ways in which people write a body that does what the behaviour says: none is told of, and of each it is told if
-// it does something else. And what blocks, in what shape it may come, and what only looks as if it did.
+// Different ways to write a body that does what the behaviour declares: none is reported, and each is reported if it
+// does something else. Also what blocks, in different shapes, and what only looks as if it did.
 #include "tests/compiler/clang/workshop.hpp"
 
 #include <catch2/catch.hpp>
@@ -146,7 +146,7 @@ Worked verified(const Workshop& work, const Program& program) {
   return work.directorc({"verify", work.path("deep.yaml"), "-p", work.path(), "--generated", work.path("generated")});
 }
 
-/// What is said without places.
+/// The output without places.
 std::vector<std::string> lines_with(const std::string& text, const std::string& word) {
   std::vector<std::string> out;
   std::istringstream in(text);
@@ -157,7 +157,7 @@ std::vector<std::string> lines_with(const std::string& text, const std::string& 
   return out;
 }
 
-TEST_CASE("in whatever shape a body keeps its promise, that is seen, or it is told that it cannot be") {
+TEST_CASE("in whatever shape a body keeps its promise, that is recognised, or reported as undecided") {
   const Worked worked = verified(Workshop("shapes"), program());
   CHECK(worked.out == "");
   INFO(worked.err);
@@ -171,13 +171,13 @@ TEST_CASE("in whatever shape a body keeps its promise, that is seen, or it is to
   }
 }
 
-TEST_CASE("in whatever shape a body breaks its promise, it is told once") {
+TEST_CASE("in whatever shape a body breaks its promise, it is reported once") {
   Program broken = program();
   for (std::string* text : {&broken.source, &broken.elsewhere})
     *text = std::regex_replace(*text, std::regex("(S|T|SOtherFile)::on"), "$1::off");
   const Worked worked = verified(Workshop("broken-shapes"), broken);
   std::vector<std::string> expected;
-  const std::set<std::string> computed{"GenericLambda", "Function"}; // what they are given may be any value
+  const std::set<std::string> computed{"GenericLambda", "Function"}; // their parameters may have any value
   for (const Shape& shape : promises)
     if (computed.count(shape.name) == 0)
       expected.push_back(
@@ -249,7 +249,7 @@ const Home homes[] = {
     {"TemplateOfMine", "template <int size> class Mine : public deep::Robot { BODY };", false},
 };
 
-TEST_CASE("wherever a class stands its bodies are seen, or it is told that they are not") {
+TEST_CASE("wherever a class is its bodies are found, or it is reported that they are not") {
   const std::string body = "director::Outcome provide(deep::Walk::Default& run) override { return run.keep(); }";
   for (const Home& home : homes) {
     CAPTURE(home.name);
@@ -376,7 +376,7 @@ const Call calls[] = {
     {"Spin", "waits", "std::atomic<int> a; a.wait(1);"},
 };
 
-TEST_CASE("what blocks is told in whatever shape it comes, and what only looks like it is not") {
+TEST_CASE("what blocks is reported in whatever shape it comes, and what only looks like it is not") {
   Program program;
   program.yaml = "behaviour: deep\nlanguage: 1\nroots: [G]\ngroups:\n  G: {module: robot}\n";
   program.source = R"(#include "deep.hpp"

@@ -56,7 +56,7 @@ TEST_CASE("a state's values are those that the flags of the program make") {
   CHECK(arm.status == 0);
 }
 
-/// Sees whether anybody opens a file while it lives.
+/// Detects whether a file is opened during its lifetime.
 class Guarded {
 public:
   explicit Guarded(const std::string& path) {
@@ -75,7 +75,7 @@ private:
   int events_ = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
 };
 
-TEST_CASE("a header that is a pipe is told of and not opened, also where another header includes it") {
+TEST_CASE("a header that is a pipe is reported and not opened, also if another header includes it") {
   const Workshop work("types-pipe");
   write_game(work);
   std::filesystem::remove(work.path("include/phase.hpp"));
@@ -93,7 +93,7 @@ TEST_CASE("a header that is a pipe is told of and not opened, also where another
   work.write("include/phase.hpp",
              "#include \"inner.hpp\"\nnamespace game { enum class Phase { initial, overtime }; }\n");
   const Worked within = work.directorc({"check", "-p", work.path(), work.path("game.yaml")});
-  CHECK(within.status == 0); // what the header says itself is known
+  CHECK(within.status == 0); // the header's own content is known
   CHECK_FALSE(pipe.was_opened());
 }
 
@@ -144,7 +144,7 @@ constexpr Named types[] = {
     {"c_enum", "C_TWO"},
 };
 
-/// What is said of a behaviour that waits for this value of this type.
+/// The findings of a behaviour that waits for this value of this type.
 std::string said_of(const Workshop& work, const Named& named) {
   work.write("game.yaml",
              std::string("behaviour: play\nlanguage: 1\ncpp: {headers: [enums.hpp]}\nstates:\n  S: {type: \"") +

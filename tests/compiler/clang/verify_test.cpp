@@ -70,7 +70,7 @@ TEST_CASE("a source that gets the generated header by its flags alone is read") 
   CHECK(with({"-Xclang", "-include", "-Xclang", "all.hpp"}) == one);
 }
 
-TEST_CASE("a body whose group is called otherwise by now is not taken for the one of the new name") {
+TEST_CASE("a body whose group was renamed is not taken for the one of the new name") {
   const Workshop work = workshop("renamed");
   work.write("body.cpp", included + "class MyWheels final : public cart::Wheels {\npublic:\n"
                                     "  director::Outcome provide(cart::Wheeel::Default& run) override;\n"
@@ -89,7 +89,7 @@ TEST_CASE("a body whose group is called otherwise by now is not taken for the on
   CHECK_THAT(told, Catch::Matchers::EndsWith("body.cpp:4: no member named 'Wheeel' in namespace 'cart'"));
 }
 
-TEST_CASE("where no body is found, what Clang does not understand is told first, as it may be why") {
+TEST_CASE("if no body is found, what Clang does not understand is reported first, as it may be the reason") {
   Workshop work("not_understood");
   work.write("types.hpp", "#pragma once\nnamespace types {\nstruct Speed {\n");
   work.write("cart.yaml", "behaviour: cart\nlanguage: 1\nroots: [Drive]\ncpp: {headers: [types.hpp]}\n"
@@ -145,7 +145,7 @@ TEST_CASE("test doubles can be left out by their file, their folder, or what the
   CHECK(messages(verified(work, {"--exclude=" + work.path("CMakeFiles/doubles.dir")}).out).empty());
 }
 
-TEST_CASE("what is to be left out and is not there is told") {
+TEST_CASE("a missing file that is to be left out is reported") {
   const Workshop work = workshop("no-doubles");
   work.write("body.cpp", wheels(included));
   work.write_commands({work.path("body.cpp")}, flags(work));
@@ -161,7 +161,7 @@ TEST_CASE("what is to be left out and is not there is told") {
   CHECK(all.status == 2);
 }
 
-TEST_CASE("a source that stands in the build and is not there is told, once") {
+TEST_CASE("a source that the build lists and that does not exist is reported, once") {
   const Workshop work = workshop("gone");
   work.write("body.cpp", wheels(included));
   work.write_commands({work.path("body.cpp"), work.path("gone.cpp"), work.path("gone.cpp")}, flags(work));
@@ -203,7 +203,7 @@ TEST_CASE("a behaviour that is wrong is reported in the format that is requested
   CHECK(text.err.find("error: " + drift + " [enum_drift]\n") != std::string::npos);
 }
 
-TEST_CASE("of a library that is compiled already it is told what nobody can see, where a group is realtime") {
+TEST_CASE("for a compiled library it is reported what cannot be determined, if a group is realtime") {
   const Workshop work("library");
   work.write("cart.yaml", "behaviour: cart\nlanguage: 1\nroots: [Drive]\ngroups:\n"
                           "  Drive: {module: wheels, realtime: true}\n");

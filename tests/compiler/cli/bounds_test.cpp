@@ -31,7 +31,7 @@ std::string lines_with(const std::string& text, std::string_view word) {
   return out;
 }
 
-TEST_CASE("what a unit of work costs on another machine changes the times, and nothing else") {
+TEST_CASE("the cost of a unit of work on another machine changes the times, and nothing else") {
   World world;
   world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups:\n  Lamp: {}\n");
   CHECK(world.directorc({"check", "--verbose", "--work-ns=2500000", "lamp.yaml"}) == 0);

@@ -23,10 +23,10 @@ struct Pipe {
   }
 };
 
-/// For a machine that is busy: what has happened before is told at once.
+/// For a busy machine: earlier events are reported at once.
 constexpr auto long_enough = 60s;
 
-TEST_CASE("who sleeps is woken by what happens to a file or near it, and by nothing else") {
+TEST_CASE("a sleeper is woken by changes of a file or near it, and by nothing else") {
   const OwnFolder folder("notices");
   folder.write("a", "one");
   fs::create_directories(folder.path / "other");
@@ -38,7 +38,7 @@ TEST_CASE("who sleeps is woken by what happens to a file or near it, and by noth
   CHECK(notices.sleep(0ms, pipe.ends[0]) == Woken::by_time);
   const auto wakes = [&] {
     const bool woken = notices.sleep(long_enough, pipe.ends[0]) == Woken::by_change;
-    return woken && notices.sleep(0ms, pipe.ends[0]) == Woken::by_time; // all of it is told at once
+    return woken && notices.sleep(0ms, pipe.ends[0]) == Woken::by_time; // all of it is reported at once
   };
   folder.write("a", "two");
   CHECK(wakes());
@@ -54,7 +54,7 @@ TEST_CASE("who sleeps is woken by what happens to a file or near it, and by noth
   CHECK(notices.sleep(long_enough, pipe.ends[0]) == Woken::by_end);
 }
 
-TEST_CASE("a file that is named without a folder lies where the program runs") {
+TEST_CASE("a file that is named without a folder is in the working directory") {
   const OwnFolder folder("notices-here");
   const fs::path before = fs::current_path();
   fs::current_path(folder.path);
@@ -82,7 +82,7 @@ TEST_CASE("what does not exist is waited for in the nearest folder that does, an
   expect();
   folder.write("deep/er/a", "");
   CHECK(notices.sleep(long_enough, pipe.ends[0]) == Woken::by_change);
-  // What lies above is not watched any more.
+  // The folders above are not watched any more.
   folder.write("deep/other", "");
   CHECK(notices.sleep(0ms, pipe.ends[0]) == Woken::by_time);
 }
@@ -100,7 +100,7 @@ TEST_CASE("of a folder all below it is watched, but build trees") {
   CHECK(notices.sleep(long_enough, pipe.ends[0]) == Woken::by_change);
 }
 
-TEST_CASE("where the system tells nothing, somebody has to look") {
+TEST_CASE("if the system reports nothing, the caller has to poll") {
   const OwnFolder folder("notices-none");
   const Pipe pipe;
   ChangeNotices notices(ChangeNotices::By::looking);

@@ -10,7 +10,7 @@ using director::tests::World;
 
 const std::string misspelt = "behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups:\n  Lamp: {nedes: []}\n";
 
-TEST_CASE("findings are told with their place, and errors make the exit status") {
+TEST_CASE("findings are reported with their place, and errors make the exit status") {
   World world;
   world.files.add("lamp.yaml", misspelt);
   CHECK(world.directorc({"check", "lamp.yaml"}) == 1);
@@ -26,7 +26,7 @@ TEST_CASE("a file that is not there is no finding") {
   CHECK(world.err == "directorc: cannot read `lamp.yaml`: No such file or directory\n");
 }
 
-TEST_CASE("a build or flags that cannot be read are told, also where no type is requested") {
+TEST_CASE("a build or flags that cannot be read are reported, also if no type is requested") {
   World world;
   world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: []\n");
   CHECK(world.directorc({"check", "-p", "bulid", "lamp.yaml"}) == 2);
@@ -37,7 +37,7 @@ TEST_CASE("a build or flags that cannot be read are told, also where no type is 
   CHECK(world.err == "directorc: cannot read `lamp.flags`: No such file or directory\n");
   CHECK(world.outputs.files.empty());
   world.files.add("build/compile_commands.json", "{");
-  CHECK(world.directorc({"check", "-p", "build", "lamp.yaml"}) == 0); // nobody looks into it
+  CHECK(world.directorc({"check", "-p", "build", "lamp.yaml"}) == 0); // the file is not read
   world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\ncpp: {headers: [a.hpp]}\nroots: [Lamp]\n"
                                "groups: {Lamp: {data: Level}}\n");
   CHECK(world.directorc({"check", "-p", "build", "lamp.yaml"}) == 2);
@@ -64,7 +64,7 @@ TEST_CASE("findings as JSON have lines and columns from 1 and exclusive ends") {
   CHECK(world.out == "{\n  \"findings\": []\n}\n");
 }
 
-TEST_CASE("warnings become errors where asked, are silent where allowed, and lints show where wanted") {
+TEST_CASE("warnings become errors on request, are not reported if allowed, and lints are reported on request") {
   World world;
   world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ntriggers: [Bell]\ngroups:\n"
                                "  Lamp: {allow: [useless_use], because: to try it}\n");
@@ -81,14 +81,14 @@ TEST_CASE("warnings become errors where asked, are silent where allowed, and lin
   CHECK(world.out.find("[unused_declaration]") != std::string::npos);
 }
 
-TEST_CASE("an error is told, whatever --allow says") {
+TEST_CASE("an error is reported, even with --allow") {
   World world;
   world.files.add("lamp.yaml", misspelt);
   CHECK(world.directorc({"check", "lamp.yaml", "--allow=unknown_key"}) == 1);
 }
 
-TEST_CASE("what is not decided within the bound is told, and nothing is generated") {
-  if (director::tests::is_sanitized) return; // to give up takes as long as to try everything up to the bound
+TEST_CASE("what is not decided within the bound is reported, and nothing is generated") {
+  if (director::tests::is_sanitized) return; // giving up takes as long as trying everything up to the bound
   std::string states = "states:\n", roots = "roots: {Boss: {priority: 99}", groups;
   for (int i = 0; i < 16; ++i) {
     const std::string n = std::to_string(i);
@@ -110,8 +110,8 @@ TEST_CASE("what is not decided within the bound is told, and nothing is generate
   CHECK(world.outputs.written.empty());
 }
 
-TEST_CASE("what only exploring tells is told where it is requested, and how far that went where it did not end") {
-  // `Look` always asks first for `Head`. Which of two equals does is not reasoned about where one has another rank too.
+TEST_CASE("what only exploring finds is reported on request, with its extent if it was not complete") {
+  // `Look` always requests `Head` first. The order of two equals is not analysed if one has another rank too.
   const std::string head = "behaviour: look\nlanguage: 1\nroots: [Play]\ngroups:\n  Play:\n"
                            "    allow: [equal_priority]\n    because: who asks first keeps it\n    packs:\n"
                            "      attack: {Look: {priority: 10}, Head: {priority: 10, apart: true}}\n"
@@ -140,7 +140,7 @@ TEST_CASE("what only exploring tells is told where it is requested, and how far 
   CHECK(world.err == "directorc check: --bound requires --explore\nTry `directorc check --help`.\n");
 }
 
-TEST_CASE("an `allow` of what only exploring tells is not called unused where nothing is explored") {
+TEST_CASE("an `allow` for what only exploring finds is not reported as unused without an exploration") {
   World world;
   world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups:\n"
                                "  Lamp: {allow: [never_runs], because: to try it}\n");

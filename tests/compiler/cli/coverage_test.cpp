@@ -19,7 +19,7 @@ World lamp() {
   return world;
 }
 
-TEST_CASE("what scenarios cover together is told for each behaviour") {
+TEST_CASE("what scenarios cover together is reported for each behaviour") {
   World world = lamp();
   CHECK(world.directorc({"test", "--coverage", "bright.yaml"}) == 0);
   CHECK(world.out == "holds bright.yaml\n"

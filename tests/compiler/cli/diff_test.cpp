@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `directorc diff`: what it prints in each format, and with which status it ends. In a repository of git:
+// `directorc diff`: its output in each format, and its exit status. In a repository of git:
 // tests/docs/diff_git_test.cpp. What counts as a change: tests/compiler/diff.
 #include "compiler/base/json.hpp"
 #include "tests/compiler/cli/world.hpp"
@@ -98,7 +98,7 @@ TEST_CASE("diff: SARIF has a rule for each kind, what breaks is an error") {
   CHECK(result["message"]["text"].as_text() == "`Walk` now needs `Legs`");
 }
 
-TEST_CASE("diff: what the old file imports and does not lie beside it lies beside the new one") {
+TEST_CASE("diff: imports of the old file that are not beside it are beside the new one") {
   World w;
   const char* const main = "behaviour: walker\nlanguage: 1\nimports: [parts/legs.yaml]\nroots: [Walk]\n";
   w.files.add("/tmp/blob/walker.yaml", std::string(main) + "groups: {Walk: {}}\n");

@@ -49,7 +49,7 @@ TEST_CASE("a child that fails, that reads nothing, that is not there") {
   CHECK(!programs.run({"no-such-program-here"}, "").started);
 }
 
-TEST_CASE("on a terminal it is told that a pipe is waited for, and what comes then is read") {
+TEST_CASE("on a terminal it is reported that a pipe is waited for, and what comes then is read") {
   const director::tests::OwnFolder folder("cli-pipe");
   REQUIRE(::mkfifo(folder.at("pipe.yaml").c_str(), 0600) == 0);
   using director::tests::RunningProgram;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `directorc docs`: which files it writes and when it does not. What stands in them: tests/compiler/page.
+// `directorc docs`: which files it writes and when it does not. Their content: tests/compiler/page.
 #include "tests/compiler/cli/world.hpp"
 
 #include <catch2/catch.hpp>
@@ -57,14 +57,14 @@ TEST_CASE("docs: with errors there is no page of that file, and the others are w
   CHECK(w.outputs.written == std::vector<std::string>{"pages/walker.html"});
 }
 
-TEST_CASE("docs: a file that somebody else has written is not overwritten") {
+TEST_CASE("docs: a file that directorc has not written is not overwritten") {
   World w = docs_world();
   w.outputs.files["pages/walker.html"] = "<p>mine</p>\n";
   CHECK(w.directorc({"docs", "walker.yaml", "-o", "pages"}) == 2);
   CHECK(w.outputs.files["pages/walker.html"] == "<p>mine</p>\n");
 }
 
-TEST_CASE("docs: without Graphviz it says what needs it, and what does not") {
+TEST_CASE("docs: without Graphviz it reports what needs it, and what does not") {
   World w = docs_world();
   w.programs.answer = {};
   CHECK(w.directorc({"docs", "walker.yaml", "-o", "pages"}) == 2);
@@ -74,13 +74,13 @@ TEST_CASE("docs: without Graphviz it says what needs it, and what does not") {
   CHECK(w.directorc({"docs", "walker.yaml", "-o", "pages", "--format=markdown"}) == 0);
 }
 
-TEST_CASE("docs: an address for links must say where the file goes") {
+TEST_CASE("docs: an address for links must have a place for the file") {
   World w = docs_world();
   CHECK(w.directorc({"docs", "walker.yaml", "-o", "pages", "--link=https://example.org"}) == 2);
   CHECK(w.err == "directorc: --link needs {file} in it, and {line}: --link='https://example.org/{file}#L{line}'\n");
 }
 
-TEST_CASE("docs: of 500 groups the page has no transition matrix, and says why and what to do") {
+TEST_CASE("docs: of 500 groups the page has no transition matrix, but the reason and what to do") {
   World w;
   w.files.add("large.yaml", large(500));
   const std::string words =
@@ -113,7 +113,7 @@ TEST_CASE("docs: of 500 groups the modules are drawn first, of fewer all groups"
   CHECK(first(500) == std::string("modules"));
 }
 
-TEST_CASE("docs: of 500 groups those that are named have a matrix, and the page says that they are not all") {
+TEST_CASE("docs: of 500 groups those that are named have a matrix, which is marked as not all") {
   World w;
   w.files.add("large.yaml", large(500));
   CHECK(w.directorc({"docs", "large.yaml", "-o", "pages", "--format=markdown", "--transitions=Skill3,Skill1"}) == 0);
@@ -125,7 +125,7 @@ TEST_CASE("docs: of 500 groups those that are named have a matrix, and the page 
   CHECK(w.out.find("\"limited\": true") != std::string::npos);
 }
 
-TEST_CASE("docs: a group of the matrix that does not exist is told with what there is") {
+TEST_CASE("docs: an unknown group for the matrix is reported with the known ones") {
   World w = docs_world();
   CHECK(w.directorc({"docs", "walker.yaml", "-o", "pages", "--transitions=Wlak"}) == 2);
   CHECK(w.err == "directorc: --transitions: there is no group called `Wlak`; did you mean `Walk`?\n");

@@ -17,7 +17,7 @@ World with(const std::string& rest) {
 
 const std::string two = "roots: [A, B]\ngroups: {A: {}, B: {}}\n";
 
-TEST_CASE("an exploration says what it saw, what it proved, and what it did not try") {
+TEST_CASE("an exploration reports what it saw, what it proved, and what it did not try") {
   World world = with(two + "assertions: [{can_run: A}]\n");
   CHECK(world.directorc({"explore", "b.yaml"}) == 0);
   CHECK(world.err.empty());

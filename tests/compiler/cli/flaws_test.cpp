@@ -36,7 +36,7 @@ TEST_CASE("a behaviour with mistakes is drawn as far as it goes, and what is mis
   check_golden("tests/compiler/cli/golden/mistakes.dot", world.out);
 }
 
-TEST_CASE("findings stand in the box and the row that they are about, others below the picture", "[golden]") {
+TEST_CASE("findings are in the box and the row that they are about, others below the picture", "[golden]") {
   World world = with_mistakes();
   CHECK(world.directorc({"graph", "rover.yaml", "--findings"}) == 1);
   check_golden("tests/compiler/cli/golden/mistakes_findings.dot", world.out);

@@ -22,7 +22,7 @@ World lit() {
 TEST_CASE("header, facts, source, manifest and what they depend on are written, the header last") {
   World world = lit();
   CHECK(world.directorc({"generate", "lamp.yaml", "-o", "out", "--depfile", "out/lamp.d"}) == 0);
-  // Who is killed between two of them leaves an old header, which `verify` and a build tell.
+  // An interruption between two of them leaves an old header, which `verify` and a build report.
   CHECK(world.outputs.written ==
         Paths{"out/lamp.facts.hpp", "out/lamp.cpp", "out/manifest.json", "out/lamp.d", "out/lamp.hpp"});
   CHECK(world.outputs.files.at("out/lamp.d") ==
@@ -46,7 +46,7 @@ TEST_CASE("what has not changed is not written again") {
   CHECK(world.outputs.written.empty());
 }
 
-TEST_CASE("equal input gives equal bytes, wherever it lies") {
+TEST_CASE("equal input gives equal bytes, in any folder") {
   World here = lit(), there;
   there.files.add("far/away/lamp.yaml", lamp_text);
   there.files.add("far/away/parts/my bulb.yaml", bulb);
@@ -63,7 +63,7 @@ TEST_CASE("a module has nothing to generate") {
   CHECK(world.outputs.written.empty());
 }
 
-TEST_CASE("errors are told, and nothing is written") {
+TEST_CASE("errors are reported, and nothing is written") {
   World world = lit();
   world.files.add("lamp.yaml", lamp_text + "extern: [Shade]\n");
   CHECK(world.directorc({"generate", "lamp.yaml", "-o", "out"}) == 1);

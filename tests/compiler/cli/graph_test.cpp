@@ -42,7 +42,7 @@ TEST_CASE("the graph for Graphviz and for Mermaid, whole", "[golden]") {
   check_golden("tests/compiler/cli/golden/walker.mmd", world.out);
 }
 
-TEST_CASE("what a picture is asked for, and is not there, is told with what there is") {
+TEST_CASE("unknown names for a picture are reported with the known ones") {
   World world = walker();
   const auto told = [&](std::vector<std::string> words) {
     words.insert(words.begin(), {"graph", "walker.yaml"});
@@ -69,7 +69,7 @@ TEST_CASE("a picture is drawn by the program dot, and what it answers is written
   CHECK(world.outputs.files.at("walker.svg") == "<!-- " + notice_words("walker.yaml") + " -->\n<svg/>");
 }
 
-TEST_CASE("what the file is called says which picture is meant, where no format is named") {
+TEST_CASE("the file's name decides the format of a picture if none is named") {
   World world = walker();
   const auto written = [&](const std::string& file, std::vector<std::string> words = {}) {
     words.insert(words.begin(), {"graph", "walker.yaml", "-o", file});
@@ -100,7 +100,7 @@ TEST_CASE("without Graphviz a picture is refused with what to do") {
   CHECK(world.err == "directorc: `dot` could not draw the graph (exit status 3)\n");
 }
 
-TEST_CASE("the groups of a focus end with the word, and can be given several times") {
+TEST_CASE("the list of groups of a focus ends with the word, and can be given several times") {
   World world = walker();
   REQUIRE(world.directorc({"graph", "--focus=Eyes,Walk", "walker.yaml"}) == 0);
   const std::string both = world.out;

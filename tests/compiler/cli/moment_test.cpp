@@ -45,7 +45,7 @@ steps:
   return world;
 }
 
-TEST_CASE("a picture of a moment tells who runs, who waits for what, and who is pushed", "[golden]") {
+TEST_CASE("a picture of a moment shows what runs, what waits for what, and what is pushed", "[golden]") {
   World world = photographer();
   REQUIRE(world.directorc({"graph", "s.yaml", "--step=2"}) == 0);
   check_golden("tests/compiler/cli/golden/moment.dot", world.out);
@@ -53,7 +53,7 @@ TEST_CASE("a picture of a moment tells who runs, who waits for what, and who is 
   check_golden("tests/compiler/cli/golden/moment.mmd", world.out);
 }
 
-TEST_CASE("a moment at a time lies within the step that passes it") {
+TEST_CASE("a moment at a time is within the step that passes it") {
   World world = photographer();
   REQUIRE(world.directorc({"graph", "s.yaml", "--at=500 ms"}) == 0);
   const auto has = [&](const std::string& piece) { return world.out.find(piece) != std::string::npos; };
@@ -88,7 +88,7 @@ TEST_CASE("a push that priorities forbid is not drawn; of a module, which has no
   CHECK(pushes(""));
 }
 
-TEST_CASE("a moment that there is not, or a scenario that is none, is told") {
+TEST_CASE("an unknown moment, or a file that is no scenario, is reported") {
   World world = photographer();
   const auto told = [&](const std::vector<std::string>& words) {
     return std::to_string(world.directorc(words)) + " " + world.err;

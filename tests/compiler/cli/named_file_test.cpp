@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A folder where a file is wanted.
+// A folder in place of a file.
 #include "compiler/cli/parse.hpp"
 #include "tests/support/own_folder.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 using namespace director::compiler::cli;
 namespace fs = std::filesystem;
 
-/// The status and what is said, of a command line whose paths are taken from this folder.
+/// The status and the output, of a command line whose paths are relative to this folder.
 std::string said(const fs::path& folder, const std::vector<std::string>& words) {
   const fs::path before = fs::current_path();
   fs::current_path(folder);
@@ -26,7 +26,7 @@ std::string said(const fs::path& folder, const std::vector<std::string>& words) 
   return std::to_string(status) + " " + out.str() + err.str();
 }
 
-TEST_CASE("where a folder is named instead of a file, it is told which file may have been meant") {
+TEST_CASE("if a folder is named instead of a file, the file that may be meant is reported") {
   const director::tests::OwnFolder folder("cli-named-file");
   fs::create_directories(folder.path / "soccer/deeper.yaml");
   fs::create_directories(folder.path / "empty");
@@ -65,7 +65,7 @@ TEST_CASE("where a folder is named instead of a file, it is told which file may 
   CHECK(said(folder.path, {"check", "none"}) == "2 directorc: cannot read `none`: No such file or directory\n");
 }
 
-TEST_CASE("where a file is named instead of the folder of a build, it is told what is wanted") {
+TEST_CASE("if a file is named instead of the folder of a build, it is reported what is expected") {
   const director::tests::OwnFolder folder("cli-named-build");
   folder.write("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups: {Lamp: {}}\n");
   folder.write("compile_commands.json", "[]");

@@ -8,7 +8,7 @@ using namespace director;
 using namespace director::compiler::cli;
 using director::tests::World;
 
-TEST_CASE("lines are broken between words, and a word that is too long has a line for itself") {
+TEST_CASE("lines are broken between words, and a word that is too long has its own line") {
   CHECK(in_lines("one two three", 8, 0, 0) == "one two\nthree");
   CHECK(in_lines("one two three", 8, 6, 2) == "one\n  two\n  three");
   CHECK(in_lines("a unbreakable b", 5, 0, 1) == "a\n unbreakable\n b");
@@ -40,7 +40,7 @@ roots: [B]
 | a | table |
 )";
 
-TEST_CASE("a page is shown without its marks, and its code in lines that the terminal has room for") {
+TEST_CASE("a page is printed without its marks, and its code in lines that fit the terminal") {
   CHECK(page_text(page, 30, false) == R"(a_check
 Level: error
 Certainty: exact

@@ -7,7 +7,7 @@ namespace {
 
 using director::tests::World;
 
-TEST_CASE("a wrong command line is told, with what was probably meant") {
+TEST_CASE("a wrong command line is reported, with a suggestion") {
   World world;
   CHECK(world.directorc({"chek", "x.yaml"}) == 2);
   CHECK(world.err == "directorc: there is no subcommand `chek`; did you mean `check`?\n");
@@ -37,7 +37,7 @@ TEST_CASE("help and version go to the output and are no mistake") {
   }
 }
 
-TEST_CASE("the usage says what is needed, and what may be several") {
+TEST_CASE("the usage shows what is required, and what may be repeated") {
   World world;
   const auto usage = [&](const std::string& word) {
     CHECK(world.directorc({word, "--help"}) == 0);
@@ -84,7 +84,7 @@ TEST_CASE("a file that is called - is the standard output, and a folder that is 
   CHECK(world.outputs.written.empty());
 }
 
-TEST_CASE("a value without a letter in it is told") {
+TEST_CASE("an empty value is reported") {
   World world;
   world.files.add("x.yaml", "behaviour: x\nlanguage: 1\nroots: []\n");
   const auto told = [&](const std::vector<std::string>& words) {
@@ -99,7 +99,7 @@ TEST_CASE("a value without a letter in it is told") {
         "directorc check: --explain-reachable is empty\nTry `directorc check --help`.\n");
 }
 
-TEST_CASE("a flag without a value does not take the next word") {
+TEST_CASE("a flag without a value does not take the next argument") {
   World world;
   world.files.add("x.yaml", "behaviour: x\nlanguage: 1\nroots: []\n");
   CHECK(world.directorc({"check", "--werror", "--lint", "x.yaml"}) == 0);
@@ -108,7 +108,7 @@ TEST_CASE("a flag without a value does not take the next word") {
 
 TEST_CASE("the help ends with the first line that an editor wants, where the schemas are known") {
   const auto help = [](const std::string& schemas) {
-    return std::get<director::compiler::cli::Say>(director::compiler::cli::parse({"--help"}, schemas)).text;
+    return std::get<director::compiler::cli::Message>(director::compiler::cli::parse({"--help"}, schemas)).text;
   };
   const std::string without = help("");
   CHECK(without.ends_with("`directorc SUBCOMMAND --help` tells more.\n"));

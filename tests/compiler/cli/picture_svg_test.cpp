@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What Graphviz makes of pictures, measured: as people see them. Where it is not installed, nothing is.
+// Measures the output of Graphviz for pictures. Without it, the tests do nothing.
 #include "dsl/file_access.hpp"
 #include "tests/compiler/cli/world.hpp"
 #include "tests/support/golden.hpp"
@@ -198,7 +198,7 @@ TEST_CASE("500 groups can be read by their modules") {
   CHECK(boxes == 45);
 }
 
-TEST_CASE("a group of no layer stands below the band of each layer, whoever leads to whom") {
+TEST_CASE("a group of no layer is below the band of each layer, whichever leads to which") {
   if (!has_graphviz()) return;
   const OwnFolder folder("picture-no-layer");
   folder.write("bot.yaml", "behaviour: bot\nlanguage: 1\nlayers: [mission, skill]\nroots: [Top, Go]\ngroups:\n"

@@ -15,7 +15,7 @@ World lamp_and_bell() {
   return world;
 }
 
-TEST_CASE("how something may be reached is told behind the findings") {
+TEST_CASE("the way to something reachable is printed behind the findings") {
   World world = lamp_and_bell();
   CHECK(world.directorc({"check", "lamp.yaml", "--explain-reachable", "Day == yes", "--allow=yaml_word_trap"}) == 0);
   CHECK(world.out == "`Day == yes` may be reached:\n"
@@ -27,7 +27,7 @@ TEST_CASE("how something may be reached is told behind the findings") {
                      "  lamp.yaml:7:3: nothing requests `Bell`\n");
 }
 
-TEST_CASE("what is missing is told to the bottom") {
+TEST_CASE("what is missing is reported down to the cause") {
   World world;
   world.files.add("door.yaml", R"(behaviour: door
 language: 1
@@ -67,7 +67,7 @@ groups:
 )"));
 }
 
-TEST_CASE("what it may be asked about") {
+TEST_CASE("the goals that it accepts") {
   World world = lamp_and_bell();
   CHECK(world.directorc({"check", "lamp.yaml", "--explain-reachable=Lump"}) == 2);
   CHECK(world.err == "directorc: there is no group called `Lump`; did you mean `Lamp`?\n");
@@ -82,7 +82,7 @@ TEST_CASE("what it may be asked about") {
                      "that imports it\n");
 }
 
-TEST_CASE("a condition that is none is told of as in a behaviour") {
+TEST_CASE("a wrong condition is reported as in a behaviour") {
   World world = lamp_and_bell();
   const auto refused = [&](const std::string& words) {
     CHECK(world.directorc({"check", "lamp.yaml", "--explain-reachable=" + words}) == 2);

@@ -59,7 +59,7 @@ groups: {Lamp: {when: [Power == there]}}
                      "    \033[31m-run Lamp pushed\033[0m\n");
 }
 
-TEST_CASE("a scenario that cannot be read, one whose behaviour cannot, and one of a module") {
+TEST_CASE("unreadable: a scenario, one with an unreadable behaviour, and one of a module") {
   World world = lamp("''");
   CHECK(world.directorc({"test", "none.yaml"}) == 2);
   CHECK(world.err == "directorc: cannot read `none.yaml`: No such file or directory\n");
@@ -73,7 +73,7 @@ TEST_CASE("a scenario that cannot be read, one whose behaviour cannot, and one o
   CHECK(world.err.find("s.yaml:1:12: error: `bulb.yaml` has no `roots`") == 0);
 }
 
-TEST_CASE("an error of a file that several scenarios share is told once") {
+TEST_CASE("an error of a file that several scenarios share is reported once") {
   World world;
   world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: [Lamp, Bulb]\ngroups: {Lamp: {}}\n");
   for (const char* name : {"a.yaml", "b.yaml", "c.yaml"})
@@ -141,7 +141,7 @@ TEST_CASE("times are printed where they are requested, as text and as JSON") {
                      "\"reasons\":[\"new_task\"]}\n");
 }
 
-TEST_CASE("a scenario that expects nothing holds, and that nothing is compared is said") {
+TEST_CASE("a scenario that expects nothing holds, and it is reported that nothing is compared") {
   World world = lamp("''");
   world.files.add("s.yaml", "behaviour: lamp.yaml\nsteps:\n  - request: Lamp\n");
   CHECK(world.directorc({"test", "s.yaml"}) == 0);
@@ -173,14 +173,14 @@ TEST_CASE("what happens is written into a scenario that is to be updated, and on
   CHECK(world.outputs.written.empty());
 }
 
-TEST_CASE("a scenario that cannot be written is told, and so is one that a body ends") {
-  World world = lamp("run Lamp pushed"); // the disk has another one meanwhile
+TEST_CASE("a scenario that cannot be written is reported, and so is one that a body ends") {
+  World world = lamp("run Lamp pushed"); // the file on the disk has changed meanwhile
   world.outputs.files["s.yaml"] = "something else\n";
   CHECK(world.directorc({"test", "--update", "s.yaml"}) == 2);
   CHECK(world.err == "directorc: `s.yaml`: it has changed meanwhile; run this again\n");
 }
 
-TEST_CASE("what a scenario says commands no terminal") {
+TEST_CASE("text of a scenario cannot control a terminal") {
   World world = lamp("\"run \\e[31mLamp\"");
   const std::string name = "s\x1B[1m.yaml";
   world.files.add(name, "scenario: \"it \\e[31mshines\\nfails\"\nbehaviour: lamp.yaml\n"
@@ -216,7 +216,7 @@ TEST_CASE("a folder stands for the scenarios below it") {
   CHECK(world.directorc({"test", "a/", "s.yaml"}) == 0);
   CHECK(world.out == "holds a/b/t.scenario.yaml\nholds a/s.scenario.yaml\nholds a/u.scenario.yml\nholds s.yaml: it "
                      "shines\n4 of 4 hold\n");
-  world.outputs.files["a/secret/"] = ""; // as the disk tells of one that nobody may read
+  world.outputs.files["a/secret/"] = ""; // as for a folder without permission
   CHECK(world.directorc({"test", "a"}) == 2);
   CHECK(world.out == "holds a/b/t.scenario.yaml\nholds a/s.scenario.yaml\nholds a/u.scenario.yml\n3 of 3 hold\n");
   CHECK(world.err == "directorc: cannot look into `a/secret/`, where scenarios may be\n");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What users' files are called commands no terminal, whatever is printed of them: dsl/harmless.hpp.
+// Names of users' files cannot control a terminal, wherever they are printed: dsl/harmless.hpp.
 #include "dsl/harmless.hpp"
 #include "tests/compiler/cli/world.hpp"
 
@@ -13,7 +13,7 @@ constexpr const char* dark_lamp = "behaviour: lamp\nlanguage: 1\n"
                                   "states: {Power: {values: [gone, there], initial: gone, external: true}}\n"
                                   "roots: [Lamp]\ngroups: {Lamp: {tasks: [Bulb]}, Bulb: {when: [Power == there]}}\n";
 
-/// Both streams, where neither has anything but text.
+/// Both streams, which must have nothing but text.
 std::string told_plainly(World& world, const std::vector<std::string>& words) {
   world.directorc(words);
   CHECK(world.out.find('\x1B') == std::string::npos);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `directorc trace --to=html`: what it needs, what it says, what it ends with. The bytes of a recording:
+// `directorc trace --to=html`: its requirements, output and exit status. The bytes of a recording:
 // tests/compiler/trace; the page: tests/browser.
 #include "tests/compiler/cli/world.hpp"
 
@@ -19,7 +19,7 @@ groups:
   Shine: {when: [Power == on]}
 )";
 
-/// Where `runs/run.jsonl` has been recorded of `lamp.yaml`.
+/// A world in which `runs/run.jsonl` has been recorded of `lamp.yaml`.
 World with_recording() {
   World world;
   world.files.add("lamp.yaml", recorded_lamp);
@@ -37,7 +37,7 @@ steps:
 
 std::string trace_of(World& world) { return world.outputs.files.at("run.jsonl"); }
 
-/// What stands in the section before its data.
+/// The section before its data.
 std::string section(const std::string& page) {
   const std::size_t begin = page.find("<p class=\"about\">", page.find("<section id=\"timeline\""));
   return page.substr(begin, page.find("<script", begin) - begin);
@@ -70,7 +70,7 @@ TEST_CASE("a trace as a page is that of docs with what was recorded") {
   CHECK(world.out == page);
 }
 
-TEST_CASE("a page that somebody else has written is not overwritten") {
+TEST_CASE("a page that directorc has not written is not overwritten") {
   World world = with_recording();
   world.outputs.files["run.html"] = "mine";
   CHECK(world.directorc({"trace", "runs/run.jsonl", "--to=html", "-o", "run.html"}) == 2);
@@ -117,7 +117,7 @@ TEST_CASE("of a trace with events missing, cut off or with a wrong line, the pag
   CHECK(world.outputs.files.count("bad.html") == 1);
 }
 
-TEST_CASE("where a replay goes another way the page says so, and is written") {
+TEST_CASE("if a replay differs the page reports it, and is written") {
   World world = with_recording();
   std::string other = trace_of(world);
   const std::string set = "\"state\":\"Power\",\"value\":\"on\"}";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests compiler/cli/trace.cpp and replay.cpp, and what `simulate --trace` writes. All scenarios: tests/conformance.
+// Tests compiler/cli/trace.cpp and replay.cpp, and the output of `simulate --trace`. All scenarios: tests/conformance.
 #include "tests/compiler/cli/world.hpp"
 
 #include <catch2/catch.hpp>
@@ -25,7 +25,7 @@ groups:
   Wheels: {}
 )";
 
-/// Where `run.jsonl` has been recorded.
+/// A world in which `run.jsonl` has been recorded.
 World with_trace() {
   World world;
   world.files.add("rover.yaml", rover_that_is_recorded);
@@ -99,7 +99,7 @@ TEST_CASE("a trace as JSON is the trace") {
   CHECK(world.outputs.files.at("again.jsonl") == trace_in(world));
 }
 
-TEST_CASE("what the file is called says how a trace is written, where no format is named") {
+TEST_CASE("the file's name decides how a trace is written if no format is named") {
   World world = with_trace();
   const auto written = [&](const std::string& file, std::vector<std::string> words = {}) {
     words.insert(words.begin(), {"trace", "run.jsonl", "-o", file});
@@ -116,7 +116,7 @@ TEST_CASE("what the file is called says how a trace is written, where no format 
   CHECK(written("text.html", {"--to=text"}) == text);
 }
 
-TEST_CASE("what the file is called says how a scenario is recorded, and it is recorded into no page") {
+TEST_CASE("the file's name decides how a scenario is recorded, and no page is recorded") {
   World world = with_trace();
   REQUIRE(world.directorc({"trace", "run.jsonl", "-o", "of_lines.pftrace"}) == 0);
   for (const std::string file : {"run.pftrace", "run.perfetto-trace"}) {
@@ -129,7 +129,7 @@ TEST_CASE("what the file is called says how a scenario is recorded, and it is re
         "writes one\n");
 }
 
-TEST_CASE("bytes for Perfetto go to no terminal, and who reads it there is told how to look at them") {
+TEST_CASE("bytes for Perfetto are not printed to a terminal, but how to look at them") {
   World world = with_trace();
   CHECK(world.directorc({"trace", "run.jsonl", "--to=perfetto"}) == 0); // into a pipe
   const std::string bytes = world.out;
@@ -172,7 +172,7 @@ TEST_CASE("a trace may end its lines as Windows does") {
   CHECK(world.out == trace_in(world));
 }
 
-TEST_CASE("a trace that nests without end is told with its line") {
+TEST_CASE("a trace that nests without end is reported with its line") {
   World world = with_trace();
   std::string deep = traced_line(trace_in(world), 1) + "\n";
   for (int i = 0; i < 300'000; ++i) deep += "{\"a\":";
@@ -183,7 +183,7 @@ TEST_CASE("a trace that nests without end is told with its line") {
                      "before are good: `head -n 1 deep.jsonl` prints them\n");
 }
 
-TEST_CASE("what is no trace is said with its line") {
+TEST_CASE("a line that is not of a trace is reported with its number") {
   World world = with_trace();
   const auto say = [&](const std::string& text) {
     world.files.add("bad.jsonl", text);
@@ -268,7 +268,7 @@ TEST_CASE("the same behaviour decides the same") {
 TEST_CASE("a damaged line ends a replay, and is never a decision") {
   World world = with_trace();
   std::string other = rover_that_is_recorded;
-  other.replace(other.find("priority: 20"), 12, "priority: 21"); // nothing is decided otherwise
+  other.replace(other.find("priority: 20"), 12, "priority: 21"); // no decision differs
   world.files.add("other.yaml", other);
   const auto replay_with = [&](std::size_t damaged, const std::string& text, const char* behaviour) {
     std::string some;
@@ -296,7 +296,7 @@ TEST_CASE("a damaged line ends a replay, and is never a decision") {
   CHECK(world.out.starts_with(
       "{\"trace\":\"bad.jsonl\",\"behaviour\":\"rover.yaml\",\"other_version\":false,\"events\":16,"
       "\"dropped\":0,\"unreadable\":{\"line\":18,\"problem\":\"a recorder would"));
-  // Whichever line it is.
+  // For each line.
   for (std::size_t damaged = 2; damaged <= 38; ++damaged) {
     const std::string at = std::to_string(damaged), before = std::to_string(damaged - 2);
     CHECK(replay_with(damaged, "{\"t\":0", "rover.yaml") ==
@@ -308,7 +308,7 @@ TEST_CASE("a damaged line ends a replay, and is never a decision") {
   }
 }
 
-TEST_CASE("where the version that was recorded decides otherwise, it is the trace that is not as it was") {
+TEST_CASE("if the recorded version decides differently, the trace has been changed") {
   World world = with_trace();
   std::string some;
   for (std::size_t i = 1; i <= 38; ++i) some += i == 19 ? "" : traced_line(trace_in(world), i) + "\n";
@@ -335,7 +335,7 @@ TEST_CASE("damage behind a decision that is another one does not hide it") {
   CHECK(world.err.empty());
 }
 
-TEST_CASE("the page of a trace with a damaged line says so, and from where on `why` is not known") {
+TEST_CASE("the page of a trace with a damaged line reports it, and from where on `why` is not known") {
   World world = with_trace();
   std::string some = trace_in(world);
   const std::string line = traced_line(some, 18);
@@ -345,7 +345,7 @@ TEST_CASE("the page of a trace with a damaged line says so, and from where on `w
   CHECK(world.err.starts_with("bad.jsonl:18: error: this line cannot be read: a recorder would have written it as {"));
 }
 
-TEST_CASE("another version decides otherwise, and it is said where") {
+TEST_CASE("another version decides differently, and the place is reported") {
   World world = with_trace();
   std::string other = rover_that_is_recorded;
   other.replace(other.find("priority: 20"), 12, "priority: 5");
@@ -396,7 +396,7 @@ TEST_CASE("where the behaviour is found that a trace names") {
   World world = with_trace();
   world.files.add("runs/run.jsonl", trace_in(world));
   world.files.add("runs/rover.yaml", rover_that_is_recorded);
-  CHECK(world.directorc({"replay", "runs/run.jsonl"}) == 0); // as seen from here
+  CHECK(world.directorc({"replay", "runs/run.jsonl"}) == 0); // relative to the working directory
   World elsewhere;
   elsewhere.files.add("runs/run.jsonl", trace_in(world));
   elsewhere.files.add("runs/rover.yaml", rover_that_is_recorded);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `check --watch` and `test --watch` as processes: files are saved as editors do it, and what is printed is read.
+// `check --watch` and `test --watch` as processes: files are saved in the ways of editors, and the output is read.
 #include "tests/support/command.hpp"
 #include "tests/support/running_program.hpp"
 
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 const char* const end_of_run = "Ctrl-C ends";
 
-/// Without what is never twice the same.
+/// Without what differs each time.
 std::string steady(const std::string& text) {
   const std::string timed = std::regex_replace(text, std::regex("== [0-9]{2}:[0-9]{2}:[0-9]{2}"), "== TIME");
   return std::regex_replace(timed, std::regex("after [0-9]+ ms"), "after N ms");
@@ -29,7 +29,7 @@ public:
     fs::create_directories(path(name).parent_path());
     std::ofstream(path(name)) << text;
   }
-  /// As editors do it that never leave half a file.
+  /// In the way of editors that never leave half a file.
   void save_by_rename(const std::string& name, const std::string& text) const {
     write(name + ".new", text);
     fs::rename(path(name + ".new"), path(name));
@@ -56,7 +56,7 @@ std::string run_of(const std::string& why, const std::string& printed, int statu
          ", Ctrl-C ends";
 }
 
-/// What is printed from one run's end to that of the next one.
+/// The output from one run's end to that of the next one.
 std::string next_run(RunningProgram& program) {
   const std::string text = program.read_until(end_of_run);
   return steady(text.starts_with('\n') ? text.substr(1) : text);
@@ -113,7 +113,7 @@ TEST_CASE("a file that vanishes and comes back, and an editor that removes befor
     slow << robot("Legs");
   }
   CHECK(next_run(program) == run_of(" robot.yaml has changed", "", 0));
-  // One that stays empty is meant so.
+  // One that stays empty is intended.
   folder.write("robot.yaml", "");
   CHECK(next_run(program) == run_of(" robot.yaml has changed",
                                     "robot.yaml:1:1: error: a behaviour file is a mapping, found nothing "
@@ -202,7 +202,7 @@ TEST_CASE("scenarios of a folder are played again: one that changes, its behavio
   CHECK(next_run(program).starts_with("== TIME tests/a.scenario.yaml has changed\nfails tests/a.scenario.yaml\n"));
 }
 
-TEST_CASE("where the system tells of no changes, files are looked at again and again") {
+TEST_CASE("if the system reports no changes, files are polled") {
   const SavedFiles folder;
   folder.write("robot.yaml", robot("Legs"));
   RunningProgram program({"directorc", "check", "--watch", "robot.yaml"}, folder.path(), RunningProgram::To::pipe,
@@ -252,7 +252,7 @@ TEST_CASE("what is watched is text, of files that can be read again, and nothing
         "directorc test: --update excludes --watch\nTry `directorc test --help`.\n");
 }
 
-TEST_CASE("it ends where nobody reads what it prints") {
+TEST_CASE("it ends when its output is closed") {
   const SavedFiles folder;
   folder.write("robot.yaml", robot("Legs"));
   const Ran ran = run_command("directorc check --watch robot.yaml >&-", folder.path());

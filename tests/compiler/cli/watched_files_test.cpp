@@ -25,7 +25,7 @@ std::vector<std::string> told(const std::vector<FileChange>& changes) {
 
 using Told = std::vector<std::string>;
 
-TEST_CASE("what was read is compared with what lies there now, also what was looked for in vain") {
+TEST_CASE("what was read is compared with the present files, also what was not found") {
   const OwnFolder folder("watched-files");
   folder.write("a", "one");
   folder.write("b", "one");
@@ -49,7 +49,7 @@ TEST_CASE("what was read is compared with what lies there now, also what was loo
 TEST_CASE("a file that is written twice at one time of a coarse clock, with as many letters, has changed") {
   const OwnFolder folder("watched-files-coarse");
   director::dsl::DiskFiles disk;
-  // As fast as can be: the clock of most file systems stands still for some milliseconds.
+  // As fast as possible: the timestamps of most file systems have a resolution of some milliseconds.
   for (int i = 0; i < 50; ++i) {
     folder.write("a", "one");
     WatchedFiles files(disk);
@@ -70,7 +70,7 @@ TEST_CASE("a change between two reads of one run is a change") {
   CHECK(told(files.changes()) == Told{"written a"});
 }
 
-TEST_CASE("of a folder it is told which scenarios are new") {
+TEST_CASE("for a folder the new scenarios are reported") {
   const OwnFolder folder("watched-folders");
   folder.write("a.scenario.yaml", "");
   DiskOutputs disk;
@@ -78,7 +78,7 @@ TEST_CASE("of a folder it is told which scenarios are new") {
   CHECK(folders.list(folder.path.string()) == std::vector{folder.at("a.scenario.yaml")});
   CHECK(folders.changes().empty());
   folder.write("b.yaml", "no scenario");
-  fs::remove(folder.at("a.scenario.yaml")); // that is told where it was read
+  fs::remove(folder.at("a.scenario.yaml")); // that is reported where it was read
   CHECK(folders.changes().empty());
   fs::create_directories(folder.path / "below");
   folder.write("below/c.scenario.yaml", "");

@@ -45,14 +45,14 @@ steps:
   return world;
 }
 
-TEST_CASE("why a group runs, and for whom") {
+TEST_CASE("why a group runs, and for which requester") {
   World world = rover();
   CHECK(world.directorc({"why", "s.yaml", "Drive", "--step=1"}) == 0);
   CHECK(world.out == "Drive runs (Explore>Drive) in rolling\n"
                      "  it runs for Explore, priority 0, that for the program, priority 10 (rover.yaml:10)\n");
 }
 
-TEST_CASE("on a terminal the answer stands out, and so do the places") {
+TEST_CASE("on a terminal the answer is highlighted, and so are the places") {
   World world = rover();
   world.colours = true;
   CHECK(world.directorc({"why", "s.yaml", "Drive", "--step=1"}) == 0);
@@ -61,7 +61,7 @@ TEST_CASE("on a terminal the answer stands out, and so do the places") {
         "  it runs for Explore, priority 0, that for the program, priority 10 (\033[36mrover.yaml:10\033[0m)\n");
 }
 
-TEST_CASE("why a group waits: which condition, and what those do who could make it true") {
+TEST_CASE("why a group waits: which condition, and what the providers do that could cause it") {
   World world = rover();
   CHECK(world.directorc({"why", "s.yaml", "Photograph", "--step=3"}) == 0);
   CHECK(world.out == "Photograph waits (root>Photograph): until Motion == still, which no enabled provider promises\n"
@@ -73,7 +73,7 @@ TEST_CASE("why a group waits: which condition, and what those do who could make 
                      "  Drive.braking is to cause it: pushed for root>Photograph (rover.yaml:16)\n");
 }
 
-TEST_CASE("why a group waits: who holds what it needs") {
+TEST_CASE("why a group waits: which tasks hold what it needs") {
   World world = rover();
   CHECK(world.directorc({"why", "s.yaml", "Dream"}) == 0);
   CHECK(world.out ==

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A world in memory for the command line: files to read, files that were written, what was said.
+// A world in memory for the command line: files to read, files that were written, the output.
 
 #include "compiler/cli/parse.hpp"
 
@@ -8,7 +8,7 @@
 
 namespace director::tests {
 
-/// A child that answers what it is told to, and remembers what it was asked.
+/// A child that gives prepared answers, and records its requests.
 class FakePrograms final : public compiler::Programs {
 public:
   compiler::Answer run(const std::vector<std::string>& words, const std::string& text) override {
@@ -27,10 +27,10 @@ struct World {
   FakePrograms programs;
   std::string out, err;
 
-  std::size_t width = 0; ///< of the terminal that both streams are; 0: they are none
-  bool colours = false;  ///< what goes to `out` may have them
+  std::size_t width = 0; ///< columns of the terminal of both streams; 0: they are none
+  bool colours = false;  ///< `out` may have them
 
-  /// As main does it; gives the exit status.
+  /// Like main; returns the exit status.
   int directorc(const std::vector<std::string>& words) {
     std::ostringstream said, complained;
     compiler::cli::Console console{said, complained, colours, false, files, outputs, programs};

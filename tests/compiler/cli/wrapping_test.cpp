@@ -64,7 +64,7 @@ TEST_CASE("on a terminal of 80 columns no line of sentences is wider, and a pipe
   };
   for (const std::vector<std::string>& words : commands) {
     RunningProgram program(words, source, RunningProgram::To::terminal);
-    // How far an exploration is stands there only while it runs.
+    // The progress of an exploration is printed only while it runs.
     const std::string stays = std::regex_replace(program.rest(), std::regex("[^\n]*\r\033\\[K"), "");
     std::istringstream lines(std::regex_replace(stays, std::regex("\033\\[[0-9;]*[A-Za-z]|\r"), ""));
     for (std::string line; std::getline(lines, line);) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests compiler/cli/change.hpp on the disk, and what the program makes of it.
+// Tests compiler/cli/change.hpp on the disk, and how the program uses it.
 #include "compiler/cli/change.hpp"
 #include "compiler/emit/artefact/notice.hpp"
 #include "tests/support/environment.hpp"
@@ -26,7 +26,7 @@ namespace {
 
 struct Folder : director::tests::OwnFolder {
   Folder() : OwnFolder("cli-write") {}
-  /// Names, sorted, with what is in them; `?` for a temporary file.
+  /// Names, sorted, with their content; `?` for a temporary file.
   std::string all() const {
     std::set<std::string> lines;
     for (const auto& entry : fs::directory_iterator(path)) {
@@ -44,14 +44,14 @@ struct Folder : director::tests::OwnFolder {
 bool anything(std::string_view) { return true; }
 bool nothing(std::string_view) { return false; }
 
-/// Ends like a program that is killed, at the n-th time that it looks.
+/// Ends like a killed program, at the n-th call.
 std::function<void()> killed_at(int n) {
   return [n, count = 0]() mutable {
     if (++count == n) ::_exit(9);
   };
 }
 
-/// In a child: what is done there, and its exit status.
+/// Runs it in a child, and returns the exit status.
 int in_child(const std::function<int()>& act) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -63,7 +63,7 @@ int in_child(const std::function<int()>& act) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-/// The exit status of directorc in this folder; what it said is in `said`.
+/// The exit status of directorc in this folder; its output is in `said`.
 int directorc(const Folder& folder, const std::string& words) {
   const std::string program = (binary_dir() / "bin/directorc").string();
   const std::string command = "cd '" + folder.path.string() + "' && timeout 20 '" + program + "' " + words;
@@ -83,8 +83,13 @@ TEST_CASE("whenever writing is cut off, each file is the old one or the new one,
     return out;
   };
   const std::vector<std::string> expected{
-      "?; a old; b old; c old; ", "?; a old; b old; c old; ", "?; a old; b old; c old; ", // all are written beside
-      "?; a new; b old; c old; ", "?; a new; b new; c old; ", "a new; b new; c new; ",
+      "?; a old; b old; c old; ",
+      "?; a old; b old; c old; ",
+      "?; a old; b old; c old; ", // all are written beside
+                                  // their places
+      "?; a new; b old; c old; ",
+      "?; a new; b new; c old; ",
+      "a new; b new; c new; ",
   };
   for (std::size_t moment = 0; moment < expected.size(); ++moment) {
     const Folder folder;
@@ -100,7 +105,7 @@ TEST_CASE("whenever writing is cut off, each file is the old one or the new one,
   }
 }
 
-TEST_CASE("whoever asks the program to end meanwhile gets it when all is written") {
+TEST_CASE("a signal that ends the program is deferred until all is written") {
   const Folder folder;
   for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
     for (const char* name : {"a", "b"}) folder.write(name, "old");
@@ -154,7 +159,7 @@ TEST_CASE("what is not an ordinary file, or not generated, is neither opened nor
   CHECK(read_file(folder.at("own")) == "new");
 }
 
-TEST_CASE("a set says one thing of each file") {
+TEST_CASE("a set has one text for each file") {
   const Folder folder;
   CHECK(write_on_disk({{folder.at("a"), "one"}, {folder.at("./a"), "two"}}) ==
         "`" + folder.at("./a") + "`: two different texts would go there");
@@ -173,7 +178,7 @@ TEST_CASE("a depfile is known by its shape") {
   CHECK_FALSE(is_depfile("text"));
 }
 
-TEST_CASE("no command writes over what somebody else has written, but each over its own") {
+TEST_CASE("no command overwrites foreign files, but each its own") {
   const Folder folder;
   folder.write("bot.yaml", bot + "assertions:\n  - can_run: Walk\n  - never_together: [Walk, Turn]\n");
   const std::string turning = "behaviour: bot\nlanguage: 1\nroots: [Walk, Turn]\ngroups: {Walk: {}, Turn: {}}\n"
@@ -230,7 +235,7 @@ TEST_CASE("no command writes over what somebody else has written, but each over 
   }
 }
 
-TEST_CASE("a folder or a pipe in the way is told, with status 2") {
+TEST_CASE("a folder or a pipe at the place of a file is reported, with status 2") {
   const Folder folder;
   folder.write("bot.yaml", bot);
   fs::create_directories(folder.at("out/bot.hpp"));
@@ -270,7 +275,7 @@ TEST_CASE("a folder may be called as files are") {
   CHECK(read_file(folder.at("out")) == "holds walks.yaml/walk.scenario.yml\n");
 }
 
-TEST_CASE("a scenario that is a link to nothing is told, and other links are followed") {
+TEST_CASE("a scenario that is a dangling link is reported, and other links are followed") {
   const Folder folder;
   write_walk(folder, "walks", "walk.scenario.yaml");
   fs::create_directory_symlink("..", folder.at("walks/round"));
@@ -302,7 +307,7 @@ TEST_CASE("in a folder without anything there is nothing to test either") {
         "directorc: there is no *.scenario.yaml or *.scenario.yml in `empty` or below it\n");
 }
 
-TEST_CASE("what cannot be said ends with status 2, wherever it should have gone") {
+TEST_CASE("what cannot be printed ends with status 2, wherever it should have gone") {
   const Folder folder;
   folder.write("bot.yaml", bot + "triggers: [unused]\n"); // which is a lint
   CHECK(directorc(folder, "check --lint bot.yaml > /dev/full 2> err") == 2);
@@ -329,7 +334,7 @@ TEST_CASE("where the working directory is gone nothing can be written there, and
                             "; out " + read_file(folder.at("out")) + "; ");
 }
 
-TEST_CASE("where the memory does not suffice, it is said, with status 2") {
+TEST_CASE("too little memory is reported, with status 2") {
   if (director::tests::is_sanitized) return; // it takes more than any limit for itself
   const Folder folder;
   constexpr std::size_t many = 14'000'000;
@@ -386,7 +391,7 @@ TEST_CASE("a part of a set that cannot be written leaves the set as it was") {
 TEST_CASE("folders that were made for what cannot be written are gone again") {
   const Folder folder;
   const std::string deep = folder.at("new/deep");
-  // The first one cannot take its place, as the second one makes a folder of it.
+  // The first one cannot be moved to its place, as the second one makes a folder of it.
   CHECK(write_on_disk({{deep + "/a", "one"}, {deep + "/a/b", "two"}}) == "`" + deep + "/a`: Is a directory");
   CHECK(!fs::exists(folder.at("new")));
   fs::create_directories(deep);
@@ -394,7 +399,7 @@ TEST_CASE("folders that were made for what cannot be written are gone again") {
   CHECK(fs::is_empty(deep));
 }
 
-TEST_CASE("a line break in a path does not break the line in which it is told") {
+TEST_CASE("a line break in a path does not break the line in which it is reported") {
   const Folder folder;
   CHECK(directorc(folder, "check \"$(printf 'a\\nb.yaml')\" 2> err") == 2);
   CHECK(read_file(folder.at("err")) == "directorc: cannot read `a\\x0Ab.yaml`: No such file or directory\n");

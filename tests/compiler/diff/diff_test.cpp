@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which changes of meaning are told, in which words. What planted defects and changes without meaning come to:
+// Which changes of meaning are reported, with which text. Planted defects and changes without meaning:
 // tests/defects/meaning.
 #include "compiler/diff/diff.hpp"
 #include "dsl/file_access.hpp"
@@ -120,7 +120,7 @@ TEST_CASE("two tasks change ranks: the one gains what the other loses") {
       "transition_changed: from `Walk` to `Kick`: waits now, before hard\n");
 }
 
-TEST_CASE("another number that changes no rank is told as that: who could take a group still can") {
+TEST_CASE("another number that changes no rank is reported as that: what could take a group still can") {
   const char* const plain = "groups: {Walk: {needs: [Legs]}, Kick: {needs: [Legs]}, Legs: {}}\n";
   CHECK(told(std::string("roots: {Walk: {priority: 10}, Kick: {priority: 20}}\n") + plain,
              std::string("roots: {Walk: {priority: 10}, Kick: {priority: 30}}\n") + plain) ==
@@ -151,7 +151,7 @@ TEST_CASE("of equal rank the order decides, of different ranks it does not") {
             .empty());
 }
 
-TEST_CASE("the order of providers, and of needs between whose providers there is a choice, is told") {
+TEST_CASE("the order of providers, and of needs between whose providers there is a choice, is reported") {
   const auto robot = [](const std::string& providers) {
     return "states: {Charge: {range: [0, 100], external: true}}\nroots: [Walk]\ngroups:\n  Walk: {providers: [" +
            providers +
@@ -195,12 +195,12 @@ TEST_CASE("moves between files, comments, docs and other spellings are silent") 
             .empty());
 }
 
-TEST_CASE("a module that is written down is told of") {
+TEST_CASE("a module that is declared is reported") {
   CHECK(told("roots: [Walk]\ngroups: {Walk: {module: legs}}\n", "roots: [Walk]\ngroups: {Walk: {module: feet}}\n") ==
         "api: `Walk` is in the module `feet`, before in `legs`\n");
 }
 
-TEST_CASE("a group that is called otherwise is gone and new, with a hint") {
+TEST_CASE("a group that is renamed is gone and new, with a hint") {
   CHECK(told("roots: [Walk]\ngroups: {Walk: {tasks: [Legs]}, Legs: {}}\n",
              "roots: [Walk]\ngroups: {Walk: {tasks: [Feet]}, Feet: {}}\n") ==
         "request_added: `Walk` may now request `Feet`\n"
@@ -225,7 +225,7 @@ TEST_CASE("what a pack requests, how, and at which levels") {
         "levels: `Play`, pack `go`, requests `Walk` at `urgent` where it names no level, before at `calm`\n");
 }
 
-TEST_CASE("states: values, their order, the first one, who sets them, when they expire") {
+TEST_CASE("states: values, their order, the first one, what sets them, when they expire") {
   const auto robot = [](const std::string& state) {
     return "states: {Pose: {" + state +
            "}}\nroots: [Walk]\ngroups: {Walk: {when: [Pose == up], allow: [uncovered_state], because: it waits}}\n";

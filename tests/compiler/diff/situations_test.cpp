@@ -39,10 +39,10 @@ std::set<std::string> changed(const TwoRobots& before, const TwoRobots& after) {
 
 using Names = std::set<std::string>;
 
-TEST_CASE("a group that changes changes the situation of who leads to it, and of what is requested beside it") {
+TEST_CASE("a group that changes changes the situation of those that lead to it, and of what is requested beside it") {
   TwoRobots after;
   after.walk = "needs: [Legs, Head]";
-  CHECK(changed({}, after) == Names{"Kick", "Play", "Walk"}); // Sit stands in another pack
+  CHECK(changed({}, after) == Names{"Kick", "Play", "Walk"}); // Sit is in another pack
   after = {};
   after.look = "needs: [Head], every: 1 s";
   CHECK(changed({}, after) == Names{"Look"});
@@ -57,7 +57,7 @@ TEST_CASE("a requester that changes changes the situation of all that it leads t
   CHECK(changed({}, after) == Names{"Kick", "Play", "Sit", "Walk"});
 }
 
-TEST_CASE("a state that changes changes who waits for it, and the order of what the program requests changes all") {
+TEST_CASE("a state that changes changes what waits for it, and the order of what the program requests changes all") {
   TwoRobots before, after;
   before.states = "states: {Ball: {values: [far, near], initial: far, external: true}}\n";
   before.look = after.look = "when: [Ball == near], needs: [Head]";
@@ -74,8 +74,8 @@ TEST_CASE("comments and places change nothing") {
   CHECK(changed({}, after).empty());
 }
 
-TEST_CASE("of a behaviour that is too large to play every pair, it is told how many were left out") {
-  if (tests::is_sanitized) return; // as many are played as the bound lets
+TEST_CASE("of a behaviour that is too large to play every pair, the number of those left out is reported") {
+  if (tests::is_sanitized) return; // as many are played as the bound allows
   const auto text = [](int groups, const char* last) {
     std::string out = "behaviour: robot\nlanguage: 1\nroots:\n";
     for (int i = 0; i < groups; ++i) out += fmt::format("  R{}: {{priority: {}}}\n", i, i);

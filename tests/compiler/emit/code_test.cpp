@@ -8,7 +8,7 @@ namespace {
 using director::compiler::Code;
 using Texts = std::vector<std::string>;
 
-TEST_CASE("lines have the indent of the block they stand in, and the preprocessor has none") {
+TEST_CASE("lines have the indent of their block, and preprocessor directives have none") {
   Code code;
   code.open("struct Walk {");
   code.outdented("public:");
@@ -20,7 +20,7 @@ TEST_CASE("lines have the indent of the block they stand in, and the preprocesso
   CHECK(code.text() == "struct Walk {\npublic:\n  int steps() {\n#ifdef FAST\n    return 2;\n  }\n};\n");
 }
 
-TEST_CASE("a blank line stands neither behind another nor behind what opens a block") {
+TEST_CASE("a blank line is neither behind another nor behind what opens a block") {
   Code code;
   code.blank();
   code.open("struct A {");

@@ -56,7 +56,7 @@ states:
   CHECK(has(out.facts, "{.low = -5, .high = 100, .external = true}, // Charge\n"));
 }
 
-TEST_CASE("what people read stands together, and what only the C++ compiler reads in a file of its own") {
+TEST_CASE("what users read is together, and what only the C++ compiler reads in a file of its own") {
   const Emitted out = emitted("roots: [Lamp]\ngroups: {Lamp: {packs: {on: [Bulb]}}, Bulb: {data: int}}\n");
   CHECK(!has(out.header, "director::Row<"));
   CHECK(!has(out.header, "struct Facts"));
@@ -73,7 +73,7 @@ TEST_CASE("a state that has the name of its type already gets no other") {
   CHECK(!has(out.header, "using Mode"));
 }
 
-TEST_CASE("levels are numbered over all who request the group, and each entry names the rows that it has") {
+TEST_CASE("levels are numbered over all requesters of the group, and each entry names the rows that it has") {
   const Emitted out = emitted(R"(roots: {Bulb: {priority: {low: 1, high: 2}}}
 groups:
   Lamp: {tasks: {Bulb: {priority: {high: 7}}}}
@@ -95,13 +95,13 @@ TEST_CASE("a step without a time is there only where nothing uses time") {
   CHECK(!has(emitted("roots: []\nstates: {S: {values: [a], expires: 1 s}}\n").header, "director::StepResult step() {"));
 }
 
-TEST_CASE("a column that says nothing is left out of a row") {
+TEST_CASE("a column with its default is left out of a row") {
   const Emitted out = emitted("roots: [Lamp]\ngroups: {Lamp: {stop: true, tasks: [Bulb]}, Bulb: {}}\n");
   CHECK(has(out.source, "  {.requester = 0, .target = 1, .levels = {1, 2}}, // Lamp>Bulb\n"));
   CHECK(has(out.source, "      case 0: return stop<Lamp::Stop>(behaviour, handling);\n      default: return;\n"));
 }
 
-TEST_CASE("the manifest says what was read, and where a generated line comes from") {
+TEST_CASE("the manifest has what was read, and where a generated line comes from") {
   const std::string text = "roots: [Lamp]\ngroups:\n  Lamp: {}\n";
   const Emitted out = emitted(text);
   CHECK(has(out.manifest,

@@ -57,7 +57,7 @@ TEST_CASE("findings as SARIF: rules, places in characters, other parties, ways",
   tests::check_golden("tests/compiler/emit/golden/findings.sarif", to_lines(json));
 }
 
-TEST_CASE("a fingerprint survives lines that are inserted, and tells equals apart") {
+TEST_CASE("a fingerprint survives lines that are inserted, and distinguishes equal findings") {
   const std::string before = fingerprints("A: [Legs]\nB: {needs: [Legs]}\nA: [Legs]\n");
   CHECK(fingerprints("# one\n\nA: [Legs]\nnew: 1\n  B: {needs: [Legs]}\nA: [Legs]\n") == before);
   CHECK(before.substr(0, 12) != before.substr(13, 12));

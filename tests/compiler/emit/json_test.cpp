@@ -20,7 +20,7 @@ TEST_CASE("text is escaped, and what is no UTF-8 is replaced") {
   CHECK(to_line(Json::text("\xff")) == "\"\xEF\xBF\xBD\"");
 }
 
-TEST_CASE("for people it is indented") {
+TEST_CASE("lines of JSON are indented") {
   Json list = Json::list({Json::number(1)});
   list.add(Json::object({{"a", Json::boolean(false)}}));
   CHECK(to_lines(list) == "[\n  1,\n  {\n    \"a\": false\n  }\n]\n");

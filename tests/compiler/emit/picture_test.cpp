@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a picture shows, before any format.
+// The content of a picture, before any format.
 #include "compiler/emit/graph/formats.hpp"
 #include "compiler/emit/graph/legend.hpp"
 #include "compiler/emit/graph/picture.hpp"
@@ -102,7 +102,7 @@ std::string boxes_of(const Picture& picture) {
   return out;
 }
 
-TEST_CASE("every request has its priority, and leaves from the provider or the pack that asks") {
+TEST_CASE("every request has its priority, and leaves from the provider or the pack that requests") {
   CHECK(arrows_of(picture_of(walker)) == "Player.playing.go -> Cheer task optional (0)\n"
                                          "Player.playing -> Walk task (10)\n"
                                          "Player.playing.kick -> Kick task (20)\n"
@@ -115,13 +115,13 @@ TEST_CASE("every request has its priority, and leaves from the provider or the p
                                          "Kick -> Walk.halting push (Pose == standing) up\n");
 }
 
-TEST_CASE("boxes stand in their layers, and those that all the same ones request share one") {
+TEST_CASE("boxes are in their layers, and those with the same requests from the same groups share one") {
   CHECK(boxes_of(picture_of(walker)) == "purpose: [Player] [Cheer]\n"
                                         "skill: [Walk] [Kick] [Look]\n"
                                         "limb: [Left, Right] [Arm] [Head]\n");
 }
 
-TEST_CASE("a box says what its group, its providers and its handlers declare") {
+TEST_CASE("a box shows what its group, its providers and its handlers declare") {
   const Picture picture = picture_of(walker);
   const auto lines = [](const std::vector<PictureLine>& all) {
     std::string out;
@@ -129,9 +129,9 @@ TEST_CASE("a box says what its group, its providers and its handlers declare") {
     return out;
   };
   const PictureBox &player = picture.boxes[0], &cheer = picture.boxes[1], &walk = picture.boxes[2];
-  CHECK(player.asked == "normal 10, urgent 80");
-  CHECK(cheer.asked == "0, optional");
-  CHECK_FALSE(walk.asked.has_value());
+  CHECK(player.requested == "normal 10, urgent 80");
+  CHECK(cheer.requested == "0, optional");
+  CHECK_FALSE(walk.requested.has_value());
   CHECK(player.about == PictureText{"Player: Plays. And plays.", "test.yaml", 12});
   CHECK(lines(player.rows[0].lines) == "when Ball == seen; stay Ball != lost; ");
   CHECK(lines(player.rows[1].lines) == "every 1500 ms; ");
@@ -147,10 +147,10 @@ TEST_CASE("a box says what its group, its providers and its handlers declare") {
 TEST_CASE("a view shows its own arrows only, and a focus what has to do with some groups") {
   const tests::Compiled from = tests::compile(std::string(walker));
   PictureOptions options;
-  const auto picture = [&](const PictureOptions& asked) {
-    return make_picture(from.model, make_graph(from.model), from.sources, asked);
+  const auto picture = [&](const PictureOptions& options) {
+    return make_picture(from.model, make_graph(from.model), from.sources, options);
   };
-  const auto drawn = [&](const PictureOptions& asked) { return arrows_of(picture(asked)); };
+  const auto drawn = [&](const PictureOptions& options) { return arrows_of(picture(options)); };
   options.view = PictureOptions::View::needs;
   CHECK(drawn(options) == "Cheer -> Arm need\n"
                           "Walk -> Left, Right need\n"
@@ -185,7 +185,7 @@ TEST_CASE("modules and layers are folded into a box each, and arrows within them
   CHECK(boxes_of(picture_of(walker, options)) == "purpose: [module test]\n");
 }
 
-TEST_CASE("with more than 40 boxes an arrow stands for all providers and packs of its group") {
+TEST_CASE("with more than 40 boxes an arrow represents all providers and packs of its group") {
   std::string text = "behaviour: large\nlanguage: 1\nroots: [Head]\ngroups:\n  Head:\n    packs:\n"
                      "      one: {A0: {priority: 1}, A1: {}}\n      two: {A0: {priority: 2}}\n";
   const auto with = [&](int count) {
@@ -229,7 +229,7 @@ TEST_CASE("the legend names what is drawn, and nothing else") {
         "on, every: runs again then\n");
 }
 
-TEST_CASE("the legend says of rows what the arrows of this picture do") {
+TEST_CASE("the legend explains rows as the arrows of this picture use them") {
   const auto rows = [](const Picture& picture) {
     for (const LegendEntry& entry : legend_of(picture)) {
       if (entry.sign == "rows") return entry.words;
@@ -247,7 +247,7 @@ TEST_CASE("the legend says of rows what the arrows of this picture do") {
   CHECK(rows(picture_of(walker, options)) == "providers, the preferred one first");
 }
 
-TEST_CASE("a view in which nothing is drawn says why") {
+TEST_CASE("a view in which nothing is drawn shows why") {
   const std::string lamp = "behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups: {Lamp: {}}\n";
   const auto told = [&](PictureOptions::View view, std::optional<Moment> moment = {}, bool in_focus = false) {
     PictureOptions options;
@@ -270,7 +270,7 @@ TEST_CASE("a view in which nothing is drawn says why") {
   CHECK(told(View::pushes, moment) == "nothing drawn: no group is pushed");
 }
 
-TEST_CASE("groups that are requested alike have frames of their own, which tell where they stand") {
+TEST_CASE("groups that are requested alike have frames of their own, which show their status") {
   const auto frames = [](Moment::Mark mark) {
     PictureOptions options;
     options.moment.emplace();
@@ -304,7 +304,7 @@ TEST_CASE("groups that are requested alike have frames of their own, which tell 
                                           "BORDER=\"1\" STYLE=\"ROUNDED\" COLOR=\"#8A919B\" \n");
 }
 
-TEST_CASE("a picture in words says what it is for and how much there is of what") {
+TEST_CASE("a picture as text has its purpose and the number of things of each kind") {
   CHECK(
       summary(picture_of(walker)) ==
       "9 groups, in the layers purpose, skill, limb; 8 requests, 4 needs, 1 push. The program requests Player, Cheer.");

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A behaviour from its text to what an exploration finds, for tests.
+// A behaviour from its text to the result of an exploration, for tests.
 
 #include "compiler/explore/report.hpp"
 #include "tests/compiler/support/compiled.hpp"
@@ -9,7 +9,7 @@
 
 namespace director::tests {
 
-/// Who walks must halt before somebody kicks. Which states there are, the test says.
+/// A walk must halt before a kick. The test adds the states.
 inline const std::string walker_groups = R"(roots: {Walk: {priority: 10}, Kick: {priority: 20}}
 groups:
   Walk:

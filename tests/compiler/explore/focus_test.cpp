@@ -11,7 +11,7 @@ using director::tests::puts;
 
 namespace {
 
-/// Tidying, which the cup takes, is far away; a lamp, a door and a radio are not, and have nothing to do with it.
+/// Tidying, which the cup takes, is far away; a lamp, a door and a radio are not, and are independent of it.
 const std::string household = R"(behaviour: b
 language: 1
 states:
@@ -44,7 +44,7 @@ TEST_CASE("a focus leaves the inputs and answers that a plan takes") {
   focus_on(ground, {{group(compiled.model, "Grip")}, {}});
   CHECK(packs(ground, 0) == "|Grip |Search |");
   CHECK(puts(ground, ground.bodies[1].puts) == "|Cup=seen |");
-  CHECK(puts(ground, ground.bodies[2].puts) == "|"); // nobody waits for what it sets
+  CHECK(puts(ground, ground.bodies[2].puts) == "|"); // no provider waits for what it sets
   CHECK(puts(ground, ground.sets) == "Battery=0 |Battery=21 |");
   CHECK(ground.requests.size() == 1);
   CHECK(ground.triggers.empty());
@@ -61,7 +61,7 @@ TEST_CASE("a goal that cannot be reached has no plan") {
   CHECK(search(ground, {}).states == 1);
 }
 
-TEST_CASE("what runs after a long way is found, however much else may happen") {
+TEST_CASE("what runs after a long way is found, whatever else may happen") {
   const auto compiled = director::tests::compile(household + "assertions: [{can_run: Stow}]\n");
   const Ground ground(compiled.model);
   CHECK(explore_all(ground, 2'000).verdicts.front().why == "it runs after: request Tidy; set {Battery: 21}");
@@ -73,7 +73,7 @@ TEST_CASE("what runs after a long way is found, however much else may happen") {
   CHECK_FALSE(search(ground, lean).seen[0].has_value());
 }
 
-TEST_CASE("a provider that runs only when it is pushed is found beside who waits for it") {
+TEST_CASE("a provider that runs only when it is pushed is found beside the task that waits for it") {
   std::string text = household;
   text.replace(text.find("roots: {"), 8, "roots: {Play: {priority: 2}, Stroll: {priority: 1}, ");
   text.replace(text.find("  Lamp:"), 0, "  Pose: {values: [moving, still], initial: moving}\n");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// That what is foreseen to end alike does: a search that takes every micro-step finds the same. On random behaviours:
-// tests/property/explore_test.cpp.
+// Micro-steps that are predicted to end alike do: a search that takes every micro-step finds the same. On random
+// behaviours: tests/property/explore_test.cpp.
 #include "compiler/explore/foresight.hpp"
 #include "tests/compiler/explore/explored.hpp"
 #include "tests/support/same_searches.hpp"

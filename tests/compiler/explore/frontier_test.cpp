@@ -9,7 +9,7 @@ using namespace director::compiler;
 
 namespace {
 
-/// A state that tells its number.
+/// A state that contains its number.
 Packed state_of(std::uint32_t number) {
   Packed out(number % 300);
   std::iota(out.begin(), out.end(), static_cast<std::uint8_t>(number));
@@ -36,7 +36,7 @@ TEST_CASE("states come out of the frontier in the order in which they went in, w
     frontier.first(1'000, taken);
     REQUIRE(taken.size() == std::min<std::size_t>(1'000, in - out));
     if (in < 150'000) push(2'500);
-    for (std::uint32_t i = 0; i < taken.size(); ++i) REQUIRE(is(taken[i], out + i)); // also after others went in
+    for (std::uint32_t i = 0; i < taken.size(); ++i) REQUIRE(is(taken[i], out + i)); // also after others were added
     frontier.drop(taken.size());
     out += static_cast<std::uint32_t>(taken.size());
     REQUIRE(frontier.size() == in - out);
@@ -60,7 +60,7 @@ TEST_CASE("the frontier uses again what was dropped, and keeps few states in lit
   CHECK(frontier.bytes() <= 1U << 17);
 }
 
-TEST_CASE("a state that is larger than what lies together finds its place") {
+TEST_CASE("a state that is larger than a chunk finds its place") {
   Frontier frontier;
   const Packed small(10, 1), large(50'000, 2);
   frontier.push({small, 0, 0});

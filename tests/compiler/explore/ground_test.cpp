@@ -42,7 +42,7 @@ groups:
   CHECK(packs(ground, 2) == "|");
 }
 
-TEST_CASE("optional entries of a pack are kept, or left out too where somebody requests that") {
+TEST_CASE("optional entries of a pack are kept, or left out too on request") {
   const auto compiled = director::tests::compile(R"(behaviour: b
 language: 1
 roots: [P]

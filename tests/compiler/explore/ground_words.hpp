@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A Ground in words, for tests.
+// A Ground as text, for tests.
 
 #include "compiler/explore/ground.hpp"
 
@@ -11,11 +11,11 @@ namespace director::tests {
 /// `A B:2|A|` and so on: the packs of a provider, each edge with its target's name, levels counted from 0.
 inline std::string packs(const compiler::Ground& ground, std::size_t provider) {
   std::string out;
-  for (const compiler::Asks& asks : ground.bodies[provider].packs) {
-    for (const compiler::Ask& ask : asks) {
-      const Edge& edge = ground.tables.edges[ask.edge];
+  for (const compiler::RequestedPack& pack : ground.bodies[provider].packs) {
+    for (const compiler::RequestedLevel& request : pack) {
+      const Edge& edge = ground.tables.edges[request.edge];
       out += ground.model.groups[compiler::GroupId{edge.target}].name.value;
-      if (ask.level != edge.levels.begin) out += ":" + std::to_string(ask.level - edge.levels.begin);
+      if (request.level != edge.levels.begin) out += ":" + std::to_string(request.level - edge.levels.begin);
       out += ' ';
     }
     out += '|';

@@ -20,7 +20,7 @@ TEST_CASE("what was added is found again by its key, however much there is, and 
   for (int i = 0; i < 1'000; ++i) CHECK(known.find(random() & ~std::uint64_t{1}) == none);
 }
 
-TEST_CASE("keys that begin or end alike are told apart") {
+TEST_CASE("keys that begin or end alike are distinguished") {
   KeyTable table(8);
   for (Number i = 1; i <= 100; ++i) table.add(std::uint64_t{i} << 40, i);
   for (Number i = 1; i <= 100; ++i) CHECK(table.find(std::uint64_t{i} << 40) == i);

@@ -9,7 +9,7 @@ namespace {
 using namespace director;
 using compiler::NeverRuns;
 
-/// Two states whose values never come together as `Enter.peeping` wants them.
+/// Two states whose values never coincide as `Enter.peeping` requires.
 const std::string door =
     "states: {Door: {values: [shut, open], initial: shut}, Lamp: {values: [dark, lit], initial: dark}}\n"
     "roots: [Enter]\ngroups:\n  Enter:\n    providers:\n"
@@ -30,8 +30,8 @@ NeverRuns explore(const std::string& text, std::size_t bound = 100'000) {
   return compiler::find_never_runs(checked.checked.model, bound, checked.checked.findings);
 }
 
-TEST_CASE("what never ran is told, and not what only that would have requested") {
-  // Reasoning finds this as well: its findings are left out.
+TEST_CASE("what never ran is reported, and not what only that would have requested") {
+  // The checks find this as well: their findings are left out.
   const tests::CheckedText checked = tests::check_text(door);
   REQUIRE(checked.checked.lowerable);
   const NeverRuns never = compiler::find_never_runs(checked.checked.model, 100'000, {});
@@ -40,14 +40,14 @@ TEST_CASE("what never ran is told, and not what only that would have requested")
   CHECK(messages(explore(door)).empty());
 }
 
-TEST_CASE("where there are more states than the bound nothing is told") {
+TEST_CASE("with more states than the bound nothing is reported") {
   const NeverRuns never = explore(door, 2);
   CHECK_FALSE(never.complete);
   CHECK(never.states >= 2);
   CHECK(never.findings.empty());
 }
 
-TEST_CASE("what another finding tells is not told again") {
+TEST_CASE("what another finding reports is not reported again") {
   const NeverRuns never = explore("states: {Door: {values: [shut, open], initial: shut}}\nroots: [Enter]\ngroups:\n"
                                   "  Enter:\n    providers:\n      - {name: entering, when: [Door == open]}\n"
                                   "      - {name: knocking}\n");
@@ -55,7 +55,7 @@ TEST_CASE("what another finding tells is not told again") {
   CHECK(messages(never).empty());
 }
 
-/// Which of two of equal rank asks first is not reasoned about where one of them has another rank elsewhere.
+/// The order of two requests of equal rank is not analysed if one of them has another rank elsewhere.
 TEST_CASE("of many requests that never succeed some are noted, and how many more there are") {
   std::string packs;
   for (std::size_t i = 0; i < 60; ++i)
@@ -70,8 +70,8 @@ TEST_CASE("of many requests that never succeed some are noted, and how many more
   CHECK(notes[7].message == "and 52 more of such notes, from here on");
 }
 
-TEST_CASE("a task that runs for others is told of at the entry where it never does") {
-  // Nothing tells of a root task, which the program may as well not request; here the findings are left out.
+TEST_CASE("a task that runs for others is reported at the entry where it never does") {
+  // No check reports a root task, which the program may as well not request; here the findings are left out.
   const tests::CheckedText checked =
       tests::check_text("roots: [Plan, Walk]\ngroups:\n  Plan: {needs: [Legs], packs: {go: {Step: {}}}}\n"
                         "  Step: {packs: {go: {Legs: {}}}}\n  Walk: {tasks: [Legs]}\n  Legs: {}\n");

@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint64_t nils = 0xffffffffffffffff;
 
 std::vector<std::uint64_t> back_and_forth(const Packing& packing, const std::vector<std::uint64_t>& words) {
-  Packed packed{7, 7, 7}; // what stands there already stays
+  Packed packed{7, 7, 7}; // existing content remains
   packing.pack(words.data(), packed);
   std::vector<std::uint64_t> out(words.size());
   packing.unpack(std::span(packed).subspan(3), out.data());

@@ -23,7 +23,7 @@ TEST_CASE("a small behaviour is explored to the end, and on any number of cores 
   CHECK(to_text(one, ground) == to_text(three, ground));
 }
 
-TEST_CASE("beyond its bound a search says that it is not complete") {
+TEST_CASE("beyond its bound a search reports that it is not complete") {
   const auto compiled = director::tests::compile(whole_walker);
   const Ground ground(compiled.model);
   SearchOptions options;

@@ -11,7 +11,7 @@ using director::tests::explore_all;
 
 namespace {
 
-/// The verdict on the only assertion of a behaviour: `proven: why`. What is refuted is played.
+/// The verdict on the only assertion of a behaviour: `proven: why`. A refutation is played.
 std::string verdict_of(const std::string& groups, const std::string& assertion, std::size_t bound = 100'000) {
   const auto compiled =
       director::tests::compile("behaviour: b\nlanguage: 1\n" + groups + "assertions: [" + assertion + "]\n");
@@ -66,7 +66,7 @@ TEST_CASE("two whose conditions exclude each other are never together") {
   CHECK(verdict_of(two, "{never_together: [A, B]}") == "proven: their conditions exclude each other");
 }
 
-TEST_CASE("what needs and priorities do not tell, all states do") {
+TEST_CASE("what needs and priorities do not decide, all states do") {
   CHECK(verdict_of(two, "{beats: {A: B}}").find("proven: it holds in all ") == 0);
 }
 
@@ -75,13 +75,13 @@ TEST_CASE("two that have nothing to do with each other can be together") {
         "refuted: after request A; request B, two of them are granted");
 }
 
-TEST_CASE("who goes first at root is never blocked by the other side") {
+TEST_CASE("the winner at root is never blocked by the other side") {
   CHECK(verdict_of(posing_walker, "{beats: {Kick: Walk}}") ==
         "proven: both are requested by the program alone, and at root its side always goes first");
   CHECK(verdict_of(posing_walker, "{beats: {Walk: Kick}}").find("refuted: after ") == 0);
 }
 
-TEST_CASE("the members of a pack are blocked by who holds what one of them wants, and else by nobody") {
+TEST_CASE("the members of a pack are blocked by what holds what one of them wants, and by nothing else") {
   const std::string pair = "roots: {A: {priority: 10}, B: {priority: 10}}\ngroups:\n  L: {}\n  R: {}\n  M: {}\n"
                            "  A: {packs: {go: {X: {}, Y: {}}}}\n  X: {needs: [L], tasks: [L]}\n  Y: {needs: [R]}\n";
   CHECK(verdict_of(pair + "  B: {needs: [R], tasks: [R]}\n", "{beats: {A: B}}").find("refuted: after ") == 0);
@@ -110,7 +110,7 @@ TEST_CASE("what can run is shown by how it comes to run") {
             .find("refuted: it runs in none of its ") == 0);
 }
 
-TEST_CASE("a walk that does not say that it moves is cut off hard") {
+TEST_CASE("a walk that does not report that it moves is cut off hard") {
   CHECK(verdict_of(posing_walker, "{soft: {from: Walk, to: Kick}}") ==
         "refuted: after request Walk; request Kick, granting `Kick` takes what `Walk` holds, and none of its causing "
         "providers ran since `Kick` was requested");
@@ -121,7 +121,7 @@ TEST_CASE("behind a latch a hand-over is soft") {
         "proven: `Kick` waits for what only `Walk.halting` sets, and only while that runs");
 }
 
-TEST_CASE("the states say of a latch what its proof says") {
+TEST_CASE("the states confirm the proof about a latch") {
   const auto compiled = director::tests::compile("behaviour: b\nlanguage: 1\n" + latched +
                                                  "assertions: [{soft: {from: Walk, to: Kick}}, {never_together: "
                                                  "[Walk, Kick]}, {beats: {Kick: Walk}}]\n");

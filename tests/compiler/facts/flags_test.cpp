@@ -10,7 +10,7 @@ namespace {
 using namespace director::compiler;
 using Words = std::vector<std::string>;
 
-/// Answers every question alike, and counts them.
+/// Gives the same answer to every request, and counts them.
 class Compiler final : public Programs {
 public:
   Answer run(const Words& words, const std::string&) override {
@@ -46,7 +46,7 @@ TEST_CASE("response files that name themselves many times come to an end") {
   CHECK(with_response_files({"g++", "@a.rsp"}, "/b", files).size() < 20'000);
 }
 
-TEST_CASE("words of response files stand in their place, and what cannot be read stays") {
+TEST_CASE("words of response files are in their place, and what cannot be read remains") {
   director::dsl::MemoryFiles files;
   files.add("/b/a.rsp", "-DA '-DB=b c'\r\n@sub/c.rsp");
   files.add("/b/sub/c.rsp", "-DC @/b/loop.rsp");
@@ -68,7 +68,7 @@ TEST_CASE("files that flags include are looked for where the compiler runs, and 
             .words == Words{"-include", "a.hxx"});
 }
 
-TEST_CASE("flags that are written at length are those that they stand for") {
+TEST_CASE("long forms of flags are equal to the short ones") {
   CHECK(fit_for_clang({"g++", "--include=a.hpp", "--include", "b.hpp", "--imacros=m.hpp", "--include-directory=i",
                        "--include-directory-after", "j", "--define-macro=A=1", "--undefine-macro", "B", "--sysroot=/s",
                        "x.cpp"})
@@ -88,7 +88,7 @@ TEST_CASE("compile_commands.json of a build, or what is wrong with it") {
   CHECK(wrong.fault == "`b/compile_commands.json` is wrong: it is no JSON list");
 }
 
-TEST_CASE("the nearest compile_commands.json lies in a folder, in its `build`, or in those above") {
+TEST_CASE("the nearest compile_commands.json is in a folder, in its `build`, or in those above") {
   director::dsl::MemoryFiles files;
   CHECK(find_compile_commands("/u/robot/src", files).fault ==
         "no compile_commands.json can be read in `/u/robot/src` or above it");
@@ -101,7 +101,7 @@ TEST_CASE("the nearest compile_commands.json lies in a folder, in its `build`, o
     CHECK(found.fault.empty());
     CHECK(found.commands.size() == 1);
   }
-  files.add("/u/robot/src/compile_commands.json", "{"); // it is not passed over for one further away
+  files.add("/u/robot/src/compile_commands.json", "{"); // a farther one does not replace it
   CHECK(find_compile_commands("/u/robot/src", files).fault ==
         "`/u/robot/src/compile_commands.json` is wrong: it is no JSON list");
 }
@@ -142,7 +142,7 @@ TEST_CASE("flags that only g++ knows are left out, and what is written too") {
                              "-include", "all.hpp", "--sysroot=/target", "-mcpu=cortex-m3"});
 }
 
-TEST_CASE("a g++ is asked for its target and its folders, once for each way of calling it") {
+TEST_CASE("a g++ is queried for its target and its folders, once for each way of calling it") {
   Compiler compiler;
   compiler.answer = {true, 0,
                      "Target: arm-none-eabi\n#include \"...\" search starts here:\n#include <...> search starts here:\n"

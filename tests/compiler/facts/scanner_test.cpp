@@ -13,7 +13,7 @@ namespace {
 using namespace director::compiler;
 namespace fs = std::filesystem;
 
-/// A child that answers what it is told to, and remembers what it was asked.
+/// A child that gives prepared answers, and records its requests.
 class Child final : public Programs {
 public:
   Answer run(const std::vector<std::string>& words, const std::string& text) override {
@@ -28,7 +28,7 @@ public:
   int calls = 0;
 };
 
-TEST_CASE("director-clang is asked in JSON and answers in JSON") {
+TEST_CASE("requests to director-clang and its answers are JSON") {
   Child child;
   child.answer = {true, 0, R"({"values": [1, "two", true, null]})"};
   Scanner scanner("/opt/director-clang", child);
@@ -56,7 +56,7 @@ TEST_CASE("a director-clang that is not installed, that fails or that refuses") 
   CHECK(fault().message == "director-clang: the request is no JSON");
 }
 
-TEST_CASE("a director-clang of another version is refused, and asked once") {
+TEST_CASE("a director-clang of another version is refused, and queried once") {
   Child child;
   child.answer = {true, 0, R"({"director": "0.0.9", "clang": "19.1.7"})"};
   Scanner scanner("director-clang", child);

@@ -14,7 +14,7 @@ TEST_CASE("cycles are the components that a path leads around in") {
   CHECK(cycles({}).empty());
 }
 
-TEST_CASE("in topological order what requests stands before what is requested") {
+TEST_CASE("in topological order requesters come before what they request") {
   CHECK(topological_order({{}, {0}, {1}}) == Nodes{2, 1, 0});
   CHECK(topological_order({{1, 2}, {3}, {3}, {}}).front() == 0);
   CHECK(topological_order({{1, 2}, {3}, {3}, {}}).back() == 3);

@@ -12,7 +12,7 @@ namespace {
 using namespace director;
 using namespace director::compiler;
 
-/// Of each task of `requester`, the first one that it is in a cluster with.
+/// For each task of `requester`, the first one that it is in a cluster with.
 std::map<std::string, std::string> clusters_of(const std::string& groups, const std::string& requester) {
   const auto compiled = tests::compile("behaviour: test\nlanguage: 1\nroots: [All]\ngroups:\n" + groups);
   const IdTable<EdgeId, EdgeId> clusters = find_clusters(compiled.model);

@@ -36,7 +36,7 @@ TEST_CASE("needs go down a thousand levels and no deeper") {
         "1 error\n");
 }
 
-TEST_CASE("needs that go around in a large circle are as deep as it is long") {
+TEST_CASE("needs that form a large cycle are as deep as it is long") {
   CHECK(check_text(chain(100'000, "needs: [T1]")) ==
         "main.yaml:5:16: error: `T1` and what it needs in turn are more than 1000 groups [input_limit]\n"
         "    5 |   T1: {needs: [T2]}\n"

@@ -21,7 +21,7 @@ TEST_CASE("what every path passes is above") {
   CHECK_FALSE(tree.is_below(5, 5));
 }
 
-TEST_CASE("a way round a circle changes nothing") {
+TEST_CASE("another way round a cycle changes nothing") {
   const DominatorTree tree({{1}, {2}, {1, 3}, {}}, 0);
   CHECK(tree.is_below(3, 2));
   CHECK(tree.is_below(2, 1));

@@ -8,7 +8,7 @@ namespace {
 
 using namespace director;
 
-TEST_CASE("a graph has tasks, needs, promises, circles and gates") {
+TEST_CASE("a graph has tasks, needs, promises, cycles and gates") {
   const auto compiled = tests::compile(R"(behaviour: test
 language: 1
 states: {Stability: {values: [moving, standing], initial: moving}}

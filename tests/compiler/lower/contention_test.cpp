@@ -74,7 +74,7 @@ groups:
                                    "  root>A 9, root>B 5: -1", "  root>A 9?, root>B 5: 1"});
 }
 
-TEST_CASE("two chains that would meet in a group cannot stand side by side") {
+TEST_CASE("two chains that would meet in a group cannot exist side by side") {
   const Compiled c = compile(R"(
 behaviour: meet
 language: 1
@@ -90,7 +90,7 @@ groups:
   CHECK(decided(c, "Leg") == Texts{"D>Leg and E>Leg", "  C>D 3, C>E 4: 1"});
 }
 
-TEST_CASE("an edge that no chain from root leads to contends with nobody") {
+TEST_CASE("an edge that no chain from root leads to contends with no other") {
   const Compiled c = compile(R"(
 behaviour: lost
 language: 1
@@ -103,7 +103,7 @@ groups:
   CHECK(decided(c, "Leg") == Texts{"A>Leg and B>Leg"});
 }
 
-TEST_CASE("a search that ends at its bound says so") {
+TEST_CASE("a search that ends at its bound reports it") {
   const Compiled c = compile(R"(
 behaviour: bound
 language: 1
@@ -118,7 +118,7 @@ groups:
   CHECK(decided(c, "Leg", 3) == Texts{"C>Leg and D>Leg (cut)", "  A>C 0, A>D 0: 0"});
 }
 
-TEST_CASE("where requests go in a circle, two chains may part at any group of it") {
+TEST_CASE("where requests form a cycle, two chains may part at any group of it") {
   const Compiled c = compile(R"(
 behaviour: circle
 language: 1

@@ -74,13 +74,13 @@ groups:
   CHECK(levels("Boss>D").empty());
   CHECK(lowered.edges[c.edge("Boss>A").value].need_urgency == 1);
   CHECK(lowered.edges[c.edge("Boss>B").value].need_urgency == 0);
-  CHECK(lowered.edges[c.edge("Boss>D").value].need_urgency == 2); // a need that nobody asks for counts 0
+  CHECK(lowered.edges[c.edge("Boss>D").value].need_urgency == 2); // a need without a request counts 0
   CHECK(lowered.root_edges == 1);
   CHECK(lowered.most_edges == 4);
   CHECK(lowered.edges[c.edge("root>Boss").value].requester == nil);
 }
 
-TEST_CASE("only what somebody waits for, or promises within a time, has a row among the conditions") {
+TEST_CASE("only conditions that providers wait for, or promise within a time, have a row") {
   const Compiled c = compile(R"(
 behaviour: conditions
 language: 1
@@ -138,7 +138,7 @@ groups:
   CHECK(lowered.states[1].external);
 }
 
-TEST_CASE("a promise that nobody listens to fires nothing") {
+TEST_CASE("a promise without a listener fires nothing") {
   const Compiled c = compile(R"(
 behaviour: quiet
 language: 1
@@ -228,7 +228,7 @@ groups:
   CHECK(lowered.wide_aims.empty());
 }
 
-TEST_CASE("a group is used by itself and by all in whose plans it may be, a condition by who waits for it") {
+TEST_CASE("a group is used by itself and by all in whose plans it may be, a condition by the groups that wait for it") {
   const Compiled c = compile(R"(
 behaviour: uses
 language: 1
@@ -250,7 +250,7 @@ groups:
     return groups(c, lowered.view().list(lowered.groups[c.group(name).value].users));
   };
   CHECK(users("Kick") == Texts{"Kick"});
-  CHECK(users("Halt") == Texts{"Halt"}); // it asks for the leg and does not need it
+  CHECK(users("Halt") == Texts{"Halt"}); // it requests the leg and does not need it
   CHECK(users("Leg") == Texts{"Kick", "Leg"});
   CHECK(users("Motor") == Texts{"Kick", "Leg", "Motor"});
   const auto waiting = [&](const std::string& text) {

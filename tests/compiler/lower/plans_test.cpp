@@ -54,7 +54,7 @@ TEST_CASE("a provider without needs has one empty plan") {
   CHECK(plans.providers.empty());
 }
 
-TEST_CASE("a group that is needed in a circle is not its own need") {
+TEST_CASE("a group that is needed in a cycle is not its own need") {
   const Compiled c = compile(R"(
 behaviour: circle
 language: 1
@@ -67,7 +67,7 @@ groups:
   CHECK(needed_by(c.model, c.group("A")) == std::vector<GroupId>{c.group("B")});
 }
 
-TEST_CASE("beyond the bound everything that may be needed counts, and it is said") {
+TEST_CASE("beyond the bound everything that may be needed counts, and it is reported") {
   const Compiled c = compile(forked);
   const PlanProviders plans = providers_in_plans(c.model, c.provider("Top"), 4);
   CHECK(!plans.exact);

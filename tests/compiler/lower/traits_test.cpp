@@ -30,7 +30,7 @@ struct Lowering {
   Lowered lowered;
 };
 
-// The traits once more, pair by pair, as they are defined: of edges of one requester, of levels, of groups.
+// The traits computed pair by pair from their definition: of edges of one requester, of levels, of groups.
 
 bool is_simple(const Tables& t, Index group) {
   const director::Group& row = t.groups[group];
@@ -69,7 +69,7 @@ std::set<Index> led_to(const Tables& t, Index edge) {
   return out;
 }
 
-/// Where both of two edges that may be equal lead to.
+/// The groups that both of two possibly equal edges lead to.
 std::set<Index> of_equals(const Tables& t) {
   std::set<Index> out;
   for (Index a = 0; a < t.edges.size(); ++a) {
@@ -83,7 +83,7 @@ std::set<Index> of_equals(const Tables& t) {
   return out;
 }
 
-/// One of these, or a group that needs one, or needs one that does.
+/// One of these, or a group that needs one, transitively.
 bool needs_one_of(const Tables& t, Index group, const std::set<Index>& groups, std::set<Index> above = {}) {
   if (groups.contains(group)) return true;
   above.insert(group);
@@ -141,9 +141,9 @@ TEST_CASE("a group has equals where two tasks of one requester and one priority 
     CHECK(!it.group("Boss").equals);
     CHECK(!it.group("A").equals);
     CHECK(!it.group("Own").equals);
-    CHECK(!it.group("Below").equals);                           // Shared alone asks for it
+    CHECK(!it.group("Below").equals);                           // only Shared requests it
     CHECK(it.group("B").deniable == it.group("Shared").equals); // needs it
-    CHECK(!it.group("A").deniable);                             // only asks for it
+    CHECK(!it.group("A").deniable);                             // only requests it
     return it.group("Shared").equals;
   };
   CHECK(has_equals("[A, B]"));
@@ -162,7 +162,7 @@ TEST_CASE("two tasks of one priority that lead to nothing in common make no equa
   for (const director::Group& group : it.lowered.groups) CHECK_FALSE((group.equals || group.deniable));
 }
 
-TEST_CASE("roots can be equal, also where a circle of requests lies below them") {
+TEST_CASE("roots can be equal, also if a cycle of requests is below them") {
   const Lowering it(R"(
 roots: {A: {priority: 1}, B: {priority: 1}, Apart: {priority: 1}}
 groups:
@@ -176,7 +176,7 @@ groups:
   CHECK(!it.group("A").equals);
   CHECK(it.group("B").equals);
   CHECK(it.group("Shared").equals);
-  CHECK(!it.group("Last").equals); // Shared alone asks for it
+  CHECK(!it.group("Last").equals); // only Shared requests it
   CHECK(!it.group("Apart").deniable);
 }
 
@@ -198,7 +198,7 @@ TEST_CASE("the traits of all behaviours of the project are those of their defini
       dsl::DiskFiles disk;
       dsl::Sources sources;
       const dsl::ReadResult read = dsl::read_behaviour(path, disk, sources);
-      if (dsl::has_errors(read.diagnostics)) continue; // a part of another, or made to be refused
+      if (dsl::has_errors(read.diagnostics)) continue; // a part of another file, or made to be refused
       const Resolved resolved = resolve(read.spec, sources);
       if (dsl::has_errors(resolved.findings)) continue;
       INFO(path);

@@ -13,7 +13,7 @@ TEST_CASE("names that were lost in reading are not called undefined") {
         "main.yaml:6: a behaviour file has no key `skills` [unknown_key]\n");
 }
 
-TEST_CASE("behind a file that cannot be read nothing is said about names") {
+TEST_CASE("behind a file that cannot be read nothing is reported about names") {
   CHECK(
       tests::check_text("imports: [legs.yaml]\nroots: [Walk]\ngroups:\n  Walk: {tasks: [Legs, Arms], needs: [class]}\n")
           .findings() == "main.yaml:3: cannot read `legs.yaml`: No such file or directory [import_not_found]\n");
@@ -28,7 +28,7 @@ TEST_CASE("mistakes of reading and of names are reported in one run") {
         "main.yaml:6: expected one of ==, !=, <, <=, >, >= behind `Pose`, found `=` [bad_condition]\n");
 }
 
-TEST_CASE("of a promise that is lost in reading nobody says that there is none") {
+TEST_CASE("a promise that is lost in reading is not reported as missing") {
   const std::string walk = "states: {Pose: {values: [moving, standing], initial: moving}}\nroots: [Walk]\ngroups:\n"
                            "  Walk:\n    providers:\n      - {name: walking, triggers: [Walk.halting.broken, Walk.x]}\n"
                            "      - {name: halting, causing: [";

@@ -13,7 +13,7 @@ using tests::beginning;
 using tests::check_files;
 using tests::check_text;
 
-/// The lines of the printed model that begin so.
+/// The lines of the printed model with this beginning.
 std::string lines_with(const compiler::Model& model, const std::string& begin) {
   const std::string text = print_model(model);
   std::string out;
@@ -25,7 +25,7 @@ std::string lines_with(const compiler::Model& model, const std::string& begin) {
   return out;
 }
 
-TEST_CASE("edges stand by requester, in the order in which its providers first name them, needs last") {
+TEST_CASE("edges are ordered by requester, in the order in which its providers first name them, needs last") {
   const auto text = check_text(R"(
 roots: {B: {}, A: {}}
 groups:

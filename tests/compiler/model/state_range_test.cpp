@@ -9,7 +9,7 @@ using namespace director;
 
 namespace {
 
-/// `text` stands behind the two lines that every file has.
+/// `text` follows the two lines that every file has.
 compiler::Resolved resolved(const std::string& text, dsl::Sources& sources) {
   dsl::MemoryFiles files;
   files.add("test.yaml", "behaviour: test\nlanguage: 1\n" + text);

@@ -68,7 +68,7 @@ TEST_CASE("a state without values has those of its enum, in their order") {
   CHECK(types.asked[0].name_space == "soccer");
 }
 
-TEST_CASE("C++ is asked only where a state needs it, or somebody wants to know") {
+TEST_CASE("C++ is read only if a state needs it, or all types are wanted") {
   KnownTypes types;
   CHECK(findings(with_values, types) == "");
   CHECK(types.asked.empty());
@@ -80,7 +80,7 @@ TEST_CASE("C++ is asked only where a state needs it, or somebody wants to know")
   CHECK(types.asked.size() == 1);
 }
 
-TEST_CASE("why nothing is known of the types is said where they are needed") {
+TEST_CASE("why nothing is known of the types is reported where they are needed") {
   KnownTypes types;
   types.types.fault = "no include folder of `build` has the header `a.hpp`";
   CHECK(findings(without_values, types) == "the values of `GamePhase` are not known here: no include folder of `build` "
@@ -107,7 +107,7 @@ TEST_CASE("a value with two names that a state lacks is missing once") {
   CHECK(findings(with_values, types) == "`GamePhase` has `overtime`, which the values of `Phase` lack [enum_drift]\n");
 }
 
-TEST_CASE("of three names of one value the second and the third are told of once each") {
+TEST_CASE("of three names of one value the second and the third are reported once each") {
   KnownTypes types;
   types.types.by_name["GamePhase"] = enum_of({"ready", "set", "go"});
   types.types.by_name["GamePhase"].enumerators[1].value = "0";
@@ -138,12 +138,12 @@ TEST_CASE("an enum of a hundred thousand values is a state's, and is compared wi
            ", external: true}}\nroots: [Walk]\ngroups: {Walk: {}}\n";
   };
   CHECK(findings(listing(numbered(many, "v")), types) == "");
-  // Nobody is told of a hundred names with each of a hundred thousand others.
+  // A hundred unknown names are not each compared with a hundred thousand others.
   const std::string all = findings(listing(numbered(many, "w")), types);
   CHECK(std::count(all.begin(), all.end(), '\n') == 2 * many);
 }
 
-TEST_CASE("what an enum has is listed as far as somebody reads it") {
+TEST_CASE("missing enumerators are listed up to a limit") {
   KnownTypes types;
   types.all = true;
   types.types.by_name["GamePhase"] = enum_of(numbered(103, "a_phase_of_the_game_"));
@@ -160,7 +160,7 @@ TEST_CASE("what an enum has is listed as far as somebody reads it") {
   CHECK(helps == std::vector<std::string>{listed + " and 3 more"});
 }
 
-TEST_CASE("of three listed names of one value the second and the third are told of once each") {
+TEST_CASE("of three listed names of one value the second and the third are reported once each") {
   KnownTypes types;
   types.all = true;
   types.types.by_name["GamePhase"] = enum_of({"ready", "set", "go"});

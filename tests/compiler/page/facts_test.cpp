@@ -27,7 +27,7 @@ std::vector<std::string> possible_pushes(const std::string& behaviour) {
   return out;
 }
 
-/// Kick and Walk with these priorities; what Kick does.
+/// Kick and Walk with these priorities; the requests of Kick.
 std::string kicker(const std::string& kick, const std::string& walk, const std::string& with) {
   return "states: {Motion: {values: [moving, still], initial: moving}}\nroots: {Kick: {" + kick + "}, Walk: {" + walk +
          "}}\ngroups:\n  Kick: {" + with +
@@ -37,12 +37,12 @@ std::string kicker(const std::string& kick, const std::string& walk, const std::
 
 } // namespace
 
-TEST_CASE("who waits may push whom it goes before") {
+TEST_CASE("a waiting task may push what it goes before") {
   CHECK(possible_pushes(kicker("priority: 2", "priority: 1", "when: [Motion == still], needs: [Legs]")) ==
         std::vector<std::string>{"Kick waits for Motion == still of Walk.halting"});
 }
 
-TEST_CASE("who waits does not push whom priorities put before it, or beside it") {
+TEST_CASE("a waiting task does not push what priorities put before it, or beside it") {
   for (const char* const walk : {"priority: 3", "priority: 2"})
     CHECK(possible_pushes(kicker("priority: 2", walk, "when: [Motion == still], needs: [Legs]")).empty());
 }
@@ -54,7 +54,7 @@ TEST_CASE("what a need waits for, the task pushes for that needs it") {
   CHECK(possible_pushes(kicker("priority: 1", "priority: 2", "needs: [Foot]") + foot).empty());
 }
 
-TEST_CASE("who waits for one that waits itself pushes along the chain") {
+TEST_CASE("a task that waits for one that waits itself pushes along the chain") {
   CHECK(possible_pushes(R"(states:
   Motion: {values: [moving, still], initial: moving}
   Arm: {values: [out, folded], initial: out}
@@ -75,7 +75,7 @@ groups:
                                 "Reach.folding waits for Motion == still of Walk.halting"});
 }
 
-TEST_CASE("of two tasks of the program the table says which goes first, by what priorities, and over what") {
+TEST_CASE("of two tasks of the program the table shows which goes first, by what priorities, and over what") {
   CHECK(to_lines(facts(R"(roots: {GetUp: {priority: 20}, Walk: {priority: 10}}
 groups: {GetUp: {needs: [Legs]}, Walk: {needs: [Legs], tasks: [Legs]}, Legs: {needs: [Knee]}, Knee: {}}
 )")["takes"]) == R"([

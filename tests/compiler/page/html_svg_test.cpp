@@ -16,7 +16,7 @@ TEST_CASE("a link within the same link is left out, one to elsewhere is not") {
                  "<text>b</text>\n</a>\n</g>\n</a>\n</g>\n<g><a href=\"1\">\n<text>c</text>\n</a>\n</g>\n</svg>") ==
         "<svg>\n<g><a href=\"1\">\n<text>a</text>\n<g><a href=\"2\">\n<text>b</text>\n</a>\n</g>\n</a>\n</g>\n"
         "<g><a href=\"1\">\n<text>c</text>\n</a>\n</g>\n</svg>");
-  // Not closed: as it was, but for the end.
+  // Not closed: unchanged, but for the end.
   CHECK(svg_part("<svg><g><a href=\"1\">\n<g><a href=\"2\"") == "<svg><g><a href=\"1\">\n<g><a href=\"2\"");
 }
 

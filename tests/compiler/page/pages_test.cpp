@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The whole pages of a small behaviour are goldens; what holds of every page is looked at besides.
+// The whole pages of a small behaviour are goldens; properties of every page are checked besides.
 #include "compiler/base/sha256.hpp"
 #include "compiler/emit/graph/formats.hpp"
 #include "compiler/page/facts.hpp"
@@ -50,7 +50,7 @@ Pages pages_of(const std::string& behaviour, const std::string& link) {
           compiler::markdown_page({data, {{"All groups", "flowchart TB\n"}}, link, "robot.yaml"})};
 }
 
-/// What stands between the last of these before the end and that.
+/// The text between the last of these before the end and that.
 std::string between(const std::string& text, const std::string& begin, const std::string& end) {
   const std::size_t from = text.find(begin);
   REQUIRE(from != std::string::npos);

@@ -17,7 +17,7 @@ std::string about(std::size_t count) {
   return out + "  G" + std::to_string(count - 1) + ": {}\n";
 }
 
-/// What the page tells of two groups, a line for each decision.
+/// The page's text about two groups, a line for each decision.
 std::string told_of(const std::string& behaviour, const std::string& first, const std::string& second) {
   const Compiled c = compile("behaviour: test\nlanguage: 1\n" + behaviour);
   const compiler::Json ranks = compiler::ranks_json(c.model);
@@ -162,7 +162,7 @@ TEST_CASE("what a member of a unit needs, or a need of the requester needs, goes
         "first, Play: Walk (priority 9) before Stand (priority 2)\n");
 }
 
-TEST_CASE("a member of a unit goes first of what stands behind another member, where that one is requested") {
+TEST_CASE("a member of a unit goes before what is behind another member, if that one is requested") {
   const auto pack = [](const std::string& tasks, const char* first, const char* second) {
     return told_of("roots: [Pack]\ngroups:\n  Pack: {" + tasks +
                        "}\n  Lift: {}\n  Hold: {}\n  Sort: {tasks: [Pick]}\n  Pick: {tasks: [Grip]}\n"
@@ -178,7 +178,7 @@ TEST_CASE("a member of a unit goes first of what stands behind another member, w
   CHECK(pack(any, "Grip", "Grip") == "second, " + without_lift + "first, " + with_lift);
   CHECK(pack(any, "Grip", "Sort") == "second leads\nsecond, " + without_lift + "first, " + with_lift);
   CHECK(pack(any, "Grip", "Pick") == "second leads\nsecond, " + without_lift + "first, " + with_lift);
-  // What it needs comes with it, and what that asks for does not.
+  // Its needs are granted with it, and their requests are not.
   CHECK(pack(any, "Palm", "Sort") == "second leads\nsecond, " + without_lift +
                                          "first, Pack: what Grip (priority 0) needs before Sort (priority 20), as Grip "
                                          "is granted together with Lift (priority 50)\n");
@@ -194,7 +194,7 @@ TEST_CASE(
   };
   const std::string by_rank = "second, Pack: Sort (priority 20) before Grip (priority 0)";
   const std::string led = "first, Pack: Grip (priority 0) before Sort (priority 20), as Grip is granted together with ";
-  // A pack is asked for as a whole.
+  // A pack is requested as a whole.
   CHECK(grip("packs: {whole: {Lift: {priority: 50}, Hold: {priority: 20}, Sort: {priority: 20, apart: true}, Grip: "
              "{}}}") == led + "Lift (priority 50) or Hold (priority 20, if older)\n");
   CHECK(grip("packs: {whole: {Lift: {levels: {firm: {priority: 50}, spare: {priority: 50, optional: true}}}, Sort: "
@@ -237,7 +237,7 @@ groups: {Rescue: {tasks: [Legs]}, Play: {tasks: [Legs]}, Legs: {}}
         R"({"first":"Rescue","second":"Play","decisions":[4]}]}])");
 }
 
-TEST_CASE("of more groups than a page can hold not every two are compared, and it says so") {
+TEST_CASE("of more groups than a page can hold not every two are compared, and it is reported") {
   const Compiled c = compile(about(compiler::most_compared + 1));
   const compiler::Json ranks = compiler::ranks_json(c.model);
   CHECK(ranks["left_out"].as_text() ==

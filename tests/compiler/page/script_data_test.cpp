@@ -13,7 +13,7 @@ namespace director::tests {
 using compiler::Json;
 using namespace compiler::page;
 
-TEST_CASE("the script has of two groups no more decisions than people read, and how many more there are") {
+TEST_CASE("the script has a limited number of decisions for two groups, and the number of the rest") {
   constexpr std::size_t count = most_decisions_of_two + 3;
   Json decisions = Json::list({}), codes = Json::list({});
   for (std::size_t i = 0; i < count; ++i) {
@@ -42,7 +42,7 @@ TEST_CASE("the script has of two groups no more decisions than people read, and 
   CHECK(answer["decisions"].items().back().as_number() == 2 * static_cast<std::int64_t>(most_decisions_of_two) - 1);
 }
 
-TEST_CASE("a few decisions of two groups are all told, and data without ranks stays as it is") {
+TEST_CASE("a few decisions of two groups are all listed, and data without ranks is unchanged") {
   const Json decision = Json::object({{"goes_first", Json::text("equal")}, {"words", Json::text("Play: …")}});
   const Json answers = Json::list({Json::object({{"decisions", Json::list({Json::number(0)})}})});
   const Json ranks =

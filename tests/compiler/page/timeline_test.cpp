@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests compiler/page/html_timeline.cpp. What the script makes of it: tests/browser.
+// Tests compiler/page/html_timeline.cpp. Its script: tests/browser.
 #include "compiler/page/html_parts.hpp"
 
 #include <catch2/catch.hpp>
@@ -18,7 +18,7 @@ std::string timeline(const PageRecording* recording) {
 
 TEST_CASE("a page without a recording has no timeline") { CHECK(timeline(nullptr).empty()); }
 
-TEST_CASE("without a script a recording says what it is and how it begins, in a table") {
+TEST_CASE("without a script a page shows what a recording is and how it begins, in a table") {
   PageRecording recording;
   recording.about = "3 events in 1 s, from <a>.jsonl.";
   recording.data = "eJw=";

@@ -7,7 +7,7 @@ namespace director::tests {
 
 using compiler::Json;
 
-TEST_CASE("of two that request the same each decision is told once, and no more than can be read") {
+TEST_CASE("of two that request the same each decision is listed once, up to a limit") {
   std::vector<Json> decisions, codes;
   for (int i = 0; i < 10; ++i) {
     decisions.push_back(Json::object({{"words", Json::text("decision " + std::to_string(i))}}));

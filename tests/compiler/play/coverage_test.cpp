@@ -73,7 +73,7 @@ steps:
 
 } // namespace
 
-TEST_CASE("what nobody exercised is told point by point, and what can never happen does not count") {
+TEST_CASE("what was not exercised is reported point by point, and what can never happen does not count") {
   CHECK(watch("steps: []\n").text == R"(coverage of walker.yaml by 1 scenario: 0 % (0 of 17)
   providers     0 of 4
     test.yaml:12:16: `Walk.walking` never ran
@@ -127,7 +127,7 @@ TEST_CASE("a soft transition covers a push, a condition both ways, and a take-ov
         R"("message":"`Charge > 10` in `stay` of `Kick` was never false"}]})");
 }
 
-TEST_CASE("who looks on changes nothing of what happens") {
+TEST_CASE("an onlooker changes nothing of what happens") {
   const LoadedScenario loaded = load_scenario(watched_walker, soft_kick);
   std::vector<std::string> alone;
   play(loaded.scenario, loaded.behaviour.model, loaded.lowered, {},

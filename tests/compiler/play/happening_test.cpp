@@ -60,7 +60,7 @@ TEST_CASE("a broken promise names its provider, unless that is called default") 
         R"({"step":1,"event":"broken","group":"Walk","provider":"default"})");
 }
 
-TEST_CASE("an exhausted budget stands alone") {
+TEST_CASE("an exhausted budget has a line of its own") {
   CHECK(to_text(happening(Kind::budget_exhausted)) == "budget_exhausted");
   CHECK(to_json(happening(Kind::budget_exhausted)) == R"({"step":1,"event":"budget_exhausted"})");
 }

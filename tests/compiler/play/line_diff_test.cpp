@@ -26,7 +26,7 @@ TEST_CASE("a line moves") {
         Lines{"--- expected", "+++ happened", "@@ -1,3 +1,3 @@", "-stop", " run A", " run B", "+stop"});
 }
 
-TEST_CASE("far differences stand in hunks of their own") {
+TEST_CASE("distant differences are in hunks of their own") {
   const Lines expected{"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"};
   Lines happened = expected;
   happened.front() = "zero";
@@ -36,7 +36,7 @@ TEST_CASE("far differences stand in hunks of their own") {
                                                   "+nine"});
 }
 
-TEST_CASE("a long difference is cut and says by how much") {
+TEST_CASE("a long difference is cut and has the number of the rest") {
   const Lines happened(100, "run A");
   const Lines diff = unified_diff({}, happened, 5);
   CHECK(diff ==

@@ -43,7 +43,7 @@ steps:
              "> request Walk", "start Walk", "run Walk.walking new_task", "run Legs new_task"});
 }
 
-TEST_CASE("the first case whose guards hold is used, and none is to go on") {
+TEST_CASE("the first case whose guards hold is used, and without one it continues") {
   CHECK(play(walker, R"(
 script:
   Walk.walking:
@@ -79,7 +79,7 @@ steps:
                                       "run Walk.walking subtask_done", "done Walk", "stop Walk"});
 }
 
-TEST_CASE("tasks carry data of any kind, and a request beside a pack says more about one of its tasks") {
+TEST_CASE("tasks carry data of any kind, and a request beside a pack changes one of its tasks") {
   CHECK(play(walker, R"(given: {Pose: standing}
 script:
   Kick:
@@ -129,7 +129,7 @@ steps:
                             "unset Charge", "run Walk.walking wait", "run Walk.walking wait"});
 }
 
-TEST_CASE("decisions are told where they are requested") {
+TEST_CASE("decisions are printed on request") {
   const char* const script = R"(
 script:
   Walk.walking: {set: {Pose: moving}, tasks: [Legs]}

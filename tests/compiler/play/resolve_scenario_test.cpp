@@ -56,7 +56,7 @@ steps:
 )") == "");
 }
 
-TEST_CASE("names that mean nothing are found wherever they stand, with the nearest one that does", "[golden]") {
+TEST_CASE("unknown names are found wherever they are, with the nearest known one", "[golden]") {
   check_golden("tests/compiler/play/golden/unknown_names.txt", findings(R"(
 given: {Posse: standing}
 script:

@@ -95,7 +95,7 @@ steps:
   CHECK(tested.text.ends_with("\n    ... and 14972 more lines\n"));
 }
 
-TEST_CASE("a scenario that lets more time go by than anybody can look at fails") {
+TEST_CASE("a scenario that advances time beyond the limit fails") {
   const LoadedScenario loaded = load_scenario(R"(behaviour: metronome
 language: 1
 roots: [A]
@@ -125,7 +125,7 @@ steps:
 )");
 }
 
-TEST_CASE("where a body may not do what its script says, the steps before are compared and no other") {
+TEST_CASE("if a body may not do what its script requires, the steps before are compared and no other") {
   const LoadedScenario loaded = load_scenario(R"(behaviour: refused
 language: 1
 states: {S: {values: [a, b]}}

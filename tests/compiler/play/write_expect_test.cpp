@@ -24,7 +24,7 @@ Rewritten rewrite(const std::string& text) {
   return {updated.text.substr(head.size()), updated.steps};
 }
 
-/// What is written is what happens: then nothing has to be written any more.
+/// The written text is what happens: then nothing has to be written any more.
 void check(const std::string& before, const std::string& after) {
   CAPTURE(before);
   CHECK(rewrite(before).text == after);
@@ -52,7 +52,7 @@ TEST_CASE("what happens is written between brackets as a text in quotes") {
   check("steps: [request: Lamp]\n", "steps: [{request: Lamp, expect: \"run Lamp new_task\"}]\n");
 }
 
-TEST_CASE("only what is not as expected changes, and who expects nothing in one step goes on to") {
+TEST_CASE("only what is not as expected changes, and a step without expect remains so") {
   const std::string before = "steps:\n"
                              "  - request: Lamp\n"
                              "    expect: | # light\n"

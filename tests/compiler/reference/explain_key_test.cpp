@@ -40,7 +40,7 @@ Also `start: now` is said here.
 
 } // namespace
 
-TEST_CASE("a key is told by its row and by the section to which that leads") {
+TEST_CASE("a key is explained by its row and by the section to which that leads") {
   CHECK(explain_key(page, "needs").value_or("none") ==
         "# needs\n"
         "\n"
@@ -57,7 +57,7 @@ TEST_CASE("a key is told by its row and by the section to which that leads") {
         "```\n");
 }
 
-TEST_CASE("a key whose row leads nowhere is told by its row and by what else speaks of it") {
+TEST_CASE("a key whose row leads nowhere is explained by its row and by what else mentions it") {
   CHECK(explain_key(page, "start").value_or("none") ==
         "# start\n"
         "\n"
@@ -76,7 +76,7 @@ TEST_CASE("a key whose row leads nowhere is told by its row and by what else spe
         "# advance\n\n- `advance: 100 ms`:  (key of a group, under \"Groups\")\n");
 }
 
-TEST_CASE("a key without a row is told by what speaks of it") {
+TEST_CASE("a key without a row is explained by what mentions it") {
   CHECK(explain_key(page, "optional").value_or("none") == "# optional\n"
                                                           "\n"
                                                           "## Groups\n"
@@ -84,7 +84,7 @@ TEST_CASE("a key without a row is told by what speaks of it") {
                                                           "- `optional: true`: it runs if it can.\n");
 }
 
-TEST_CASE("what the page does not know is not told") {
+TEST_CASE("what the page does not have is not explained") {
   CHECK(!explain_key(page, "Walk"));
   CHECK(!explain_key(page, "a"));
   CHECK(!explain_key(page, ""));

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Behaviours for tests of stubs: from their YAML to what they want in C++.
+// Behaviours for tests of stubs: from their YAML to the C++ that they want.
 
 #include "compiler/stubs/wanted.hpp"
 

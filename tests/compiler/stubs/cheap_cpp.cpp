@@ -115,7 +115,7 @@ struct FileReader {
   std::string_view text;
   const Wanted& wanted;
   const std::set<std::string>& contexts;
-  std::set<std::string>& types; ///< every class, also of those that implement nothing any more
+  std::set<std::string>& types; ///< every class, also those that implement nothing any more
   Found& out;
   Tokens tokens = Lexer(text).run();
   std::size_t i = 0;

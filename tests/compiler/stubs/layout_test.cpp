@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The first files of a module, and main.cpp, as they are written and as compilers take them.
+// The first files of a module, and main.cpp: their text, and that it compiles.
 #include "compiler/stubs/layout.hpp"
 #include "tests/compiler/stubs/behaviour.hpp"
 #include "tests/support/golden.hpp"
@@ -13,7 +13,7 @@ using namespace director::tests;
 using namespace director::compiler::stubs;
 namespace fs = std::filesystem;
 
-TEST_CASE("the first files of a module say what the specification says, and leave everything as it is", "[golden]") {
+TEST_CASE("the first files of a module have the specification in comments, and leave everything as it is", "[golden]") {
   const Wanted wanted = wanted_of(walking_robot);
   std::string files;
   std::vector<ModuleClass> classes;
@@ -73,7 +73,7 @@ namespace {
 
 /// Generates from a behaviour, writes the first files for it, and compiles them all together.
 void check_compiles(const std::string& name, const std::string& from, const std::string& headers) {
-  const fs::path folder = binary_dir() / ("tests/stubs-compiled-" + name); // tests run side by side
+  const fs::path folder = binary_dir() / ("tests/stubs-compiled-" + name); // tests run in parallel
   fs::remove_all(folder);
   fs::create_directories(folder);
   const std::string to = folder.string();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is said of code that serves nothing any more, and of what it is not said.
+// The reports about code without a purpose, and the cases without one.
 #include "compiler/stubs/leftovers.hpp"
 
 #include <catch2/catch.hpp>
@@ -65,19 +65,19 @@ TEST_CASE("a body whose provider or handler is gone is a leftover") {
         Said{"`start(b::Walk::Default&)` of `Legs` is left over: robot has no such provider or handler"});
 }
 
-TEST_CASE("a body whose group belongs to another module now is a leftover, and it is said which") {
+TEST_CASE("a body whose group belongs to another module now is a leftover, and the module is reported") {
   CHECK(said(function("Legs", "provide", "b::Look::Default", true)) ==
         Said{"`provide(b::Look::Default&)` of `Legs` is left over: it belongs to the module eyes, `b::Eyes`"});
 }
 
-TEST_CASE("a function of an implementing class that takes something else is the user's affair") {
+TEST_CASE("a function of an implementing class with another parameter is ignored") {
   CHECK(said(function("Legs", "start", "int", true)) == Said{});
   CHECK(said(function("Legs", "stop", "other::Walk::Stop", true)) == Said{});
 }
 
-TEST_CASE("a body in a class whose interface is gone is a leftover if it overrides or stands outside of its class") {
+TEST_CASE("a body in a class whose interface is gone is a leftover if it overrides or is outside of its class") {
   FoundFunction row = function("Arms", "provide", "::b::Wave::Default", false);
-  CHECK(said(row) == Said{}); // maybe some other class
+  CHECK(said(row) == Said{}); // possibly another class
   row.overrides = true;
   const Said expected{"`provide(::b::Wave::Default&)` of `Arms` is left over: robot has no such provider or handler"};
   CHECK(said(row) == expected);

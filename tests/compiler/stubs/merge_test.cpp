@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where what is missing goes, and what is said where it can go nowhere: whole programs before and after.
+// Where missing functions are inserted, and the report if that is impossible: whole programs before and after.
 #include "compiler/stubs/merge.hpp"
 #include "tests/compiler/stubs/cheap_cpp.hpp"
 
@@ -21,7 +21,7 @@ const WantedFunction walk{Kind::provide, "b::Walk::Default", {"(b.yaml:1)"}};
 const WantedFunction stop{Kind::stop, "b::Walk::Stop", {"(b.yaml:2)"}};
 const WantedFunction jump{Kind::provide, "b::Jump::Default", {"(b.yaml:3)"}};
 
-/// As the cheap stand-in for Clang reads it, with the last words on what it has found.
+/// As the cheap stand-in for Clang reads it, with a last change of what it has found.
 template <class Change>
 Merge merged(const Wanted& wanted, const Texts& texts, Change change) {
   Found found = read_cheaply(texts, wanted);
@@ -131,7 +131,7 @@ TEST_CASE("what is declared and nowhere defined goes to the source beside the he
   CHECK(after(merged(wanted_with({jump}), texts), texts).at("/p/legs.cpp") == "#include \"legs.hpp\"\n\n" + body_jump);
 }
 
-TEST_CASE("a namespace without a name is left out where a definition stands outside of it") {
+TEST_CASE("a namespace without a name is left out if a definition is outside of it") {
   const Texts texts{
       {"/p/legs.hpp", "namespace team { namespace {\nstruct Legs : public b::Legs {\n" + decl_jump + "};\n} }\n"}};
   const Merge merge = merged(wanted_with({jump}), texts);
@@ -140,7 +140,7 @@ TEST_CASE("a namespace without a name is left out where a definition stands outs
         std::string::npos);
 }
 
-TEST_CASE("nothing is put behind what stands under an #if of its own") {
+TEST_CASE("nothing is inserted behind what is under an #if of its own") {
   const Texts texts{
       {"/p/legs.hpp", "struct Legs : public b::Legs {\n#if 1\n" + decl_walk + "#endif\n  int count = 0;\n};\n"}};
   CHECK(after(merged(wanted_with({walk, jump}), texts,
@@ -188,7 +188,7 @@ TEST_CASE("of classes below one another only the last gets what none of them has
                                     "    return run.keep(); // does nothing yet\n  }\n");
 }
 
-TEST_CASE("what cannot be added is said at the class, with why") {
+TEST_CASE("what cannot be added is reported at the class, with the reason") {
   const Texts texts{{"/p/legs.hpp", "struct Legs : public b::Legs {\n" + decl_walk + "};\n"}};
   const auto obstacles = [&](auto change) {
     const Merge merge = merged(wanted_with({walk, jump}), texts, change);

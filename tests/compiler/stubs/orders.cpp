@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* folder = "/program/";
 
-/// What is called so stands once in a text.
+/// The name must occur once in a text.
 std::string replaced(std::string text, std::string_view what, std::string_view with) {
   for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size())
     text.replace(at, what.size(), with);
@@ -80,7 +80,7 @@ void Order::edit_behaviour() {
   if (what == 7) group.module = pick(3);
 }
 
-/// Things that look like code and are none, and code that is none of our business.
+/// Text that looks like code and is none, and unrelated code.
 std::string Order::noise() {
   static const std::vector<std::string> all{
       "// a comment with a } and a \"\n",
@@ -97,7 +97,7 @@ std::string Order::noise() {
   return all[static_cast<std::size_t>(pick(static_cast<int>(all.size())))];
 }
 
-/// A whole text as some editor leaves it behind.
+/// A whole text in the style of some editor.
 std::string Order::layout(std::string text) {
   if (chance(20)) text = replaced(text, "\n  ", "\n\t");
   if (chance(15) && text.find('\r') == std::string::npos) text = replaced(text, "\n", "\r\n");
@@ -107,7 +107,7 @@ std::string Order::layout(std::string text) {
   return text;
 }
 
-/// As nobody's tool would write it: in name spaces, two classes in a file, templates, definitions here and there.
+/// In unusual style: in namespaces, two classes in a file, templates, definitions here and there.
 void Order::write_module_by_hand() {
   const bool nested = chance(60), one_file = chance(50), inline_all = chance(30), guarded = chance(30);
   std::string header = guarded ? "#ifndef GUARD\n#define GUARD\n" : "#pragma once\n";
@@ -174,13 +174,13 @@ void Order::edit_function(std::string& text, const FoundFunction& row) {
   const int what = pick(4);
   const bool body = row.defines && text[row.end - 1] == '}';
   if (what == 0) {
-    text.erase(row.begin, row.end - row.begin); // as if it had never been
+    text.erase(row.begin, row.end - row.begin); // as if it had never existed
   } else if (what == 1 && body) {
     const std::string fresh = row.name == "provide" ? "/* mine } */ const char* s = \"}{\"; (void)s; return {};"
                                                     : "int a[] = {1, 2}; (void)a;";
     text.insert(text.rfind('}', row.end - 1), fresh);
   } else if (what == 2 && !body) {
-    text.replace(row.end - 1, 1, row.name == "provide" ? " { return {}; }" : " { }"); // maybe defined twice now
+    text.replace(row.end - 1, 1, row.name == "provide" ? " { return {}; }" : " { }"); // possibly defined twice now
   } else {
     text.insert(row.end, " // here");
     if (behind(text, row.end) == row.end) text.insert(row.end, "\n");
@@ -208,7 +208,7 @@ std::vector<std::string> Order::carry_out(const Merge& merge) {
   for (const std::vector<Insertion>& each : by_file(merge.insertions)) {
     std::string& text = texts_.at(each.front().path);
     const Applied plain = insert_into(text, each);
-    // A formatter that wants to change anything anywhere.
+    // A formatter that changes anything anywhere.
     std::vector<Replacement> wild;
     for (int i = pick(20); i > 0; --i) {
       const auto offset = static_cast<std::size_t>(pick(static_cast<int>(plain.text.size()) + 1));
@@ -229,7 +229,7 @@ std::vector<std::string> Order::carry_out(const Merge& merge) {
     const std::vector<compiler::Artefact> files = first_files(wanted_, wanted_.modules[module]);
     const bool taken =
         std::any_of(files.begin(), files.end(), [&](const auto& file) { return texts_.count(folder + file.path) > 0; });
-    if (taken) continue; // the command says that a file is in the way
+    if (taken) continue; // the command reports that a file is at its place
     for (const compiler::Artefact& file : files) add_new(folder + file.path, file.text);
   }
   return faults;
@@ -244,7 +244,7 @@ std::vector<int> shrunk(std::vector<int> steps, const std::function<bool(const s
       continue;
     }
     steps = std::move(fewer);
-    i = 0; // one that was needed for what is gone may not be needed any more
+    i = 0; // a step that was needed for a removed one may now be superfluous
   }
   return steps;
 }

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Random orders of what happens to a program: its behaviour is edited, its C++ is edited, stubs are written. Each order
-// is made of its number alone, and so is each of its steps: some may be left out, and what is left does what it did.
+// Random orders of events in the life of a program: its behaviour is edited, its C++ is edited, stubs are written. Each
+// order depends on its number alone, and so does each of its steps: if some are left out, the others are unchanged.
 
 #include "compiler/stubs/insertion.hpp"
 #include "compiler/stubs/merge.hpp"
@@ -19,9 +19,9 @@ public:
   /// The program as it is at first.
   explicit Order(unsigned number);
 
-  /// Something that the user does to the behaviour or to the C++, a step of its own.
+  /// An edit by the user of the behaviour or of the C++, a step of its own.
   void edit(int step);
-  /// Those that follow on the beginning: 1, 2 ...
+  /// The steps after the beginning: 1, 2 ...
   const std::vector<int>& steps() const { return steps_; }
 
   const compiler::stubs::Wanted& wanted() const { return wanted_; }
@@ -30,8 +30,8 @@ public:
   /// The program, from now on.
   void adopt(compiler::stubs::Texts texts) { texts_ = std::move(texts); }
 
-  /// As `directorc stubs` goes on from what was found; a text for each fault: a byte of the user's that is gone or has
-  /// moved, a file that was there and is written anew.
+  /// Continues like `directorc stubs` with what was found; a text for each fault: a byte of the user's that is gone or
+  /// has moved, an existing file that is written anew.
   std::vector<std::string> carry_out(const compiler::stubs::Merge& merge);
 
 private:
@@ -65,13 +65,13 @@ private:
   compiler::stubs::Texts texts_;
 };
 
-/// As few of the steps as fail still: each is left out if what remains fails.
+/// A minimal failing set of the steps: each is left out if the rest still fails.
 std::vector<int> shrunk(std::vector<int> steps, const std::function<bool(const std::vector<int>&)>& fails);
 
-/// The behaviour and the C++ of an order, for whoever has to see why it failed.
+/// The behaviour and the C++ of an order, for debugging.
 std::string to_text(const Order& order);
 
-/// A header as small as it can be that says the same as the generated one of what matters here.
+/// A minimal header, equivalent to the generated one for these tests.
 std::string small_header(const compiler::stubs::Wanted& wanted);
 
 } // namespace director::tests

@@ -29,7 +29,7 @@ struct Counts {
   std::size_t inserted = 0, written = 0, left_over = 0, refused = 0;
 };
 
-/// The beginning of an order or a step of it, and stubs; says what is wrong.
+/// The beginning of an order or a step of it, and stubs; returns what is wrong.
 std::string stubs_after(Order& order, Counts& counts) {
   const Merge merged = merge(order.wanted(), read_cheaply(order.texts(), order.wanted()), order.texts());
   const std::size_t before = functions(order);
@@ -53,7 +53,7 @@ std::string stubs_after(Order& order, Counts& counts) {
   return out;
 }
 
-/// What is wrong with these steps of an order, and the program then.
+/// The fault of these steps of an order, and the program then.
 std::string fault_of(unsigned number, const std::vector<int>& steps, Counts& counts) {
   Order order(number);
   std::string fault = stubs_after(order, counts);
@@ -67,8 +67,8 @@ std::string fault_of(unsigned number, const std::vector<int>& steps, Counts& cou
 
 } // namespace
 
-// That an insertion removes nothing is so by its type. What can go wrong is where it stands: within a comment, a string
-// or another function, or under an #if; then it, or something of the user's, would not be found there afterwards.
+// By its type an insertion removes nothing. Its place can be wrong: within a comment, a string or another function, or
+// under an #if; then it, or something of the user's, would not be found there afterwards.
 TEST_CASE("whatever is edited in whatever order, the user's bytes stay in place and what is wanted is there") {
   Counts counts;
   for (unsigned number = 0; number < 2000; ++number) {
@@ -77,14 +77,14 @@ TEST_CASE("whatever is edited in whatever order, the user's bytes stay in place 
     const auto fails = [&](const std::vector<int>& fewer) { return !fault_of(number, fewer, counts).empty(); };
     FAIL(fault_of(number, shrunk(steps, fails), counts));
   }
-  // The orders are worth something: much happens in them.
+  // The orders are not trivial: they have many events.
   CHECK(counts.inserted > 2000);
   CHECK(counts.written > 2000);
   CHECK(counts.left_over > 500);
   CHECK(counts.refused > 50);
 }
 
-TEST_CASE("of the steps of an order that fails those are told that it needs") {
+TEST_CASE("of the steps of an order that fails those are printed that it needs") {
   const auto needs_both = [](const std::vector<int>& steps) {
     const auto has = [&](int step) { return std::find(steps.begin(), steps.end(), step) != steps.end(); };
     return has(2) && has(5);

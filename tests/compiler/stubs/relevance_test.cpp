@@ -17,7 +17,7 @@ TEST_CASE("a file that names nothing of a behaviour need not be read") {
   CHECK_FALSE(mentions("", telling_words(wanted)));
 }
 
-TEST_CASE("a class that may be made of others is known by where their names stand") {
+TEST_CASE("a class that may be a base is recognised by the place of its name") {
   const Words names{"Legs", "Arms"};
   CHECK(derives("struct Robot : Legs {", names));
   CHECK(derives("class Robot final: public virtual robot :: parts::Legs {", names));

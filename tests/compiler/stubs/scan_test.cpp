@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What director-clang is asked, as JSON, and what is made of its answers, also of those that make no sense.
+// Requests to director-clang, as JSON, and the parsing of its answers, also of invalid ones.
 #include "compiler/stubs/scan.hpp"
 
 #include <catch2/catch.hpp>
@@ -24,7 +24,7 @@ TEST_CASE("a question names the generated header, the files with their flags, an
       R"("fresh":[{"path":"/p/new.cpp","text":"// new"}]})");
 }
 
-TEST_CASE("an answer tells of classes, functions and problems with their places") {
+TEST_CASE("an answer has classes, functions and problems with their places") {
   const auto answer = parse_json(R"({
     "classes": [{"path": "/p/l.hpp", "line": 4, "column": 7, "name": "my::Legs", "interfaces": ["b::Legs"],
                  "bases": ["my::Base"], "end": 90, "inside": 12, "public": true, "macro": true, "only_inline": true}],
@@ -54,7 +54,7 @@ TEST_CASE("an answer tells of classes, functions and problems with their places"
   CHECK(found_in(*answer) == expected);
 }
 
-TEST_CASE("an answer without what was asked tells of nothing") {
+TEST_CASE("an answer without what was requested contains nothing") {
   CHECK(found_in(Json::object({})) == Found{});
   CHECK(found_in(Json()) == Found{});
   CHECK(replacements_in(Json::object({{"files", Json::text("none")}})).empty());

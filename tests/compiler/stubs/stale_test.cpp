@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which comments of stubs are told as not true any more, and which of them are the user's affair.
+// Which comments of stubs are reported as outdated, and which are left to the user.
 #include "compiler/stubs/stale.hpp"
 
 #include <catch2/catch.hpp>
@@ -47,12 +47,12 @@ Said said(const std::string& above, const std::string& above_stop = "/// (b.yaml
   return out;
 }
 
-TEST_CASE("a comment that says what the behaviour says is true, however it is broken into lines") {
+TEST_CASE("a comment with the declarations of the behaviour is up to date, however it is broken into lines") {
   CHECK(said("/// Walks. (b.yaml:12)\n/// - needs: LeftLeg, RightLeg\n/// - tasks: LeftLeg\n") == Said{});
   CHECK(said("// Walks.\n//   (b.yaml:12)\n// - needs: LeftLeg,\n//   RightLeg\n//  - tasks:  LeftLeg\r\n") == Said{});
 }
 
-TEST_CASE("a line that is not true any more is told, with what is true") {
+TEST_CASE("an outdated line is reported, with the present one") {
   CHECK(said("/// Walks. (b.yaml:12)\n/// - needs: LeftLeg\n/// - tasks: LeftLeg\n") ==
         Said{"6: the comment above `provide(b::Walk::Default&)` is not true any more: `- needs: LeftLeg` is `- needs: "
              "LeftLeg, RightLeg` now"});
@@ -61,7 +61,7 @@ TEST_CASE("a line that is not true any more is told, with what is true") {
              "standing`; `- tasks: Arm` is `- tasks: LeftLeg` now"});
 }
 
-TEST_CASE("what the user has left out, written before it or instead of it is the user's affair") {
+TEST_CASE("what the user has left out, written before it or instead of it is ignored") {
   CHECK(said("/// Goes on foot, as said below. (b.yaml:12)\n/// - tasks: LeftLeg\n") == Said{});
   CHECK(said("/// - needs: nobody\n") == Said{});
   CHECK(said("// Steps (mind the gap: 3)\n// - needs: care\n") == Said{});
@@ -69,7 +69,7 @@ TEST_CASE("what the user has left out, written before it or instead of it is the
   CHECK(said("", "") == Said{});
 }
 
-TEST_CASE("lines of the behaviour that have only moved are told once for a file") {
+TEST_CASE("lines of the behaviour that have only moved are reported once for a file") {
   CHECK(said("/// Walks. (b.yaml:11)\n") ==
         Said{"4: the place in the comment above has moved: b.yaml:11 is b.yaml:12 now"});
   CHECK(said("/// Walks. (b.yaml:11)\n", "/// (b.yaml:19)\n") ==

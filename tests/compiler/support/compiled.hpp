@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A behaviour from its text to its Model, for tests of what comes behind.
+// A behaviour from its text to its Model, for tests of later stages.
 
 #include "compiler/model/resolve.hpp"
 #include "dsl/read_behaviour.hpp"
@@ -35,7 +35,7 @@ struct Compiled {
   }
 };
 
-/// `text` stands in `test.yaml`; a finding of level error fails the test.
+/// `text` is the content of `test.yaml`; a finding of level error fails the test.
 inline Compiled compile(const std::string& text) {
   dsl::MemoryFiles files;
   files.add("test.yaml", text);

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A store of facts in memory, for tests. Files of the system are those `of yesterday` until somebody says otherwise.
+// A store of facts in memory, for tests. System files have the stamp `of yesterday` by default.
 
 #include "compiler/facts/cache.hpp"
 

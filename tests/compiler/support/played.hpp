@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A scenario from two texts to what happens in it, for tests.
+// A scenario from two texts to its events, for tests.
 
 #include "compiler/lower/lower.hpp"
 #include "compiler/play/play.hpp"
@@ -17,10 +17,10 @@ struct LoadedScenario {
   Compiled behaviour;
   compiler::Lowered lowered;
   compiler::Scenario scenario;
-  std::string findings; ///< as they are shown to people
+  std::string findings; ///< as they are printed
 };
 
-/// The behaviour stands in `test.yaml`, the scenario in `test.scenario.yaml`; `text` is what follows its `behaviour:`.
+/// The behaviour is in `test.yaml`, the scenario in `test.scenario.yaml`; `text` follows its `behaviour:`.
 inline LoadedScenario load_scenario(const std::string& behaviour, const std::string& text) {
   LoadedScenario out;
   out.behaviour = compile(behaviour);
@@ -36,7 +36,7 @@ inline LoadedScenario load_scenario(const std::string& behaviour, const std::str
   return out;
 }
 
-/// Everything that happens, a line each; behind it what a body may not do.
+/// All events, a line each, followed by an action that a body may not do.
 inline std::vector<std::string> play(const std::string& behaviour, const std::string& text, bool decisions = false) {
   const LoadedScenario loaded = load_scenario(behaviour, text);
   INFO(loaded.findings);

@@ -1,7 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What is wrong with a scenario of a behaviour, for tests: found where it is read, resolved or played, whichever is
-// first.
+// The faults of a scenario of a behaviour, for tests: found when it is read, resolved or played, whichever is first.
 
 #include "compiler/lower/lower.hpp"
 #include "compiler/play/play.hpp"

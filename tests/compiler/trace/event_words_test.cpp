@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests compiler/trace/event_words.cpp: no event is without words, and no two that differ read alike.
+// Tests compiler/trace/event_words.cpp: every event has a text, and different events have different ones.
 #include "compiler/trace/event_words.hpp"
 #include "compiler/trace/lookup.hpp"
 #include "compiler/trace/recorded_names.hpp"
@@ -45,7 +45,7 @@ private:
 
 } // namespace
 
-TEST_CASE("what simulate says nothing about has words too") {
+TEST_CASE("events that simulate does not print have words too") {
   const WordsReader reader;
   const auto words = [&](const std::string& members) { return reader.words(R"("t":1500000,"n":3,)" + members); };
   CHECK(words(R"("event":"run","group":"A","provider":"x","reasons":["new_task"])") == "run A.x new_task");
@@ -74,7 +74,7 @@ TEST_CASE("what simulate says nothing about has words too") {
   CHECK(words(R"("event":"input","input":"every","group":"A","provider":"y")") == "> every A.y");
 }
 
-TEST_CASE("where two events read alike, what differs is said") {
+TEST_CASE("if two events have equal texts, the difference is added") {
   const WordsReader reader;
   using Both = std::pair<std::string, std::string>;
   const std::string done = R"("event":"done","group":"A")";

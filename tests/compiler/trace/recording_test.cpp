@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests compiler/trace/recording.cpp: the bytes are read by a decoder that knows nothing but the format in
-// recording.hpp. The page's own decoder: tests/browser.
+// Tests compiler/trace/recording.cpp: a decoder that depends only on the format in recording.hpp reads the bytes. The
+// page's own decoder: tests/browser.
 #include "compiler/trace/lookup.hpp"
 #include "compiler/trace/recorded_names.hpp"
 #include "compiler/trace/recording.hpp"
@@ -103,7 +103,7 @@ TEST_CASE("events come back without their times, each shape once, in order and n
   CHECK(out.head["why_ends"].is_null());
 }
 
-TEST_CASE("what bodies answer and which timer was due is left out; what is missing is told at its place") {
+TEST_CASE("what bodies answer and which timer was due is left out; what is missing is reported at its place") {
   const Decoded out =
       recorded({R"({"t":1,"n":1,"event":"input","input":"wait","group":"A"})",
                 R"({"t":1,"n":1,"event":"answer","group":"A","provider":"x","answer":"pack"})",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests compiler/trace/waits.cpp. That an answer is the one of `directorc why` follows from where it comes from; when
-// it becomes another is told here.
+// Tests compiler/trace/waits.cpp. The answers are those of `directorc why`, as both call the same function; here it is
+// tested when they change.
 #include "compiler/lower/lower.hpp"
 #include "compiler/lower/row_names.hpp"
 #include "compiler/trace/waits.hpp"

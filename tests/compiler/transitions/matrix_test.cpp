@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small behaviours, each named for the kind of the cell that is looked at; the whole cell is compared, and its
-// scenario.
+// Small behaviours, each named for the kind of its cell; the whole cell is compared, and its scenario.
 #include "compiler/lower/lower.hpp"
 #include "compiler/transitions/matrix.hpp"
 #include "tests/compiler/support/compiled.hpp"
@@ -117,7 +116,7 @@ steps:
 )");
 }
 
-TEST_CASE("waits: who requests the second runs in another way meanwhile, and is named") {
+TEST_CASE("waits: the requester of the second runs in another way meanwhile, and is named") {
   CHECK(
       cell(R"(roots: {Guard: {priority: 20}, Serve: {priority: 10}}
 groups:
@@ -189,7 +188,7 @@ TEST_CASE("same chain: the requester leads to its task, whichever of them is fir
 )");
 }
 
-TEST_CASE("replaced: the requester of both has no pack in which they stand together") {
+TEST_CASE("replaced: the requester of both has no pack that contains both") {
   CHECK(cell(plans, "Walk", "Kick") == R"(replaced: Play requests Kick instead of Walk. Walk stops.
 stops Walk
 scenario: from Walk to Kick
@@ -231,7 +230,7 @@ steps:
 )");
 }
 
-TEST_CASE("never: what it waits for nobody brings about, also when the first one is done") {
+TEST_CASE("never: nothing causes what it waits for, also when the first one is done") {
   const char* const lost = R"(states: {Pose: {values: [moving, still]}}
 roots: [Walk, Wait]
 groups:
@@ -256,7 +255,7 @@ steps:
 )");
 }
 
-TEST_CASE("what the outside says for the second is not undone by a push that the first one makes") {
+TEST_CASE("what is set from outside for the second is not undone by a push of the first one") {
   CHECK(cell(R"(
 states: {Pose: {values: [moving, still, falling], initial: still, external: true}}
 roots: {Recover: {priority: 90}, Play: {priority: 10}}
@@ -318,7 +317,7 @@ groups:
 )");
 }
 
-TEST_CASE("what only bodies set may be what a row begins with, and the row says so") {
+TEST_CASE("states that only bodies set may have assumed values at the beginning of a row, and the row lists them") {
   const char* const boxes = R"(states: {Load: {values: [none, box], initial: none, of: Carry}}
 roots: {Carry: {priority: 1}, Rest: {priority: 2}}
 groups:

@@ -10,7 +10,7 @@ namespace {
 
 using namespace compiler::transitions;
 
-/// `Play.running > Walk.slow`, and behind it what the outside says.
+/// `Play.running > Walk.slow`, followed by the values from outside.
 std::vector<std::string> ways(const std::string& behaviour, const std::string& target) {
   const Compiled compiled = compile("behaviour: test\nlanguage: 1\n" + behaviour);
   std::vector<std::string> out;

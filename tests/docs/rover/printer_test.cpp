@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A rover whose bodies do what the scenario of the pages scripts: what is printed of both is the same.
+// A rover whose bodies do what the scenario of the pages scripts: both print the same.
 #include "rover.hpp"
 #include "runtime/hosted/decision_printer.hpp"
 #include "tests/docs/rover/scripted.hpp"

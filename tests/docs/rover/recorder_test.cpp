@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A rover that records what it does: it is what its scenario does, and can be played again.
+// A rover that is recorded: the trace equals its scenario, and can be replayed.
 #include "rover.hpp"
 #include "runtime/hosted/trace/recorder.hpp"
 #include "tests/docs/rover/scripted.hpp"
@@ -31,7 +31,8 @@ TEST_CASE("what a rover records is what simulate prints, and can be played again
   const auto simulated = director::tests::run_command(
       "directorc simulate --decisions --times tests/docs/rover/rover.scenario.yaml | grep -v '> advance'", source);
   CHECK(director::tests::run_command("directorc trace " + file, source).output == simulated.output);
-  const auto replayed = director::tests::run_command("directorc replay " + file + " --behaviour tests/docs/rover/rover.yaml", source);
+  const auto replayed =
+      director::tests::run_command("directorc replay " + file + " --behaviour tests/docs/rover/rover.yaml", source);
   CHECK(replayed.output.find("events, all the same\n") != std::string::npos);
   CHECK(replayed.output.find("another version") == std::string::npos);
 }

@@ -93,7 +93,7 @@ TEST_CASE("the rover of the pages stands still when it takes its picture, and dr
   CHECK(behaviour.state<rover::Photograph>() == director::RunState::none);
 }
 
-TEST_CASE("a rover that brakes halves its speed, and says when it stands") {
+TEST_CASE("a rover that brakes halves its speed, and reports when it stands") {
   Chassis chassis;
   chassis.speed_ = 200;
   director::testing::Trial<rover::Drive::Braking> braking{rover::Course{.degrees = 0, .mm_per_s = 200}};
@@ -109,7 +109,7 @@ TEST_CASE("a rover that brakes halves its speed, and says when it stands") {
   CHECK(second.sets(rover::Motion::still));
 }
 
-TEST_CASE("the rover of the pages says why it takes no picture, also to another thread") {
+TEST_CASE("the rover of the pages reports why it takes no picture, also to another thread") {
   Mission mission;
   Chassis chassis;
   rover::Behaviour behaviour{mission, chassis};

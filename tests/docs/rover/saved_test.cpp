@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rover of the pages is saved while it brakes, and goes on in another object.
+// The rover of the pages is saved while it brakes, and continues in another object.
 #include "rover.hpp"
 #include "runtime/hosted/trace/recorder.hpp"
 #include "tests/docs/rover/scripted.hpp"
@@ -33,7 +33,7 @@ TEST_CASE("a rover that was saved while it brakes takes its picture in another o
   if (const auto result = other.load(bytes, 60s); result != director::LoadResult::loaded)
     throw std::runtime_error(director::to_text(result));
   CHECK(other.state<rover::Photograph>() == director::RunState::queued);
-  other.step(61s); // a second later it stands
+  other.step(61s);                                                     // a second later it stands
   CHECK(other.state<rover::Photograph>() == director::RunState::none); // it is done
 
   std::array<std::byte, 100> small;
@@ -61,6 +61,7 @@ TEST_CASE("a recorder that goes on with the object that loads writes one trace, 
   const auto simulated = director::tests::run_command(
       "directorc simulate --decisions --times tests/docs/rover/rover.scenario.yaml | grep -v '> advance'", source);
   CHECK(director::tests::run_command("directorc trace " + file, source).output == simulated.output);
-  const auto replayed = director::tests::run_command("directorc replay " + file + " --behaviour tests/docs/rover/rover.yaml", source);
+  const auto replayed =
+      director::tests::run_command("directorc replay " + file + " --behaviour tests/docs/rover/rover.yaml", source);
   CHECK(replayed.output.find("events, all the same\n") != std::string::npos);
 }

@@ -98,7 +98,7 @@ TEST_CASE("a computed value is set only where it is declared") {
                                       "refused Battery 200", "set Battery 49"});
 }
 
-TEST_CASE("a wait and a trigger run a body again, and it can tell them apart") {
+TEST_CASE("a wait and a trigger run a body again, and it can distinguish them") {
   Office office;
   Lines why;
   office.plans.deliver = [&](Deliver::Default& run) {

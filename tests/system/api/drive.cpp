@@ -55,7 +55,7 @@ struct Drive::Parts {
         skills(*this),
         guard(*this) {}
 
-  // What bodies and handlers do besides.
+  // Further actions of bodies and handlers.
 
   void complain(const char* what) {
     if (wrong.empty()) wrong = what;
@@ -219,7 +219,7 @@ struct Drive::Parts {
   static void hear_office(void* self, const Event& event) { static_cast<Parts*>(self)->hear(0, event); }
   static void hear_night(void* self, const Event& event) { static_cast<Parts*>(self)->hear(1, event); }
 
-  // What the program does.
+  // Actions of the program.
 
   template <class Behaviour>
   void step(Behaviour& behaviour) {
@@ -285,7 +285,7 @@ struct Drive::Parts {
     office.request(courier::Deliver{{std::make_unique<int>(42)}});
   }
 
-  /// It goes on from what it is, at another time.
+  /// It continues from its saved state, at another time.
   void save_and_load() {
     const SaveResult result = night.save(saved);
     if (result == SaveResult::inputs_wait) return;
@@ -313,7 +313,7 @@ struct Drive::Parts {
     }
   }
 
-  /// All is cancelled; it must come to rest, and rest.
+  /// Everything is cancelled; it must come to rest, and stay at rest.
   template <class Behaviour>
   void bring_to_rest(Behaviour& behaviour, std::size_t which) {
     behaviour.set_budget(Engine::default_budget);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random programs around the interface: nothing that they do may break it. Under the sanitizers this says more than
-// what is checked here (preset asan; tests/system/threads for several threads).
+// Random programs around the interface: nothing that they do may break it. The sanitizers check more than the
+// assertions here (preset asan; tests/system/threads for several threads).
 #include "tests/system/api/drive.hpp"
 
 #include <catch2/catch.hpp>

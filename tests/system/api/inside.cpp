@@ -1,7 +1,7 @@
 // Header: tests/system/api/CMakeLists.txt. Test: itself.
 // SPDX-License-Identifier: MIT
 //
-// A body that calls the behaviour itself: an assertion fails, which a program of its own can survive.
+// A body that calls the behaviour itself: an assertion fails, which only a program of its own can survive.
 #include "janitor.hpp"
 
 #include <chrono>

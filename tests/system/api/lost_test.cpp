@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a full inbox does with inputs: what it refuses, what waits outside of it, and who hears of what was lost.
+// How a full inbox handles inputs: what it refuses, what waits outside of it, and how lost inputs are reported.
 #include "tests/system/api/office.hpp"
 
 #include <catch2/catch.hpp>
@@ -84,7 +84,7 @@ TEST_CASE("a value by number has the same slot as one by type") {
   CHECK(flooded.after_the_flood() == Lines{"lost 2", "Battery 7", "Mood hurried"});
 }
 
-TEST_CASE("several states are never split: where not all find room, none is set") {
+TEST_CASE("several states are never split: if not all have space, none is set") {
   Flooded flooded;
   CHECK(!flooded.behaviour.set(Battery{5}, post::Mood::hurried));
   CHECK(flooded.behaviour.set(Battery{6}));
@@ -99,7 +99,7 @@ TEST_CASE("what is set later comes later, through the inbox or outside of it") {
   Flooded flooded;
   std::vector<int> seen;
   CHECK(flooded.behaviour.set(Battery{1}));
-  flooded.plans.rest = [&](Rest::Default& run) { // in the middle of a step there is room again
+  flooded.plans.rest = [&](Rest::Default& run) { // in the middle of a step there is space again
     CHECK(flooded.behaviour.post().set(Battery{2}));
     CHECK(flooded.behaviour.post().set(Battery{3}, post::Mood::hurried));
     CHECK(flooded.behaviour.post().set(Battery{4}));
@@ -142,7 +142,7 @@ TEST_CASE("requests and cancels that take one another's slot are counted as well
   CHECK(flooded.after_the_flood() == Lines{"lost 3", "root>Rest"}); // a Bell too
 }
 
-TEST_CASE("what was lost is seen from other threads, and told once") {
+TEST_CASE("what was lost is seen from other threads, and reported once") {
   Flooded flooded;
   courier::Behaviour::Snapshot snapshot;
   CHECK(flooded.behaviour.show(snapshot));
@@ -155,7 +155,7 @@ TEST_CASE("what was lost is seen from other threads, and told once") {
   CHECK(flooded.after_the_flood().empty());
 }
 
-TEST_CASE("what is lost while nothing else is posted is told at the next step, though that has nothing to take") {
+TEST_CASE("what is lost while nothing else is posted is reported at the next step, though that has nothing to take") {
   Flooded flooded;
   flooded.behaviour.step(0s);
   flooded.inputs.take();

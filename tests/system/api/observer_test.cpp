@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Observers that throw, and that call whom they must not.
+// Observers that throw, and that call forbidden functions.
 #include "tests/system/api/office.hpp"
 
 #include <catch2/catch.hpp>
@@ -99,7 +99,7 @@ TEST_CASE("an observer that throws at the end of the budget is heard as well") {
   CHECK(watched.behaviour.state<Rest>() == RunState::running);
 }
 
-TEST_CASE("an observer that throws when it is told of lost inputs keeps none of the others") {
+TEST_CASE("an observer that throws at an event of lost inputs keeps none of the others") {
   Watched watched;
   watched.thrower.at = Kind::lost;
   while (watched.behaviour.fire<courier::Bell>()) {}
@@ -114,7 +114,7 @@ TEST_CASE("of what a body and an observer throw in one micro-step the first is t
   Watched watched;
   watched.plans.rest = [](Rest::Default&) -> Outcome { throw std::logic_error("cannot rest"); };
   watched.behaviour.request<Rest>();
-  CHECK_THROWS_AS(watched.behaviour.step(0s), std::runtime_error); // told of the run, before it
+  CHECK_THROWS_AS(watched.behaviour.step(0s), std::runtime_error); // the event of the run, before it
   CHECK(watched.behaviour.step(0s) == StepResult::quiescent);
 }
 
@@ -145,7 +145,7 @@ TEST_CASE("an observer may not call the behaviour, but post to it") {
   CHECK(behaviour.engine().value(2) == 7);
 }
 
-TEST_CASE("without an observer nobody is told") {
+TEST_CASE("without an observer no event is reported") {
   Plans plans;
   Skills skills;
   courier::Behaviour behaviour{plans, skills, Observer{}};

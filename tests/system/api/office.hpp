@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The courier with bodies that a test decides about, and a record of what happened, in the generated names.
+// The courier with bodies that a test sets, and a record of the events, with the generated names.
 
 #include "courier.hpp"
 
@@ -12,7 +12,7 @@ namespace director::tests {
 
 namespace courier = post::courier;
 
-/// A body that a test may set; without one everything goes on as it is.
+/// A body that a test may set; without one everything remains unchanged.
 template <class Context>
 using Body = std::function<Outcome(Context&)>;
 
@@ -47,11 +47,11 @@ struct Skills final : courier::Skills {
   Outcome provide(courier::Sing::Default& run) override { return answer(sing, run); }
 };
 
-/// What happened: `run Walk.default`, `start Walk`, `set Door open`, `refused Battery 50`, `queue root>Rest`.
+/// The events: `run Walk.default`, `start Walk`, `set Door open`, `refused Battery 50`, `queue root>Rest`.
 class Record {
 public:
   Observer observer() { return {&Record::tell, this}; }
-  /// And forgets it.
+  /// And clears it.
   std::vector<std::string> take() { return std::exchange(lines_, {}); }
 
 private:

@@ -129,7 +129,7 @@ TEST_CASE("two behaviours of one kind know nothing of each other") {
   CHECK(two.record.take().empty());
 }
 
-TEST_CASE("a program may ask who holds a task, and why one does not run, also in words") {
+TEST_CASE("a program may query the holder of a task, and why one does not run, also as text") {
   Office office;
   office.plans.deliver = [](Deliver::Default& run) { return run.carry(Walk{post::Steps{}}); };
   office.plans.rest = [](Rest::Default& run) { return run.request(Walk{post::Steps{}}); };
@@ -183,7 +183,7 @@ TEST_CASE("rows have names, and what is no row has an empty one") {
   CHECK(std::string(names::group(director::nil)).empty());
 }
 
-TEST_CASE("who meets names only at run time posts by number, and no further than by type") {
+TEST_CASE("a program that gets names only at run time posts by number, and not beyond the type") {
   Office office;
   const auto post = office.behaviour.post();
   const auto edge = [](const char* name) {

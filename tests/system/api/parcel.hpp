@@ -17,7 +17,7 @@ struct Steps {
   int count = 0;
 };
 
-/// Must lie on a boundary of its own, and counts itself.
+/// Must be aligned, and counts its instances.
 struct alignas(64) Wax {
   explicit Wax(int given) : grams(given) { ++alive; }
   Wax(Wax&& other) noexcept : grams(other.grams) { ++alive; }

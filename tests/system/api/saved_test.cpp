@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The night watch saved and loaded: what of time goes on, what is refused, and what is not called.
+// The night watch saved and loaded: which timers continue, what is refused, and what is not called.
 #include "night_watch.hpp"
 #include "tests/support/numbers_of_event.hpp"
 
@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 namespace watch = night_watch;
 using Bytes = std::array<std::byte, watch::Behaviour::saved_bytes()>;
 
-/// The lamp blinks by itself, the round looks again after three seconds, and who leaves pushes the gate.
+/// The lamp blinks by itself, the round looks again after three seconds, and Leave pushes the gate.
 struct Guard final : watch::Guard {
   Outcome provide(watch::Round::Default& run) override {
     lines.push_back("round");
@@ -85,7 +85,8 @@ TEST_CASE("periods, promises and values that expire go on where they were") {
   CHECK(second.engine().value(0) == static_cast<std::int32_t>(watch::Noise::quiet));
 }
 
-TEST_CASE("what waits in the inbox is not saved, and is said so; in the object that loads it waits on") {
+TEST_CASE(
+    "what waits in the inbox is not saved, and that is reported; in the object that loads it the inbox is unchanged") {
   Guard guard;
   watch::Behaviour first{guard}, second{guard};
   Bytes bytes;
@@ -143,7 +144,7 @@ TEST_CASE("a span that is too small, or bytes of another behaviour, are refused,
   CHECK(second.load(page, 0s) == LoadResult::loaded);
 }
 
-TEST_CASE("a value that its state does not declare is refused, whatever the check sum says") {
+TEST_CASE("a value that its state does not declare is refused, even with a valid check sum") {
   Guard guard;
   watch::Behaviour behaviour{guard};
   Bytes bytes;
@@ -162,7 +163,7 @@ TEST_CASE("a value that its state does not declare is refused, whatever the chec
   CHECK(behaviour.load(bytes, 0s) == LoadResult::loaded);
 }
 
-TEST_CASE("each answer is told in a line of its own") {
+TEST_CASE("each answer has a line of its own") {
   std::vector<std::string> lines;
   for (int i = 0; i <= static_cast<int>(SaveResult::refused); ++i) lines.push_back(to_text(static_cast<SaveResult>(i)));
   for (int i = 0; i <= static_cast<int>(LoadResult::refused); ++i) lines.push_back(to_text(static_cast<LoadResult>(i)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Several behaviours in one process, of one and of several specifications: none knows of another.
+// Several behaviours in one process, of one and of several specifications: they are independent.
 #include "janitor.hpp"
 #include "tests/system/api/office.hpp"
 

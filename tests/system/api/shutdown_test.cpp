@@ -44,7 +44,7 @@ TEST_CASE("all root tasks are cancelled together: what runs stops, and nothing s
   CHECK(busy.record.take().empty());
 }
 
-TEST_CASE("a full inbox does not refuse to cancel all, and keeps the order of what is asked about it") {
+TEST_CASE("a full inbox does not refuse to cancel all, and keeps the order of inputs around it") {
   Busy busy;
   while (busy.behaviour.fire<Bell>()) {}
   CHECK(busy.behaviour.set(Battery{1}));
@@ -80,7 +80,7 @@ TEST_CASE("a stop handler that throws at the end keeps no other from its own") {
   CHECK(busy.behaviour.state<Rest>() == RunState::none);
 }
 
-TEST_CASE("the end of a behaviour that runs calls nobody, as its modules may be gone") {
+TEST_CASE("the end of a behaviour that runs calls nothing, as its modules may be gone") {
   std::vector<int> stopped;
   {
     auto busy = std::make_unique<Busy>();

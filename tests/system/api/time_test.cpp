@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Times and durations at the ends of what 64 bits hold, and of whatever type a program has them.
+// Times and durations at the limits of 64 bits, and of different types.
 #include "night_watch.hpp"
 
 #include <catch2/catch.hpp>
@@ -80,7 +80,7 @@ TEST_CASE("a duration of any type becomes microseconds, and what is beyond 64 bi
   CHECK(director::microseconds(duration<std::int8_t, std::nano>(1)) == 1);
   CHECK(microseconds_begun(duration<std::int8_t, std::nano>(127)) == 0);
   CHECK(microseconds_begun(duration<std::int8_t, std::milli>(-128)) == -128'000);
-  // Frames of a camera, and a unit of which one is more than time can tell.
+  // Frames of a camera, and a unit of which one is beyond the range of time.
   CHECK(microseconds_begun(duration<std::int32_t, std::ratio<1, 60>>(61)) == 1'016'666);
   CHECK(director::microseconds(duration<std::int32_t, std::ratio<1, 60>>(61)) == 1'016'667);
   CHECK(microseconds_begun(duration<Time, std::ratio<1, 60>>(most)) == most);
@@ -89,7 +89,7 @@ TEST_CASE("a duration of any type becomes microseconds, and what is beyond 64 bi
   CHECK(microseconds_begun(duration<int, std::exa>(0)) == 0);
   CHECK(microseconds_begun(duration<Time, std::atto>(most)) == 9'223'372);
   CHECK(director::microseconds(duration<Time, std::atto>(1)) == 1);
-  // Numbers with a fraction, and what is no number.
+  // Numbers with a fraction, and NaN.
   CHECK(microseconds_begun(duration<double>(1.5)) == 1'500'000);
   CHECK(microseconds_begun(duration<float, std::milli>(0.25F)) == 250);
   CHECK(director::microseconds(duration<double, std::micro>(0.25)) == 1);
@@ -145,7 +145,7 @@ TEST_CASE("a step to the longest duration takes all that is due, and ends") {
   CHECK(night.behaviour.step(microseconds::max()) == StepResult::quiescent);
   CHECK(night.noise() == 0);
   CHECK(night.guard.rounds.size() == 2);
-  CHECK(night.guard.lamps == 2); // what comes round and is late runs once
+  CHECK(night.guard.lamps == 2); // a period that is late runs once
   CHECK(night.now() == most - 1);
   CHECK(night.behaviour.step(microseconds::max()) == StepResult::quiescent);
   CHECK(night.guard.lamps == 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The specification may use the words that generated code has for itself: words.yaml compiles, and so do its packs.
+// The specification may use the names that generated code uses itself: words.yaml compiles, and so do its packs.
 #include "words.hpp"
 
 #include <catch2/catch.hpp>

@@ -113,10 +113,12 @@ private:
     return std::to_string(data_.size() - 1);
   }
 
-  std::size_t level(const Asked& asked) const { return tables_.edges[asked.edge.value].levels.begin + asked.level; }
+  std::size_t level(const RequestedTask& asked) const {
+    return tables_.edges[asked.edge.value].levels.begin + asked.level;
+  }
 
   std::string body(const compiler::Body& cases) {
-    // Ranges of rows that others add to meanwhile would not be in one piece.
+    // Ranges of rows would not be contiguous if others were added meanwhile.
     std::vector<std::string> rows;
     for (const Case& each : cases) rows.push_back(case_row(each));
     const std::size_t begin = cases_.all.size();
@@ -130,7 +132,7 @@ private:
       guards_.all.push_back(fmt::format("{{{}, target::Use::{}}}",
                                         guard.edge ? std::to_string(guard.edge->value) : "director::nil",
                                         use_of(guard.state)));
-    for (const Asked& task : each.pack)
+    for (const RequestedTask& task : each.pack)
       asked_.all.push_back(fmt::format("{{{}, {}, {}, {}}}", task.edge.value, level(task), data(task.data), task.keep));
     for (const compiler::Setting& one : each.set) settings_.all.push_back(setting(one));
     std::string out = "{";
@@ -222,7 +224,7 @@ void PlanText::add(const std::string& title, const dsl::Sources& sources, const 
 
 std::string PlanText::text() const {
   Code code;
-  code.line("#include \"runtime/core/api/behaviour.hpp\""); // what generated code stands on
+  code.line("#include \"runtime/core/api/behaviour.hpp\""); // what generated code depends on
   code.line("#include \"tests/system/arm/target/plan.hpp\"");
   code.blank();
   code.line("#include <array>");

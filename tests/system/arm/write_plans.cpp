@@ -1,7 +1,7 @@
 // Header: this program. Test: tests/system/arm/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
-// write_plans OUT.cpp OUT.txt SCENARIO...: the scenarios as constants for the target, and what happens in them here.
+// write_plans OUT.cpp OUT.txt SCENARIO...: the scenarios as constants for the target, and their events on the host.
 #include "compiler/cli/load_scenario.hpp"
 #include "compiler/play/play.hpp"
 #include "tests/system/arm/plan_text.hpp"

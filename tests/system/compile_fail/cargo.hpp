@@ -14,7 +14,7 @@ struct Cargo;
 #elif defined(NOTHING)
 using Cargo = void;
 #else
-/// The data of a task. With a definition it is what no task can carry.
+/// The data of a task. With a macro it is a type that no task can carry.
 struct Cargo {
   Cargo() = default;
 #ifdef THROWING_MOVE

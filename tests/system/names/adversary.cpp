@@ -54,8 +54,7 @@ public:
       : number_(number),
         random_(number),
         words_(words) {
-    // Of many names that collide one would be refused for sure: most are harmless, so that those that are left are
-    // tried.
+    // With many colliding names one would certainly be refused: most are harmless, so that the others are tested.
     for (std::uint32_t i = below(3); i < 3; ++i) evil_.insert(evil_.end(), below(places));
   }
 
@@ -106,15 +105,15 @@ private:
   std::string pick(const All& all) {
     return all[below(static_cast<std::uint32_t>(all.size()))];
   }
-  /// With its first letter as it is, or the other way round.
+  /// With its first letter unchanged, or in the other case.
   std::string word() {
-    // Most words are refused wherever they stand; the others say more.
+    // Most words are refused at any place; the others test more.
     std::string out = pick(words_);
     for (int tries = below(8) == 0 ? 0 : 50; tries > 0 && is_refused(out); --tries) out = pick(words_);
     if (below(3) == 0 && out[0] >= 'A' && out[0] <= 'Z') out[0] = static_cast<char>(out[0] - 'A' + 'a');
     return out;
   }
-  /// Not what the types are called that are there already.
+  /// Without the names of the existing types.
   std::string outermost() {
     std::string out = word();
     while (std::string_view(adversary_types).find(" " + out + " {") != std::string_view::npos) out = word();
@@ -124,7 +123,7 @@ private:
     const std::uint32_t at = at_++;
     for (const std::uint32_t evil : evil_) {
       if (evil != at) continue;
-      // Sometimes what another one is called already.
+      // Sometimes the name of another one.
       last_ = !last_.empty() && below(3) == 0 ? last_ : word();
       return last_;
     }

@@ -8,10 +8,10 @@
 
 namespace director::tests {
 
-/// Types for tasks and states, with names as generated code has them too.
+/// Types for tasks and states, with names that also occur in generated code.
 extern const char* const adversary_types;
 
-/// The number-th behaviour; the same for the same words. Its C++ stands in a name space that no other one uses.
+/// The number-th behaviour; deterministic for the same words. Its C++ is in a namespace that no other one uses.
 std::string adversarial_behaviour(std::uint32_t number, const std::vector<std::string>& words);
 
 } // namespace director::tests

@@ -29,10 +29,10 @@ using namespace director::compiler;
 using compiler::Provider;
 namespace fs = std::filesystem;
 
-/// Of them so many are compiled at once: the headers cost as much as a hundred behaviours.
+/// Limit for those compiled at once: the headers cost as much as a hundred behaviours.
 constexpr std::uint32_t together = 250;
 
-/// Without the lines that include something: that is done once for all.
+/// Without #include lines: that is done once for all.
 std::string without_includes(const std::string& text) {
   std::string out;
   std::istringstream lines(text);
@@ -41,7 +41,7 @@ std::string without_includes(const std::string& text) {
   return out;
 }
 
-/// The header with its facts where it includes them.
+/// The header with its facts in place of their #include.
 std::string with_facts(const std::string& header, const std::string& name, const std::string& facts) {
   const std::string include = fmt::format("#include \"{}\"\n", name);
   const std::size_t at = header.find(include);
@@ -53,7 +53,7 @@ std::string type_in(const Model& model, GroupId group) {
   return "::" + model.name_space + "::" + dsl::capitalised(model.groups[group].name.value);
 }
 
-/// What is a template in the generated code, used as a body would.
+/// Uses the templates of the generated code like a body.
 std::string uses_of(const Model& model) {
   std::string out;
   for (const compiler::Provider& provider : model.providers) {
@@ -76,8 +76,8 @@ struct Tally {
 class Batch {
 public:
   Batch(std::string command, fs::path file) : command_(std::move(command)), file_(std::move(file)) {
-    text_ = tests::all_headers() + tests::adversary_types +
-            "#include \"runtime/core/behaviour.hpp\"\n#include <cassert>\n";
+    text_ =
+        tests::all_headers() + tests::adversary_types + "#include \"runtime/core/behaviour.hpp\"\n#include <cassert>\n";
   }
 
   void add(const std::string& name, const std::string& code) { text_ += fmt::format("#line 1 \"{}\"\n{}", name, code); }
@@ -87,7 +87,7 @@ public:
     return std::system(fmt::format("{} '{}' 2> '{}.log'", command_, file_.string(), file_.string()).c_str()) == 0;
   }
 
-  /// The first lines of what the compiler says.
+  /// The first lines of the compiler's output.
   std::string complaint() const {
     std::ifstream log(file_.string() + ".log");
     std::string out;
@@ -102,7 +102,7 @@ private:
   std::string text_;
 };
 
-/// Puts the C++ of one behaviour into the batch, if nothing is wrong with it.
+/// Adds the C++ of one behaviour to the batch, if it has no faults.
 void take(std::uint32_t number, const std::vector<std::string>& words, Batch& batch, Tally& tally,
           const fs::path& kept) {
   dsl::MemoryFiles files;
@@ -137,7 +137,7 @@ int run(const std::string& compiler, const fs::path& folder, std::uint32_t count
   if (words.size() < 2000) return std::cout << "too few: the compiler has not told its macros\n", 1;
   Tally tally;
   for (std::uint32_t begin = 0; begin < count; begin += together) {
-    // In turn with and without what g++ adds to the language, which are further macros.
+    // Alternately with and without g++'s language extensions, which are further macros.
     const std::string standard = (begin / together) % 2 == 0 ? "gnu++20" : "c++20";
     Batch batch(fmt::format("{} -std={} -w -fsyntax-only -I'{}'", compiler, standard, DIRECTOR_SOURCE_DIR),
                 folder / fmt::format("batch{}.cpp", begin));
@@ -148,7 +148,7 @@ int run(const std::string& compiler, const fs::path& folder, std::uint32_t count
   }
   std::cout << fmt::format("{} behaviours: {} refused, {} compiled\n", count, tally.refused, tally.compiled);
   for (const auto& [id, times] : tally.reasons) std::cout << fmt::format("  refused first for {}: {}\n", id, times);
-  // Neither everything nor nothing: else this would show nothing.
+  // Neither all nor none: otherwise the test would show nothing.
   const bool both = tally.compiled > count / 4 && tally.refused > count / 8;
   if (!both) std::cout << "too few of one kind\n";
   return tally.failed == 0 && both ? 0 : 1;

@@ -1,15 +1,15 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Counts what this thread asks of the heap, by malloc and its like and by operator new, while it has armed a trap.
+// Counts this thread's uses of the heap, by malloc and its like and by operator new, while it has armed a trap.
 
 #include <cstddef>
 
 namespace director::tests {
 
-/// Asked for since the program began, while armed.
+/// Uses since the program began, while armed.
 std::size_t heap_uses();
 
-/// While one lives, the heap is watched; within it an Amnesty lets somebody else use it.
+/// The heap is watched during its lifetime; within it an Amnesty permits its use.
 class HeapTrap {
 public:
   HeapTrap();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A game of soccer that people look at uses no heap in the thread that steps, and calls the operating system for
-// nothing: no lock is waited for there, and nobody woken.
+// A game of soccer with viewers uses no heap in the thread that steps, and makes no system calls: it waits for no lock,
+// and wakes no thread.
 
 #include "behaviours/soccer/player/player.hpp"
 #include "behaviours/soccer/player/servos.hpp"
@@ -44,7 +44,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// From now on this thread gets nothing of the operating system but its own end, and a name for each try: ENOSYS.
+/// From now on system calls of this thread fail with ENOSYS, except its exit and naming a thread.
 bool forbid_system_calls() {
   constexpr std::array<unsigned, 9> allowed{SYS_exit,    SYS_exit_group,     SYS_munmap,
                                             SYS_madvise, SYS_rt_sigprocmask, SYS_rt_sigreturn,
@@ -70,7 +70,7 @@ void count_system_calls() {
 TEST_CASE("to show a game of soccer takes no heap, no lock and no system call from the thread that steps") {
   LiveView view{soccer::names::all(), {.queue = 1 << 20, .connections = 128, .interval = 1ms}};
   REQUIRE(view.good());
-  std::vector<Caller> viewers; // who read nothing, which is the worst that they can do
+  std::vector<Caller> viewers; // who read nothing, which is the worst case
   for (int i = 0; i < 100; ++i) {
     viewers.emplace_back(view.url(), 2048);
     viewers.back().send(get(view.url(), "events"));

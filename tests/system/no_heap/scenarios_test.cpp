@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The engine uses no heap: every scenario of the project is played with the heap watched inside of Engine::take_step,
-// but not inside of the scripted bodies and of the recorder, which are not the robot's. The linker puts the functions
-// below between the player of scenarios and the engine (--wrap, see CMakeLists.txt).
+// but not inside of the scripted bodies and of the recorder, which are not the robot's. The linker inserts the
+// functions below between the player of scenarios and the engine (--wrap, see CMakeLists.txt).
 
 #include "compiler/lower/lower.hpp"
 #include "compiler/model/resolve.hpp"
@@ -31,8 +31,8 @@ std::size_t watched_steps = 0, watched_players = 0;
 
 } // namespace
 
-// Behind the asm labels stand the names that the compilers give to Engine::take_step(Time), ScriptedBodies::table() and
-// Recorder::observer(), as the linker's --wrap calls the original and what stands before it.
+// The asm labels are the names that the compilers give to Engine::take_step(Time), ScriptedBodies::table() and
+// Recorder::observer(), as the linker's --wrap names the original and the replacement.
 StepResult real_step(Engine* engine, Time now) __asm__("__real__ZN8director6Engine9take_stepEl");
 Bodies real_table(compiler::ScriptedBodies* self) __asm__("__real__ZN8director8compiler14ScriptedBodies5tableEv");
 Observer real_observer(compiler::Recorder* self) __asm__("__real__ZN8director8compiler8Recorder8observerEv");
@@ -108,8 +108,8 @@ void play_file(const std::string& path) {
   CHECK(events > 0);
 }
 
-TEST_CASE("the trap sees what is asked of the heap, and only while it is armed") {
-  const auto ask = [] { // a compiler may leave out what nobody looks at
+TEST_CASE("the trap counts requests to the heap, and only while it is armed") {
+  const auto ask = [] { // a compiler may remove unused allocations
     static void* volatile kept = nullptr;
     kept = ::operator new(100);
     ::operator delete(kept);
@@ -134,7 +134,7 @@ TEST_CASE("no scenario makes the engine use the heap") {
     const std::size_t before = heap_uses(), steps = watched_steps, players = watched_players;
     play_file(path);
     REQUIRE(watched_players ==
-            players + 2); // else the linker found these functions where they are called, in one source
+            players + 2); // otherwise the linker found these functions where they are called, in one source
     CHECK(heap_uses() == before);
     CHECK(watched_steps > steps);
   }

@@ -15,7 +15,7 @@ struct Count {
   int runs = 0;
 };
 
-/// Uses of the heap in a minute of it, but for the world's.
+/// Uses of the heap in a minute of it, without those of the world.
 std::size_t heap_uses_in(sim::World& world, auto& player) {
   const std::size_t before = heap_uses();
   while (world.now() < 60'000) {
@@ -38,7 +38,7 @@ TEST_CASE("a game of soccer uses no heap") {
   CHECK(count.runs > 5000);
 }
 
-TEST_CASE("a game of soccer that nobody observes uses no heap") {
+TEST_CASE("a game of soccer without an observer uses no heap") {
   sim::World world{1};
   player::Player<player::Servos> player{world};
   CHECK(heap_uses_in(world, player) == 0);

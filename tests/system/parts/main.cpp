@@ -1,7 +1,7 @@
 // Header: this program. Test: tests/system/parts/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
-// Drives a behaviour by random inputs at random times, and stops it. It fails by crashing, or by being busy for ever.
+// Drives a behaviour by random inputs at random times, and stops it. It fails by a crash, or by never coming to rest.
 #include BEHAVIOUR_HEADER
 #include "bodies.hpp"
 

@@ -1,9 +1,8 @@
 // Header: tests/system/threads/CMakeLists.txt. Test: itself.
 // SPDX-License-Identifier: MIT
 //
-// The random programs of tests/system/api/drive.hpp while other threads post to both behaviours and look at a snapshot.
-// Built with the thread sanitizer, which ends the program with an error where two threads touch the same memory without
-// order.
+// The random programs of tests/system/api/drive.hpp while other threads post to both behaviours and read a snapshot.
+// Built with the thread sanitizer, which ends the program with an error at a data race.
 #include "tests/system/api/drive.hpp"
 
 #include <cstdio>

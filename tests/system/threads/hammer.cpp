@@ -1,10 +1,9 @@
 // Header: tests/system/threads/CMakeLists.txt. Test: itself.
 // SPDX-License-Identifier: MIT
 //
-// Several threads hammer `post` of a generated behaviour while another one steps it. Built with the thread sanitizer,
-// which ends the program with an error where two threads touch the same memory without order. Says what is wrong
-// besides: what was accepted must be taken, and of requests and cancels of a root task the last one must count. They
-// look at snapshots as well.
+// Several threads call `post` of a generated behaviour while another one steps it. Built with the thread sanitizer,
+// which ends the program with an error at a data race. Also checks that accepted inputs are taken, and that the last of
+// all requests and cancels of a root task counts. They read snapshots as well.
 #include "tests/system/api/office.hpp"
 
 #include <atomic>
@@ -46,7 +45,7 @@ const char* hammer() {
       refused += !post.request(Deliver{{std::make_unique<int>(i)}});
       accepted += post.fire<Bell>();
       const auto look = snapshot.look();
-      // Whoever is requested runs or waits for somebody.
+      // A requested task runs or waits.
       if (look) torn += ((*look).state<Deliver>() == RunState::running) != ((*look).why<Deliver>().edge == 0);
     }
     busy -= 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A behaviour that is stepped, shown, and posted to by commands, while viewers come, read, read nothing and go, under
+// A behaviour that is stepped, shown, and controlled by commands, while viewers come, read, read nothing and go, under
 // the thread sanitizer.
 #include "courier.hpp"
 #include "runtime/live/live_view.hpp"

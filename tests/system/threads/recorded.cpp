@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A thread that tells events and the recorder's own that writes them, under the thread sanitizer; the queue is full now
+// A thread that adds events and the recorder's own that writes them, under the thread sanitizer; the queue is full now
 // and then.
 #include "courier.hpp"
 #include "runtime/hosted/trace/recorder.hpp"

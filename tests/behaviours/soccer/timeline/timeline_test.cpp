@@ -119,7 +119,7 @@ struct Told {
 
 } // namespace
 
-TEST_CASE("a kick interrupts the walk softly, and the timeline says how") {
+TEST_CASE("a kick interrupts the walk softly, and the timeline shows how") {
   Told told;
   told.at(0);
   told.grant(walk, root_walk);
@@ -160,7 +160,7 @@ TEST_CASE("a kick interrupts the walk softly, and the timeline says how") {
   CHECK(told.timeline.counts().faults == 0);
 }
 
-TEST_CASE("what nobody wants any more is got, not taken") {
+TEST_CASE("what is no longer requested is got, not taken") {
   Told told;
   told.at(0);
   told.grant(kick, root_kick);
@@ -177,7 +177,7 @@ TEST_CASE("what nobody wants any more is got, not taken") {
   CHECK(told.timeline.counts().take_overs == 0);
 }
 
-TEST_CASE("runs of what runs already, of limbs and of servos are only counted, and told after a pause") {
+TEST_CASE("runs of what runs already, of limbs and of servos are only counted, and reported after a pause") {
   Told told;
   told.at(0);
   told.grant(walk, root_walk);
@@ -195,7 +195,7 @@ TEST_CASE("runs of what runs already, of limbs and of servos are only counted, a
                        "   1.20 s  runs       Walk          halting\n");
 }
 
-TEST_CASE("a state is told when it changes, with where the change comes from") {
+TEST_CASE("a state is reported when it changes, with the source of the change") {
   Told told;
   told.at(0);
   told.set(Kind::input, 0);
@@ -215,7 +215,7 @@ TEST_CASE("a state is told when it changes, with where the change comes from") {
                        "      ...  1 runs: Walk 1\n");
 }
 
-TEST_CASE("faults are told and counted") {
+TEST_CASE("faults are reported and counted") {
   Told told;
   told.at(0);
   told.next(Kind::broken, walk).provider = halting;
@@ -235,7 +235,7 @@ TEST_CASE("faults are told and counted") {
   CHECK(told.timeline.counts().faults == 4);
 }
 
-TEST_CASE("colours are for terminals, and stay around one word") {
+TEST_CASE("colours are for terminals, and surround one word each") {
   Told told{true};
   told.at(61'000'000);
   told.set(Kind::input, 1);

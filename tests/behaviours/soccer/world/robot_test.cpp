@@ -28,7 +28,7 @@ struct Bench {
 
 } // namespace
 
-TEST_CASE("a servo is there when it said that it would be") {
+TEST_CASE("a servo arrives at the time that it announced") {
   Bench bench;
   const Milliseconds time = bench.robot.move(Servo::left_knee, 31 * degree);
   CHECK(time == 70);

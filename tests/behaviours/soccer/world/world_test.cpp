@@ -14,7 +14,7 @@ void pass(World& world, Milliseconds time) {
   for (Milliseconds t = 0; t < time; t += tick) world.step();
 }
 
-/// What a robot that only walks ahead comes to see and to be, as one list of numbers.
+/// The senses and the pose of a robot that only walks ahead, as one list of numbers.
 std::vector<int> stroll(std::uint64_t seed) {
   World world(seed);
   world.robot().engage();

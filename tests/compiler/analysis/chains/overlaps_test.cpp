@@ -16,7 +16,7 @@ namespace {
 
 bool all(ProviderId) { return true; }
 
-/// By the claims of each two.
+/// The same by comparing the claims of each two.
 std::vector<bool> by_claims(const Branches& branches, const std::vector<GroupId>& tasks) {
   std::vector<bool> out(tasks.size(), false);
   for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -66,7 +66,7 @@ TEST_CASE("where no state rules anything out entries overlap exactly if their cl
     std::string text = "roots: [T0]\ngroups:\n";
     for (unsigned i = 0; i < size; ++i) {
       std::string needs, tasks;
-      for (unsigned j = round % 2 == 0 ? i + 1 : 0; j < size; ++j) { // every other one may have circles
+      for (unsigned j = round % 2 == 0 ? i + 1 : 0; j < size; ++j) { // every other one may have cycles
         if (i != j && random() % 9U == 0U) (random() % 2U == 0U ? needs : tasks) += fmt::format("T{}, ", j);
       }
       text += fmt::format("  T{}: {{needs: [{}], tasks: [{}]}}\n", i, needs, tasks);

@@ -33,7 +33,7 @@ struct Pushing : tests::Analysed {
 
 const std::string one_pose = "states: {Pose: {values: [moving, standing], initial: moving}}\n";
 
-TEST_CASE("whoever goes before a group may push there, whoever goes after it not") {
+TEST_CASE("a task that goes before a group may push there, one that goes after it not") {
   const std::string groups =
       "groups:\n  Kick: {when: [Pose == standing]}\n"
       "  Walk: {providers: [{name: walking, sets: [Pose]}, {name: halting, causing: [Pose == standing]}]}\n";

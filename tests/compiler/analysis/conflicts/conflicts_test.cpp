@@ -15,7 +15,7 @@ struct InConflict : tests::Analysed {
   Shared shared{model, graph, facts};
   Conflicts conflicts{model, graph, facts, shared};
 
-  /// `Step>Legs `, of tasks that are never granted.
+  /// `Step>Legs `, for tasks that are never granted.
   std::string refused() const {
     std::string out;
     for (const auto& [edge, places] : conflicts.grants().refused()) out += model.edge_name(edge) + " ";
@@ -26,7 +26,7 @@ struct InConflict : tests::Analysed {
     for (const auto& [id, lacking] : conflicts.grants().idle()) out += model.full_name(id) + " ";
     return out;
   }
-  /// `Plan: Step>Legs `: whose pack it is, and who loses below it.
+  /// `Plan: Step>Legs `: the owner of the pack, and the loser below it.
   std::string losers() const {
     std::string out;
     for (const Loser& loser : conflicts.losers())
@@ -65,7 +65,7 @@ TEST_CASE("an optional task starves beside a mandatory one that takes what it mu
   CHECK(found.losers().empty());
 }
 
-TEST_CASE("nobody starves beside a task that may have to wait, or that takes something else") {
+TEST_CASE("no task starves beside one that may have to wait, or that takes something else") {
   const std::string play = "roots: [Play]\ngroups:\n  Play: {packs: {go: {Walk: {}, Look: {optional: true}}}}\n"
                            "  Look: {needs: [Legs]}\n  Legs: {}\n";
   const InConflict waiting("states: {Door: {values: [shut, open], initial: shut, external: true}}\n" + play +

@@ -92,7 +92,7 @@ TEST_CASE("of two equals each is granted before anything below the other is trie
   CHECK(Taking("roots: [Plan]\ngroups:\n  Plan: {packs: {go: {Walk: {apart: true}, Legs: {}}}}\n  Walk: {tasks: "
                "[Legs]}\n  Legs: {}\n")
             .mates("Plan") == "Legs from Walk by Legs before steady below; ");
-  // Not what the earlier one needs itself.
+  // Without the needs of the earlier one.
   CHECK(Taking("roots: [Plan]\ngroups:\n  Plan: {packs: {go: {Walk: {apart: true}, Legs: {}}}}\n"
                "  Walk: {needs: [Legs], tasks: [Legs]}\n  Legs: {}\n")
             .mates("Plan")
@@ -106,7 +106,7 @@ TEST_CASE("members of one unit are granted before anything below them") {
           .mates("Plan") == "Legs from Walk by Legs in one unit steady below; ");
 }
 
-TEST_CASE("what somebody else may hold spoils it") {
+TEST_CASE("what another task may hold spoils it") {
   const std::string plan = "  Plan: {packs: {go: {Legs: {priority: 5, apart: true}, Walk: {apart: true}}}}\n"
                            "  Walk: {tasks: [Legs]}\n  Legs: {}\n";
   CHECK(Taking("roots: [Plan]\ngroups:\n" + plan).spoilers("Plan", "Legs", "Walk") == "");

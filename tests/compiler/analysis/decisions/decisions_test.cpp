@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is decided, and that it is true: tests/property/decisions_test.cpp. Here how much is looked at, and what the
-// values are kept in.
+// Tests how much is examined, and the containers of moments. That the decisions are true:
+// tests/property/decisions_test.cpp.
 #include "compiler/analysis/decisions/decisions.hpp"
 #include "compiler/analysis/decisions/few.hpp"
 #include "compiler/analysis/decisions/seen.hpp"

@@ -19,7 +19,7 @@ TEST_CASE("a search is granted what it wants until the budget is spent, and a li
   CHECK(budget.grant(10) == 10);
 }
 
-TEST_CASE("a question that is asked twice is open once") {
+TEST_CASE("a question that is left open twice counts once") {
   Budget budget;
   budget.leave_open({}, "whether it rains");
   budget.leave_open({}, "whether it snows");

@@ -27,7 +27,7 @@ TEST_CASE("conditions of a task and of its need that exclude each other leave no
   CHECK(found.excluded().empty());
 }
 
-TEST_CASE("one plan of several whose conditions fit is enough") {
+TEST_CASE("one plan of several with possible conditions is enough") {
   const InContext found(any_door +
                         "roots: [Enter]\ngroups:\n  Enter: {when: [Door == open], needs: [Hold]}\n"
                         "  Hold: {providers: [{name: firmly, needs: [Lock]}, {name: gently, when: [Door >= ajar]}]}\n"
@@ -43,7 +43,7 @@ TEST_CASE("what is requested under some values alone never begins under others")
   CHECK(found.excluded() == "Legs.back ");
 }
 
-TEST_CASE("a request stands while another provider of its group runs, and while `stay` holds") {
+TEST_CASE("a request remains while another provider of its group runs, and while `stay` holds") {
   const std::string step = "  Step: {providers: [{name: back, when: [Door == shut]}, {name: forth}]}\n";
   const InContext other(any_door +
                         "roots: [Enter]\ngroups:\n  Enter:\n    providers:\n"

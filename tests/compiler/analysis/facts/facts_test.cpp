@@ -98,7 +98,7 @@ groups:
   Late: {when: [B == v]}
 )";
 
-TEST_CASE("a chain of pushes is found from its far end, whoever has found a part of it before") {
+TEST_CASE("a chain of pushes is found from its far end, even if a part of it was found before") {
   const std::string second = "First: {priority: 1}, Second: {priority: 2}, ", late = "Late: {priority: 4}";
   const std::string both = "First.acting Second.acting ";
   CHECK(Found(ladder + "roots: {" + second + late + "}\n").pushed() == both);
@@ -108,11 +108,11 @@ TEST_CASE("a chain of pushes is found from its far end, whoever has found a part
   CHECK(found.active() == "First.idle First.acting Second.idle Second.acting Early Late ");
 }
 
-TEST_CASE("who goes before one link of a chain and not before the next pushes neither") {
+TEST_CASE("a task that goes before one link of a chain and not before the next pushes neither") {
   const Found alone(ladder + "roots: {First: {priority: 9}, Second: {priority: 1}, Late: {priority: 5}}\n");
   CHECK(alone.pushed() == "");
   CHECK(alone.active() == "First.idle Second.idle ");
-  // Somebody else may bring the first link about, and then the second one can be pushed.
+  // Another provider may cause the first link, and then the second one can be pushed.
   const Found helped(ladder + "roots: {First: {priority: 8}, Early: {priority: 9}, Second: {priority: 1}, "
                               "Late: {priority: 5}}\n");
   CHECK(helped.pushed() == "First.acting Second.acting ");

@@ -58,7 +58,7 @@ TEST_CASE("a provider behind one that needs no more is never what a task waits f
   CHECK_FALSE(waits.first("Kick.late"));
 }
 
-TEST_CASE("a choice by way of needs serves as well, if whoever has the groups has those of that choice") {
+TEST_CASE("a choice of other needs serves as well, if its groups are available with those of the first") {
   const std::string start = two_values + "roots: [Kick]\ngroups:\n  Kick: {needs: [Foot]}\n";
   CHECK_FALSE(
       Waits(start + "  Foot: {providers: [{name: left, when: [Pose == standing]}, {name: right}]}\n").task("Kick"));

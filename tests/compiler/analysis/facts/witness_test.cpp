@@ -35,7 +35,7 @@ std::string witness(const tests::Analysed& test, const Goal& goal) {
   return out;
 }
 
-TEST_CASE("what leads to a task is told from the roots on, each thing once") {
+TEST_CASE("the steps that lead to a task are listed from the roots on, each once") {
   const tests::Analysed test(witnessed);
   CHECK(witness(test, test.group("Kick")) == R"(6: the program may request `Play`
 13: `Play` may run

@@ -35,7 +35,7 @@ groups:
   Arm: {}
   Leg: {}
 )");
-  constexpr int unit = 2 * (2 + 3) + 2 * 3; // Left and Right: one by one, each for itself, and together
+  constexpr int unit = 2 * (2 + 3) + 2 * 3; // Left and Right: one by one, each by itself, and together
   CHECK(bounds.trials == unit);
   CHECK(bounds.trials_in_a_pass == 2 * 1 + (2 * unit + 2 * 2 + 2 * 3 + 2 * 1)); // the root; the unit, and each alone
   CHECK(bounds.repetitions == 2);                                               // Arm and Leg have two requesters
@@ -85,8 +85,8 @@ TEST_CASE("a handler that sets, and a state of a group, cause inputs of their ow
       bounds_of("states: {S: {values: [a], initial: a, of: A}}\nroots: [A]\ngroups: {A: {sets: [S]}}\n").handlers_set);
 }
 
-/// A member decided alone: all its choices twice, or four times where an equal may deny it something, a choice being a
-/// provider looked at and a plan found and left.
+/// A member decided alone: all its choices twice, or four times if an equal may deny it something; a choice is an
+/// examined provider and a plan that is found and left.
 constexpr std::int64_t alone(std::int64_t providers, std::int64_t plans, int scans = 1) {
   return scans * 2 * (providers + 2 * plans);
 }
@@ -121,8 +121,8 @@ groups:
   CHECK(bounds.work_in_a_pass == (1 + 2) * sweep);               // Arm and Leg
 }
 
-TEST_CASE("who waits for a condition searches all that may make it true, once more than there are conditions, and once "
-          "for nothing") {
+TEST_CASE("a task that waits for a condition searches all that may make it true, once more than there are conditions, "
+          "and once for nothing") {
   const Bounds bounds = bounds_of(R"(
 states: {Pose: {values: [a, b], initial: a}, Hat: {values: [off, on], initial: off}}
 roots: [A, B, C]
@@ -131,7 +131,8 @@ groups:
   B: {providers: [{name: one, when: [Hat == on], causing: [Pose == b]}, {name: two}]}
   C: {providers: [{name: one, causing: [Hat == on]}, {name: two}]}
 )");
-  constexpr std::int64_t hat = (1 + 2) * 1, pose = (2 + 2) * 2; // conditions and rounds, plans of those who cause them
+  constexpr std::int64_t hat = (1 + 2) * 1, pose = (2 + 2) * 2; // conditions and rounds, plans of their causing
+                                                                // providers
   CHECK(bounds.work_in_a_pass == 3 + 3 + alone(1, 1) + pose + alone(2, 2) + hat + alone(2, 2));
 }
 

@@ -35,8 +35,8 @@ TEST_CASE("plans are counted without those that use a group twice") {
   CHECK(find_plan(test.model, test.provider("Juggle"), budget) == PlanVerdict::found);
 }
 
-TEST_CASE("a search that takes too long says that it did not decide") {
-  // Twelve tasks that share eleven limbs: pigeons and holes, which no search of this kind finishes.
+TEST_CASE("a search that takes too long reports that it did not decide") {
+  // Twelve tasks that share eleven limbs: pigeons and holes, which no such search finishes.
   std::string text = head + "  All: {needs: [";
   for (int i = 0; i < 12; ++i) text += (i == 0 ? "T" : ", T") + std::to_string(i);
   text += "]}\n";

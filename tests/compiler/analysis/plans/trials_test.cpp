@@ -40,7 +40,7 @@ TEST_CASE("what is optional or apart is no member") {
                  "  C: " + ten) == 10);
 }
 
-TEST_CASE("more plans than are counted are said to be more") {
+TEST_CASE("more plans than are counted are reported as a lower bound") {
   const tests::Analysed test("roots: [A]\ngroups:\n  A: {needs: [B, C]}\n  B: " + ten + "  C: " + ten);
   Budget budget;
   Trials trials(test.model, 7, budget);

@@ -10,7 +10,7 @@ namespace {
 using namespace director;
 using namespace director::analysis;
 
-/// What no way of the group covers, one combination a line.
+/// The gaps of the group, one combination a line.
 std::string gaps_of(const char* group, const std::string& text, bool with_stay = true) {
   const tests::Analysed test(text);
   const Model& model = test.model;
@@ -47,7 +47,7 @@ TEST_CASE("a group runs only where its needs can be met") {
                               "[M]}]}\n  M: {when: [A > 4]}\n") == "while `A` is 0 to 4 or unset and `B` is 0\n");
 }
 
-TEST_CASE("of more gaps than can be listed one is told") {
+TEST_CASE("of more gaps than can be listed one is reported") {
   std::string text = "states:\n";
   for (int i = 0; i < 40; ++i) text += fmt::format("  S{}: {{range: [0, 1], initial: 0, external: true}}\n", i);
   text += "roots: [G]\ngroups:\n  G:\n    providers:\n";

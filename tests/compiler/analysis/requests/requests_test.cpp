@@ -19,7 +19,7 @@ struct Asked : tests::Analysed {
   }
 };
 
-TEST_CASE("a request stands where all those above it can run") {
+TEST_CASE("a request exists where all groups above it can run") {
   const Asked asked("states: {A: {range: [0, 9], initial: 0, external: true}}\nroots: [P]\ngroups:\n"
                     "  P: {when: [A > 2], stay: [A > 1], packs: {only: {Q: {}}}}\n"
                     "  Q: {when: [A < 8], packs: {only: {R: {}}}}\n  R: {}\n");
@@ -28,7 +28,7 @@ TEST_CASE("a request stands where all those above it can run") {
   CHECK(asked.values("R", "A") == ValueSet::interval(2, 7));
 }
 
-TEST_CASE("a request for what its requester needs stands only where that can run") {
+TEST_CASE("a request for a need of its requester exists only where that can run") {
   const Asked asked("states: {A: {range: [0, 9], initial: 0, external: true}}\nroots: [P]\ngroups:\n"
                     "  P: {providers: [{name: a, needs: [Q], packs: {only: {Q: {}}}}, {name: b}]}\n"
                     "  Q: {when: [A < 8]}\n");

@@ -53,7 +53,7 @@ TEST_CASE("several rivals must all be able to fail at once") {
                     "G.r"));
 }
 
-TEST_CASE("a rival whose needs somebody else may hold can fail") {
+TEST_CASE("a rival whose needs another group may hold can fail") {
   CHECK(comes_first(
       "roots: [G, H]\ngroups: {G: {providers: [{name: p, needs: [L]}, {name: q}]}, H: {tasks: [L]}, L: {}}\n", "G.q"));
   CHECK_FALSE(comes_first(

@@ -11,7 +11,7 @@ namespace {
 using namespace director;
 using namespace director::analysis;
 
-/// States S0, S1, ... with so many values each, every other one unset in the beginning.
+/// States S0, S1, ... with so many values each, every other one unset at first.
 std::string some_states(std::size_t count, std::size_t values) {
   std::string out = "states:\n";
   for (std::size_t i = 0; i < count; ++i)
@@ -32,7 +32,7 @@ struct Space {
     return find_covering(test.model, values, Box{}, regions, budget, opening);
   }
 
-  /// The same by looking at every place.
+  /// The same by testing every place.
   bool is_open(const std::vector<Region>& regions) const {
     std::vector<std::int64_t> place; // one above the highest value: unset
     for (const StateId id : test.model.states.ids()) place.push_back(test.model.states[id].low);
@@ -67,7 +67,7 @@ Region random_region(std::mt19937& random, std::uint32_t count, std::uint32_t va
   return out;
 }
 
-TEST_CASE("what is said to be covered, and what is open, is so at every place") {
+TEST_CASE("what is reported as covered, and what is open, is so at every place") {
   std::mt19937 random(1);
   int open = 0;
   for (int round = 0; round < 600; ++round) {

@@ -33,7 +33,7 @@ TEST_CASE("of many regions those that meet another one are found") {
   CHECK(index.meeting({}, 3) == Places{0, 1, 2});
 }
 
-TEST_CASE("the index finds what asking each region finds") {
+TEST_CASE("the index finds the same as a test of each region") {
   std::mt19937 random(1);
   const auto pick = [&](std::int64_t most) {
     return static_cast<std::int64_t>(random() % static_cast<unsigned>(most));

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A small behaviour with what every analysis is given of it, for tests.
+// A small behaviour with the input of every analysis, for tests.
 
 #include "compiler/analysis/chains/meetings.hpp"
 #include "compiler/analysis/facts/facts.hpp"
@@ -11,7 +11,7 @@
 
 namespace director::tests {
 
-/// `text` stands behind the two lines that every file has.
+/// `text` follows the two lines that every file has.
 struct Analysed {
   Compiled compiled;
   const compiler::Model& model = compiled.model;

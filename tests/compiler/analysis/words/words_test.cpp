@@ -10,7 +10,7 @@ namespace {
 using namespace director;
 using namespace director::analysis;
 
-TEST_CASE("lists are written as people write them") {
+TEST_CASE("lists are worded as in a sentence") {
   CHECK(list_of({}).empty());
   CHECK(list_of({"`a`"}) == "`a`");
   CHECK(list_of({"`a`", "`b`"}) == "`a` and `b`");
@@ -51,7 +51,7 @@ TEST_CASE("of many notes the first ones and the last one are kept, and how many 
   CHECK(notes[2].message == "four");
 }
 
-TEST_CASE("of many notes of a list the first ones are kept, and behind them stands how many more there are") {
+TEST_CASE("of many notes of a list the first ones are kept, and followed by the number of the rest") {
   std::vector<dsl::Note> notes{{{}, "one"}, {{}, "two"}, {{}, "three"}, {{}, "four"}};
   shorten_list(notes, 4);
   CHECK(notes.size() == 4);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Random orders of tests/compiler/stubs with the command as it is called: the real header, real files, the user's .clang-format.
-// A run takes a second, so there are few of them, and one step of each; more, and all steps:
-// DIRECTOR_COMMAND_ORDERS=500 DIRECTOR_ORDERS_FROM=2000. One that fails is told with as few of its steps as fail still.
+// Random orders of tests/compiler/stubs with the real command: the real header, real files, the user's .clang-format. A
+// run takes a second, so there are few of them, and one step of each; more, and all steps: DIRECTOR_COMMAND_ORDERS=500
+// DIRECTOR_ORDERS_FROM=2000. A failing one is printed with a minimal set of its steps.
 #include "compiler/stubs/merge.hpp"
 #include "tests/compiler/stubs/cheap_cpp.hpp"
 #include "tests/compiler/stubs/orders.hpp"
@@ -25,9 +25,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view of_orders = "/program/"; ///< where orders say that their files are
+constexpr std::string_view of_orders = "/program/"; ///< the folder of files in orders
 
-/// Nobody's, one that is far from what people write, and the usual.
+/// None, one that is far from usual, and the usual.
 std::string clang_format(unsigned number) {
   static const std::array<std::string, 3> all{"DisableFormat: true\n",
                                               "BasedOnStyle: WebKit\nSpaceBeforeParens: Always\nColumnLimit: 60\n",
@@ -35,7 +35,7 @@ std::string clang_format(unsigned number) {
   return all[number % all.size()];
 }
 
-/// Whether `text` can be had from `before` by putting something in.
+/// Whether `text` is `before` with insertions only.
 bool has_all_of(std::string_view text, std::string_view before) {
   std::size_t at = 0;
   for (std::size_t i = 0; i < text.size() && at < before.size(); ++i) at += text[i] == before[at] ? 1 : 0;
@@ -50,13 +50,13 @@ public:
     fs::create_directories(folder_ / "src");
     write(folder_ / ".clang-format", clang_format(number));
     write(folder_ / "compile_commands.json", "[]"); // not that of the build around it
-    // What orders call the type that a body returns, too.
+    // The name in orders for the type that a body returns.
     write(folder_ / "result.hpp", "#pragma once\nnamespace director { class Outcome; }\nusing Result = "
                                   "director::Outcome;\n");
   }
 
-  /// Writes the program, has stubs written, and says what is wrong. `closely`: looks whether a dry run writes nothing,
-  /// and the second time nothing is left to do.
+  /// Writes the program, runs stubs, and returns what is wrong. `closely`: checks that a dry run writes nothing, and
+  /// that a second run has nothing to do.
   std::string stubs_after(bool closely) {
     write(folder_ / "b.yaml", order.yaml() + "cpp: {headers: [result.hpp]}\n");
     for (const auto& [path, text] : order.texts()) write(on_disk(path), text);
@@ -103,7 +103,7 @@ private:
     return out;
   }
 
-  /// What is wrong with a program of the orders is that something is in the way, and nothing else.
+  /// The only fault of a program of the orders is a file at the place of a new one.
   static bool is_expected(const Said& said) {
     if (said.status == 0) return true;
     return said.status == 1 && said.text.find("nothing is written") == std::string::npos;
@@ -125,7 +125,7 @@ private:
   fs::path folder_;
 };
 
-/// What is wrong with these steps of an order, and the program then.
+/// The fault of these steps of an order, and the program then.
 std::string fault_of(unsigned number, const std::vector<int>& steps, const fs::path& root, std::size_t& changed) {
   Program program(number, root);
   std::string before, fault;

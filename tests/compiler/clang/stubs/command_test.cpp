@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `directorc stubs` on programs as people write them, with director-clang and the real generated header.
+// `directorc stubs` on realistic programs, with director-clang and the real generated header.
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
@@ -83,7 +83,7 @@ std::string braking(const std::string& head, const std::string& indent = "", con
 
 } // namespace
 
-TEST_CASE("the headers of the runtime are found from where directorc lies, in a build tree too") {
+TEST_CASE("the headers of the runtime are found relative to directorc, in a build tree too") {
   const Workshop work;
   CHECK(work.stubs("", "") == "new: src/wheels.hpp\nnew: src/wheels.cpp\n");
   CHECK(work.stubs("--check", "") == "");
@@ -181,7 +181,7 @@ TEST_CASE("what is only declared is defined in the source beside it, which may b
   CHECK(shop.stubs() == "");
 }
 
-TEST_CASE("classes made by macros are seen, and what cannot be added is said") {
+TEST_CASE("classes made by macros are found, and what cannot be added is reported") {
   const Workshop shop;
   shop.write("src/wheels.hpp",
              "#pragma once\n#include \"cart.hpp\"\n#define STOP void stop(cart::Drive::Stop&) override {}\n"
@@ -207,7 +207,7 @@ TEST_CASE("a base class of the user's counts, and only the last class gets what 
   CHECK(shop.text("src/wheels.hpp") == expected);
 }
 
-TEST_CASE("what two mixins of one module have together, the class that joins them has, wherever it stands") {
+TEST_CASE("what two mixins of one module have together, the class that joins them has, wherever it is") {
   const Workshop shop;
   shop.write("src/parts.hpp",
              "#pragma once\n#include \"cart.hpp\"\nstruct Rolls : virtual cart::Wheels {\n"
@@ -225,7 +225,7 @@ TEST_CASE("what two mixins of one module have together, the class that joins the
   CHECK(shop.stubs("--check").empty());
 }
 
-TEST_CASE("a template whose base is a parameter has bodies of whatever module it is put upon") {
+TEST_CASE("a template whose base is a parameter has bodies of every module that it is derived from") {
   const Workshop shop;
   shop.write("src/wheels.hpp",
              "#pragma once\n#include \"cart.hpp\"\ntemplate <class I> struct WithBrakes : I {\n"
@@ -236,7 +236,7 @@ TEST_CASE("a template whose base is a parameter has bodies of whatever module it
   CHECK(shop.stubs("--check").empty());
 }
 
-TEST_CASE("a template with a body whose provider is gone is still a base of those that are put together with it") {
+TEST_CASE("a template with a body whose provider is gone is still a base of classes derived from it") {
   const Workshop shop;
   shop.write("src/wheels.hpp",
              "#pragma once\n#include \"cart.hpp\"\ntemplate <class I> struct WithBrakes : I {\n"
@@ -249,7 +249,7 @@ TEST_CASE("a template with a body whose provider is gone is still a base of thos
                                  "left over: cart has no such provider or handler\n");
 }
 
-TEST_CASE("a comment that is not true any more is told by --check, and stays") {
+TEST_CASE("an outdated comment is reported by --check, and not changed") {
   const Workshop shop;
   shop.stubs();
   const std::string source = shop.text("src/wheels.cpp");
@@ -287,7 +287,7 @@ TEST_CASE("what nothing requests is reported with its place and stays") {
   CHECK(shop.text("src/wheels.cpp") == source);
 }
 
-TEST_CASE("C++ that cannot be read is told, and nothing is written") {
+TEST_CASE("C++ that cannot be read is reported, and nothing is written") {
   const Workshop shop;
   const std::string broken =
       "#include \"cart.hpp\"\nstruct Wheels : cart::Wheels {\n  void stop(cart::Drive::Stop&) override {\n};\n";
@@ -302,13 +302,13 @@ TEST_CASE("C++ that cannot be read is told, and nothing is written") {
                         "directorc: this C++ cannot be read, so nothing is written\nstatus 1\n");
 }
 
-TEST_CASE("where an #include is missing, that is told, and what stands there is not added again") {
+TEST_CASE("a missing #include is reported, and what is there is not added again") {
   const Workshop shop;
   shop.stubs();
   const std::string header = shop.text("src/wheels.hpp"), source = shop.text("src/wheels.cpp");
   const std::string refusal = "directorc: this C++ cannot be read, so nothing is written\nstatus 1\n";
 
-  // Of the class: whatever the file is called.
+  // Of the class, whatever the name of the file.
   for (const std::string file : {"src/wheels.cpp", "src/bodies.cpp"}) {
     fs::remove(shop.folder() + "/src/wheels.cpp");
     shop.write(file, source.substr(source.find('\n') + 1));
@@ -316,7 +316,7 @@ TEST_CASE("where an #include is missing, that is told, and what stands there is 
                               ":5:19: error: `cart` is not declared here: an `#include` is missing\n" + refusal);
     fs::remove(shop.folder() + "/" + file);
   }
-  // Of the behaviour: where the class is called otherwise than its first files would be.
+  // Of the behaviour, if the class has another name than its first files would have.
   std::string other = header;
   other.erase(other.find("#include \"cart.hpp\"\n"), 20);
   fs::remove(shop.folder() + "/src/wheels.hpp");
@@ -324,7 +324,7 @@ TEST_CASE("where an #include is missing, that is told, and what stands there is 
   CHECK(shop.stubs() == "src/robot.hpp:5:29: error: `cart` is not declared here: an `#include` is missing\n" + refusal);
   CHECK(!fs::exists(shop.folder() + "/src/wheels.hpp"));
 
-  // What stands in a namespace that is known, and a behaviour that has changed: only the first is a fault.
+  // A name in a known namespace, and one of a changed behaviour: only the first is a fault.
   shop.write("src/robot.hpp", "#pragma once\n#include \"cart.hpp\"\nnamespace my { struct Wheels : cart::Wheels {\n  " +
                                   decl_stop + "\n  " + decl_rolling + "\n  " + decl_braking +
                                   "\n  void start(cart::Steer::Start&);\n}; }\n");
@@ -334,7 +334,8 @@ TEST_CASE("where an #include is missing, that is told, and what stands there is 
         "src/robot.cpp:3:10: error: `Wheels` is not declared here: an `#include` is missing\n" + refusal);
 }
 
-TEST_CASE("flags that Clang does not know are left out, and a build's folder without compile_commands.json is told") {
+TEST_CASE(
+    "flags that Clang does not know are left out, and a build's folder without compile_commands.json is reported") {
   const Workshop shop;
   shop.write("src/wheels.cpp", "#include \"cart.hpp\"\nstruct Wheels : cart::Wheels {\n  " + decl_stop + "\n};\n");
   const std::string entry = R"("directory": ")" + shop.folder() + R"(", "file": "src/wheels.cpp", "command": )";
@@ -346,7 +347,7 @@ TEST_CASE("flags that Clang does not know are left out, and a build's folder wit
         "-D CMAKE_EXPORT_COMPILE_COMMANDS=ON\nstatus 2\n");
 }
 
-TEST_CASE("bodies are the user's affair, and a file that is in the way is not touched") {
+TEST_CASE("the content of bodies is ignored, and a file at the place of a new one is not changed") {
   const Workshop shop;
   shop.write("src/wheels.hpp", "#pragma once\n");
   shop.write("src/x.cpp", "#include \"cart.hpp\"\nvoid f() { cart::Gone{1}( ; }\n");
@@ -371,7 +372,7 @@ TEST_CASE("a dry run prints a diff that can be applied") {
   }
 }
 
-TEST_CASE("the user's .clang-format lays out what is written, and nothing else") {
+TEST_CASE("the user's .clang-format formats what is written, and nothing else") {
   const Workshop shop;
   shop.write(".clang-format", "BasedOnStyle: WebKit\nIndentWidth: 3\nSpaceBeforeParens: Always\n");
   const std::string header =
@@ -391,7 +392,7 @@ TEST_CASE("the user's .clang-format lays out what is written, and nothing else")
   CHECK(shop.text("src/wheels.hpp") == header);
 }
 
-TEST_CASE("without director-clang the first files are written, and later it says what it needs") {
+TEST_CASE("without director-clang the first files are written, and later it reports what it needs") {
   const Workshop shop;
   ::setenv("DIRECTOR_CLANG", "/nowhere/director-clang", 1);
   CHECK(shop.stubs() == "new: src/wheels.hpp\nnew: src/wheels.cpp\n");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The 2,000 orders of tests/compiler/stubs with director-clang itself, against a small header that says the same as the
-// generated one. All go on step by step together, so that it is started once for each step. Other orders and more of
-// them: DIRECTOR_ORDERS=10000 DIRECTOR_ORDERS_FROM=2000. One that fails is told with as few of its steps as fail still.
+// The 2,000 orders of tests/compiler/stubs with director-clang itself, with a small header equivalent to the generated
+// one. All run in parallel step by step, so that it is started once for each step. Other orders and more of them:
+// DIRECTOR_ORDERS=10000 DIRECTOR_ORDERS_FROM=2000. A failing one is printed with a minimal set of its steps.
 #include "compiler/cli/console.hpp"
 #include "compiler/stubs/merge.hpp"
 #include "compiler/stubs/scan.hpp"
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view of_orders = "/program/"; ///< where orders say that their files are
+constexpr std::string_view of_orders = "/program/"; ///< the folder of files in orders
 
 /// An order, with its files on the disk, since texts may be in any encoding.
 class Program {
@@ -45,7 +45,7 @@ public:
       for (const auto& [path, text] : order.texts()) {
         if (is_header(path) != headers) continue;
         write(path, text);
-        // For a machine without anything, which is read fastest.
+        // For a machine without an operating system, which is read fastest.
         out.units.push_back({on_disk(path),
                              root_.string(),
                              {"-std=c++20", "-undef", "-nostdinc", "--target=x86_64-none-elf", "-x", "c++"},
@@ -114,7 +114,7 @@ struct Counts {
   std::size_t inserted = 0, read = 0, asked = 0;
 };
 
-/// One step of one order; says what is wrong.
+/// Runs one step of one order; returns what is wrong.
 std::string step(Program& program, const Json& answer, bool is_last, Counts& counts) {
   Order& order = program.order;
   const Found found = program.found(answer);
@@ -137,7 +137,7 @@ std::string step(Program& program, const Json& answer, bool is_last, Counts& cou
   return out;
 }
 
-/// These steps of an order alone, to their end or to what is wrong; `tale` gets all that happens.
+/// Runs these steps of an order alone, to their end or to a fault; `tale` gets all that happens.
 bool fails(unsigned number, const std::vector<int>& steps, const fs::path& root, std::string& tale) {
   fs::remove_all(root / "again");
   Program program(number, root / "again");
@@ -164,7 +164,7 @@ std::string told(unsigned number, const fs::path& root) {
 
 } // namespace
 
-TEST_CASE("Clang reads the orders as the cheap stand-in does, the user's bytes stay, and what is inserted it finds") {
+TEST_CASE("Clang reads the orders like the cheap stand-in, the user's bytes remain, and insertions are found") {
   const auto count = from_environment<unsigned>("DIRECTOR_ORDERS", is_long() ? 2000 : 700);
   const auto first = from_environment<unsigned>("DIRECTOR_ORDERS_FROM", 0);
   std::cout << "orders " << first << " to " << first + count - 1 << std::endl;

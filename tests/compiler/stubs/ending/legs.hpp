@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The module that the generated main program of this behaviour makes; it says what is called.
+// The module that the generated main program of this behaviour instantiates; it prints its calls.
 
 #include "ending.hpp"
 
@@ -10,7 +10,7 @@ class Legs final : public ending::Legs {
 public:
   director::Outcome provide(ending::Walk::Default& run) override {
     std::puts("walks");
-    std::fflush(stdout); // who waits for it ends the program
+    std::fflush(stdout); // the test that waits for it ends the program
     return run.keep();
   }
   void stop(ending::Walk::Stop&) override { std::puts("stops"); }

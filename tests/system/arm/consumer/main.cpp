@@ -1,4 +1,4 @@
-// A program for a computer and for a Cortex-M3 without an operating system: what it says must be the same.
+// A program for a computer and for a Cortex-M3 without an operating system: both must print the same.
 #include "ferry.hpp"
 #include "say.hpp"
 

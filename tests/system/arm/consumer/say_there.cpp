@@ -1,4 +1,4 @@
-// With what the board support offers, here that of tests/system/arm/target.
+// Uses the board support, here that of tests/system/arm/target.
 #include "say.hpp"
 #include "tests/system/arm/target/board.hpp"
 

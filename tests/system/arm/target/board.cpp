@@ -1,8 +1,8 @@
 // Header: tests/system/arm/target/board.hpp. Test: tests/system/arm/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
-// Start-up of a Cortex-M: the vector table, memory as the language expects it, main. What is not used of the stack
-// keeps the pattern that it is filled with. Semihosting: "Semihosting for AArch32 and AArch64", Arm.
+// Start-up of a Cortex-M: the vector table, memory as the language expects it, main. Unused stack keeps the pattern
+// that it is filled with. Semihosting: "Semihosting for AArch32 and AArch64", Arm.
 #include "tests/system/arm/target/board.hpp"
 
 #include <cstdint>

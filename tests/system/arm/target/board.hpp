@@ -1,7 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What the programs of this folder need of the board: a way to say something and to end, by semihosting, and how deep
-// the stack was.
+// What the programs of this folder need of the board: output and exit, by semihosting, and the depth of the stack.
 
 #include <cstddef>
 

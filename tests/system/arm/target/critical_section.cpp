@@ -1,8 +1,8 @@
 // Header: what the compiler calls for std::atomic. Test: tests/system/arm/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
-// A Cortex-M0 has no compare-and-swap, so the compiler calls functions of these names for what the inbox does. There is
-// one core, so what no interrupt comes between is atomic: each is a short critical section. Loads and stores need none.
+// A Cortex-M0 has no compare-and-swap, so the compiler calls functions of these names for the inbox. There is one core,
+// so whatever no interrupt can interrupt is atomic: each is a short critical section. Loads and stores need none.
 #include <cstdint>
 
 namespace {
@@ -29,7 +29,7 @@ std::uint32_t change(volatile void* place, Change to) {
 
 } // namespace
 
-// The names are the compiler's own, so they are given behind its back.
+// The names are reserved for the compiler, so they are given as assembler names.
 extern "C" {
 bool compare_exchange(volatile void* place, void* expected, std::uint32_t desired, bool weak, int success,
                       int failure) asm("__atomic_compare_exchange_4");

@@ -1,7 +1,7 @@
 // Header: tests/system/arm/target/board.hpp. Test: tests/system/arm/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
-// Plays all plans that fit into the board's memory. Lines that begin with `#` tell of the program and not of a
+// Plays all plans that fit into the board's memory. Lines that begin with `#` are about the program and not about a
 // scenario.
 #include "tests/system/arm/target/player.hpp"
 #include "tests/system/arm/target/text.hpp"

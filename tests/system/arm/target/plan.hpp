@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A scenario as constants: what tests/system/arm/write_plans.cpp writes from a scenario file, and what the player of
-// the target plays. The rows of a plan lie in tables of its own; a Range is of the table that its comment names.
+// A scenario as constants: tests/system/arm/write_plans.cpp writes it from a scenario file, and the player of the
+// target plays it. The rows of a plan are in tables of its own; a Range is of the table that its comment names.
 
 #include "runtime/core/base/tables.hpp"
 #include "runtime/core/base/words.hpp"
@@ -16,7 +16,7 @@ using director::Index;
 using director::nil;
 using director::Range;
 
-/// What the rows are called.
+/// The names of the rows.
 struct Names {
   const char* (*group)(Index);
   const char* (*provider)(Index);
@@ -42,11 +42,11 @@ struct Asked {
 enum class Use : std::uint8_t { running, queued, none, done, failed };
 
 struct Guard {
-  Index edge = nil; ///< nil: nobody of the group asks for it, so it reads `none`
+  Index edge = nil; ///< nil: no provider of the group requests it, so it reads `none`
   Use use = Use::none;
 };
 
-/// One way in which a body or handler behaves: the first whose guards hold.
+/// One case of a body or handler: the first whose guards hold applies.
 struct Case {
   enum class Answer : std::uint8_t { pack, done, failed, keep, refused };
   std::uint8_t reason = 0; ///< a director::Reason; 0: any
@@ -61,7 +61,7 @@ struct Case {
   director::Time wait = 0;
 };
 
-/// Either time that passes, or inputs that come together.
+/// Either time that passes, or inputs at one time.
 struct Step {
   director::Time advance = 0;
   Range inputs{}; ///< inputs; their handle is the data

@@ -23,7 +23,7 @@ using director::Time;
 
 constexpr std::uint32_t budget = 10'000;
 
-/// Hands out memory in order. Without memory it only counts.
+/// Allocates memory in order. Without memory it only counts.
 class Arena {
 public:
   explicit Arena(std::byte* memory) : memory_(memory) {}
@@ -67,7 +67,7 @@ struct Memory {
 
 class Player {
 public:
-  /// `room`: for what is saved of the engine between two steps.
+  /// `room`: for the saved state of the engine between two steps.
   Player(const Plan& plan, const Memory& memory, std::span<std::byte> room)
       : plan_(plan),
         t_(plan.tables),
@@ -111,7 +111,7 @@ private:
     return out;
   }
 
-  /// The engine forgets everything, and goes on from what was saved of it: no line of the trace is another.
+  /// Resets the engine, and continues from its saved state: the trace must not change.
   void begin_again() {
     constexpr std::uint64_t fingerprint = 1;
     const Time until = engine_.memory().counters->until;

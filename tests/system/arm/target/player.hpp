@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Plays a plan and prints what happens, in the words of `directorc simulate --decisions`.
+// Plays a plan and prints the events in the form of `directorc simulate --decisions`.
 
 #include "tests/system/arm/target/plan.hpp"
 
@@ -11,8 +11,8 @@ namespace target {
 
 struct Used {
   std::size_t state = 0;  ///< bytes of the engine's memory
-  std::size_t memory = 0; ///< with the inbox and what the script needs; more than there is: it was not played
-  bool saved = false;     ///< there was room to save the engine between steps, and to go on from that
+  std::size_t memory = 0; ///< with the inbox and what the script needs; above the available memory: it was not played
+  bool saved = false;     ///< there was enough memory to save the engine between steps, and to continue from that
 };
 
 /// `memory` is aligned to 8.

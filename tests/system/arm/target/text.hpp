@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A line of text that is put together in place, without heap.
+// A line of text that is built in place, without heap.
 
 #include "tests/system/arm/target/board.hpp"
 

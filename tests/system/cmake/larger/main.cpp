@@ -1,4 +1,4 @@
-#include "lighthouse.hpp" // what a library generates, its users see
+#include "lighthouse.hpp" // users see what a library generates
 #include "watch.hpp"
 
 #include <cstdio>

@@ -1,4 +1,4 @@
 #pragma once
 
-/// Steps two behaviours. How many events they told of.
+/// Steps two behaviours. Returns the number of their events.
 int watch();

@@ -1,10 +1,10 @@
-// Header: tests/docs/told.hpp. Test: tests/docs/told_test.cpp.
+// Header: tests/docs/expected_page.hpp. Test: tests/docs/expected_page_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "tests/docs/told.hpp"
+#include "tests/docs/expected_page.hpp"
 
-#include "tests/support/command.hpp"
 #include "tests/docs/comment.hpp"
 #include "tests/docs/shortened.hpp"
+#include "tests/support/command.hpp"
 #include "tests/support/golden.hpp"
 
 #include <algorithm>
@@ -23,12 +23,12 @@ Lines without_common_indent(Lines lines) {
 
 void write(const std::filesystem::path& file, const std::string& text) { std::ofstream(file) << text; }
 
-class Teller {
+class BlockTexts {
 public:
-  Teller(const std::string& path, std::vector<std::string>& faults) : path_(path), faults_(faults) {}
+  BlockTexts(const std::string& path, std::vector<std::string>& faults) : path_(path), faults_(faults) {}
 
-  /// `block` as it should be; `checked` is the one before, if `findings` tell of it.
-  Lines tell(const Block& block, const Block* checked, bool has_findings) {
+  /// `block` as it should be; `checked` is the one before, if `findings` are those of it.
+  Lines expected_block(const Block& block, const Block* checked, bool has_findings) {
     block_ = &block;
     comment_ = read_comment(block.comment);
     const std::string& word = comment_.word;
@@ -97,7 +97,7 @@ private:
     return lines.empty() ? fault("there is no command, a line that begins with $") : shortened(lines, block_->lines);
   }
 
-  /// A script at the root says what it does in lines `step '...'`; what it prints between them comes from programs.
+  /// A script at the root prints its actions in lines `step '...'`; the output between them comes from programs.
   Lines script() {
     static const std::map<std::string, std::map<std::string, std::string>> programs{
         {"./start",
@@ -151,16 +151,16 @@ private:
 
 } // namespace
 
-Told told(const std::string& path, const Markdown& page) {
-  Told result;
-  Teller teller(path, result.faults);
+ExpectedPage expected_page(const std::string& path, const Markdown& page) {
+  ExpectedPage result;
+  BlockTexts texts(path, result.faults);
   std::vector<Lines> blocks;
   for (std::size_t i = 0; i < page.blocks.size(); ++i) {
     const auto is = [&](std::size_t at, const char* word) {
       return at < page.blocks.size() && read_comment(page.blocks[at].comment).word == word;
     };
     const Block* before = i > 0 && is(i - 1, "check") ? &page.blocks[i - 1] : nullptr;
-    blocks.push_back(teller.tell(page.blocks[i], before, is(i + 1, "findings")));
+    blocks.push_back(texts.expected_block(page.blocks[i], before, is(i + 1, "findings")));
   }
   result.text = with_blocks(page, blocks);
   return result;

@@ -1,6 +1,6 @@
-// Header: compiler/analysis/conflicts/circles.hpp. Test: compiler/checks/task_cycle.md.
+// Header: compiler/analysis/conflicts/task_cycles.hpp. Test: compiler/checks/task_cycle.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/analysis/conflicts/circles.hpp"
+#include "compiler/analysis/conflicts/task_cycles.hpp"
 
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/graph/algorithms.hpp"
@@ -12,7 +12,7 @@ namespace director::analysis {
 namespace {
 
 /// `path` begins and ends with the same group.
-Circle circle_of(const Shared& shared, std::vector<Node> path) {
+TaskCycle cycle_of(const Shared& shared, std::vector<Node> path) {
   const auto begins_right = [&] {
     return shared.chains().always_below(GroupId{path[path.size() - 2]}, GroupId{path.front()});
   };
@@ -23,15 +23,15 @@ Circle circle_of(const Shared& shared, std::vector<Node> path) {
     path.push_back(path.front());
     is_known = begins_right();
   }
-  Circle out{{}, is_known};
+  TaskCycle out{{}, is_known};
   for (const Node node : path) out.groups.push_back(GroupId{node});
   return out;
 }
 
 } // namespace
 
-std::vector<Circle> find_circles(const Model& model, const Shared& shared) {
-  std::vector<Circle> out, loops;
+std::vector<TaskCycle> find_task_cycles(const Model& model, const Shared& shared) {
+  std::vector<TaskCycle> out, loops;
   Arrows mandatory(model.groups.size());
   for (const Edge& edge : model.edges) {
     if (!edge.requester || edge.levels.empty()) continue;
@@ -41,7 +41,7 @@ std::vector<Circle> find_circles(const Model& model, const Shared& shared) {
       mandatory[edge.requester->value].push_back(edge.target.value);
   }
   for (const std::vector<Node>& nodes : cycles(mandatory))
-    out.push_back(circle_of(shared, shortest_path(mandatory, nodes[0], nodes[0])));
+    out.push_back(cycle_of(shared, shortest_path(mandatory, nodes[0], nodes[0])));
   out.insert(out.end(), loops.begin(), loops.end());
   return out;
 }

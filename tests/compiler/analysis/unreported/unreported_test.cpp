@@ -14,7 +14,7 @@ using namespace director;
 
 struct RuledOut {
   std::set<std::string> ids; ///< of findings that rule something out
-  std::string of_one;        ///< what those with one id do, as it is written; what never happens together in brackets
+  std::string of_one;        ///< those of one id, as written; what never happens together in brackets
 };
 
 RuledOut ruled_out(const std::string& id, const tests::CheckedText& checked) {
@@ -45,7 +45,7 @@ std::string ruled_out(const std::string& id, const std::string& text) {
   return ruled_out(id, tests::check_text(text, with_every_lint())).of_one;
 }
 
-/// What the page of the check shows that is told.
+/// What the findings of the specimens on a check's page rule out.
 RuledOut ruled_out(const std::string& id, const tests::Specimen& specimen) {
   dsl::MemoryFiles files;
   for (const auto& [path, text] : specimen.files) files.add(path, text);
@@ -102,7 +102,7 @@ const std::vector<std::pair<std::string, std::string>> rows_of_pages{
     {"unpushable_causing", "Stability == standing Stability == standing"},
 };
 
-TEST_CASE("each finding says what it rules out: nothing else needs to be told of that") {
+TEST_CASE("each finding rules out what it reports: nothing else reports that again") {
   for (const Row& row : rows) {
     INFO(row.id);
     CHECK(ruled_out(row.id, row.text) == row.out);
@@ -130,15 +130,15 @@ TEST_CASE("of no other check a finding rules anything out, on any page") {
   CHECK(found == listed);
 }
 
-TEST_CASE("a finding that says of nothing that it never happens rules nothing out") {
+TEST_CASE("a finding that does not report that something never happens rules nothing out") {
   CHECK(ruled_out("unused_need", "roots: [A]\ngroups: {A: {needs: [B]}, B: {}}\n").empty());
   CHECK(ruled_out("uncovered_state", "states: {S: {values: [a, b], external: true}}\nroots: [A]\n"
                                      "groups: {A: {when: [S == a]}}\n")
             .empty());
 }
 
-/// H alone makes S what G waits for, G takes what H needs, and with H goes what it set.
-TEST_CASE("a group that is granted and never runs is told of") {
+/// H alone makes S what G waits for, G takes what H needs, and without H its value of S is lost.
+TEST_CASE("a group that is granted and never runs is reported") {
   const tests::CheckedText checked = tests::check_text(R"(states: {S: {values: [a, b], initial: b, of: H}}
 roots: {G: {priority: 2}, H: {priority: 1}}
 groups:

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A way through the exploration told in steps and a script: what the bodies did becomes the script, timers become time
-// that passes.
+// Converts a way through the exploration into steps and a script: the bodies' answers become the script, timers become
+// time that passes.
 
 #include "compiler/explore/scenario_words.hpp"
 
@@ -12,20 +12,20 @@
 
 namespace director::compiler {
 
-class Retelling {
+class ScenarioDraft {
 public:
   using Words = std::vector<std::string>;
   using Cases = std::vector<Words>;
 
-  explicit Retelling(const Ground& ground) : g_(ground), m_(ground.model), words_(ground) {}
+  explicit ScenarioDraft(const Ground& ground) : g_(ground), m_(ground.model), words_(ground) {}
 
-  /// Once. False: it cannot be told.
-  bool tell(const std::vector<Taken>& way);
+  /// Converts the way; call it once. False: it cannot be expressed.
+  bool fill(const std::vector<Taken>& way);
 
-  /// What they do behind the way, whenever they are called.
+  /// Adds what bodies do after the way, at each call.
   void repeat(const std::vector<Taken>& round);
 
-  /// A provider that the way says nothing about only goes on. True if that is new.
+  /// A provider that is not on the way only continues. True if that is new.
   bool quieten(const std::string& name) { return script_.try_emplace(name, Cases{{"continue: true"}}).second; }
 
   const std::vector<std::string>& lines() const { return lines_; }
@@ -47,7 +47,7 @@ private:
   const Ground& g_;
   const Model& m_;
   ScenarioWords words_;
-  std::map<std::string, Cases> script_; ///< by whom it is about
+  std::map<std::string, Cases> script_; ///< by provider or handler
   std::map<std::string, int> counts_;
   std::set<std::string> repeated_;
   std::vector<Words> steps_;

@@ -1,11 +1,11 @@
-// Header: compiler/checks/tell_decisions.hpp. Test: tests/compiler/checks/pages_test.cpp.
+// Header: compiler/checks/report_decisions.hpp. Test: tests/compiler/checks/pages_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/checks/tell_decisions.hpp"
+#include "compiler/checks/report_decisions.hpp"
 
 #include "compiler/analysis/decisions/decisions.hpp"
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/shared/shared.hpp"
-#include "compiler/analysis/untold/untold.hpp"
+#include "compiler/analysis/unreported/unreported.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 
@@ -18,7 +18,7 @@ namespace director::checks {
 
 namespace {
 
-/// Where nothing was decided all may happen.
+/// Of components that were not decided all may happen.
 Happening happening_of(const Model& model, const Decisions& decisions) {
   Happening out{decisions.runs, decisions.requested, decisions.granted, &decisions.whole, {}};
   for (const ProviderId id : model.providers.ids()) {
@@ -44,15 +44,18 @@ Happening happening_of(const Model& model, const Decisions& decisions) {
   return out;
 }
 
-class Telling {
+class Reporter {
 public:
-  Telling(const Input& input, const Decisions& decisions) : input_(input), model_(input.model), decisions_(decisions) {}
+  Reporter(const Input& input, const Decisions& decisions)
+      : input_(input),
+        model_(input.model),
+        decisions_(decisions) {}
 
-  std::vector<dsl::Diagnostic> run(const Untold& untold) {
-    for (const PackOf& pack : untold.packs) tell(pack);
-    for (const GroupId group : untold.groups) tell(group, untold.told);
-    for (const EdgeId edge : untold.tasks) tell(edge);
-    for (const ProviderId id : untold.providers) tell(id);
+  std::vector<dsl::Diagnostic> run(const Unreported& unreported) {
+    for (const PackOf& pack : unreported.packs) report(pack);
+    for (const GroupId group : unreported.groups) report(group, unreported.reported);
+    for (const EdgeId edge : unreported.tasks) report(edge);
+    for (const ProviderId id : unreported.providers) report(id);
     return std::move(out_);
   }
 
@@ -75,15 +78,15 @@ private:
     return requester ? name_of(model_, *requester) : "the program";
   }
 
-  /// None of its providers ever runs.
-  void tell(GroupId id, const IdSet<EdgeId>& told) {
+  /// Reports that none of the group's providers ever runs.
+  void report(GroupId id, const IdSet<EdgeId>& reported) {
     bool granted = false;
     for (const EdgeId edge : model_.groups[id].requesters) {
       if (!decisions_.requested.contains(edge)) continue;
       if (decisions_.granted.contains(edge))
         granted = true;
-      else if (!told.contains(edge))
-        tell(edge);
+      else if (!reported.contains(edge))
+        report(edge);
     }
     if (!granted || !decided(id)) return;
     for (const ProviderId provider : model_.groups[id].providers) {
@@ -96,7 +99,7 @@ private:
     }
   }
 
-  void tell(ProviderId id) {
+  void report(ProviderId id) {
     const Provider& provider = model_.providers[id];
     if (!decided(provider.group) || !input_.facts.active.contains(id)) return;
     const Kept& kept = decisions_.passed_over[id];
@@ -119,7 +122,7 @@ private:
                        : fmt::format("leave {} something before the others, or leave it out", name);
   }
 
-  void tell(EdgeId id) {
+  void report(EdgeId id) {
     const Edge& edge = model_.edges[id];
     const std::vector<const Task*> entries = entries_of(model_, id);
     if (entries.empty() || !decided(edge.target) || !may_run(edge.target)) return;
@@ -143,7 +146,7 @@ private:
     finding.help = fmt::format("request {} where it can have that, or leave it out", name);
   }
 
-  void tell(const PackOf& at) {
+  void report(const PackOf& at) {
     if (!decided(model_.providers[at.first].group) || !input_.facts.active.contains(at.first)) return;
     const Pack& pack = model_.providers[at.first].packs[at.second];
     const std::vector<EdgeId> members = members_of(model_, at.first, at.second);
@@ -191,7 +194,8 @@ private:
     }
   }
 
-  /// What is held, at the need for it; what does not hold, at the condition. `begin`: whose they may be.
+  /// Adds a note for what is held, at the need for it, and for what does not hold, at the condition. `begin`: their
+  /// possible owners.
   void add_notes(const Kept& kept, dsl::Span otherwise, const std::vector<ProviderId>& begin,
                  dsl::Diagnostic& finding) const {
     const std::vector<ProviderId> all = with_needs(begin);
@@ -223,7 +227,7 @@ private:
     shorten_list(finding.notes);
   }
 
-  /// And those that their needs may come down to.
+  /// Adds the providers that their needs may lead to.
   std::vector<ProviderId> with_needs(std::vector<ProviderId> all) const {
     std::set<ProviderId> seen(all.begin(), all.end());
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -245,9 +249,9 @@ private:
 
 } // namespace
 
-std::vector<dsl::Diagnostic> tell_decisions(const Input& input, const std::vector<dsl::Diagnostic>& told) {
+std::vector<dsl::Diagnostic> report_decisions(const Input& input, const std::vector<dsl::Diagnostic>& findings) {
   const Decisions& decisions = input.shared.decisions();
-  return Telling(input, decisions).run(find_untold(input.model, happening_of(input.model, decisions), told));
+  return Reporter(input, decisions).run(find_unreported(input.model, happening_of(input.model, decisions), findings));
 }
 
 } // namespace director::checks

@@ -1,6 +1,6 @@
-// Header: compiler/explore/retelling.hpp. Test: tests/compiler/explore/verdict_test.cpp.
+// Header: compiler/explore/scenario_draft.hpp. Test: tests/compiler/explore/verdict_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/explore/retelling.hpp"
+#include "compiler/explore/scenario_draft.hpp"
 
 #include "dsl/duration.hpp"
 
@@ -10,11 +10,11 @@ namespace director::compiler {
 
 namespace {
 
-constexpr Time tick = 1'000; ///< between a wait and what it is asked for, in microseconds
+constexpr Time tick = 1'000; ///< between a wait and its due time, in microseconds
 
 } // namespace
 
-bool Retelling::tell(const std::vector<Taken>& way) {
+bool ScenarioDraft::fill(const std::vector<Taken>& way) {
   last_run_.resize(g_.tables.groups.size());
   last_set_.resize(g_.tables.states.size(), 0);
   for (const Taken& taken : way) {
@@ -24,7 +24,7 @@ bool Retelling::tell(const std::vector<Taken>& way) {
   return true;
 }
 
-void Retelling::repeat(const std::vector<Taken>& round) {
+void ScenarioDraft::repeat(const std::vector<Taken>& round) {
   for (const Taken& taken : round) {
     for (const Deed& deed : taken.deeds) {
       const auto [name, words] = words_.effects(deed);
@@ -33,18 +33,18 @@ void Retelling::repeat(const std::vector<Taken>& round) {
   }
 }
 
-void Retelling::begin_step(const Taken& taken) {
+void ScenarioDraft::begin_step(const Taken& taken) {
   if (taken.before == Phase::rest) steps_.emplace_back();
 }
 
-bool Retelling::advance(Time by) {
+bool ScenarioDraft::advance(Time by) {
   if (by <= 0) return false;
   steps_.push_back({"advance: " + dsl::time_text(by)});
   now_ += by;
   return true;
 }
 
-bool Retelling::input(const Taken& taken) {
+bool ScenarioDraft::input(const Taken& taken) {
   using Kind = Happens::Kind;
   const Index row = taken.happens.row;
   switch (taken.happens.kind) {
@@ -88,7 +88,7 @@ bool Retelling::input(const Taken& taken) {
   return true;
 }
 
-void Retelling::act(const Deed& deed) {
+void ScenarioDraft::act(const Deed& deed) {
   auto [name, words] = words_.effects(deed);
   words.insert(words.begin(), fmt::format("run: {}", ++counts_[name]));
   for (const Put& put : words_.puts_of(deed)) last_set_[put.state] = now_;

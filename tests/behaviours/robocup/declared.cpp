@@ -1,6 +1,6 @@
-// Header: tests/behaviours/robocup/told.hpp. Test: tests/behaviours/robocup/robocup_test.cpp.
+// Header: tests/behaviours/robocup/declared.hpp. Test: tests/behaviours/robocup/robocup_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "tests/behaviours/robocup/told.hpp"
+#include "tests/behaviours/robocup/declared.hpp"
 
 #include "dsl/read_behaviour.hpp"
 #include "dsl/render.hpp"
@@ -146,7 +146,7 @@ void read_roles(const std::filesystem::path& folder, TeamGraph& graph) {
 
 } // namespace
 
-TeamGraph read_told(const std::filesystem::path& folder) {
+TeamGraph read_declared(const std::filesystem::path& folder) {
   TeamGraph graph;
   read_modules(folder / "modules", graph);
   read_roles(folder, graph);

@@ -1,6 +1,6 @@
-// Header: compiler/emit/graph/asks.hpp. Test: tests/compiler/emit/picture_test.cpp.
+// Header: compiler/emit/graph/group_arrows.hpp. Test: tests/compiler/emit/picture_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/emit/graph/asks.hpp"
+#include "compiler/emit/graph/group_arrows.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 using ArrowKind = PictureArrow::Kind;
 
-/// Beside one another, without what is empty or there already.
+/// Joins texts without empty ones and duplicates.
 void join(std::string& all, const std::string& more, std::string_view between) {
   if (more.empty() || all == more || all.starts_with(more + std::string(between)) ||
       all.find(std::string(between) + more + std::string(between)) != std::string::npos ||
@@ -32,14 +32,14 @@ std::string manner_words(const Manner& manner) {
   return out;
 }
 
-/// What one provider wants of one group.
+/// What one provider requests or needs of one group.
 struct Wanted {
   bool need = false;
-  struct Ask {
+  struct Request {
     std::size_t pack = 0;
     Manner manner;
   };
-  std::vector<Ask> asks;
+  std::vector<Request> requests;
   Span span{};
 };
 
@@ -48,9 +48,9 @@ std::size_t row_of(const Model& model, ProviderId id) {
   return static_cast<std::size_t>(std::find(all.begin(), all.end(), id) - all.begin());
 }
 
-class Asks {
+class RequestArrows {
 public:
-  Asks(const Model& model, Detail detail) : model_(model), detail_(detail) {}
+  RequestArrows(const Model& model, Detail detail) : model_(model), detail_(detail) {}
 
   void add_group(GroupId id, std::vector<GroupArrow>& out) {
     const Group& group = model_.groups[id];
@@ -76,13 +76,13 @@ private:
     for (std::size_t i = 0; i < provider.packs.size(); ++i) {
       for (const Task& task : provider.packs[i].tasks) {
         Wanted& wanted = out[task.target];
-        if (wanted.asks.empty()) wanted.span = task.span;
-        wanted.asks.push_back({i, manner_of(model_, task, numbers_)});
+        if (wanted.requests.empty()) wanted.span = task.span;
+        wanted.requests.push_back({i, manner_of(model_, task, numbers_)});
       }
     }
     for (const Use<GroupId>& need : provider.needs) {
       Wanted& wanted = out[need.id];
-      if (wanted.asks.empty()) wanted.span = need.span;
+      if (wanted.requests.empty()) wanted.span = need.span;
       wanted.need = true;
     }
     return out;
@@ -93,7 +93,7 @@ private:
     out.from = from;
     out.to = to;
     out.row = row;
-    out.kind = wanted.asks.empty() ? ArrowKind::need : wanted.need ? ArrowKind::both : ArrowKind::task;
+    out.kind = wanted.requests.empty() ? ArrowKind::need : wanted.need ? ArrowKind::both : ArrowKind::task;
     out.span = wanted.span;
     return out;
   }
@@ -101,9 +101,9 @@ private:
   std::string words(const GroupArrow& arrow, const Pack* pack, const Manner& manner) const {
     const ProviderId provider = model_.groups[arrow.from].providers[*arrow.row];
     const std::string& to = model_.groups[arrow.to].name.value;
-    const std::string who = asker(model_, provider, pack);
-    if (arrow.kind == ArrowKind::need) return fmt::format("{} needs {}", who, to);
-    return fmt::format("{} {} {}{}", who, arrow.kind == ArrowKind::both ? "needs and requests" : "requests", to,
+    const std::string requester = requester_name(model_, provider, pack);
+    if (arrow.kind == ArrowKind::need) return fmt::format("{} needs {}", requester, to);
+    return fmt::format("{} {} {}{}", requester, arrow.kind == ArrowKind::both ? "needs and requests" : "requests", to,
                        manner_words(manner));
   }
 
@@ -111,36 +111,39 @@ private:
     const Provider& provider = model_.providers[model_.groups[from].providers[row]];
     GroupArrow all = arrow(from, to, row, wanted);
     const bool choice = provider.packs.size() > 1;
-    const auto like_first = [&](const Wanted::Ask& ask) { return ask.manner == wanted.asks.front().manner; };
-    const bool same = std::all_of(wanted.asks.begin(), wanted.asks.end(), like_first);
-    const bool whole = !choice || wanted.need || (same && wanted.asks.size() == provider.packs.size());
+    const auto like_first = [&](const Wanted::Request& request) {
+      return request.manner == wanted.requests.front().manner;
+    };
+    const bool same = std::all_of(wanted.requests.begin(), wanted.requests.end(), like_first);
+    const bool whole = !choice || wanted.need || (same && wanted.requests.size() == provider.packs.size());
     if (detail_ == Detail::packs && !whole) {
-      for (const Wanted::Ask& ask : wanted.asks) {
+      for (const Wanted::Request& request : wanted.requests) {
         GroupArrow of_pack = all;
-        of_pack.pack = ask.pack;
-        of_pack.label = ask.manner.text;
-        of_pack.optional = ask.manner.optional;
-        of_pack.apart = ask.manner.apart;
-        of_pack.words = words(of_pack, &provider.packs[ask.pack], ask.manner);
+        of_pack.pack = request.pack;
+        of_pack.label = request.manner.text;
+        of_pack.optional = request.manner.optional;
+        of_pack.apart = request.manner.apart;
+        of_pack.words = words(of_pack, &provider.packs[request.pack], request.manner);
         out.push_back(of_pack);
       }
       return;
     }
     const auto every = [&](bool Manner::*flag) {
-      return !wanted.asks.empty() && std::all_of(wanted.asks.begin(), wanted.asks.end(),
-                                                 [&](const Wanted::Ask& ask) { return ask.manner.*flag; });
+      return !wanted.requests.empty() &&
+             std::all_of(wanted.requests.begin(), wanted.requests.end(),
+                         [&](const Wanted::Request& request) { return request.manner.*flag; });
     };
     all.optional = every(&Manner::optional);
     all.apart = every(&Manner::apart);
-    for (const Wanted::Ask& ask : wanted.asks) {
-      join(all.label, ask.manner.text, ", ");
-      join(all.words, words(all, choice ? &provider.packs[ask.pack] : nullptr, ask.manner), "\n");
+    for (const Wanted::Request& request : wanted.requests) {
+      join(all.label, request.manner.text, ", ");
+      join(all.words, words(all, choice ? &provider.packs[request.pack] : nullptr, request.manner), "\n");
     }
-    if (wanted.asks.empty()) all.words = words(all, nullptr, {});
+    if (wanted.requests.empty()) all.words = words(all, nullptr, {});
     out.push_back(all);
   }
 
-  /// One arrow from the group where all its providers have the same, or where nobody wants to know who has it.
+  /// Merges arrows into one from the group, if all its providers have the same, or if details are not wanted.
   void merge(std::vector<GroupArrow>& arrows, std::size_t rows) const {
     const GroupArrow& first = arrows.front();
     const auto like_first = [&](const GroupArrow& other) {
@@ -163,7 +166,7 @@ private:
 
   const Model& model_;
   Detail detail_;
-  bool numbers_ = false; ///< of the group at hand: priorities are told
+  bool numbers_ = false; ///< of the current group: priorities are shown
 };
 
 } // namespace
@@ -176,7 +179,7 @@ bool has_priorities(const Model& model, const std::vector<Task>& tasks) {
   });
 }
 
-std::string asker(const Model& model, ProviderId provider, const Pack* pack) {
+std::string requester_name(const Model& model, ProviderId provider, const Pack* pack) {
   const std::string name = model.full_name(provider);
   return pack == nullptr || pack->name.empty() ? name : fmt::format("{}, pack {},", name, pack->name);
 }
@@ -200,10 +203,10 @@ Manner manner_of(const Model& model, const Task& task, bool numbers) {
   return out;
 }
 
-std::vector<GroupArrow> find_asks(const Model& model, Detail detail) {
+std::vector<GroupArrow> find_requests(const Model& model, Detail detail) {
   std::vector<GroupArrow> out;
-  Asks asks(model, detail);
-  for (const GroupId id : model.groups.ids()) asks.add_group(id, out);
+  RequestArrows requests(model, detail);
+  for (const GroupId id : model.groups.ids()) requests.add_group(id, out);
   return out;
 }
 
@@ -218,7 +221,7 @@ std::vector<GroupArrow> find_pushes(const Model& model, const Graph& graph) {
     if (fresh) {
       arrow = {waits, pushed, row, {}, ArrowKind::push, false, false, {}, {}, causing.condition.span, {}};
     } else if (arrow.row != row) {
-      arrow.row.reset(); // several providers may be asked
+      arrow.row.reset(); // several providers may request it
     }
     const std::string& condition = model.conditions[causing.condition.id].text;
     join(arrow.label, condition, "\n");
@@ -279,7 +282,7 @@ std::vector<GroupArrow> pushes_of(const Model& model, const Moment& moment) {
 
 std::vector<GroupArrow> pushes_of(const Model& model, const Moment& moment, const std::vector<Moment>& frames) {
   const auto key = [](const GroupArrow& push) { return std::tuple(push.from, push.to, push.row, push.label); };
-  std::map<decltype(key({})), GroupArrow> all; // in one order, whatever is shown
+  std::map<decltype(key({})), GroupArrow> all; // in the same order, whatever is shown
   for (const Moment& frame : frames) {
     for (GroupArrow& push : pushes_of(model, frame)) {
       push.hidden = true;
@@ -292,7 +295,7 @@ std::vector<GroupArrow> pushes_of(const Model& model, const Moment& moment, cons
   return out;
 }
 
-void mark_asks(const Model& model, const Moment& moment, std::vector<GroupArrow>& arrows) {
+void mark_requests(const Model& model, const Moment& moment, std::vector<GroupArrow>& arrows) {
   std::map<std::pair<GroupId, GroupId>, EdgeId> edges;
   for (const EdgeId id : model.edges.ids()) {
     const Edge& edge = model.edges[id];
@@ -301,8 +304,8 @@ void mark_asks(const Model& model, const Moment& moment, std::vector<GroupArrow>
   for (GroupArrow& arrow : arrows) {
     const auto edge = edges.find({arrow.from, arrow.to});
     const std::optional<ProviderId>& active = moment.groups[arrow.from.value].active;
-    const bool asks = active && (!arrow.row || row_of(model, *active) == *arrow.row) && edge != edges.end();
-    arrow.mark = asks ? moment.edges[edge->second.value] : Moment::Mark::inactive;
+    const bool requests = active && (!arrow.row || row_of(model, *active) == *arrow.row) && edge != edges.end();
+    arrow.mark = requests ? moment.edges[edge->second.value] : Moment::Mark::inactive;
   }
 }
 

@@ -1,6 +1,6 @@
-// Header: compiler/analysis/untold/untold.hpp. Test: tests/compiler/analysis/untold/untold_test.cpp.
+// Header: compiler/analysis/unreported/unreported.hpp. Test: tests/compiler/analysis/unreported/unreported_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/analysis/untold/untold.hpp"
+#include "compiler/analysis/unreported/unreported.hpp"
 
 #include "compiler/analysis/states/sources.hpp"
 
@@ -12,21 +12,21 @@ namespace {
 
 using dsl::Diagnostic;
 
-class UntoldSearch {
+class UnreportedSearch {
 public:
-  UntoldSearch(const Model& model, const Happening& happening, const std::vector<Diagnostic>& told)
+  UnreportedSearch(const Model& model, const Happening& happening, const std::vector<Diagnostic>& findings)
       : model_(model),
         happening_(happening),
         sources_(find_sources(model)) {
-    out_.told = IdSet<EdgeId>(model.edges.size());
+    out_.reported = IdSet<EdgeId>(model.edges.size());
     find_members();
-    for (const Diagnostic& finding : told) {
-      told_.insert(finding.rules_out.begin(), finding.rules_out.end());
-      told_in_packs_.insert(finding.rules_out_together.begin(), finding.rules_out_together.end());
+    for (const Diagnostic& finding : findings) {
+      reported_.insert(finding.rules_out.begin(), finding.rules_out.end());
+      reported_in_packs_.insert(finding.rules_out_together.begin(), finding.rules_out_together.end());
     }
   }
 
-  Untold run() {
+  Unreported run() {
     if (happening_.whole != nullptr) find_packs();
     for (const GroupId group : model_.groups.ids()) look_at(group);
     return std::move(out_);
@@ -47,17 +47,18 @@ private:
     }
   }
 
-  /// None of their members is told of.
+  /// Packs without a reported member that are never granted whole.
   void find_packs() {
     for (const ProviderId id : model_.providers.ids()) {
       const std::vector<Pack>& packs = model_.providers[id].packs;
       for (std::size_t i = 0; happening_.runs.contains(id) && i < packs.size(); ++i) {
         const std::vector<EdgeId> members = members_of(model_, id, i);
         if (members.empty() || happening_.whole->count({id, i}) != 0) continue;
-        if (std::any_of(packs[i].tasks.begin(), packs[i].tasks.end(),
-                        [&](const Task& task) { return is_told(task.span) || told_in_packs_.count(task.span) != 0; }))
+        if (std::any_of(packs[i].tasks.begin(), packs[i].tasks.end(), [&](const Task& task) {
+              return is_reported(task.span) || reported_in_packs_.count(task.span) != 0;
+            }))
           continue;
-        // What keeps them from it may have a finding of its own.
+        // What prevents them may have a finding of its own.
         const auto blamed = happening_.to_blame.find({id, i});
         const bool has_blame = blamed != happening_.to_blame.end() && !happening_.granted.contains(blamed->second);
         if (!has_blame) out_.packs.emplace_back(id, i);
@@ -72,7 +73,7 @@ private:
     const Group& group = model_.groups[id];
     const std::vector<ProviderId>& all = group.providers;
     const auto runs = [&](ProviderId each) { return happening_.runs.contains(each); };
-    // What nobody ever asks for hangs on whoever would.
+    // A group that is never requested is explained by its requesters.
     std::vector<EdgeId> requested, refused;
     for (const EdgeId edge : group.requesters) {
       if (!happening_.requested.contains(edge)) continue;
@@ -81,64 +82,64 @@ private:
     }
     if (requested.empty()) return;
     if (std::none_of(all.begin(), all.end(), runs)) {
-      const bool silent = is_told(group.name.span) || all_refused_are_told(requested) ||
+      const bool silent = is_reported(group.name.span) || all_refused_are_reported(requested) ||
                           std::all_of(all.begin(), all.end(), [&](ProviderId each) { return is_silent(each); });
       if (silent) return;
       out_.groups.push_back(id);
       for (const EdgeId edge : requested) {
-        if (is_told(edge)) out_.told.add(edge);
+        if (is_reported(edge)) out_.reported.add(edge);
       }
       return;
     }
     for (const EdgeId edge : refused) {
-      if (!is_told(edge)) out_.tasks.push_back(edge);
+      if (!is_reported(edge)) out_.tasks.push_back(edge);
     }
     for (const ProviderId each : all) {
       if (!runs(each) && !is_silent(each)) out_.providers.push_back(each);
     }
   }
 
-  bool all_refused_are_told(const std::vector<EdgeId>& requested) const {
-    return std::all_of(requested.begin(), requested.end(), [&](EdgeId edge) { return is_told(edge); });
+  bool all_refused_are_reported(const std::vector<EdgeId>& requested) const {
+    return std::all_of(requested.begin(), requested.end(), [&](EdgeId edge) { return is_reported(edge); });
   }
 
-  bool is_told(dsl::Span span) const { return told_.count(span) != 0; }
+  bool is_reported(dsl::Span span) const { return reported_.count(span) != 0; }
 
-  bool is_told(EdgeId edge) const {
+  bool is_reported(EdgeId edge) const {
     const std::vector<const Task*> all = entries_of(model_, edge);
     return in_packs_.count(edge) != 0 ||
-           std::any_of(all.begin(), all.end(), [&](const Task* task) { return is_told(task->span); }) ||
+           std::any_of(all.begin(), all.end(), [&](const Task* task) { return is_reported(task->span); }) ||
            (!all.empty() && std::all_of(all.begin(), all.end(), [&](const Task* task) { return is_in_vain(*task); }));
   }
 
-  /// Of a pack that a finding says is never granted whole, or one member of it never.
+  /// Whether a finding reports that its pack, or one member of it, is never granted.
   bool is_in_vain(const Task& task) const {
     const auto members = whole_only_.find(task.span);
     if (members == whole_only_.end()) return false;
-    return told_in_packs_.count(task.span) != 0 ||
-           std::any_of(members->second.begin(), members->second.end(), [&](dsl::Span span) { return is_told(span); });
+    return reported_in_packs_.count(task.span) != 0 || std::any_of(members->second.begin(), members->second.end(),
+                                                                   [&](dsl::Span span) { return is_reported(span); });
   }
 
-  /// Another finding speaks of it, or of all that could serve a need of it, or it waits for what only others that never
-  /// run could bring about.
+  /// Whether another finding is about it, or about all that could serve a need of it, or it waits for what only others
+  /// that never run could cause.
   bool is_silent(ProviderId id) {
-    const auto [at, is_new] = silent_.emplace(id, false); // so it is while it is looked at, in a circle
+    const auto [at, is_new] = silent_.emplace(id, false); // the value while it is computed, in a cycle
     if (is_new) at->second = finds_silent(id);
     return at->second;
   }
   bool finds_silent(ProviderId id) {
     if (happening_.runs.contains(id)) return false;
     const Provider& provider = model_.providers[id];
-    const auto any_told = [&](const std::vector<ConditionUse>& uses) {
-      return std::any_of(uses.begin(), uses.end(), [&](const ConditionUse& use) { return is_told(use.span); });
+    const auto any_reported = [&](const std::vector<ConditionUse>& uses) {
+      return std::any_of(uses.begin(), uses.end(), [&](const ConditionUse& use) { return is_reported(use.span); });
     };
     const auto none_left = [&](const Use<GroupId>& use) {
       const Group& group = model_.groups[use.id];
       const std::vector<ProviderId>& all = group.providers;
-      return is_told(use.span) || is_told(group.name.span) ||
+      return is_reported(use.span) || is_reported(group.name.span) ||
              std::all_of(all.begin(), all.end(), [&](ProviderId each) { return is_silent(each); });
     };
-    return is_told(provider.span) || any_told(provider.when) || any_told(provider.causing) ||
+    return is_reported(provider.span) || any_reported(provider.when) || any_reported(provider.causing) ||
            std::any_of(provider.when.begin(), provider.when.end(),
                        [&](const ConditionUse& use) { return never_came(use.id); }) ||
            std::any_of(provider.needs.begin(), provider.needs.end(), none_left);
@@ -162,13 +163,13 @@ private:
   const Model& model_;
   const Happening& happening_;
   IdTable<StateId, std::vector<Source>> sources_;
-  std::set<dsl::Span> told_;
-  std::set<dsl::Span> told_in_packs_; ///< entries that are never granted together
+  std::set<dsl::Span> reported_;
+  std::set<dsl::Span> reported_in_packs_; ///< entries that are never granted together
   /// Entries that are granted only together with others, and all of these.
   std::map<dsl::Span, std::vector<dsl::Span>> whole_only_;
   std::set<EdgeId> in_packs_; ///< members of packs that are never granted whole
   std::map<ProviderId, bool> silent_;
-  Untold out_;
+  Unreported out_;
 };
 
 } // namespace
@@ -201,8 +202,8 @@ std::vector<const Task*> entries_of(const Model& model, EdgeId edge) {
   return out;
 }
 
-Untold find_untold(const Model& model, const Happening& happening, const std::vector<Diagnostic>& told) {
-  return UntoldSearch(model, happening, told).run();
+Unreported find_unreported(const Model& model, const Happening& happening, const std::vector<Diagnostic>& findings) {
+  return UnreportedSearch(model, happening, findings).run();
 }
 
 } // namespace director::analysis

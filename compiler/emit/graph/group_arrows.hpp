@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Who asks for whom, as arrows between groups, before anybody says which groups share a box.
+// Requests, needs, pushes and take-overs as arrows between groups, before groups are assigned to boxes.
 
 #include "compiler/emit/graph/picture.hpp"
 
@@ -16,7 +16,7 @@ struct GroupArrow {
   PictureArrow::Kind kind = PictureArrow::Kind::task;
   bool optional = false, apart = false;
   std::string label;
-  std::string words; ///< who does what, for people
+  std::string words; ///< the tooltip
   Span span{};       ///< where it is declared first
   std::optional<Moment::Mark> mark;
   bool hidden = false; ///< at this moment; another frame shows it
@@ -26,12 +26,12 @@ struct GroupArrow {
 enum class Detail : bool { groups, packs };
 
 /// Requests and needs, by group and target.
-std::vector<GroupArrow> find_asks(const Model& model, Detail detail);
+std::vector<GroupArrow> find_requests(const Model& model, Detail detail);
 
-/// One for each two groups of which one may push the other.
+/// An arrow for each two groups of which one may push the other.
 std::vector<GroupArrow> find_pushes(const Model& model, const Graph& graph);
 
-/// One for each two groups of which one may take something from the other.
+/// An arrow for each two groups of which one may take something from the other.
 std::vector<GroupArrow> find_takes(const Model& model, const std::vector<TakeOver>& take_overs);
 
 /// The pushes of a moment, and no others.
@@ -39,11 +39,10 @@ std::vector<GroupArrow> pushes_of(const Model& model, const Moment& moment);
 /// The pushes of all frames, each once; those of other moments are hidden.
 std::vector<GroupArrow> pushes_of(const Model& model, const Moment& moment, const std::vector<Moment>& frames);
 
-/// What runs, waits or is not asked for at that moment.
-void mark_asks(const Model& model, const Moment& moment, std::vector<GroupArrow>& arrows);
+/// Marks what runs, waits or is not requested at that moment.
+void mark_requests(const Model& model, const Moment& moment, std::vector<GroupArrow>& arrows);
 
-/// How something is asked for: `20`, `normal 10, urgent 80`. Empty where all that its requester asks for has the same
-/// priority 0.
+/// The levels of a request: `20`, `normal 10, urgent 80`. Empty if all requests of its requester have the priority 0.
 struct Manner {
   std::string text;
   bool optional = false, apart = false; ///< at each level
@@ -51,10 +50,10 @@ struct Manner {
 };
 Manner manner_of(const Model& model, const Task& task, bool numbers);
 
-/// Some of these has a priority other than 0.
+/// Whether some of these has a priority other than 0.
 bool has_priorities(const Model& model, const std::vector<Task>& tasks);
 
 /// `Walk.halting`, `Kick`, `Striker.ready, pack go`.
-std::string asker(const Model& model, ProviderId provider, const Pack* pack);
+std::string requester_name(const Model& model, ProviderId provider, const Pack* pack);
 
 } // namespace director::compiler

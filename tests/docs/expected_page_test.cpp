@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "tests/support/command.hpp"
 #include "tests/docs/comment.hpp"
-#include "tests/docs/told.hpp"
+#include "tests/docs/expected_page.hpp"
+#include "tests/support/command.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -9,7 +9,7 @@ using namespace director::tests;
 
 namespace {
 
-Told tell(const std::string& text) { return told("page.md", read_markdown(text)); }
+ExpectedPage expected(const std::string& text) { return expected_page("page.md", read_markdown(text)); }
 
 std::string page(const std::string& comment, const std::string& block) {
   return (comment.empty() ? "" : "<!-- " + comment + " -->\n") + "```\n" + block + "```\n";
@@ -17,14 +17,14 @@ std::string page(const std::string& comment, const std::string& block) {
 
 /// A page with one block that is as it should be.
 void stays(const std::string& comment, const std::string& block) {
-  const Told result = tell(page(comment, block));
+  const ExpectedPage result = expected(page(comment, block));
   CHECK(result.text == page(comment, block));
   CHECK(result.faults == std::vector<std::string>{});
 }
 
 } // namespace
 
-TEST_CASE("a comment has a word, options and an argument") {
+TEST_CASE("a comment has a kind, options and an argument") {
   const Comment comment = read_comment("file, from \"a: b, c\", exit 1: some: thing\nmore\nlines");
   CHECK(comment.word == "file");
   CHECK(comment.options == std::map<std::string, std::string>{{"from", "a: b, c"}, {"exit", "1"}});
@@ -33,7 +33,7 @@ TEST_CASE("a comment has a word, options and an argument") {
   CHECK(read_comment("not run: because").word == "not run");
 }
 
-TEST_CASE("a command runs in its folder and tells how it ends") {
+TEST_CASE("a command runs in its folder and its exit status is compared") {
   const TemporaryFolder folder;
   const Ran ran = run_command("pwd && echo wrong >&2 && exit 3", folder.path());
   CHECK(ran.status == 3);
@@ -47,7 +47,7 @@ TEST_CASE("a block may be a file or a part of it") {
                                                          "what it printed, and its errors, as they come\n};\n");
   stays("file, from \"int status\", before \"};\": " + file,
         "int status = 0;\nstd::string output; ///< what it printed, and its errors, as they come\n");
-  CHECK(tell(page("file, to \"once\": " + file, "something\n")).text ==
+  CHECK(expected(page("file, to \"once\": " + file, "something\n")).text ==
         page("file, to \"once\": " + file, "#pragma once\n"));
 }
 
@@ -56,17 +56,17 @@ TEST_CASE("a block may be what a command prints") {
   stays("run, exit 4: echo no && exit 4", "no\n");
   stays("session", "$ echo one\none\n$ printf '1\\n2\\n3\\n'\n…\n3\n");
   stays("session, in \"tests/docs\"", "$ ls told.hpp\ntold.hpp\n");
-  CHECK(tell(page("run: echo b", "a\n")).text == page("run: echo b", "b\n"));
+  CHECK(expected(page("run: echo b", "a\n")).text == page("run: echo b", "b\n"));
 }
 
-TEST_CASE("a block may be left alone, if it says why") { stays("not run: there is no robot here", "./walk\n"); }
+TEST_CASE("a block may be left alone, if it has a reason") { stays("not run: there is no robot here", "./walk\n"); }
 
 TEST_CASE("what cannot be found out is a fault, at its place") {
   const auto fault = [](const std::string& comment, const std::string& block = "") {
-    return tell("words\n" + page(comment, block)).faults;
+    return expected("words\n" + page(comment, block)).faults;
   };
   const auto is = [](const std::string& what) { return std::vector{"page.md:3: " + what}; };
-  CHECK(tell(page("", "x\n")).faults ==
+  CHECK(expected(page("", "x\n")).faults ==
         std::vector<std::string>{"page.md:1: no comment says where this block comes from"});
   CHECK(fault("wrong: x") == is("nobody knows the comment `wrong`"));
   CHECK(fault("not run") == is("say why it is not run"));
