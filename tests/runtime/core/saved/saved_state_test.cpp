@@ -118,7 +118,7 @@ TEST_CASE("a number of a row that does not exist, or is not allowed there, is re
         impossible); // two of one place
   CHECK(saved.with_group("Clock", [](GroupRow& row) { row.pending = 32; }) == impossible);
   CHECK(saved.with_group("Clock", [](GroupRow& row) { row.done = 2; }) == impossible);
-  CHECK(saved.with_group("Clock", [](GroupRow& row) { row.counts = 2; }) == impossible);
+  CHECK(saved.with_group("Clock", [](GroupRow& row) { row.stale_matters = 2; }) == impossible);
   CHECK(saved.with_group("Clock", [](GroupRow& row) { row.data_from = 0; }) == impossible);
   CHECK(saved.with_group("Clock", [](GroupRow& row) { row.promised = {0, 0}; }) == impossible);
   CHECK(saved.with_group("Lift", [](GroupRow& row) { row.promised.edge = nil; }) == impossible);
