@@ -201,11 +201,11 @@ private:
       const Scan answer = scanner_.ask(
           "facts", Json::object({{"units", std::move(units)}, {"namespace", Json::text(checked_.model.name_space)}}));
       if (!answer) return fail(answer.error().message);
-      const std::vector<Json>& units = answer.value()["units"].items();
-      if (units.size() != missing.size()) return fail("director-clang left out some files");
+      const std::vector<Json>& scanned = answer.value()["units"].items();
+      if (scanned.size() != missing.size()) return fail("director-clang left out some files");
       for (std::size_t i = 0; i < missing.size(); ++i) {
-        cache_.keep(questions[missing[i]], units[i]);
-        answers[missing[i]] = units[i];
+        cache_.keep(questions[missing[i]], scanned[i]);
+        answers[missing[i]] = scanned[i];
       }
     }
     for (std::size_t i = 0; i < wanted.size(); ++i) {

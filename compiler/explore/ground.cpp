@@ -142,13 +142,13 @@ private:
       auto all =
           places.size() <= most_subsets_of || provider.has_packs ? product(places, most_combinations) : std::nullopt;
       few_tasks_ = few_tasks_ || !all;
-      for (RequestedPack& pack : all ? *all : few(places)) {
+      for (RequestedPack& requested : all ? *all : few(places)) {
         const auto is_requested = [&](Index edge) {
-          return std::any_of(pack.begin(), pack.end(),
+          return std::any_of(requested.begin(), requested.end(),
                              [&](const RequestedLevel& request) { return request.edge == edge; });
         };
         if (!std::all_of(required.begin(), required.end(), is_requested)) continue;
-        out.packs.push_back(std::move(pack));
+        out.packs.push_back(std::move(requested));
       }
     }
     if (provider.packs.empty()) out.packs.emplace_back();

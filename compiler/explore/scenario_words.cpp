@@ -74,7 +74,7 @@ std::string ScenarioWords::request_entry(const std::vector<Task>& tasks, const R
   return words.empty() ? name : fmt::format("{}: {{{}}}", name, fmt::join(words, ", "));
 }
 
-void ScenarioWords::answer(const Provider& row, const RequestedPack& pack, bool kept,
+void ScenarioWords::answer(const Provider& row, const RequestedPack& requests, bool kept,
                            std::vector<std::string>& words) const {
   if (row.packs.empty()) return;
   const Pack* pack = &row.packs.front();
@@ -82,8 +82,8 @@ void ScenarioWords::answer(const Provider& row, const RequestedPack& pack, bool 
   if (row.has_packs) {
     for (const Pack& each : row.packs) {
       const bool same =
-          each.tasks.size() == pack.size() &&
-          std::equal(pack.begin(), pack.end(), each.tasks.begin(),
+          each.tasks.size() == requests.size() &&
+          std::equal(requests.begin(), requests.end(), each.tasks.begin(),
                      [&](const RequestedLevel& request, const Task& task) {
                        const Index level = request.level - g_.tables.edges[request.edge].levels.begin;
                        return request.edge == task.edge.value &&
@@ -94,14 +94,14 @@ void ScenarioWords::answer(const Provider& row, const RequestedPack& pack, bool 
       if (same) break;
     }
     words.push_back("pack: " + pack->name);
-    for (const RequestedLevel& request : pack) {
+    for (const RequestedLevel& request : requests) {
       const std::string word = request_entry(pack->tasks, request, kept);
       if (word.find(':') != std::string::npos) entries.push_back(word);
     }
     if (!entries.empty()) words.push_back(fmt::format("with: [{}]", fmt::join(entries, ", ")));
     return;
   }
-  for (const RequestedLevel& request : pack) entries.push_back(request_entry(pack->tasks, request, kept));
+  for (const RequestedLevel& request : requests) entries.push_back(request_entry(pack->tasks, request, kept));
   words.push_back(fmt::format("tasks: [{}]", fmt::join(entries, ", ")));
 }
 

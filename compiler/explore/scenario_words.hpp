@@ -29,7 +29,7 @@ public:
 private:
   /// With the level's name, unless it is the first of the entry.
   std::string request_entry(const std::vector<Task>& tasks, const RequestedLevel& request, bool keep) const;
-  void answer(const Provider& row, const RequestedPack& pack, bool kept, std::vector<std::string>& words) const;
+  void answer(const Provider& row, const RequestedPack& requests, bool kept, std::vector<std::string>& words) const;
 
   const Ground& g_;
   const Model& m_;

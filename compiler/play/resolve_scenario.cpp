@@ -142,8 +142,8 @@ private:
     input.kind = spec.kind.value;
     switch (spec.kind.value) {
     case InputKind::request:
-      for (const dsl::RequestSpec& request : spec.requests) {
-        if (auto request = names_.request(model_.roots, "`roots` has", request))
+      for (const dsl::RequestSpec& entry : spec.requests) {
+        if (auto request = names_.request(model_.roots, "`roots` has", entry))
           input.requests.push_back(std::move(*request));
       }
       break;

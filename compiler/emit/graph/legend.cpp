@@ -82,18 +82,18 @@ std::vector<LegendEntry> legend_of(const Picture& picture) {
   const auto add = [&](bool is_drawn, Sample sample, std::string words) {
     if (is_drawn) out.push_back({sample, {}, std::move(words)});
   };
-  const auto add = [&](bool is_drawn, std::string sign, std::string words) {
+  const auto add_sign = [&](bool is_drawn, std::string sign, std::string words) {
     if (is_drawn) out.push_back({Sample::text, std::move(sign), std::move(words)});
   };
   const auto has_number = [](const std::string& text) {
     return any(text, [](unsigned char letter) { return std::isdigit(letter) != 0; });
   };
-  add(!picture.nothing.empty(), "nothing drawn", picture.nothing);
+  add_sign(!picture.nothing.empty(), "nothing drawn", picture.nothing);
   const auto marks = [&](Moment::Mark mark, std::string sign, std::string words) {
     const auto has_mark = [&](const PictureBox& box) {
       return box.mark == mark || any(box.frames, [&](const Moment::Standing& frame) { return frame.mark == mark; });
     };
-    add(any(picture.boxes, has_mark), std::move(sign), std::move(words));
+    add_sign(any(picture.boxes, has_mark), std::move(sign), std::move(words));
   };
   marks(Moment::Mark::running, "blue frame, \u25B6", "runs, in that provider");
   marks(Moment::Mark::queued, "dashed red frame", "queued: it is requested, and waits");
@@ -115,34 +115,34 @@ std::vector<LegendEntry> legend_of(const Picture& picture) {
       "waits until that is true, and may push the other to make it true");
   add(draws([](const PictureArrow& arrow) { return arrow.kind == Kind::take; }), Sample::take,
       "may take from the other what it holds, by these ranks");
-  add(draws([&](const PictureArrow& arrow) { return asks(arrow) && has_number(arrow.label); }), "20",
-      "priority among all that the same one requests: the higher one wins");
+  add_sign(draws([&](const PictureArrow& arrow) { return asks(arrow) && has_number(arrow.label); }), "20",
+           "priority among all that the same one requests: the higher one wins");
   const bool ranked =
       any(picture.boxes, [&](const PictureBox& box) { return box.requested && has_number(*box.requested); });
-  add(any(picture.boxes, [](const PictureBox& box) { return box.requested.has_value(); }), "thick frame",
-      fmt::format("the program itself requests it{}", ranked ? ", with that priority" : ""));
-  add(any(picture.boxes, [](const PictureBox& box) { return box.in_focus; }), "thickest", "what was asked about");
+  add_sign(any(picture.boxes, [](const PictureBox& box) { return box.requested.has_value(); }), "thick frame",
+           fmt::format("the program itself requests it{}", ranked ? ", with that priority" : ""));
+  add_sign(any(picture.boxes, [](const PictureBox& box) { return box.in_focus; }), "thickest", "what was asked about");
   const bool from_rows = draws([](const PictureArrow& arrow) { return arrow.from.row.has_value(); });
-  add(any(picture.boxes, [](const PictureBox& box) { return box.rows.size() > 1; }), "rows",
-      fmt::format("providers, the preferred one first{}",
-                  picture.packs_left_out ? "; an arrow stands for all that request"
-                  : from_rows            ? "; an arrow from one row is of that provider alone"
-                                         : ""));
-  add(any(picture.boxes,
-          [](const PictureBox& box) {
-            return any(box.rows, [](const PictureRow& row) { return !row.packs.empty(); });
-          }),
-      "\u25C7", "packs: it requests one of them at a time");
-  add(any(picture.boxes, [](const PictureBox& box) { return box.kind == PictureBox::Kind::alike; }), "dashed box",
-      "groups that the same ones request in the same way");
-  add(any(picture.boxes, [](const PictureBox& box) { return box.kind == PictureBox::Kind::missing; }) ||
-          has_line(picture, PictureLine::Kind::wrong),
-      "red, \u2716", "is wrong, or missing");
-  add(has_line(picture, PictureLine::Kind::doubtful), "\u26A0", "a warning, or a lint");
-  add(has_line(picture, PictureLine::Kind::when), "when, stay", "must hold, for it to run and to go on");
-  add(has_line(picture, PictureLine::Kind::causing), "causing", "makes that true when it is pushed");
-  add(has_line(picture, PictureLine::Kind::sets), "sets", "may set that, and promises nothing");
-  add(has_line(picture, PictureLine::Kind::runs), "on, every", "runs again then");
+  add_sign(any(picture.boxes, [](const PictureBox& box) { return box.rows.size() > 1; }), "rows",
+           fmt::format("providers, the preferred one first{}",
+                       picture.packs_left_out ? "; an arrow stands for all that request"
+                       : from_rows            ? "; an arrow from one row is of that provider alone"
+                                              : ""));
+  add_sign(any(picture.boxes,
+               [](const PictureBox& box) {
+                 return any(box.rows, [](const PictureRow& row) { return !row.packs.empty(); });
+               }),
+           "\u25C7", "packs: it requests one of them at a time");
+  add_sign(any(picture.boxes, [](const PictureBox& box) { return box.kind == PictureBox::Kind::alike; }), "dashed box",
+           "groups that the same ones request in the same way");
+  add_sign(any(picture.boxes, [](const PictureBox& box) { return box.kind == PictureBox::Kind::missing; }) ||
+               has_line(picture, PictureLine::Kind::wrong),
+           "red, \u2716", "is wrong, or missing");
+  add_sign(has_line(picture, PictureLine::Kind::doubtful), "\u26A0", "a warning, or a lint");
+  add_sign(has_line(picture, PictureLine::Kind::when), "when, stay", "must hold, for it to run and to go on");
+  add_sign(has_line(picture, PictureLine::Kind::causing), "causing", "makes that true when it is pushed");
+  add_sign(has_line(picture, PictureLine::Kind::sets), "sets", "may set that, and promises nothing");
+  add_sign(has_line(picture, PictureLine::Kind::runs), "on, every", "runs again then");
   return out;
 }
 

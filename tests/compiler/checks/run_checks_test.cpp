@@ -94,6 +94,6 @@ TEST_CASE(
   CHECK(consequence("unbounded_choice") == checks::Consequence::nothing_is_explored);
   CHECK(consequence("unprovided_task") == checks::Consequence::stand_in);
   CHECK(consequence("starved_task") == checks::Consequence::none);
-  CHECK(checks::says_never(*checks::find_registered("unreachable_when")));
-  CHECK_FALSE(checks::says_never(*checks::find_registered("needs_cycle")));
+  CHECK(checks::reports_never(*checks::find_registered("unreachable_when")));
+  CHECK_FALSE(checks::reports_never(*checks::find_registered("needs_cycle")));
 }

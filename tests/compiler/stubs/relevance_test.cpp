@@ -9,12 +9,12 @@ using namespace director::compiler::stubs;
 
 TEST_CASE("a file that names nothing of a behaviour need not be read") {
   const Wanted wanted = wanted_of(walking_robot);
-  CHECK(telling_words(wanted) == Words{"Legs", "Locomotion", "Servos", "Walk", "robot", "team"});
+  CHECK(identifying_words(wanted) == Words{"Legs", "Locomotion", "Servos", "Walk", "robot", "team"});
   CHECK(interface_words(wanted) == Words{"Locomotion", "Servos"});
-  CHECK(mentions("#include \"robot.hpp\"\n", telling_words(wanted)));
-  CHECK(mentions("x.Walk::y", telling_words(wanted)));
-  CHECK_FALSE(mentions("robots Walker MyLegs team_", telling_words(wanted)));
-  CHECK_FALSE(mentions("", telling_words(wanted)));
+  CHECK(mentions("#include \"robot.hpp\"\n", identifying_words(wanted)));
+  CHECK(mentions("x.Walk::y", identifying_words(wanted)));
+  CHECK_FALSE(mentions("robots Walker MyLegs team_", identifying_words(wanted)));
+  CHECK_FALSE(mentions("", identifying_words(wanted)));
 }
 
 TEST_CASE("a class that may be a base is recognised by the place of its name") {
