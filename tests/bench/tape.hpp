@@ -13,7 +13,7 @@ namespace bench {
 class Tape {
 public:
   // For the recording.
-  director::Observer observer() { return {tell, this}; }
+  director::Observer observer() { return {observe, this}; }
   void begin();     ///< drops the events so far
   void end_input(); ///< the events since the last input belong to this one
 

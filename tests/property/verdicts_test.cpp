@@ -177,10 +177,10 @@ void take(Measure& measure, std::uint64_t seed) {
   for (const Judged::Finding& each : judged->claiming) {
     measure.findings[each.id].add(each.wrong.empty(), seed);
     if (each.wrong.empty()) continue;
-    const std::string text =
+    const std::string line =
         "seed " + std::to_string(seed) + ": " + each.id + ": " + each.message + " (" + each.wrong + ")";
-    if (show != nullptr) std::cout << text << "\n";
-    if (!wrong_ids.contains(each.id)) measure.contradictions.push_back(text);
+    if (show != nullptr) std::cout << line << "\n";
+    if (!wrong_ids.contains(each.id)) measure.contradictions.push_back(line);
   }
   for (const Unreached& each : judged->unreached) {
     measure.silences[each.kind].add(each.reported, seed);
