@@ -57,7 +57,7 @@ std::vector<Ask> asks_of(const std::vector<dsl::TaskSpec>& tasks) {
   return asks;
 }
 
-Provider provider_of(const dsl::ProviderSpec& spec) {
+Provider declared_provider(const dsl::ProviderSpec& spec) {
   Provider provider;
   provider.when = texts(spec.when);
   provider.needs = texts(spec.needs);
@@ -74,12 +74,12 @@ Provider provider_of(const dsl::ProviderSpec& spec) {
   return provider;
 }
 
-Group group_of(const dsl::GroupSpec& spec) {
+Group declared_group(const dsl::GroupSpec& spec) {
   Group group{
       spec.name.value, spec.layer.value_or(dsl::Word{}).value, spec.module.value_or(dsl::Word{}).value, {}, {}, {}};
   if (spec.start) group.start = sorted(texts(spec.start->sets));
   if (spec.stop) group.stop = sorted(texts(spec.stop->sets));
-  for (const dsl::ProviderSpec& provider : spec.providers) group.providers.push_back(provider_of(provider));
+  for (const dsl::ProviderSpec& provider : spec.providers) group.providers.push_back(declared_provider(provider));
   return group;
 }
 
@@ -114,7 +114,7 @@ void read_modules(const std::filesystem::path& folder, TeamGraph& graph) {
       continue;
     }
     Module module{entry.path().stem().string(), sorted(texts(file.externs)), {}};
-    for (const dsl::GroupSpec& group : file.groups) module.groups.push_back(group_of(group));
+    for (const dsl::GroupSpec& group : file.groups) module.groups.push_back(declared_group(group));
     CHECK(file.states.empty());
     CHECK(file.extend.empty());
     graph.modules.push_back(std::move(module));

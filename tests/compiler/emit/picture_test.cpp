@@ -147,10 +147,10 @@ TEST_CASE("a box shows what its group, its providers and its handlers declare") 
 TEST_CASE("a view shows its own arrows only, and a focus what has to do with some groups") {
   const tests::Compiled from = tests::compile(std::string(walker));
   PictureOptions options;
-  const auto picture = [&](const PictureOptions& options) {
-    return make_picture(from.model, make_graph(from.model), from.sources, options);
+  const auto picture = [&](const PictureOptions& chosen) {
+    return make_picture(from.model, make_graph(from.model), from.sources, chosen);
   };
-  const auto drawn = [&](const PictureOptions& options) { return arrows_of(picture(options)); };
+  const auto drawn = [&](const PictureOptions& chosen) { return arrows_of(picture(chosen)); };
   options.view = PictureOptions::View::needs;
   CHECK(drawn(options) == "Cheer -> Arm need\n"
                           "Walk -> Left, Right need\n"
