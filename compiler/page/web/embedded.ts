@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The recording that `directorc trace --to=html` writes into a page; its other half, with the format, is compiler/page/recording.hpp.
+// The recording that `directorc trace --to=html` writes into a page; its other half, with the format, is compiler/trace/recording.hpp.
 
 import { counts, type Column } from './columns';
 import type { Header } from './names';
