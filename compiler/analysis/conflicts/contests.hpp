@@ -59,6 +59,8 @@ private:
   /// Of one pair, by whether there is such a step, and from where and how it goes: many groups hang on the same one.
   using Lookups = std::map<std::tuple<bool, GroupId, Reach>, Above>;
 
+  /// What the entry may come to hold while who requests it runs.
+  const Claims& claims(const Meeting& meeting, const Task& entry) const;
   std::vector<Contest> find_candidates(const Meeting& meeting) const;
   std::optional<Contest> find(const Meeting& meeting, const std::vector<Contest>& candidates);
   std::optional<MutualWait> find_mutual_wait(const Meeting& meeting, const std::vector<Contest>& candidates,

@@ -7,6 +7,7 @@
 #include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/plans/plans.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace director::analysis {
@@ -24,6 +25,14 @@ struct PackConflict {
 /// Of every pack and flat list of every provider; of a flat list only pairs, since nobody says that all is asked for.
 /// Of long ones each member stands in one, with the first that it excludes.
 std::vector<PackConflict> find_pack_conflicts(const Model& model, Units& units);
+
+/// A member that never runs, in whatever company: its provider holds by a need, for another member, what it must have.
+struct KeptOff {
+  const Task* member = nullptr;
+  GroupId group{};
+  const Use<GroupId>* need = nullptr;
+};
+std::optional<KeptOff> find_kept_off(const Input& input, const PackConflict& conflict);
 
 /// Says what excludes what, to the bottom, at the last member: of packs with names, or of flat lists.
 void report_pack_conflicts(const Input& input, bool of_packs, Findings& findings);

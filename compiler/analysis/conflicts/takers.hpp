@@ -68,6 +68,8 @@ public:
   const Groups& must(GroupId group);
   /// What the group holds while one of these runs, or while it is held for a need after that.
   Groups held_by(GroupId group, const std::vector<ProviderId>& running);
+  /// The same, whichever of its providers runs.
+  const Groups& held_by(GroupId group);
   /// By whose need the group may be held while `holder` runs.
   Groups needers(GroupId holder, GroupId group);
 
@@ -90,6 +92,8 @@ public:
   bool may_change_hands(GroupId group) const;
   /// Between two runs of others: it changes its provider or its holder, or is requested anew.
   bool may_get_new_orders(GroupId group) const;
+  /// Tasks for the two may have one priority where their chains meet, or one leads to the other.
+  bool may_be_equals(GroupId a, GroupId b);
   /// A plan of somebody else may hold the group, by any provider that can run.
   bool is_needed(GroupId group) const;
   bool is_mandatory(const Task& task) const;
@@ -113,6 +117,8 @@ private:
   Indispensable parts_; ///< by providers that may run at all
   std::unordered_map<ProviderId, Groups> must_of_provider_;
   std::unordered_map<GroupId, Groups> must_of_group_;
+  std::unordered_map<GroupId, Groups> held_by_group_;
+  std::map<std::pair<GroupId, GroupId>, bool> may_be_equals_;
   std::map<std::pair<GroupId, const Task*>, UnitTakes> takes_; ///< by the unit's first entry
 };
 
