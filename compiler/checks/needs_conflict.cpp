@@ -50,7 +50,7 @@ std::optional<CommonGroup> find_common_group(const Model& model, const Provider&
   return best;
 }
 
-void report_common_group(const Model& model, ProviderId id, const CommonGroup& clash, Findings& findings) {
+Diagnostic& report_common_group(const Model& model, ProviderId id, const CommonGroup& clash, Findings& findings) {
   const std::string provider = name_of(model, id);
   if (clash.first->id == clash.second->id) {
     Diagnostic& twice =
@@ -58,7 +58,7 @@ void report_common_group(const Model& model, ProviderId id, const CommonGroup& c
     twice.rules_out = {clash.second->span};
     twice.notes.push_back({clash.first->span, "needed first here"});
     twice.help = "a group is held once: leave one of them out";
-    return;
+    return twice;
   }
   Diagnostic& finding =
       findings.add(clash.second->span, fmt::format("{} can never run: its needs {} and {} both come down to {}",
@@ -71,6 +71,7 @@ void report_common_group(const Model& model, ProviderId id, const CommonGroup& c
   add_chain(model, clash.from_second, finding.notes);
   finding.help =
       fmt::format("need only one of them, or give one a provider that does without {}", name_of(model, clash.group));
+  return finding;
 }
 
 /// The groups that a way to meet a need takes: its own needs, and what these lead to with any provider.
@@ -95,7 +96,7 @@ std::string taken_by(const Model& model, const Provider& way, const Indispensabl
 }
 
 /// Lists the groups that each way to meet a need takes, for a conflict of more than two needs.
-void report_crowd(const Model& model, ProviderId id, const Indispensable& indispensable, Findings& findings) {
+Diagnostic& report_crowd(const Model& model, ProviderId id, const Indispensable& indispensable, Findings& findings) {
   const Provider& provider = model.providers[id];
   std::vector<std::string> names;
   for (const Use<GroupId>& need : provider.needs) names.push_back(name_of(model, need.id));
@@ -112,6 +113,7 @@ void report_crowd(const Model& model, ProviderId id, const Indispensable& indisp
     }
   }
   finding.help = fmt::format("need less, or give one of {} a provider that needs less", list_of(names));
+  return finding;
 }
 
 void report_undecided(const Input& input, const std::vector<ProviderId>& undecided, Findings& findings) {
@@ -125,6 +127,17 @@ void report_undecided(const Input& input, const std::vector<ProviderId>& undecid
   finding.help = "with fewer alternatives it would be: give the groups below fewer providers, or fewer needs";
 }
 
+/// Nor are they ever granted together where the provider requests what it needs.
+void rule_out_packs(const Provider& provider, Diagnostic& finding) {
+  for (const Pack& pack : provider.packs) {
+    for (const Task& task : pack.tasks) {
+      if (std::any_of(provider.needs.begin(), provider.needs.end(),
+                      [&](const Use<GroupId>& need) { return need.id == task.target; }))
+        finding.rules_out_together.push_back(task.span);
+    }
+  }
+}
+
 } // namespace
 
 void needs_conflict(const Input& input, Findings& findings) {
@@ -133,9 +146,9 @@ void needs_conflict(const Input& input, Findings& findings) {
   std::vector<ProviderId> undecided; // one finding for all of them
   for (const ProviderId id : conflicts) {
     if (const auto clash = find_common_group(model, model.providers[id], input.shared.indispensable())) {
-      report_common_group(model, id, *clash, findings);
+      rule_out_packs(model.providers[id], report_common_group(model, id, *clash, findings));
     } else if (input.facts.plans[id] == PlanVerdict::none) {
-      report_crowd(model, id, input.shared.indispensable(), findings);
+      rule_out_packs(model.providers[id], report_crowd(model, id, input.shared.indispensable(), findings));
     } else {
       undecided.push_back(id);
     }

@@ -174,8 +174,12 @@ void report(const Input& input, const Task& first, const Task& second, const Cla
   finding.notes.push_back(
       {model.providers[place].span, fmt::format("{} and {} can be granted together{}{}", name_of(model, x),
                                                 name_of(model, y), conditions.empty() ? "" : ", when ", conditions)});
-  finding.help = fmt::format("make {} `apart`, or give the preferred provider needs that leave {} to the other", b,
-                             name_of(model, group));
+  // Made `apart`, the one would wait for ever while the preferred provider of the other never has to.
+  finding.help = clash.always && !clash.losers.empty()
+                     ? fmt::format("give {} needs that leave {} to the other, or request the two in two packs",
+                                   name_of(model, clash.losers.front()), name_of(model, group))
+                     : fmt::format("make {} `apart`, or give the preferred provider needs that leave {} to the other",
+                                   b, name_of(model, group));
 }
 
 /// Pairs of members, the later one first, that may lead to one group.

@@ -8,8 +8,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
+#include <vector>
 
 namespace director::checks {
 
@@ -37,6 +39,7 @@ public:
     for (const ProviderId causer : want.causers) {
       if (model_.providers[causer].needs.empty()) continue;
       find_company(wanting.task, model_.providers[causer].group);
+      below_.clear();
       find_own(causer);
       for (const Use<GroupId>& need : model_.providers[causer].needs) {
         const auto& parts = shared_.indispensable().of(need.id);
@@ -128,7 +131,9 @@ private:
   /// Whether a chain of requests from the entry to the group passes neither the waiting task nor the pushed one.
   bool leads_to(const Task& entry, GroupId group, GroupId task, GroupId pushed) const {
     if (entry.target == task || entry.target == pushed) return false;
-    return Claims(shared_.branches(), entry.target, {task, pushed}).contains(group);
+    const auto [at, is_new] = below_.try_emplace(entry.target);
+    if (is_new) at->second = Claims(shared_.branches(), entry.target, {task, pushed}).groups();
+    return std::binary_search(at->second.begin(), at->second.end(), group);
   }
 
   std::vector<Holder> holders_of(GroupId group) const {
@@ -218,10 +223,11 @@ private:
                                                         holder.by_need ? "needs" : "requests", name_of(model_, part))});
     add_side(*below.first, below.first_level, holder.group, finding);
     add_side(*below.second, below.second_level, pushed, finding);
-    finding.help = one_side ? fmt::format("let {} do without {}, or {} go after {}", name_of(model_, causer),
-                                          name_of(model_, need.id), between, name_of(model_, pushed))
-                            : fmt::format("let {} go before {}", name_of(model_, below.second->target),
-                                          name_of(model_, below.first->target));
+    finding.help = one_side
+                       ? fmt::format("let {} do without {}, or {} go after {}", name_of(model_, causer),
+                                     name_of(model_, need.id), between, name_of(model_, pushed))
+                       : fmt::format("let {} go before {}, and still after {}", name_of(model_, below.second->target),
+                                     name_of(model_, below.first->target), task);
   }
 
   void add_side(const Task& entry, const Level& level, GroupId meant, dsl::Diagnostic& finding) const {
@@ -237,6 +243,8 @@ private:
   Findings& findings_;
   std::set<const std::vector<Task>*> near_; ///< of the current push; empty: they may meet anywhere
   std::set<GroupId> own_;                   ///< of the provider that is pushed
+  /// What a group comes to by neither the task that waits nor the one that is pushed.
+  mutable std::map<GroupId, std::vector<GroupId>> below_;
   std::set<std::pair<dsl::Span, dsl::Span>> seen_;
 };
 

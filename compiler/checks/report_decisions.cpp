@@ -133,17 +133,19 @@ private:
     if (!kept.taken.empty()) reasons.push_back("what it takes is held");
     if (!kept.lacking.empty()) reasons.push_back("a condition does not hold");
     if (!kept.together.empty()) reasons.push_back("what is granted only together with it cannot be");
-    dsl::Diagnostic& finding =
-        add(optional ? "optional_never_runs" : "starved_task", entries.front()->span,
-            reasons.empty() ? fmt::format("{} never runs for {}: no decision ever comes to it", name, requester_of(id))
-                            : fmt::format("{} never runs for {}: whenever it is requested, {}", name, requester_of(id),
-                                          list_of(reasons, "or")));
+    dsl::Diagnostic& finding = add(
+        optional ? "optional_never_runs" : "starved_task", entries.front()->span,
+        reasons.empty() ? fmt::format("{0} never runs for {1}: whenever it is requested, {1} has lost control again",
+                                      name, requester_of(id))
+                        : fmt::format("{} never runs for {}: whenever it is requested, {}", name, requester_of(id),
+                                      list_of(reasons, "or")));
     for (const Task* entry : entries) finding.rules_out.push_back(entry->span);
     add_together(kept, finding);
     add_notes(kept, entries.front()->span, model_.groups[edge.target].providers, finding);
     for (std::size_t i = 1; i < entries.size(); ++i)
       finding.notes.push_back({entries[i]->span, fmt::format("{} is requested here too", name)});
-    finding.help = fmt::format("request {} where it can have that, or leave it out", name);
+    finding.help = reasons.empty() ? fmt::format("let {} keep control, or leave {} out", requester_of(id), name)
+                                   : fmt::format("request {} where it can have that, or leave it out", name);
   }
 
   void report(const PackOf& at) {

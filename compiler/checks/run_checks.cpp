@@ -11,6 +11,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
 
 namespace director::checks {
 
@@ -85,6 +89,39 @@ Diagnostic not_decided(const Budget& budget) {
   return finding;
 }
 
+/// Adds the notes that only `more` has, each before the next note that both have, but not inside a chain of notes.
+void add_notes(std::vector<dsl::Note>& notes, const std::vector<dsl::Note>& more) {
+  auto next = more.begin();
+  while (next != more.end()) {
+    auto place = notes.end();
+    std::vector<dsl::Note> added;
+    for (; next != more.end() && place == notes.end(); ++next) {
+      place = std::find(notes.begin(), notes.end(), *next);
+      if (place == notes.end()) added.push_back({next->span, next->message});
+    }
+    const bool within_chain = place != notes.end() && place->link == dsl::Note::Link::next;
+    notes.insert(within_chain ? notes.end() : place, added.begin(), added.end());
+  }
+}
+
+/// Merges findings with the same place and message, which differ in their notes only.
+std::vector<Diagnostic> merge_alike(std::vector<Diagnostic> findings) {
+  std::vector<Diagnostic> out;
+  std::map<std::tuple<dsl::Span, std::string>, std::size_t> known;
+  for (Diagnostic& finding : findings) {
+    const auto [at, is_new] = known.try_emplace({finding.span, finding.message}, out.size());
+    if (is_new) {
+      out.push_back(std::move(finding));
+      continue;
+    }
+    Diagnostic& first = out[at->second];
+    add_notes(first.notes, finding.notes);
+    for (const dsl::Span& span : finding.rules_out) first.rules_out.push_back(span);
+    for (const dsl::Span& span : finding.rules_out_together) first.rules_out_together.push_back(span);
+  }
+  return out;
+}
+
 /// Whether any finding of it would be reported.
 bool is_wanted(const Registered& check, const Selection& selection, const Model& model) {
   if (selection.only_errors) return level_of(check) == dsl::Level::error;
@@ -111,7 +148,7 @@ std::vector<Diagnostic> run_checks(const Model& model, const Graph& graph, const
     if (check.run == nullptr || !is_wanted(check, selection, model)) continue;
     Findings findings(check.id, level_of(check));
     check.run(conflicts.input(), findings);
-    for (Diagnostic& finding : findings.take()) all.push_back(std::move(finding));
+    for (Diagnostic& finding : merge_alike(findings.take())) all.push_back(std::move(finding));
   }
   if (!selection.only_errors) {
     for (Diagnostic& finding : report_decisions(conflicts.input(), all)) all.push_back(std::move(finding));

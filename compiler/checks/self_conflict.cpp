@@ -43,6 +43,17 @@ bool is_cycle(const Model& model, const Loser& loser) {
          (loser.chain.size() == 1 || std::all_of(loser.chain.begin(), loser.chain.end(), may_be_mandatory));
 }
 
+/// Where it is granted only together with what the provider needs, the conflict of the pack is the finding.
+bool is_pack_conflict(const Input& input, const Loser& loser) {
+  if (!input.model.providers[loser.above].has_packs || loser.chain.size() != 1) return false;
+  const std::vector<PackConflict>& all = input.conflicts.pack_conflicts();
+  return std::any_of(all.begin(), all.end(), [&](const PackConflict& conflict) {
+    if (conflict.provider != loser.above || conflict.verdict != UnitVerdict::impossible) return false;
+    const auto kept_off = find_kept_off(input, conflict);
+    return kept_off && kept_off->member == loser.refused.task;
+  });
+}
+
 std::string message_of(const Model& model, const Loser& loser) {
   const std::string name = name_of(model, loser.refused.task->target);
   const std::string above = name_of(model, loser.above), kept = name_of(model, loser.taker.group);
@@ -81,7 +92,7 @@ std::vector<std::vector<Losers>> losers_by_place(const Input& input) {
   for (const Loser& loser : input.conflicts.losers()) {
     const EdgeId edge = loser.refused.task->edge;
     if (loser.taker.kind != Taker::Kind::above || is_cycle(input.model, loser)) continue;
-    if (input.conflicts.closes_cycle(edge)) continue;
+    if (input.conflicts.closes_cycle(edge) || is_pack_conflict(input, loser)) continue;
     // Another request for it may have a better chance; then this is no fault.
     if (requests_above(loser) && input.conflicts.grants().refused().count(edge) == 0) continue;
     by_entry[{loser.above, place_of(loser).span, loser.taker.group}].push_back(&loser);

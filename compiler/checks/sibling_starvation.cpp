@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/needs/needs.hpp"
+#include "compiler/analysis/requests/company.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -23,6 +24,23 @@ namespace {
 bool never_runs(const Input& input, EdgeId edge) {
   return input.conflicts.grants().refused().count(edge) != 0 ||
          input.shared.decisions().never_granted(input.model, edge);
+}
+
+/// The help. As a unit of its own, the taking task must also go after the task that leads to the loser.
+std::string propose(const Input& input, const Loser& loser) {
+  const Model& model = input.model;
+  const Task &taker = *loser.taker.by, &sibling = *loser.taker.over;
+  const std::string name = name_of(model, taker.target), other = name_of(model, sibling.target);
+  const bool optional = !model.edges[loser.refused.task->edge].has_mandatory();
+  if (!Company::goes_first(model, taker, sibling)) {
+    return optional ? fmt::format("make {} `optional`, or request it one level lower", name)
+                    : fmt::format("make {} `apart` or `optional`, or request it one level lower", name);
+  }
+  return optional ? fmt::format("make {} `optional`, with a lower priority than {}, or request it one level lower",
+                                name, other)
+                  : fmt::format("make {} `optional`, or `apart` with a lower priority than {}, or request it one level "
+                                "lower",
+                                name, other);
 }
 
 /// If the loser is granted elsewhere, or for a moment, the message does not claim "never". `more`: others that take
@@ -55,7 +73,7 @@ void report(const Input& input, const Loser& loser, bool never, const std::vecto
                            ? fmt::format("the same here, by {}", by)
                            : fmt::format("the same here, by {}, which takes {}", by, name_of(model, one.group))});
   }
-  finding.help = fmt::format("make {} `apart` or `optional`, or request it one level lower", name);
+  finding.help = propose(input, loser);
 }
 
 } // namespace

@@ -25,7 +25,10 @@ void report(const Input& input, const TaskCycle& cycle, Findings& findings) {
                              i == 0 ? dsl::Note::Link::first : dsl::Note::Link::next});
     finding.rules_out.push_back(finding.notes.back().span);
   }
-  finding.help = "make this request `optional`, or leave it out";
+  finding.help = cycle.is_known
+                     ? fmt::format("leave it out: {} goes on with another pack, or says `done` and is requested again",
+                                   name_of(model, groups.back()))
+                     : "make this request `optional`, or leave it out";
 }
 
 void report_loop(const Input& input, GroupId group, Findings& findings) {

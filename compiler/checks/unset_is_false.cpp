@@ -23,8 +23,14 @@ void look_at(const Input& input, const std::vector<ConditionUse>& uses, Findings
     if (state.initial) {
       finding.notes.push_back({state.expires->span, "it becomes unset here"});
       finding.help = "name the value that it expires to: `expires: {after: ..., to: ...}`";
+      continue;
+    }
+    finding.notes.push_back({state.name.span, "it has no `initial` value"});
+    if (state.expires && !state.expires->to) {
+      finding.notes.push_back({state.expires->span, "and it becomes unset here"});
+      finding.help = "give the state an `initial` value and a value that it expires to, or say which values you mean "
+                     "with `==`";
     } else {
-      finding.notes.push_back({state.name.span, "it has no `initial` value"});
       finding.help = "give the state an `initial` value, or say which values you mean with `==`";
     }
   }

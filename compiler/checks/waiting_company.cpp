@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/needs/needs.hpp"
+#include "compiler/analysis/requests/company.hpp"
 #include "compiler/analysis/requests/gaps.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/choice.hpp"
@@ -123,6 +124,15 @@ private:
     });
   }
 
+  /// The same, by a promise.
+  bool could_promise(GroupId member, ConditionId condition) const {
+    const std::vector<GroupId>& below = input_.shared.claims(member).groups();
+    const std::vector<ProviderId>& causers = input_.shared.causers()[condition];
+    return std::any_of(causers.begin(), causers.end(), [&](ProviderId id) {
+      return std::binary_search(below.begin(), below.end(), input_.model.providers[id].group);
+    });
+  }
+
   /// Of those that may set a value that the condition accepts.
   template <class Is>
   bool any_source(const Condition& condition, const Is& is) const {
@@ -136,7 +146,7 @@ private:
     const Model& model = input_.model;
     const std::string name = name_of(model, member.target), other = name_of(model, waiting.target);
     dsl::Diagnostic& finding = findings_.add(member.span, "");
-    bool for_member = false;
+    bool for_member = false, may_push = false;
     finding.notes.push_back({waiting.span, fmt::format("{} is granted only together with {}", other, name)});
     std::vector<GroupId> groups{waiting.target};
     for (const GroupId needed : input_.shared.units().needed(waiting.target)) {
@@ -147,6 +157,7 @@ private:
         for (const ConditionUse& use : model.providers[id].when) {
           if (holds_in(region, use)) continue;
           for_member = for_member || could_satisfy(member.target, model.conditions[use.id]);
+          may_push = may_push || could_promise(member.target, use.id);
           if (group != waiting.target) add_chain(model, need_path(model, waiting.target, group), finding.notes);
           finding.notes.push_back(
               {use.span, fmt::format("{} waits for {}", name_of(model, id), name_of(model, use.id))});
@@ -155,7 +166,11 @@ private:
     }
     finding.message = fmt::format("{} is held back while {} waits for a condition, {}", name, other,
                                   for_member ? "and could bring it about" : "and shares nothing with it");
-    finding.help = fmt::format("make {} `apart`: it keeps its rank and goes on by itself", name);
+    finding.help = may_push && Company::goes_first(model, member, waiting)
+                       ? fmt::format("make {} `apart`, with a lower priority than {}: then it goes on by itself, and "
+                                     "{} can push it",
+                                     name, other, other)
+                       : fmt::format("make {} `apart`: it keeps its rank and goes on by itself", name);
   }
 
   bool holds_in(const Region& region, const ConditionUse& use) const {

@@ -207,6 +207,13 @@ void add_parties(const Model& model, const Clash& clash, dsl::Diagnostic& findin
     promises.insert(promises.begin(), {clash.first_causer, clash.first});
   }
   finding.rules_out = {clash.first.span, clash.second.span};
+  // Another provider of the task waits for the same in vain.
+  for (const ProviderId id : model.groups[clash.task].providers) {
+    for (const ConditionUse& use : model.providers[id].when) {
+      const auto& same = use.id == clash.first.id ? clash.first : clash.second;
+      if (use.id == same.id && use.span != same.span) finding.rules_out.push_back(use.span);
+    }
+  }
   for (const auto& [causer, condition] : promises) {
     finding.notes.push_back(causes(model, causer, condition.id));
     const bool is_in_vain = clash.kind == Clash::Kind::vain && clash.loss != Clash::Loss::for_good;

@@ -44,12 +44,17 @@ std::optional<Rivalling> Contests::look_at(const Together& together, const Task&
   return std::nullopt;
 }
 
+const Claims& Contests::claims(const Meeting& meeting, const Task& entry) const {
+  const std::optional<ProviderId> by = meeting.together->provider;
+  return by ? shared_.claims(entry.target, model_.providers[*by].group) : shared_.claims(entry.target);
+}
+
 /// For equal levels of two entries: what both may want, those with the shortest chains first.
 std::vector<Contest> Contests::find_candidates(const Meeting& meeting) const {
   std::vector<Contest> out;
   if (meeting.first_level.priority != meeting.second_level.priority) return out;
-  const Claims& first = shared_.claims(meeting.first->target);
-  const Claims& second = shared_.claims(meeting.second->target);
+  const Claims& first = claims(meeting, *meeting.first);
+  const Claims& second = claims(meeting, *meeting.second);
   for (const GroupId group : in_common(first.groups(), second.groups())) {
     for (const Reach a : all_reaches) {
       for (const Reach b : all_reaches) {
@@ -116,7 +121,7 @@ void Contests::leave_open(const Meeting& meeting) {
 
 /// Two chains that have no group in common above the contested one: otherwise they would meet at that group.
 bool Contests::find_paths(const Meeting& meeting, Contest& contest, Lookups& lookups) {
-  const Claims& first = shared_.claims(meeting.first->target);
+  const Claims& first = claims(meeting, *meeting.first);
   const Claim* ours = first.find(contest.group, contest.first);
   Above& known = lookups[{ours->steps > 0, ours->from, ours->reach_from}];
   ++effort_;
@@ -134,6 +139,7 @@ bool Contests::find_paths(const Meeting& meeting, Contest& contest, Lookups& loo
   };
   if (known.without) return find_second(*known.without);
   std::vector<GroupId> above;
+  if (meeting.together->provider) above.push_back(model_.providers[*meeting.together->provider].group);
   for (const ChainStep& step : first.path(contest.group, contest.first)) above.push_back(step.from);
   effort_ += above.size();
   known.leads_through = std::find(above.begin(), above.end(), meeting.second->target) != above.end();

@@ -59,6 +59,8 @@ private:
   /// Of one pair, by that step, if there is one: many groups depend on the same one.
   using Lookups = std::map<std::tuple<bool, GroupId, Reach>, Above>;
 
+  /// The groups that the entry may hold while its requester runs.
+  const Claims& claims(const Meeting& meeting, const Task& entry) const;
   std::vector<Contest> find_candidates(const Meeting& meeting) const;
   std::optional<Contest> find(const Meeting& meeting, const std::vector<Contest>& candidates);
   std::optional<MutualWait> find_mutual_wait(const Meeting& meeting, const std::vector<Contest>& candidates,

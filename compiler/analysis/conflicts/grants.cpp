@@ -16,10 +16,11 @@ namespace {
 class Trial {
 public:
   /// `only_steady`: also of a unit.
-  Trial(const Input& input, const Takers& takers, const Task& task, const Held& held, const Groups& must,
-        bool only_steady)
+  Trial(const Input& input, Takers& takers, std::optional<GroupId> requester, const Task& task, const Held& held,
+        const Groups& must, bool only_steady)
       : input_(input),
         takers_(takers),
+        requester_(requester),
         task_(task),
         held_(held),
         must_(must),
@@ -59,9 +60,13 @@ private:
     // Nothing new is granted beside a stale entry of the same group either. If another requester withholds something
     // from the taker, the task may get it, unless it must have that too; and it has that if its requester needs it.
     return taker.over == &task_ && !is_needed_ &&
-           std::includes(must_.begin(), must_.end(), taker.spoilers.begin(), taker.spoilers.end()) &&
-           std::none_of(taker.spoilers.begin(), taker.spoilers.end(),
-                        [&](GroupId group) { return may_inherit(group); });
+           std::all_of(taker.spoilers.begin(), taker.spoilers.end(),
+                       [&](GroupId group) { return keeps_it_from_both(group) && !may_inherit(group); });
+  }
+
+  /// Whoever holds the group holds something that the task must have.
+  bool keeps_it_from_both(GroupId group) const {
+    return has(must_, group) || !in_common(takers_.held_by(group), must_).empty();
   }
 
   /// Whether another requester may run what needs the group for the task: if control of that group passes, so does
@@ -73,12 +78,22 @@ private:
       const Edge& edge = input_.model.edges[id];
       if (!edge.needed || !has(needed, *edge.requester)) return false;
       const std::vector<EdgeId>& above = input_.model.groups[*edge.requester].requesters;
+      if (*edge.requester == task_.target)
+        return std::any_of(above.begin(), above.end(), [&](EdgeId each) { return may_hand_over(each); });
       return std::count_if(above.begin(), above.end(), [&](EdgeId each) { return takers_.is_alive(each); }) > 1;
     });
   }
 
+  /// For an equal the taker leaves the group alone, and the task need not.
+  bool may_hand_over(EdgeId id) const {
+    const Edge& edge = input_.model.edges[id];
+    if (id == task_.edge || !takers_.is_alive(id)) return false;
+    return edge.needed || !edge.requester || !requester_ || takers_.may_be_equals(*edge.requester, *requester_);
+  }
+
   const Input& input_;
-  const Takers& takers_;
+  Takers& takers_;
+  std::optional<GroupId> requester_; ///< of the task
   const Task& task_;
   const Held& held_;
   const Groups& must_;
@@ -254,7 +269,7 @@ std::vector<Grants::Entry> Grants::entries_of(const Provider& provider, const Pa
 std::optional<Taker> Grants::find_taker(std::optional<GroupId> requester, const Task& task, ProviderId id,
                                         const Held& held) {
   if (held.empty()) return std::nullopt;
-  Trial trial(input_, takers_, task, held, takers_.must(id), !origin_);
+  Trial trial(input_, takers_, requester, task, held, takers_.must(id), !origin_);
   if (trial.can_have(requester, task.target) && trial.can_meet(input_.model.providers[id])) return std::nullopt;
   return trial.taker();
 }

@@ -171,6 +171,25 @@ std::vector<PackConflict> find_pack_conflicts(const Model& model, Units& units) 
   return out;
 }
 
+std::optional<KeptOff> find_kept_off(const Input& input, const PackConflict& conflict) {
+  const std::vector<const Task*>& members = conflict.members;
+  const auto is_other_member = [&](const Task* loser, GroupId group) {
+    return std::any_of(members.begin(), members.end(),
+                       [&](const Task* member) { return member != loser && member->target == group; });
+  };
+  for (const Loser& loser : input.conflicts.losers()) {
+    const Task* task = loser.refused.task;
+    const GroupId kept = loser.taker.group;
+    if (loser.above != conflict.provider || loser.taker.kind != Taker::Kind::above) continue;
+    if (std::find(members.begin(), members.end(), task) == members.end()) continue;
+    for (const Use<GroupId>& need : input.model.providers[conflict.provider].needs) {
+      if (is_other_member(task, need.id) && (need.id == kept || !need_path(input.model, need.id, kept).empty()))
+        return KeptOff{task, kept, &need};
+    }
+  }
+  return std::nullopt;
+}
+
 namespace {
 
 void report(const Input& input, const PackConflict& conflict, Findings& findings) {
@@ -229,6 +248,13 @@ void report(const Input& input, const PackConflict& conflict, Findings& findings
     finding->notes.push_back({other->span, fmt::format("nor with {}", name_of(model, other->target))});
   }
   finding->help = propose(input, conflict, !state);
+  if (const auto kept_off = find_kept_off(input, conflict)) {
+    const std::string need = name_of(model, kept_off->need->id);
+    finding->notes.push_back(
+        {kept_off->need->span, fmt::format("{} needs {}", name_of(model, conflict.provider), need)});
+    finding->help = fmt::format("let {} do without {}, or do not need {} and request the two in two packs",
+                                name_of(model, kept_off->member->target), name_of(model, kept_off->group), need);
+  }
 }
 
 /// Why two members exclude each other, if a third one may do so for the same reason; else empty.
@@ -259,11 +285,24 @@ std::vector<PackConflict> gathered(const Input& input, const std::vector<PackCon
   return out;
 }
 
+/// The provider needs all of them too, so that it never runs: needs_conflict says why.
+bool is_needs_conflict(const Input& input, const PackConflict& conflict) {
+  if (input.facts.plans[conflict.provider] != PlanVerdict::none) return false;
+  const std::vector<Use<GroupId>>& needs = input.model.providers[conflict.provider].needs;
+  const auto is_needed = [&](const Task* member) {
+    return std::any_of(needs.begin(), needs.end(), [&](const Use<GroupId>& need) { return need.id == member->target; });
+  };
+  return conflict.others.empty() && std::all_of(conflict.members.begin(), conflict.members.end(), is_needed) &&
+         input.shared.units().verdict(targets_of(conflict.members), true) == UnitVerdict::impossible;
+}
+
 } // namespace
 
 void report_pack_conflicts(const Input& input, bool of_packs, Findings& findings) {
   for (const PackConflict& conflict : gathered(input, input.conflicts.pack_conflicts())) {
-    if (input.model.providers[conflict.provider].has_packs == of_packs) report(input, conflict, findings);
+    if (input.model.providers[conflict.provider].has_packs != of_packs || is_needs_conflict(input, conflict)) continue;
+    // Of a list, self_conflict says what is certain.
+    if (of_packs || !find_kept_off(input, conflict)) report(input, conflict, findings);
   }
 }
 

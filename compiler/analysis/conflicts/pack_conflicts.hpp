@@ -7,6 +7,7 @@
 #include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/plans/plans.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace director::analysis {
@@ -24,6 +25,14 @@ struct PackConflict {
 /// For every pack and flat list of every provider; in a flat list only pairs, since any part of it may be requested. In
 /// long ones each member is in one conflict, with the first that it excludes.
 std::vector<PackConflict> find_pack_conflicts(const Model& model, Units& units);
+
+/// A member that never runs: by a need, the provider of another member holds a group that this member must have.
+struct KeptOff {
+  const Task* member = nullptr;
+  GroupId group{};
+  const Use<GroupId>* need = nullptr;
+};
+std::optional<KeptOff> find_kept_off(const Input& input, const PackConflict& conflict);
 
 /// Reports what excludes what, down to the cause, at the last member: for named packs, or for flat lists.
 void report_pack_conflicts(const Input& input, bool of_packs, Findings& findings);

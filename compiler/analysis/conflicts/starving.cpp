@@ -6,6 +6,7 @@
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/needs/units.hpp"
+#include "compiler/analysis/requests/gaps.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -53,6 +54,13 @@ void add_taker(const Input& input, const Refused& refused, const Taker& taker, s
 
 namespace {
 
+/// Whether the conditions of some provider of it are true at any time.
+bool never_waits(const Input& input, GroupId task) {
+  Ways ways(input.model, input.facts, false, [](ProviderId, const ConditionUse&) { return true; });
+  return find_covering(input.model, Region{}, ways.of(task), input.facts.values, input.shared.budget()) ==
+         Covering::covered;
+}
+
 /// Help for a mandatory task. A lower rank within one unit does not change that its needs are taken before anything
 /// below is tried.
 std::string propose(const Input& input, const Refused& refused, const Taker& taker) {
@@ -69,8 +77,8 @@ std::string propose(const Input& input, const Refused& refused, const Taker& tak
                                   name_of(model, by), elsewhere);
   // With the order reversed the other one would never run.
   const Indispensable& indispensable = input.shared.indispensable();
-  const bool either = !input.facts.may_wait.contains(task) && indispensable.contains(task, taker.group) &&
-                      indispensable.contains(by, taker.group);
+  const bool either =
+      never_waits(input, task) && indispensable.contains(task, taker.group) && indispensable.contains(by, taker.group);
   return either ? elsewhere : "give it a higher priority, or " + elsewhere;
 }
 

@@ -105,6 +105,16 @@ Groups Takers::held_by(GroupId group, const std::vector<ProviderId>& running) {
   return out.value_or(Groups{});
 }
 
+const Groups& Takers::held_by(GroupId group) {
+  const auto [at, is_new] = held_by_group_.try_emplace(group);
+  if (!is_new) return at->second;
+  std::vector<ProviderId> running;
+  for (const ProviderId id : input_.model.groups[group].providers) {
+    if (input_.facts.active.contains(id)) running.push_back(id);
+  }
+  return at->second = held_by(group, running);
+}
+
 Groups Takers::needers(GroupId holder, GroupId group) {
   const Groups& all = input_.shared.units().needed(holder);
   Groups out;
@@ -274,6 +284,16 @@ bool Takers::may_change_hands(GroupId id) const {
 
 bool Takers::may_get_new_orders(GroupId id) const {
   return input_.model.groups[id].providers.size() > 1 || may_change_hands(id);
+}
+
+bool Takers::may_be_equals(GroupId a, GroupId b) {
+  const auto [at, is_new] = may_be_equals_.try_emplace({a, b}, true);
+  if (!is_new || input_.shared.claims(a).contains(b) || input_.shared.claims(b).contains(a)) return at->second;
+  at->second = false;
+  input_.shared.chains().visit(a, {b}, [&, &out = at->second](const Meeting& meeting, GroupId) {
+    out = out || meeting.first_level.priority == meeting.second_level.priority;
+  });
+  return at->second;
 }
 
 bool Takers::is_needed(GroupId group) const {

@@ -69,6 +69,8 @@ public:
   const Groups& must(GroupId group);
   /// What the group holds while one of these runs, or while it is held for a need afterwards.
   Groups held_by(GroupId group, const std::vector<ProviderId>& running);
+  /// The same, whichever of its providers runs.
+  const Groups& held_by(GroupId group);
   /// The groups whose need the group may be held for while `holder` runs.
   Groups needers(GroupId holder, GroupId group);
 
@@ -91,6 +93,8 @@ public:
   bool may_change_hands(GroupId group) const;
   /// Whether between two runs of others it may change its provider or its holder, or be requested again.
   bool may_get_new_orders(GroupId group) const;
+  /// Whether tasks for the two may have equal priority at the point where their chains meet, or one leads to the other.
+  bool may_be_equals(GroupId a, GroupId b);
   /// Whether another group's plan may hold the group, by any provider that can run.
   bool is_needed(GroupId group) const;
   bool is_mandatory(const Task& task) const;
@@ -114,6 +118,8 @@ private:
   Indispensable parts_; ///< by providers that may run at all
   std::unordered_map<ProviderId, Groups> must_of_provider_;
   std::unordered_map<GroupId, Groups> must_of_group_;
+  std::unordered_map<GroupId, Groups> held_by_group_;
+  std::map<std::pair<GroupId, GroupId>, bool> may_be_equals_;
   std::map<std::pair<GroupId, const Task*>, UnitTakes> takes_; ///< by the unit's first entry
 };
 

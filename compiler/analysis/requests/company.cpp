@@ -13,7 +13,7 @@ std::vector<const Task*> Company::find_bare_chain(const Request& request, bool w
   std::vector<const Task*> out{request.task};
   if (!request.requester) return out;
   const GroupId requester = model_.providers[*request.requester].group;
-  if (!visited_.insert(requester).second) return {};
+  if (is_wanted(requester) || !visited_.insert(requester).second) return {};
   for (const Request& above : requests_.of(requester)) {
     const std::vector<const Task*> chain = find_bare_chain(above, false);
     if (chain.empty()) continue;
