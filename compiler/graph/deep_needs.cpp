@@ -17,9 +17,9 @@ std::vector<std::size_t> depths(const Graph& graph) {
   std::vector<std::vector<Node>> parts(size); // the cycle of each group, in the row of its first one
   std::vector<Node> part_of(size);
   for (Node node = 0; node < size; ++node) part_of[node] = node;
-  for (const std::vector<Node>& circle : graph.needs_cycles) {
-    for (const Node node : circle) part_of[node] = circle.front();
-    parts[circle.front()] = circle;
+  for (const std::vector<Node>& cycle : graph.needs_cycles) {
+    for (const Node node : cycle) part_of[node] = cycle.front();
+    parts[cycle.front()] = cycle;
   }
   std::vector<std::size_t> out(size, 0);
   const std::vector<Node> order = topological_order(graph.needs);
