@@ -121,6 +121,27 @@ TEST_CASE("boxes stand in their layers, and those that all the same ones request
                                         "limb: [Left, Right] [Arm] [Head]\n");
 }
 
+TEST_CASE("what is in no layer stands below the layers where something in a layer leads to it, else above") {
+  const Picture picture = picture_of(R"(behaviour: bot
+language: 1
+layers: [mission, skill]
+roots: [Top, Go]
+groups:
+  Top: {tasks: [Begin]}
+  Begin: {tasks: [Walk, Flag]}
+  Flag: {}
+  Go: {layer: mission, tasks: [Walk]}
+  Walk: {layer: skill, needs: [Leg]}
+  Leg: {needs: [Servo]}
+  Servo: {}
+  Unused: {}
+)");
+  CHECK(boxes_of(picture) == "-: [Top] [Begin] [Flag]\n"
+                             "mission: [Go]\n"
+                             "skill: [Walk]\n"
+                             "-: [Leg] [Servo] [Unused]\n");
+}
+
 TEST_CASE("a box says what its group, its providers and its handlers declare") {
   const Picture picture = picture_of(walker);
   const auto lines = [](const std::vector<PictureLine>& all) {
