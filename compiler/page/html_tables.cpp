@@ -16,9 +16,9 @@ std::string anchor_of(const Json& row, const Json* column) {
   return column == nullptr ? from : from + "-to-" + html((*column)["group"].as_text());
 }
 
-std::string legend_html() {
+std::string legend_html(const Json& rows) {
   std::string out = "<dl class=\"legend\">\n";
-  for (const CellKind& kind : cell_kinds())
+  for (const CellKind& kind : cell_kinds_in(rows))
     out += fmt::format("<div><dt><b class=\"sign\" data-kind=\"{0}\">{1}</b> {0}</dt><dd>{2}</dd></div>\n", kind.kind,
                        kind.sign, kind.meaning);
   return out + "</dl>\n";
@@ -62,7 +62,7 @@ std::string matrix_html(const Json& rows) {
     out += fmt::format("<th scope=\"col\"><span>{}</span></th>", html(row["group"].as_text()));
   out += "</tr></thead>\n<tbody>\n";
   for (const Json& row : rows.items()) {
-    out += fmt::format("<tr><th scope=\"row\">{}</th>", html(row["group"].as_text()));
+    out += fmt::format("<tr><th scope=\"row\"><span>{}</span></th>", html(row["group"].as_text()));
     const std::vector<Json>& cells = row["cells"].items();
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const CellKind& kind = cell_kind(cells[i]);
@@ -136,9 +136,9 @@ std::string take_table_html(const Json& takes) {
 /// Folded: it is long.
 std::string rivals_html(const std::vector<Rivals>& all) {
   std::string out =
-      fmt::format("<details class=\"rivals\"><summary>By what several request</summary>\n<p>{}</p>\n"
+      fmt::format("<details class=\"rivals\"><summary>Groups with several requesters</summary>\n<p>{}</p>\n"
                   "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Table of those that request "
-                  "the same\"><table>\n<thead><tr><th scope=\"col\">wanted</th><th scope=\"col\">by"
+                  "the same\"><table>\n<thead><tr><th scope=\"col\">group</th><th scope=\"col\">requesters"
                   "</th><th scope=\"col\">decided by</th></tr></thead>\n<tbody>\n",
                   rivals_intro);
   for (const Rivals& each : all) {
@@ -186,7 +186,7 @@ std::string transitions_html(const HtmlInput& input) {
   std::string out =
       "<p>The first group runs, then the second one is requested. What the engine does then was played.</p>\n";
   if (transitions["limited"].as_boolean()) out += fmt::format("<p>{}</p>\n", limited_intro);
-  out += legend_html() + matrix_html(rows);
+  out += legend_html(rows) + matrix_html(rows);
   if (std::string names; !transitions["not_requested"].items().empty()) {
     for (const std::string& name : transitions["not_requested"].as_texts())
       names += (names.empty() ? "" : ", ") + group_link(name);

@@ -85,7 +85,14 @@ private:
   }
 
   void add_doc(const Json& thing) {
-    if (!thing["doc"].is_null()) out_ += escaped(trimmed(thing["doc"].as_text())) + "\n\n";
+    if (thing["doc"].is_null()) return;
+    const std::string text = trimmed(thing["doc"].as_text());
+    std::string_view rest = text;
+    while (!rest.empty()) { // a paragraph each
+      const std::size_t end = std::min(rest.find("\n\n"), rest.size());
+      out_ += escaped(rest.substr(0, end)) + "\n\n";
+      rest.remove_prefix(std::min(end + 2, rest.size()));
+    }
   }
 
   std::string place(const Json& thing) const {
@@ -201,7 +208,7 @@ private:
   }
 
   void add_rivals(const std::vector<Rivals>& rivals) {
-    out_ += fmt::format("{}\n\n| wanted | by | decided by |\n| --- | --- | --- |\n", rivals_intro);
+    out_ += fmt::format("{}\n\n| group | requesters | decided by |\n| --- | --- | --- |\n", rivals_intro);
     for (const Rivals& each : rivals) {
       std::vector<std::string> decisions;
       for (const std::string& decision : each.decisions) decisions.push_back(escaped(decision));
@@ -219,7 +226,7 @@ private:
     if (rows.items().empty()) return;
     out_ += "## Transitions\n\nThe first group, a row, runs; then the second one, a column, is requested.\n\n";
     if (transitions["limited"].as_boolean()) out_ += fmt::format("{}\n\n", limited_intro);
-    for (const CellKind& kind : cell_kinds())
+    for (const CellKind& kind : cell_kinds_in(rows))
       out_ += fmt::format("- **{}** {}: {}\n", kind.sign, kind.kind, kind.meaning);
     out_ += "\n| from \\ to |";
     for (const Json& row : rows.items()) out_ += fmt::format(" {} |", escaped(row["group"].as_text()));

@@ -41,6 +41,19 @@ const CellKind& cell_kind(const Json& cell) {
   return at == kinds.end() ? kinds.back() : *at;
 }
 
+std::vector<CellKind> cell_kinds_in(const Json& rows) {
+  std::vector<CellKind> out;
+  for (const CellKind& kind : cell_kinds()) {
+    const auto is_one = [&](const Json& cell) { return cell_kind(cell).kind == kind.kind; };
+    const auto has_one = [&](const Json& row) {
+      const std::vector<Json>& cells = row["cells"].items();
+      return std::any_of(cells.begin(), cells.end(), is_one);
+    };
+    if (std::any_of(rows.items().begin(), rows.items().end(), has_one)) out.push_back(kind);
+  }
+  return out;
+}
+
 bool needs_explanation(const Json& cell) {
   const std::string_view kind = cell_kind(cell).kind;
   return kind != "both" && kind != "same chain" && kind != "unreachable";

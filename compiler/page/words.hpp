@@ -11,6 +11,8 @@ struct CellKind {
   std::string_view kind, sign, meaning;
 };
 const std::vector<CellKind>& cell_kinds();
+/// Those that these rows have, for a legend.
+std::vector<CellKind> cell_kinds_in(const Json& rows);
 const CellKind& cell_kind(const Json& cell);
 
 /// Whether the cell has its own explanation; otherwise a line for all of its kind in a row is enough.

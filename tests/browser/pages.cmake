@@ -14,6 +14,11 @@ foreach(i RANGE 1 59)
 endforeach()
 file(WRITE ${into}/wide.yaml "${wide}")
 file(WRITE ${into}/alone.yaml "behaviour: alone\nlanguage: 1\nroots: [Only]\ngroups:\n  Only: {}\n")
+set(aside "behaviour: aside\nlanguage: 1\nroots: [Play]\ngroups:\n  Play: {tasks: [Thing1]}\n")
+foreach(i RANGE 1 80)
+  string(APPEND aside "  Thing${i}: {needs: [Part${i}]}\n  Part${i}: {}\n")
+endforeach()
+file(WRITE ${into}/aside.yaml "${aside}")
 string(REPEAT LookAtThisThing 5 name)
 string(TOLOWER ${name} way)
 file(WRITE ${into}/long_names.yaml "behaviour: long_${way}\nlanguage: 1
@@ -22,7 +27,7 @@ roots: [${name}]
 groups:
   ${name}: {providers: [{name: ${way}, when: [${name}State == ${way}], tasks: [${name}Below]}, {name: else_${way}, tasks: [${name}Below]}]}
   ${name}Below: {}\n")
-execute_process(COMMAND ${DIRECTORC} docs behaviours/soccer/soccer.yaml behaviours/robocup/robocup.yaml tests/docs/explore/photo.yaml ${into}/wide.yaml ${into}/alone.yaml ${into}/long_names.yaml -o ${into}/out
+execute_process(COMMAND ${DIRECTORC} docs behaviours/soccer/soccer.yaml behaviours/robocup/robocup.yaml tests/docs/explore/photo.yaml ${into}/wide.yaml ${into}/aside.yaml ${into}/alone.yaml ${into}/long_names.yaml -o ${into}/out
                         "--link=https://git.example.org/{file}#L{line}"
                 WORKING_DIRECTORY ${ROOT} COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${NODE} pages.mjs ${CHROMIUM} ${into}/out WORKING_DIRECTORY ${into} RESULT_VARIABLE failed)

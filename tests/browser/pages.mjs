@@ -63,6 +63,16 @@ await situation('a focus greys out what has nothing to do with the group, Escape
   assert.deepEqual(await near(page), []);
 });
 
+await situation('a focus has all that is near the group in the frame, at a size that can be read', 'soccer', {}, async (page) => {
+  for (const group of ['Kick', 'Walk', 'Striker']) {
+    await click(page.locator(`#group-${group} button.focus`));
+    const all = await near(page), out = await beyond(page);
+    assert.deepEqual(all.filter((name) => out.includes(name)), []);
+    const letter = await page.locator('.holder:not([hidden]) g.node.near text').first().evaluate((text) => text.getBoundingClientRect().height);
+    assert.ok(letter >= 8, `${letter}`);
+  }
+});
+
 await situation('the picture is moved and zoomed by keys, wheel and buttons', 'soccer', {}, async (page) => {
   const place = () => page.locator('.holder:not([hidden]) svg > g').getAttribute('transform');
   await page.locator('.holder:not([hidden]) .picture').focus();
@@ -115,6 +125,11 @@ await situation('of any two groups the page says who goes first, and what decide
   await shot(page, 'soccer_pair');
 });
 
+await situation('what the letters of the matrix mean is said of those that stand in it', 'soccer', {}, async (page) => {
+  const signs = (where) => page.locator(where).evaluateAll((all) => [...new Set(all.map((each) => each.textContent))].sort());
+  assert.deepEqual(await signs('.legend .sign'), await signs('.matrix td a'));
+});
+
 await situation('where the matrix is scrolled, its corner hides the names that go below it', 'robocup', {}, async (page) => {
   await page.locator('.matrix').evaluate((matrix) => { matrix.scrollIntoView(); matrix.scrollTop = 400; matrix.scrollLeft = 100; });
   const seen = await page.locator('.matrix').evaluate((matrix) => {
@@ -132,6 +147,19 @@ await situation('what a cell says comes in sight, and the cell stays there', 'ro
   const [bottom, top, height] = await page.evaluate(() => [document.getElementById('cell').getBoundingClientRect().bottom, document.activeElement.getBoundingClientRect().top, innerHeight]);
   assert.ok(bottom <= height + 1 || top < 100, `the words end at ${bottom} of ${height}, the cell is at ${top}`);
   assert.ok(top > 0);
+});
+
+await situation('on a narrow screen the names of rows stand on one line', 'soccer', { viewport: { width: 420, height: 900 } }, async (page) => {
+  const heights = await page.locator('.matrix tbody tr').evaluateAll((all) => all.map((row) => row.getBoundingClientRect().height));
+  assert.ok(Math.max(...heights) <= 40, `${heights}`);
+});
+
+await situation('what is said of groups and cells begins at one place below each other, however long the names are', 'soccer', {}, async (page) => {
+  for (const where of ['#from-Walk dd', '#group-LeftLeg dl:last-child dd']) {
+    const lefts = await page.locator(where).evaluateAll((all) => all.map((each) => Math.round(each.getBoundingClientRect().left)));
+    assert.ok(lefts.length >= 3);
+    assert.equal(new Set(lefts).size, 1, `${where}: ${lefts}`);
+  }
 });
 
 await situation('one finger scrolls the page, also on the picture; two move the picture', 'soccer', { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true }, async (page) => {
@@ -180,6 +208,8 @@ await situation('at 200 % nothing is cut off at the side', 'soccer', { viewport:
 await situation('on paper there are no buttons, and it fits', 'soccer', {}, async (page) => {
   await page.emulateMedia({ media: 'print' });
   assert.equal(await page.locator('button:visible').count(), 0);
+  const size = (where) => page.locator(where).first().evaluate((each) => parseFloat(getComputedStyle(each).fontSize));
+  assert.ok((await size('#group-Kick .place')) < (await size('#group-Kick dd')));
   assert.deepEqual(await beyond(page), []);
   await page.pdf({ path: join(folder, 'soccer.pdf'), format: 'A4' });
 });
@@ -237,13 +267,22 @@ await situation('a picture of sixty groups side by side begins in its middle, wi
     return { height: Math.max(...names.map(({ height }) => height)), inside: names.filter(({ left, right }) => left >= frame.left && right <= frame.right).length };
   });
   const first = await seen();
-  assert.ok(first.height >= 5 && first.inside > 3, JSON.stringify(first));
+  assert.ok(first.height >= 9 && first.inside > 3, JSON.stringify(first));
   await shot(page, 'wide');
   for (let i = 0; i < 12; ++i) await page.getByRole('button', { name: 'Larger' }).click();
   const largest = await seen();
   assert.ok(largest.height >= 30, JSON.stringify(largest));
   await page.getByRole('button', { name: 'Whole' }).click();
   assert.deepEqual(await beyond(page), []);
+});
+
+await situation('a picture that is wider than its frame begins at what the program requests', 'aside', {}, async (page) => {
+  const { left, right, frame } = await page.evaluate(() => {
+    const root = [...document.querySelectorAll('.picture g.node')].find((node) => node.textContent.includes('▼'));
+    return { ...root.getBoundingClientRect().toJSON(), frame: document.querySelector('.picture').getBoundingClientRect().toJSON() };
+  });
+  assert.ok(left >= frame.left && right <= frame.right, `${left} to ${right} in ${frame.left} to ${frame.right}`);
+  await shot(page, 'aside');
 });
 
 await situation('a picture of one group is as large as on paper, in a frame that is no higher than it needs', 'alone', {}, async (page) => {

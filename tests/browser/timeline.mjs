@@ -190,6 +190,37 @@ await situation('the filter says which events are stepped to and listed, and whi
   assert.equal(await page.locator('.labels a').count(), before);
 });
 
+await situation('the filter is whole on the screen, where it is narrow too', 'minute', {}, async (page) => {
+  await page.locator('.filter summary').click();
+  for (const width of [1040, 1280, 1400]) {
+    await page.setViewportSize({ width, height: 900 });
+    const { left, right } = await page.locator('.filter > div').evaluate((box) => box.getBoundingClientRect().toJSON());
+    assert.ok(left >= 0 && right <= width, `${left} to ${right} of ${width}`);
+  }
+});
+
+await situation('a time that is entered is gone to, and who is not requested then is told, with who may request it', 'minute', {}, async (page) => {
+  await page.getByLabel('Go to').fill('3.2');
+  await page.keyboard.press('Enter');
+  await frame(page);
+  assert.match(await where(page), /^3\.200 s, after event /);
+  assert.deepEqual((await lines(page, 'Not requested')).filter((line) => line.startsWith('Kick:')), ['Kick: KickTo may request it']);
+  await page.getByLabel('Go to').fill('100');
+  await page.keyboard.press('Enter');
+  await frame(page);
+  assert.match(await where(page), /^60\.000 s, /);
+});
+
+await situation('what is inactive can be read in the picture, its labels too', 'minute', {}, async (page) => {
+  await scrubTo(page, 0.2);
+  const pale = await page.locator('.holder:not([hidden]) text').evaluateAll((all) =>
+    all.filter((text) => {
+      for (let up = text; up instanceof SVGElement; up = up.parentElement) if (Number(getComputedStyle(up).opacity) < 1) return true;
+      return false;
+    }).map((text) => text.textContent));
+  assert.deepEqual(pale, []);
+});
+
 await situation('where the tracks are scrolled, the ruler stays above them; a name that is cut off can be read', 'minute', {}, async (page) => {
   const top = await page.locator('.lanes').evaluate((lanes) => {
     lanes.scrollTop = 100;

@@ -119,8 +119,6 @@ SvgThing read_thing(const std::string& text, bool is_arrow) {
   std::vector<std::string> points = attributes(text, "path", "d");
   if (is_arrow) {
     for (std::string& path : points) path = on_the_curve(path);
-    static const std::string paper = "<polygon fill=\"#ffffff\" stroke=\"transparent\" points=\"";
-    for (const std::string& label : all_between(text, paper, "\"")) out.labels.push_back(around({label}));
   } else {
     for (const std::string& polygon : all_between(text, "points=\"", "\"")) points.push_back(polygon);
     for (const std::string& words : elements(text, "text"))
@@ -128,6 +126,18 @@ SvgThing read_thing(const std::string& text, bool is_arrow) {
   }
   out.box = around(points);
   return out;
+}
+
+/// A label stands behind all arrows, with the title of its own.
+void add_label(const std::string& text, std::vector<SvgThing>& things) {
+  const std::string title = plain(between(text, "<title>", "<"));
+  for (SvgThing& thing : things) {
+    if (!thing.is_arrow || thing.title != title) continue;
+    thing.labels.push_back(around({between(text, "points=\"", "\"")}));
+    for (const std::string& words : all_between(text, "xlink:title=\"", "\"")) thing.tooltips.push_back(plain(words));
+    for (const std::string& link : all_between(text, "xlink:href=\"", "\"")) thing.links.push_back(plain(link));
+    return;
+  }
 }
 
 double luminance(const std::string& colour) {
@@ -161,16 +171,19 @@ Svg read_svg(const std::string& text) {
   out.width = std::stod(first_of(attributes(text, "svg", "width")));
   out.height = std::stod(first_of(attributes(text, "svg", "height")));
   out.paper = around({first_of(attributes(text, "polygon", "points"))});
+  static constexpr std::string_view label = "<g class=\"label\">";
   std::size_t from = 0;
   std::string kind;
   for (std::size_t at = text.find("<g id=");; at = text.find("<g id=", at + 1)) {
     const std::string next = at == text.npos ? "" : attribute(text.substr(at, text.find('>', at) - at), "class");
     if (at != text.npos && next != "node" && next != "edge") continue;
-    if (!kind.empty()) out.things.push_back(read_thing(text.substr(from, at - from), kind == "edge"));
+    const std::size_t end = std::min(at, text.find(label, from));
+    if (!kind.empty()) out.things.push_back(read_thing(text.substr(from, end - from), kind == "edge"));
     if (at == text.npos) break;
     from = at;
     kind = next;
   }
+  for (const std::string& written : all_between(text, label, "</a>")) add_label(written, out.things);
   out.text_colours = unique(attributes(text, "text", "fill"));
   out.grounds = unique(all_between(text, "<rect class=\"band\" fill=\"", "\""));
   out.grounds.emplace_back("#ffffff");

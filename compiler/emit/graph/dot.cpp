@@ -218,6 +218,10 @@ private:
     return {palette::faint, solid, width};
   }
 
+  /// Graphviz sets a line as high as its largest letter, and so close that a name would touch the smaller line above
+  /// it.
+  static constexpr std::string_view below_smaller = "<FONT POINT-SIZE=\"15\">&#160;</FONT>";
+
   void draw_head(const PictureBox& box) {
     std::string text;
     if (box.requested)
@@ -227,6 +231,7 @@ private:
     if (box.kind == PictureBox::Kind::missing)
       text += small(palette::queued, "\u2716 no such group") + "<BR ALIGN=\"LEFT\"/>";
     text += fmt::format("<B>{}</B>", name_of(is_grey(box), box.name));
+    if (box.asked) text += below_smaller;
     if (!box.data.empty()) text += "<BR ALIGN=\"LEFT\"/>" + small(palette::grey, box.data);
     text += lines(is_grey(box), box.lines);
     if (box.is_direct()) text += lines(is_grey(box), box.rows.front().lines);
@@ -347,16 +352,25 @@ private:
     code_.line(fmt::format("{} -> {} [{}]", end(arrow.from), end(arrow.to), text));
   }
 
+  /// Places the boxes one below the other, regardless of arrows.
+  void draw_order(const PictureLayer& layer) {
+    if (!layer.in_order) return;
+    for (std::size_t i = 1; i < layer.boxes.size(); ++i)
+      code_.line(fmt::format("{} -> {} [style=invis, weight=10]", in_quotes(picture_.boxes[layer.boxes[i - 1]].name),
+                             in_quotes(picture_.boxes[layer.boxes[i]].name)));
+  }
+
   /// Groups in no layer have a band of their own too: in that of another they would seem to belong to it.
   void draw_layers() {
     const std::vector<PictureLayer>& layers = picture_.layers;
+    for (const PictureLayer& layer : layers) draw_order(layer);
     if (std::all_of(layers.begin(), layers.end(), [](const PictureLayer& layer) { return layer.name.empty(); })) return;
     const auto name = [&](std::size_t i) { return in_quotes(layers[i].title()); };
     const auto top = [&](std::size_t i) { return in_quotes("top of " + layers[i].title()); };
     for (std::size_t i = 0; i < layers.size(); ++i) {
       code_.line(fmt::format("{} [shape=plaintext, fontsize=11, height=0.2, fontcolor=\"{}\", label={}, tooltip={}]",
-                             name(i), palette::grey, layers[i].name.empty() ? name(i) : in_quotes(layers[i].name),
-                             name(i)));
+                             name(i), palette::grey,
+                             in_quotes(layers[i].name.empty() ? "no layer here" : layers[i].name), name(i)));
       code_.line(fmt::format("{} [shape=point, style=invis, width=0.01]", top(i)));
       code_.line(fmt::format("{{rank=same; {}; {};}}", name(i), top(i)));
       if (i > 0) code_.line(fmt::format("{} -> {} [style=invis, weight=100]", name(i - 1), name(i)));

@@ -78,11 +78,17 @@ struct PictureBox {
 
 /// A band, from top to bottom.
 struct PictureLayer {
-  std::string name; ///< empty: what is in no layer
+  std::string name;      ///< empty: what is in no layer
+  bool is_above = false; ///< what is in no layer, and leads to those that are
+  bool in_order = false; ///< each of its boxes stands below the one before
   std::vector<std::size_t> boxes;
   std::vector<std::size_t> first,
       last; ///< boxes of it that no other box of it leads to, or that lead to no box of it
-  std::string title() const { return name.empty() ? "no layer here" : "layer " + name; }
+  /// Different for each layer.
+  std::string title() const {
+    if (name.empty()) return is_above ? "no layer here, above all layers" : "no layer here";
+    return "layer " + name;
+  }
 };
 
 /// Where an arrow begins or ends.
@@ -123,7 +129,7 @@ struct Picture {
   std::vector<std::string> wrong;   ///< findings that are about no box
   std::string nothing;              ///< why there is no box; empty: there are some
   bool packs_left_out = false;      ///< there are so many boxes that an arrow represents all providers and packs
-  std::vector<PictureLayer> layers; ///< in the order declared; what is in none comes last
+  std::vector<PictureLayer> layers; ///< in the order declared; boxes in none are first if they lead there, else last
   std::vector<PictureBox> boxes;
   std::vector<PictureArrow> arrows; ///< by box
 };

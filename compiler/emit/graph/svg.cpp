@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Adds what Graphviz cannot draw: bands of the picture's whole width behind the layers, from the name of one to the
-// name of the next, and a description. Nothing that it placed is moved.
+// name of the next, labels in front of all lines, and a description. Nothing that it placed is moved.
 #include "compiler/base/counted.hpp"
 #include "compiler/base/html.hpp"
 #include "compiler/emit/graph/formats.hpp"
@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
+#include <utility>
 
 namespace director::compiler {
 
@@ -100,6 +101,30 @@ void name_arrows(std::string& svg) {
   }
 }
 
+/// Graphviz writes a label with its own arrow, so that arrows which it writes later would strike it out.
+void bring_labels_to_front(std::string& svg) {
+  constexpr std::string_view arrow = "class=\"edge\">\n", link = "<g id=\"a_edge", label = "&#45;label\"",
+                             close = "</a>\n</g>\n", open_title = "<title>", close_title = "</title>\n",
+                             close_picture = "</g>\n</svg>";
+  std::string out, labels;
+  std::size_t from = 0;
+  for (std::size_t at = svg.find(arrow), next = 0; at != nowhere; at = next) {
+    next = svg.find(arrow, at + arrow.size());
+    const std::size_t name = svg.find(label, at);
+    if (name == nowhere || name > next) continue;
+    const std::size_t begin = svg.rfind(link, name), end = svg.find(close, name);
+    const std::size_t title = svg.find(open_title, at), words = svg.find(close_title, title);
+    if (begin == nowhere || begin < at || end == nowhere || words == nowhere) continue;
+    labels += fmt::format("<g class=\"label\">\n{}{}</g>\n", svg.substr(title, words + close_title.size() - title),
+                          svg.substr(begin, end + close.size() - begin));
+    out.append(svg, from, begin - from);
+    from = end + close.size();
+  }
+  out.append(svg, from);
+  if (const std::size_t end = out.rfind(close_picture); end != nowhere) out.insert(end, labels);
+  svg = std::move(out);
+}
+
 void add_words(const Picture& picture, std::string& svg) {
   const std::size_t tag = svg.find("<svg ");
   const std::size_t end = tag == nowhere ? nowhere : svg.find('>', tag);
@@ -157,6 +182,7 @@ std::string summary(const Picture& picture) {
 std::string finish_svg(const Picture& picture, const std::string& drawn) {
   std::string out = drawn;
   add_bands(picture, out);
+  bring_labels_to_front(out);
   name_arrows(out);
   add_words(picture, out);
   return out;

@@ -32,6 +32,7 @@ export class Moment {
     add('Not known, as events are missing', of('unknown').map((each) => make('li', {}, link('group', this.name(each.group)))));
     if (parts.length === 1) parts.push(make('p', {}, 'Nothing runs.'));
     add('States', recording.names.header.states.map((state, i) => make('li', {}, link('state', state.name), ` ${this.value(i, event)}`)));
+    add('Not requested', of('inactive').map((each) => this.idle(each.group)));
     this.put(parts);
   }
 
@@ -61,6 +62,12 @@ export class Moment {
     const { condition } = standing.push ?? {};
     const text = words(this.source.recording.names, group, standing);
     return make('li', { class: mark }, link('group', this.name(group)), text === '' ? '' : `: ${text}`, mark === 'pushed' && condition ? `, which waits for ${condition}` : '');
+  }
+
+  private idle(group: number): HTMLElement {
+    const { names } = this.source.recording;
+    const by = names.askers[group].filter((edge) => names.header.edges[edge].levels.length > 0).map((edge) => names.askerText(edge));
+    return make('li', {}, link('group', this.name(group)), by.length === 0 ? '' : `: ${by.join(', ')} may request it`);
   }
 
   private wait(group: number, standing: Standing, event: number): HTMLElement {

@@ -10,9 +10,12 @@ const inFront = 'near';
 /** Pixels a point: at this scale its text is as large as Graphviz means it. */
 const onPaper = 4 / 3;
 
-/** Smaller than that nobody recognizes a name: a picture that is wider begins in its middle, and a flat one larger, as the frame has place. */
+/** Smaller than that nobody recognizes a name: a picture that is wider begins at its roots, and a flat one larger, as the frame has room. */
 const least = 0.4;
 const flat = { scale: 0.8, height: 256 }; // at most; as page.css has it
+
+/** At this scale names can be read. */
+const readable = 0.6;
 
 /** What Graphviz calls an arrow: `Walk.halting → Wheels`, each end with its row behind a dot. */
 function endsOf(title: string): [string, string] | undefined {
@@ -25,7 +28,7 @@ const groupOf = (end: string): string => end.split('.')[0];
 export class Picture {
   readonly nodes = new Map<string, SVGGElement>();
   readonly svg: SVGSVGElement;
-  readonly arrows: { from: string; to: string; element: SVGGElement }[] = []; // each end with its row behind a dot
+  readonly arrows: { from: string; to: string; element: SVGGElement }[] = []; // and their labels; each end with its row behind a dot
   private readonly motion = zoom<SVGSVGElement, unknown>();
 
   constructor(readonly frame: HTMLElement) {
@@ -34,7 +37,7 @@ export class Picture {
     for (const node of layer.querySelectorAll<SVGGElement>('g.node')) {
       this.nodes.set(node.querySelector('title')?.textContent ?? '', node);
     }
-    for (const element of layer.querySelectorAll<SVGGElement>('g.edge')) {
+    for (const element of layer.querySelectorAll<SVGGElement>('g.edge, g.label')) {
       const ends = endsOf(element.querySelector('title')?.textContent ?? '');
       if (ends) this.arrows.push({ from: ends[0], to: ends[1], element });
     }
@@ -61,7 +64,7 @@ export class Picture {
       node.classList.toggle('chosen', name === group);
     }
     this.svg.classList.toggle('focused', group !== undefined);
-    if (group !== undefined) this.centre(group);
+    if (group !== undefined) this.centre(group, near);
   }
 
   mark(names: Set<string>): void {
@@ -113,23 +116,40 @@ export class Picture {
   show(): void {
     const view = this.svg.viewBox.baseVal;
     const fits = this.frame.clientWidth / view.width;
-    const wanted = fits < least ? Math.max(least, Math.min(flat.scale, flat.height / view.height)) : Math.min(onPaper, fits);
+    const wanted = fits < readable ? Math.max(fits, least, Math.min(flat.scale, flat.height / view.height)) : Math.min(onPaper, fits);
     this.frame.style.setProperty('--needed', `${Math.ceil(wanted * view.height) + 2}px`);
     const unit = this.svg.getScreenCTM()?.a ?? 0;
     if (unit === 0) return;
     const scale = unit > onPaper ? onPaper / unit : Math.max(1, wanted / unit);
     this.motion.scaleExtent([0.2, Math.max(12, (3 * onPaper) / unit)]);
-    select(this.svg).call(this.motion.transform, zoomIdentity.translate(((1 - scale) * view.width) / 2, 0).scale(scale));
+    const [seen, drawn] = [this.frame.clientWidth / unit, scale * view.width];
+    const most = Math.max(0, (drawn - seen) / 2); // from its middle
+    const aside = Math.max(-most, Math.min(most, scale * (view.width / 2 - this.roots(view.width / 2))));
+    select(this.svg).call(this.motion.transform, zoomIdentity.translate((view.width - drawn) / 2 + aside, 0).scale(scale));
   }
 
-  private centre(group: string): void {
+  /** Where what the program requests stands, from the left. */
+  private roots(otherwise: number): number {
+    const all = [...this.nodes.values()].filter((node) => node.querySelector('text')?.textContent?.startsWith('▼')).map((node) => node.getBBox());
+    return all.length === 0 ? otherwise : all.reduce((sum, { x, width }) => sum + x + width / 2, 0) / all.length;
+  }
+
+  /** With all that is near it, where that can be read. */
+  private centre(group: string, near: Set<string>): void {
     const node = this.nodes.get(group);
     this.whole();
     const matrix = this.svg.getScreenCTM();
     if (!node || !matrix || matrix.a === 0) return;
-    const box = node.getBoundingClientRect();
+    const around = (nodes: Element[]): DOMRect => {
+      const boxes = nodes.map((each) => each.getBoundingClientRect());
+      const [left, top] = [Math.min(...boxes.map((box) => box.left)), Math.min(...boxes.map((box) => box.top))];
+      return new DOMRect(left, top, Math.max(...boxes.map((box) => box.right)) - left, Math.max(...boxes.map((box) => box.bottom)) - top);
+    };
+    const all = around([...near].flatMap((name) => this.nodes.get(name) ?? []));
+    const fits = (0.95 * matrix.a) * Math.min(this.frame.clientWidth / all.width, this.frame.clientHeight / all.height);
+    const box = fits < readable ? around([node]) : all;
     const at = new DOMPoint(box.left + box.width / 2, box.top + box.height / 2).matrixTransform(matrix.inverse());
-    this.scale(Math.max(1, onPaper / matrix.a));
+    this.scale(Math.max(1, Math.min(onPaper, Math.max(fits, readable)) / matrix.a));
     select(this.svg).call(this.motion.translateTo, at.x, at.y);
   }
 

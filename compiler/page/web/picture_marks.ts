@@ -218,8 +218,8 @@ export class PictureMarks {
 
   private pushMark(arrow: Arrow, event: number): Mark {
     for (const to of arrow.to) {
-      const { push } = this.recording.standingAt(to, event);
-      if (push && arrow.from.includes(this.names.targets[push.edge]) && this.names.header.groups[to].providers[push.provider] === arrow.pushedTo) return 'pushed';
+      const { mark, push } = this.recording.standingAt(to, event);
+      if (mark === 'pushed' && push && arrow.from.includes(this.names.targets[push.edge]) && this.names.header.groups[to].providers[push.provider] === arrow.pushedTo) return 'pushed';
     }
     return 'inactive';
   }

@@ -45,6 +45,7 @@ export class Timeline {
   private readonly where = make('output', { class: 'where' });
   private readonly inPicture = make('input', { type: 'checkbox', id: 'in-picture', checked: '' });
   private readonly onlyNow = make('input', { type: 'checkbox', id: 'only-now' });
+  private readonly at = make('input', { type: 'number', id: 'at', step: 'any' });
   private readonly follow = make('input', { type: 'checkbox', id: 'follow', checked: '' });
   private look: Look;
   private width = 0;
@@ -85,7 +86,7 @@ export class Timeline {
     );
     const bar = make(
       'div', { class: 'bar' },
-      button('Previous event', () => this.step(-1)), button('Next event', () => this.step(1)), this.player.element, zoom,
+      button('Previous event', () => this.step(-1)), button('Next event', () => this.step(1)), this.player.element, make('label', {}, 'Go to ', this.at, ' s'), zoom,
       make('label', {}, this.inPicture, ' Moment in the picture'), make('label', {}, this.onlyNow, ' Only what runs or waits then'),
     );
     if (this.source.grows) bar.append(make('label', {}, this.follow, ' Follow the end'));
@@ -101,6 +102,7 @@ export class Timeline {
     this.inPicture.addEventListener('change', () => this.moved());
     this.onlyNow.addEventListener('change', () => this.change());
     byId('picture')?.addEventListener('change', () => this.moved()); // another view of it
+    this.at.addEventListener('change', () => this.goTo(this.at.value));
     this.follow.addEventListener('change', () => this.grown());
     this.area.addEventListener('keydown', (event) => this.key(event));
     this.area.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
@@ -130,6 +132,13 @@ export class Timeline {
     this.leaveEnd();
     this.tip.hidden = true;
     this.cursor.goToTime(this.view.timeAt(event.clientX - this.area.getBoundingClientRect().left, this.width));
+  }
+
+  /** To this time, in seconds; nowhere if it is none. */
+  private goTo(text: string): void {
+    if (text === '' || !Number.isFinite(Number(text))) return;
+    this.leaveEnd();
+    this.cursor.goToTime(Math.round(Number(text) * 1e6));
   }
 
   private leaveEnd(): void {

@@ -3,10 +3,11 @@
 //
 // A process track for the behaviour; below it, in this order, one track for inputs, one for each group, with a slice
 // for each time that a provider is active, those of the states, with a slice for each value, and counters. Viewers
-// merge tracks of one name below one parent, so those of the states have a parent of their own; and they sort by name
-// unless a rank is given. Flows lead from a waiting task to the group that is pushed for it, and from the requester
-// that loses a group to the one that takes it over. Numbers of fields: protos/perfetto/trace of
-// https://github.com/google/perfetto; those used are in tests/support/perfetto.proto.
+// merge tracks of one name below one parent, so those of the states have a parent of their own, and the names of other
+// tracks have a space, which names of groups have not; and they sort by name unless a rank is given. Flows lead from a
+// waiting task to the group that is pushed for it, and from the requester that loses a group to the one that takes it
+// over. Numbers of fields: protos/perfetto/trace of https://github.com/google/perfetto; those used are in
+// tests/support/perfetto.proto.
 #include "runtime/core/api/event_names.hpp"
 #include "runtime/hosted/decision_printer.hpp"
 #include "runtime/hosted/trace/protobuf.hpp"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -74,10 +76,11 @@ public:
         .message(track_process, Message().number(process_pid, 1).text(process_name, behaviour));
     describe(root, out);
     std::uint64_t rank = 0;
-    describe(below(process, outside, "outside", rank++), out);
+    describe(below(process, outside, "from outside", rank++), out);
     for (Index g = 0; g < t_.groups.size(); ++g)
       describe(below(process, first_group + g, n_.group(n_.self, g), rank++), out);
-    if (!values_.empty()) describe(below(process, states, "states", rank++).number(track_ordering, by_rank), out);
+    if (!values_.empty())
+      describe(below(process, states, "values of states", rank++).number(track_ordering, by_rank), out);
     for (Index row = 0; row < values_.size(); ++row)
       describe(below(states, state_track(row), n_.state(n_.self, row), row), out);
     describe(below(process, queued_tasks, "queued tasks", rank++).message(track_counter, Message()), out);
@@ -168,9 +171,10 @@ private:
   }
 
   void append(const Message& event, std::string& out) const {
-    constexpr Time nanoseconds = 1000;
+    constexpr Time nanoseconds = 1000, last = std::numeric_limits<Time>::max() / nanoseconds; // Perfetto has 292 years
     Message packet;
-    packet.number(packet_timestamp, static_cast<std::uint64_t>(now_ * nanoseconds)).message(packet_track_event, event);
+    packet.number(packet_timestamp, static_cast<std::uint64_t>(std::min(now_, last) * nanoseconds))
+        .message(packet_track_event, event);
     write(packet, out);
   }
 

@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <map>
 #include <regex>
 
@@ -198,7 +199,58 @@ TEST_CASE("500 groups can be read by their modules") {
   CHECK(boxes == 45);
 }
 
-TEST_CASE("a group of no layer is below the band of each layer, whichever leads to which") {
+TEST_CASE("no arrow is drawn over a label") {
+  if (!has_graphviz()) return;
+  for (const char* const file : {"behaviours/warehouse/warehouse.yaml", "behaviours/drone/drone.yaml"}) {
+    CAPTURE(file);
+    const Drawn picture = drawn({behaviour(file)});
+    std::size_t labels = 0;
+    for (const SvgThing& thing : read_svg(picture.out).things) labels += thing.labels.size();
+    CHECK(labels >= 15);
+    const std::string_view paper = "<polygon fill=\"#ffffff\" stroke=\"transparent\"";
+    CHECK(picture.out.find(paper) > picture.out.rfind("class=\"edge\""));
+    CHECK(picture.out.find(paper) > picture.out.rfind("class=\"node\""));
+  }
+}
+
+TEST_CASE("the name of a root does not touch the text above it") {
+  if (!has_graphviz()) return;
+  const std::string svg = drawn({behaviour("tests/docs/rover/rover.yaml")}).out;
+  const std::size_t program = svg.find("\u25BC program"), name = svg.find(">Explore</text>");
+  REQUIRE(program != svg.npos);
+  REQUIRE(name != svg.npos);
+  const auto height = [&](std::size_t at) { return std::stod(svg.substr(svg.rfind(" y=\"", at) + 4)); };
+  CHECK(height(name) - height(program) >= 12.5);
+}
+
+TEST_CASE("collapsed to layers they are one below the other as declared") {
+  if (!has_graphviz()) return;
+  const Svg svg = read_svg(drawn({behaviour("behaviours/warehouse/warehouse.yaml"), "--collapse=layer"}).out);
+  std::vector<std::pair<double, std::string>> places;
+  for (const SvgThing& thing : svg.things) {
+    if (!thing.is_arrow) places.emplace_back(thing.box.top, thing.title);
+  }
+  std::sort(places.begin(), places.end());
+  std::string seen;
+  for (const auto& [top, title] : places) seen += title + "; ";
+  CHECK(seen == "layer guard; layer purpose; layer plan; layer skill; layer actuation; ");
+}
+
+TEST_CASE("a push that is made and not in force is no arrow") {
+  if (!has_graphviz()) return;
+  // Travel, for which the arm is pushed, has the joints already.
+  const std::string scenario = behaviour("behaviours/warehouse/scenarios/a_person_comes_close.scenario.yaml");
+  const auto arrows = [&](const std::string& step) {
+    const std::vector<SvgThing> things = read_svg(drawn({scenario, step}).out).things;
+    return std::count_if(things.begin(), things.end(), [](const SvgThing& thing) {
+      return thing.is_arrow && thing.title == "Travel \u2192 MoveArm.folding";
+    });
+  };
+  CHECK(arrows("--step=1") == 1);
+  CHECK(arrows("--step=3") == 0);
+}
+
+TEST_CASE("a group of no layer is below all layers if one leads to it and otherwise above them") {
   if (!has_graphviz()) return;
   const OwnFolder folder("picture-no-layer");
   folder.write("bot.yaml", "behaviour: bot\nlanguage: 1\nlayers: [mission, skill]\nroots: [Top, Go]\ngroups:\n"
@@ -211,12 +263,15 @@ TEST_CASE("a group of no layer is below the band of each layer, whichever leads 
     if (!thing.is_arrow) boxes[thing.title] = thing.box;
   }
   REQUIRE(boxes.count("no layer here") == 1);
+  REQUIRE(boxes.count("no layer here, above all layers") == 1);
+  const double mission = boxes["layer mission"].bottom;
+  CHECK(boxes["Top"].bottom <= mission);
   const double above_name = 16; // as the bands are drawn
   const double skill = boxes["layer skill"].bottom - above_name, none = boxes["no layer here"].bottom - above_name;
   CHECK(boxes["Go"].bottom <= skill);
   CHECK(boxes["Walk"].top >= skill);
   CHECK(boxes["Walk"].bottom <= none);
-  for (const char* name : {"Top", "Leg", "Arm"}) {
+  for (const char* name : {"Leg", "Arm"}) {
     CAPTURE(name);
     CHECK(boxes[name].top >= none);
   }

@@ -121,6 +121,27 @@ TEST_CASE("boxes are in their layers, and those with the same requests from the 
                                         "limb: [Left, Right] [Arm] [Head]\n");
 }
 
+TEST_CASE("a box of no layer is below the layers if a box in a layer leads to it and otherwise above") {
+  const Picture picture = picture_of(R"(behaviour: bot
+language: 1
+layers: [mission, skill]
+roots: [Top, Go]
+groups:
+  Top: {tasks: [Begin]}
+  Begin: {tasks: [Walk, Flag]}
+  Flag: {}
+  Go: {layer: mission, tasks: [Walk]}
+  Walk: {layer: skill, needs: [Leg]}
+  Leg: {needs: [Servo]}
+  Servo: {}
+  Unused: {}
+)");
+  CHECK(boxes_of(picture) == "-: [Top] [Begin] [Flag]\n"
+                             "mission: [Go]\n"
+                             "skill: [Walk]\n"
+                             "-: [Leg] [Servo] [Unused]\n");
+}
+
 TEST_CASE("a box shows what its group, its providers and its handlers declare") {
   const Picture picture = picture_of(walker);
   const auto lines = [](const std::vector<PictureLine>& all) {

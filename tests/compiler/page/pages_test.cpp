@@ -94,6 +94,13 @@ TEST_CASE("a page as HTML, without its script and style", "[golden]") {
   check_golden("tests/compiler/page/golden/robot.html", html);
 }
 
+TEST_CASE("a text of several paragraphs has them on both pages") {
+  const Pages pages =
+      pages_of("roots: [Walk]\ngroups:\n  Walk:\n    doc: |\n      One\n      leg.\n\n      The other.\n", "");
+  CHECK(pages.markdown.find("\n\nOne leg.\n\nThe other.\n\n") != std::string::npos);
+  CHECK(pages.html.find("<p class=\"doc\">One\nleg.</p>\n<p class=\"doc\">The other.</p>\n") != std::string::npos);
+}
+
 TEST_CASE("the policy of a page allows its own script and style by their check sums, and nothing else") {
   const std::string html = pages_of(robot, {}).html;
   const std::string policy = between(html, "content=\"default-src 'none'; ", "\">");

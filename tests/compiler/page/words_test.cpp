@@ -30,4 +30,13 @@ TEST_CASE("of two that request the same each decision is listed once, up to a li
                     "decision 5\ndecision 6\ndecision 7\nand 2 more");
 }
 
+TEST_CASE("a legend of cells has the kinds that there are, in the order of all") {
+  const auto cell = [](const char* kind) { return Json::object({{"kind", Json::text(kind)}}); };
+  const auto row = [](std::vector<Json> cells) { return Json::object({{"cells", Json::list(std::move(cells))}}); };
+  const Json rows = Json::list({row({cell("both"), cell("soft")}), row({cell("waits"), cell("soft")})});
+  std::string signs;
+  for (const compiler::page::CellKind& kind : compiler::page::cell_kinds_in(rows)) signs += kind.sign;
+  CHECK(signs == "SWB");
+}
+
 } // namespace director::tests

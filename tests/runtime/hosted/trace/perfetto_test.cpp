@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -147,15 +148,41 @@ TEST_CASE(
             packet[packet["process_name"].empty() ? "name" : "process_name"] + " " + packet["child_ordering"] + "\n";
   }
   CHECK(seen == "/ 1 \"lamp\" EXPLICIT\n"
-                "1/0 2 \"outside\" \n"
+                "1/0 2 \"from outside\" \n"
                 "1/1 16 \"Shine\" \n"
                 "1/2 17 \"Signal\" \n"
                 "1/3 18 \"Bulb\" \n"
-                "1/4 5 \"states\" EXPLICIT\n"
+                "1/4 5 \"values of states\" EXPLICIT\n"
                 "5/0 19 \"Motion\" \n"
                 "5/1 20 \"Charge\" \n"
                 "1/5 3 \"queued tasks\" \n"
                 "1/6 4 \"lost inputs\" \n");
+}
+
+TEST_CASE("in a trace for Perfetto no group has the name of another track, as viewers would merge the two") {
+  const Lamp lamp;
+  const std::unique_ptr<director::TraceFormat> format = director::perfetto(lamp.names);
+  std::string bytes;
+  format->begin(bytes);
+  for (const Packet& packet : packets_in(bytes)) {
+    const bool is_named = packet["parent_uuid"] == "1" && std::stoi(packet["uuid"]) < 16; // tracks of groups come then
+    if (is_named) CHECK(packet["name"].find(' ') != std::string::npos); // the name of a group has none
+  }
+}
+
+TEST_CASE("a trace for Perfetto has no time beyond the range of its viewer") {
+  const Lamp lamp;
+  const std::unique_ptr<director::TraceFormat> format = director::perfetto(lamp.names);
+  std::string bytes;
+  format->begin(bytes);
+  constexpr director::Time last = 9'223'372'036'854'775; // microseconds: 292 years
+  for (const director::Time time : {last - 1, last, last + 1, std::numeric_limits<director::Time>::max()}) {
+    director::Event event = lamp.event(director::Event::Kind::lost, time);
+    event.count = 1;
+    format->event(event, bytes);
+  }
+  CHECK(counts_on("lost inputs", bytes) == "9223372036854774000: 1\n9223372036854775000: 2\n9223372036854775000: 3\n"
+                                           "9223372036854775000: 4\n");
 }
 
 TEST_CASE("in a trace for Perfetto each value of a state is a slice, and unknown after missing events") {
