@@ -19,6 +19,14 @@ foreach(i RANGE 1 80)
   string(APPEND aside "  Thing${i}: {needs: [Part${i}]}\n  Part${i}: {}\n")
 endforeach()
 file(WRITE ${into}/aside.yaml "${aside}")
+set(flat "behaviour: flat\nlanguage: 1\nroots: [Play]\ngroups:\n  Play:\n    tasks:\n")
+foreach(i RANGE 1 36)
+  string(APPEND flat "      Leaf${i}: {priority: ${i}}\n")
+endforeach()
+foreach(i RANGE 1 36)
+  string(APPEND flat "  Leaf${i}: {}\n")
+endforeach()
+file(WRITE ${into}/flat.yaml "${flat}")
 string(REPEAT LookAtThisThing 5 name)
 string(TOLOWER ${name} way)
 file(WRITE ${into}/long_names.yaml "behaviour: long_${way}\nlanguage: 1
@@ -27,7 +35,7 @@ roots: [${name}]
 groups:
   ${name}: {providers: [{name: ${way}, when: [${name}State == ${way}], tasks: [${name}Below]}, {name: else_${way}, tasks: [${name}Below]}]}
   ${name}Below: {}\n")
-execute_process(COMMAND ${DIRECTORC} docs behaviours/soccer/soccer.yaml behaviours/robocup/robocup.yaml tests/docs/explore/photo.yaml ${into}/wide.yaml ${into}/aside.yaml ${into}/alone.yaml ${into}/long_names.yaml -o ${into}/out
+execute_process(COMMAND ${DIRECTORC} docs behaviours/soccer/soccer.yaml behaviours/robocup/robocup.yaml tests/docs/explore/photo.yaml ${into}/wide.yaml ${into}/aside.yaml ${into}/flat.yaml ${into}/alone.yaml ${into}/long_names.yaml -o ${into}/out
                         "--link=https://git.example.org/{file}#L{line}"
                 WORKING_DIRECTORY ${ROOT} COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${NODE} pages.mjs ${CHROMIUM} ${into}/out WORKING_DIRECTORY ${into} RESULT_VARIABLE failed)

@@ -285,6 +285,11 @@ await situation('a picture that is wider than its frame begins at what the progr
   await shot(page, 'aside');
 });
 
+await situation('a flat picture that has room in height begins at a size that can be read, though half of that would show all of it', 'flat', {}, async (page) => {
+  const heights = await page.locator('.picture g.node text').evaluateAll((all) => all.map((text) => text.getBoundingClientRect().height));
+  assert.ok(Math.max(...heights) >= 10, `${Math.max(...heights)}`);
+});
+
 await situation('a picture of one group is as large as on paper, in a frame that is no higher than it needs', 'alone', {}, async (page) => {
   const { text, frame } = await page.evaluate(() => ({
     text: Math.max(...[...document.querySelectorAll('.picture g.node text')].map((each) => each.getBoundingClientRect().height)),
