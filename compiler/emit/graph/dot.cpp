@@ -231,7 +231,7 @@ private:
     if (box.kind == PictureBox::Kind::missing)
       text += small(palette::queued, "\u2716 no such group") + "<BR ALIGN=\"LEFT\"/>";
     text += fmt::format("<B>{}</B>", name_of(is_grey(box), box.name));
-    if (box.asked) text += below_smaller;
+    if (box.requested) text += below_smaller;
     if (!box.data.empty()) text += "<BR ALIGN=\"LEFT\"/>" + small(palette::grey, box.data);
     text += lines(is_grey(box), box.lines);
     if (box.is_direct()) text += lines(is_grey(box), box.rows.front().lines);
