@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/contests.hpp"
 
-#include "compiler/analysis/conflicts/certainties.hpp"
 #include "compiler/analysis/words/words.hpp"
 
 #include <fmt/format.h>

@@ -58,7 +58,7 @@ public:
     time_ = event.time;
     if (!queue_.put(event)) queue_.drop();
   }
-  void stepped(const director::View& view) { moments_.show(view, queue_.told()); }
+  void stepped(const director::View& view) { moments_.show(view, queue_.total()); }
   void tell() {
     feed_.take();
     tell("live", place_);
