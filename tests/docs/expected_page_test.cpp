@@ -55,7 +55,7 @@ TEST_CASE("a block may be what a command prints") {
   stays("run: printf 'a\\nb\\n'", "a\nb\n");
   stays("run, exit 4: echo no && exit 4", "no\n");
   stays("session", "$ echo one\none\n$ printf '1\\n2\\n3\\n'\n…\n3\n");
-  stays("session, in \"tests/docs\"", "$ ls told.hpp\ntold.hpp\n");
+  stays("session, in \"tests/docs\"", "$ ls expected_page.hpp\nexpected_page.hpp\n");
   CHECK(expected(page("run: echo b", "a\n")).text == page("run: echo b", "b\n"));
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/contests.hpp"
 
+#include "compiler/analysis/conflicts/takers.hpp"
 #include "compiler/analysis/words/words.hpp"
 
 #include <fmt/format.h>

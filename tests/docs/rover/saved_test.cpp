@@ -33,7 +33,7 @@ TEST_CASE("a rover that was saved while it brakes takes its picture in another o
   if (const auto result = other.load(bytes, 60s); result != director::LoadResult::loaded)
     throw std::runtime_error(director::to_text(result));
   CHECK(other.state<rover::Photograph>() == director::RunState::queued);
-  other.step(61s);                                                     // a second later it stands
+  other.step(61s); // a second later it stands
   CHECK(other.state<rover::Photograph>() == director::RunState::none); // it is done
 
   std::array<std::byte, 100> small;
