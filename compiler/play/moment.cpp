@@ -60,9 +60,8 @@ Moment moment_of(const View& view, const Model& model, const Lowered& lowered) {
   Moment out;
   for (const GroupId group : model.groups.ids()) {
     out.groups.push_back(standing_of(view, group, model, lowered));
-    const GroupAssignment& now = view.assignment[group.value];
-    const Push& push = now.push;
-    if (push.edge == nil || push.provider != now.active) continue; // not in force
+    if (out.groups.back().mark != Mark::pushed) continue;
+    const Push& push = view.assignment[group.value].push;
     const GroupId waits = model.edges[EdgeId{push.edge}].target;
     const ProviderId to{push.provider};
     const std::string condition = condition_text(model, lowered, push.condition);

@@ -36,7 +36,7 @@ function found(recording) {
     if (target.waits.some((wait) => wait.edge === i)) return 'queued';
     return target.holder !== i ? 'inactive' : target.mark === 'running' || target.mark === 'pushed' ? 'running' : 'held';
   };
-  const pushes = standings.flatMap(({ push }, i) => (push ? [[header.groups[targets[push.edge]].name, header.groups[i].name, header.groups[i].providers[push.provider]]] : []));
+  const pushes = standings.flatMap(({ mark, push }, i) => (mark === 'pushed' && push ? [[header.groups[targets[push.edge]].name, header.groups[i].name, header.groups[i].providers[push.provider]]] : []));
   const value = (state, i) => (recording.valueAt(i, at) === null ? `${state.name} is unset` : `${state.name} == ${recording.valueAt(i, at)}`);
   const groups = standings.map((standing, i) => [standing.mark, header.groups[i].providers[standing.provider] ?? null]);
   return { groups, edges: header.edges.map(edge), pushes, values: header.states.map(value) };
