@@ -12,6 +12,15 @@ namespace {
 using namespace director::tests;
 namespace fs = std::filesystem;
 
+/// Git words its error otherwise where the folder is on a file system of its own.
+const std::string environment =
+    "export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_NOSYSTEM=1 GIT_DISCOVERY_ACROSS_FILESYSTEM=1; ";
+
+Ran run_outside(const std::string& command) {
+  const TemporaryFolder outside;
+  return run_command(environment + "export LC_ALL=C; " + command, outside.path());
+}
+
 /// A repository with a behaviour in a folder, which imports another one, and two commits.
 class Repository {
 public:
@@ -31,7 +40,10 @@ public:
     std::ofstream(folder_.path() / path) << text;
   }
   Ran run(const std::string& command) const {
-    return run_command("export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_NOSYSTEM=1; " + command, folder_.path());
+    // Git words its error otherwise where the folder is on a file system of its own.
+    return run_command("export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_NOSYSTEM=1 GIT_DISCOVERY_ACROSS_FILESYSTEM=1; " +
+                           command,
+                       folder_.path());
   }
 
 private:
@@ -136,8 +148,7 @@ TEST_CASE("an unknown revision or file is reported, with status 2") {
         "  help: where it was called otherwise, `git add new.yaml` lets git see that; any two files are compared "
         "with `directorc diff OLD NEW`\n");
   CHECK(file.status == 2);
-  const TemporaryFolder outside;
-  const Ran none = run_command("LC_ALL=C directorc diff --git HEAD walker.yaml", outside.path());
+  const Ran none = run_outside("directorc diff --git HEAD walker.yaml");
   CHECK(none.output == no_repository);
 }
 
@@ -256,8 +267,7 @@ TEST_CASE("a file that is not staged, or is in no repository, is reported") {
   CHECK(gone.status == 2);
   const Ran two = repository.run("directorc diff --staged robot/walker.yaml robot/walker.yaml");
   CHECK(two.output == "directorc: with --git or --staged there is one file: directorc diff --git REVISION FILE\n");
-  const TemporaryFolder outside;
-  const Ran none = run_command("LC_ALL=C directorc diff --staged walker.yaml", outside.path());
+  const Ran none = run_outside("directorc diff --staged walker.yaml");
   CHECK(none.output == no_repository);
 }
 
