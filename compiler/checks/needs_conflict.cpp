@@ -131,9 +131,7 @@ void report_undecided(const Input& input, const std::vector<ProviderId>& undecid
 void rule_out_packs(const Provider& provider, Diagnostic& finding) {
   for (const Pack& pack : provider.packs) {
     for (const Task& task : pack.tasks) {
-      if (std::any_of(provider.needs.begin(), provider.needs.end(),
-                      [&](const Use<GroupId>& need) { return need.id == task.target; }))
-        finding.rules_out_together.push_back(task.span);
+      if (provider.needs_group(task.target)) finding.rules_out_together.push_back(task.span);
     }
   }
 }

@@ -131,9 +131,8 @@ private:
   /// Whether a chain of requests from the entry to the group passes neither the waiting task nor the pushed one.
   bool leads_to(const Task& entry, GroupId group, GroupId task, GroupId pushed) const {
     if (entry.target == task || entry.target == pushed) return false;
-    const auto [at, is_new] = below_.try_emplace(entry.target);
-    if (is_new) at->second = Claims(shared_.branches(), entry.target, {task, pushed}).groups();
-    return std::binary_search(at->second.begin(), at->second.end(), group);
+    const std::vector<GroupId> without{task, pushed};
+    return below_.try_emplace(entry.target, shared_.branches(), entry.target, without).first->second.contains(group);
   }
 
   std::vector<Holder> holders_of(GroupId group) const {
@@ -243,8 +242,8 @@ private:
   Findings& findings_;
   std::set<const std::vector<Task>*> near_; ///< of the current push; empty: they may meet anywhere
   std::set<GroupId> own_;                   ///< of the provider that is pushed
-  /// What a group comes to by neither the task that waits nor the one that is pushed.
-  mutable std::map<GroupId, std::vector<GroupId>> below_;
+  /// What a group leads to without the waiting task and the pushed one.
+  mutable std::map<GroupId, Claims> below_;
   std::set<std::pair<dsl::Span, dsl::Span>> seen_;
 };
 

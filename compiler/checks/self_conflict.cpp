@@ -73,7 +73,7 @@ std::string message_of(const Model& model, const Loser& loser) {
 /// The provider's need that leads to the group.
 const Use<GroupId>* find_need(const Model& model, const Loser& loser) {
   for (const Use<GroupId>& need : model.providers[loser.above].needs) {
-    if (need.id == loser.taker.group || !need_path(model, need.id, loser.taker.group).empty()) return &need;
+    if (needs_lead_to(model, need.id, loser.taker.group)) return &need;
   }
   return nullptr;
 }

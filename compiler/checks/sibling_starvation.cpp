@@ -30,17 +30,12 @@ bool never_runs(const Input& input, EdgeId edge) {
 std::string propose(const Input& input, const Loser& loser) {
   const Model& model = input.model;
   const Task &taker = *loser.taker.by, &sibling = *loser.taker.over;
-  const std::string name = name_of(model, taker.target), other = name_of(model, sibling.target);
   const bool optional = !model.edges[loser.refused.task->edge].has_mandatory();
-  if (!Company::goes_first(model, taker, sibling)) {
-    return optional ? fmt::format("make {} `optional`, or request it one level lower", name)
-                    : fmt::format("make {} `apart` or `optional`, or request it one level lower", name);
-  }
-  return optional ? fmt::format("make {} `optional`, with a lower priority than {}, or request it one level lower",
-                                name, other)
-                  : fmt::format("make {} `optional`, or `apart` with a lower priority than {}, or request it one level "
-                                "lower",
-                                name, other);
+  std::string unit = optional ? "`optional`" : "`apart` or `optional`";
+  if (Company::goes_first(model, taker, sibling))
+    unit = fmt::format("{} with a lower priority than {}", optional ? "`optional`," : "`optional`, or `apart`",
+                       name_of(model, sibling.target));
+  return fmt::format("make {} {}, or request it one level lower", name_of(model, taker.target), unit);
 }
 
 /// If the loser is granted elsewhere, or for a moment, the message does not claim "never". `more`: others that take

@@ -94,10 +94,9 @@ private:
 
   /// Whether they have a group in common over needs and requests, at any depth.
   bool share(GroupId a, GroupId b) const {
-    const std::vector<GroupId>& first = input_.shared.claims(a).groups();
+    const Claims& first = input_.shared.claims(a);
     const std::vector<GroupId>& second = input_.shared.claims(b).groups();
-    const auto is_in_first = [&](GroupId group) { return std::binary_search(first.begin(), first.end(), group); };
-    return std::any_of(second.begin(), second.end(), is_in_first);
+    return std::any_of(second.begin(), second.end(), [&](GroupId group) { return first.contains(group); });
   }
 
   /// The member itself: even if the other one requests it, that happens only after the other one runs.
@@ -117,20 +116,19 @@ private:
 
   /// Whether it, or something that it leads to, could satisfy the condition.
   bool could_satisfy(GroupId member, const Condition& condition) const {
-    const std::vector<GroupId>& below = input_.shared.claims(member).groups();
+    const Claims& claims = input_.shared.claims(member);
     return any_source(condition, [&](const Source& source) {
       const auto by = source.provider ? std::optional(input_.model.providers[*source.provider].group) : source.group;
-      return by && std::binary_search(below.begin(), below.end(), *by);
+      return by && claims.contains(*by);
     });
   }
 
-  /// The same, by a promise.
+  /// Whether it, or something that it leads to, promises the condition.
   bool could_promise(GroupId member, ConditionId condition) const {
-    const std::vector<GroupId>& below = input_.shared.claims(member).groups();
+    const Claims& claims = input_.shared.claims(member);
     const std::vector<ProviderId>& causers = input_.shared.causers()[condition];
-    return std::any_of(causers.begin(), causers.end(), [&](ProviderId id) {
-      return std::binary_search(below.begin(), below.end(), input_.model.providers[id].group);
-    });
+    return std::any_of(causers.begin(), causers.end(),
+                       [&](ProviderId id) { return claims.contains(input_.model.providers[id].group); });
   }
 
   /// Of those that may set a value that the condition accepts.

@@ -10,6 +10,7 @@
 #include "dsl/span.hpp"
 #include "dsl/spec.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -120,6 +121,11 @@ struct Provider {
   bool has_packs = false;
   std::vector<Pack> packs; ///< named packs; or one without a name that holds the flat `tasks`; or none at all
   std::string doc;
+
+  /// Whether the group is among its needs.
+  bool needs_group(GroupId id) const {
+    return std::any_of(needs.begin(), needs.end(), [&](const Use<GroupId>& need) { return need.id == id; });
+  }
 };
 
 struct Handler {

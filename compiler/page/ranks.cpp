@@ -331,10 +331,7 @@ private:
     Company out;
     for (const ProviderId id : model_.groups[*decision.requester].providers) {
       const Provider& provider = model_.providers[id];
-      const auto is_needed = [&](EdgeId edge_id) {
-        return std::any_of(provider.needs.begin(), provider.needs.end(),
-                           [&](const Use<GroupId>& need) { return need.id == edge(edge_id).target; });
-      };
+      const auto is_needed = [&](EdgeId edge_id) { return provider.needs_group(edge(edge_id).target); };
       const bool first_needed = is_needed(decision.first_sibling), second_needed = is_needed(decision.second_sibling);
       out.at_once = out.at_once || (first_needed && second_needed);
       out.first_needed = out.first_needed || (first_needed && second_needed);

@@ -183,7 +183,7 @@ std::optional<KeptOff> find_kept_off(const Input& input, const PackConflict& con
     if (loser.above != conflict.provider || loser.taker.kind != Taker::Kind::above) continue;
     if (std::find(members.begin(), members.end(), task) == members.end()) continue;
     for (const Use<GroupId>& need : input.model.providers[conflict.provider].needs) {
-      if (is_other_member(task, need.id) && (need.id == kept || !need_path(input.model, need.id, kept).empty()))
+      if (is_other_member(task, need.id) && needs_lead_to(input.model, need.id, kept))
         return KeptOff{task, kept, &need};
     }
   }
@@ -288,9 +288,8 @@ std::vector<PackConflict> gathered(const Input& input, const std::vector<PackCon
 /// The provider needs all of them too, so that it never runs: needs_conflict says why.
 bool is_needs_conflict(const Input& input, const PackConflict& conflict) {
   if (input.facts.plans[conflict.provider] != PlanVerdict::none) return false;
-  const std::vector<Use<GroupId>>& needs = input.model.providers[conflict.provider].needs;
   const auto is_needed = [&](const Task* member) {
-    return std::any_of(needs.begin(), needs.end(), [&](const Use<GroupId>& need) { return need.id == member->target; });
+    return input.model.providers[conflict.provider].needs_group(member->target);
   };
   return conflict.others.empty() && std::all_of(conflict.members.begin(), conflict.members.end(), is_needed) &&
          input.shared.units().verdict(targets_of(conflict.members), true) == UnitVerdict::impossible;

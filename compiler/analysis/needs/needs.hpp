@@ -18,5 +18,9 @@ std::vector<ProviderId> find_need_conflicts(const Model& model, const Facts& fac
 
 /// A shortest path from one group to another by needs; empty if they are the same.
 std::vector<ChainStep> need_path(const Model& model, GroupId from, GroupId to);
+/// Whether one group is the other, or may need it at any depth.
+inline bool needs_lead_to(const Model& model, GroupId from, GroupId to) {
+  return from == to || !need_path(model, from, to).empty();
+}
 
 } // namespace director::analysis

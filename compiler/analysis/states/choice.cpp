@@ -89,9 +89,7 @@ std::vector<Region> Rivals::ways(GroupId group, GroupId needer, Trial& trial) co
   // The later provider holds its own needs by the same edge. Needs of only a part of its plan do not count: an equal
   // from which that part may get the group may deny it to this one.
   const Provider& provider = model_.providers[trial.provider];
-  if (needer == provider.group &&
-      std::any_of(provider.needs.begin(), provider.needs.end(), [&](const auto& need) { return need.id == group; }))
-    return {Region{}};
+  if (needer == provider.group && provider.needs_group(group)) return {Region{}};
   std::vector<GroupId>& path = trial.path;
   if (std::find(path.begin(), path.end(), group) != path.end() || is_contended(group, needer, trial)) return {};
   path.push_back(group);
@@ -127,11 +125,8 @@ bool Rivals::goes_without(GroupId holder, GroupId group, ProviderId provider) co
                   [&](EdgeId id) { return model_.edges[id].needed && holding_.contains(id); }))
     return true;
   const std::vector<ProviderId>& all = model_.groups[above].providers;
-  return std::any_of(all.begin(), all.end(), [&](ProviderId id) {
-    const auto& needs = model_.providers[id].needs;
-    return active_.contains(id) &&
-           std::none_of(needs.begin(), needs.end(), [&](const Use<GroupId>& need) { return need.id == group; });
-  });
+  return std::any_of(all.begin(), all.end(),
+                     [&](ProviderId id) { return active_.contains(id) && !model_.providers[id].needs_group(group); });
 }
 
 Covering find_covering(const Model& model, const Region& own, const std::vector<Region>& others,

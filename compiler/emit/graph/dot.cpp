@@ -369,8 +369,7 @@ private:
     const auto top = [&](std::size_t i) { return in_quotes("top of " + layers[i].title()); };
     for (std::size_t i = 0; i < layers.size(); ++i) {
       code_.line(fmt::format("{} [shape=plaintext, fontsize=11, height=0.2, fontcolor=\"{}\", label={}, tooltip={}]",
-                             name(i), palette::grey,
-                             in_quotes(layers[i].name.empty() ? "no layer here" : layers[i].name), name(i)));
+                             name(i), palette::grey, in_quotes(layers[i].label()), name(i)));
       code_.line(fmt::format("{} [shape=point, style=invis, width=0.01]", top(i)));
       code_.line(fmt::format("{{rank=same; {}; {};}}", name(i), top(i)));
       if (i > 0) code_.line(fmt::format("{} -> {} [style=invis, weight=100]", name(i - 1), name(i)));

@@ -11,37 +11,15 @@ namespace director::compiler {
 
 namespace {
 
-/// All that these lead to, over any number of requesters, and they themselves.
-IdSet<GroupId> led_to_by(const Model& model, std::vector<GroupId> open) {
-  IdTable<GroupId, std::vector<GroupId>> targets(model.groups.size());
-  for (const Edge& edge : model.edges) {
-    if (edge.requester) targets[*edge.requester].push_back(edge.target);
-  }
-  IdSet<GroupId> out(model.groups.size());
-  for (const GroupId id : open) out.add(id);
-  while (!open.empty()) {
-    const GroupId from = open.back();
-    open.pop_back();
-    for (const GroupId to : targets[from]) {
-      if (out.add(to)) open.push_back(to);
-    }
-  }
-  return out;
-}
-
-/// Where groups stand: above all layers, in one of them, or below.
+/// The places of groups: above all layers, in one of them, or below.
 class Places {
 public:
-  explicit Places(const Model& model) : model_(model), below_(model.groups.size()), related_(model.groups.size()) {
-    std::vector<GroupId> layered;
+  Places(const Model& model, const Graph& graph) : model_(model) {
+    std::vector<Node> layered;
     for (const GroupId id : model.groups.ids()) {
-      if (model.groups[id].layer) layered.push_back(id);
+      if (model.groups[id].layer) layered.push_back(id.value);
     }
-    below_ = led_to_by(model, layered);
-    for (const Edge& edge : model.edges) {
-      related_.add(edge.target);
-      if (edge.requester) related_.add(*edge.requester);
-    }
+    below_ = reachable(graph.claims, std::move(layered));
   }
 
   static constexpr std::size_t above = 0;
@@ -51,14 +29,15 @@ public:
   std::size_t of(const PictureBox& box) const {
     if (box.groups.empty() || box.kind == PictureBox::Kind::missing) return below();
     const GroupId id = box.groups.front();
-    if (const auto& layer = model_.groups[id].layer) return layer->id.value + 1;
-    return model_.layers.empty() || below_.contains(id) || !related_.contains(id) ? below() : above;
+    const Group& group = model_.groups[id];
+    if (group.layer) return group.layer->id.value + 1;
+    const bool is_unrelated = group.edges.empty() && group.requesters.empty();
+    return model_.layers.empty() || below_[id.value] || is_unrelated ? below() : above;
   }
 
 private:
   const Model& model_;
-  IdSet<GroupId> below_;   ///< something in a layer leads there
-  IdSet<GroupId> related_; ///< requests something, or is requested
+  std::vector<bool> below_; ///< by group: something in a layer leads there
 };
 
 /// Boxes that are layers themselves need no bands.
@@ -79,7 +58,7 @@ void arrange_in_layers(const Model& model, const Graph& graph, bool bands, Pictu
     return each.kind == PictureBox::Kind::missing ? rank.size() : rank[each.groups.front().value];
   };
   const std::size_t boxes = picture.boxes.size();
-  const Places places(model);
+  const Places places(model, graph);
   std::vector<bool> led_to(boxes, false), leads(boxes, false);
   for (PictureArrow& arrow : picture.arrows) {
     const std::size_t from = places.of(picture.boxes[arrow.from.box]), to = places.of(picture.boxes[arrow.to.box]);

@@ -84,10 +84,11 @@ struct PictureLayer {
   std::vector<std::size_t> boxes;
   std::vector<std::size_t> first,
       last; ///< boxes of it that no other box of it leads to, or that lead to no box of it
+  std::string label() const { return name.empty() ? "no layer here" : name; }
   /// Different for each layer.
   std::string title() const {
-    if (name.empty()) return is_above ? "no layer here, above all layers" : "no layer here";
-    return "layer " + name;
+    if (!name.empty()) return "layer " + name;
+    return is_above ? label() + ", above all layers" : label();
   }
 };
 

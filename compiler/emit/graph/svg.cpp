@@ -108,9 +108,10 @@ void bring_labels_to_front(std::string& svg) {
                              close_picture = "</g>\n</svg>";
   std::string out, labels;
   std::size_t from = 0;
-  for (std::size_t at = svg.find(arrow), next = 0; at != nowhere; at = next) {
+  std::size_t name = svg.find(label);
+  for (std::size_t at = svg.find(arrow), next = 0; at != nowhere && name != nowhere; at = next) {
     next = svg.find(arrow, at + arrow.size());
-    const std::size_t name = svg.find(label, at);
+    if (name < at) name = svg.find(label, at);
     if (name == nowhere || name > next) continue;
     const std::size_t begin = svg.rfind(link, name), end = svg.find(close, name);
     const std::size_t title = svg.find(open_title, at), words = svg.find(close_title, title);
