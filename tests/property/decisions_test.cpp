@@ -17,15 +17,9 @@ using namespace director;
 using namespace director::property;
 using tests::from_environment;
 
-#ifdef NDEBUG
-constexpr std::uint64_t usual_cases = 300;
-#else
-constexpr std::uint64_t usual_cases = 20;
-#endif
-
 TEST_CASE("every decision is among its possible results") {
   const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
-  const auto cases = from_environment<std::uint64_t>("DIRECTOR_CASES", usual_cases);
+  const std::uint64_t cases = tests::cases_of({.usual = 300, .slow = 20});
   std::size_t decided = 0, explored = 0, moments = 0, passes = 0, states = 0;
   for (std::uint64_t seed = first; seed < first + cases; ++seed) {
     const std::string text = to_yaml(to_document(small_behaviour(seed)));

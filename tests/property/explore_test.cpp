@@ -24,13 +24,6 @@ using namespace director;
 using compiler::Assertion;
 using compiler::GroupId;
 
-#ifdef NDEBUG
-constexpr std::uint64_t usual_cases = 150;
-#else
-constexpr std::uint64_t usual_cases = 20;
-#endif
-constexpr std::size_t bound = 4'000;
-
 /// All possible assertions about two of its groups.
 void assert_all(compiler::Model& model) {
   std::size_t soft = 0;
@@ -102,7 +95,8 @@ std::vector<std::size_t> refuted_by(const Compiled& compiled) {
 
 TEST_CASE("explorations agree with checks, with proofs, and with scenarios") {
   const auto first = tests::from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
-  const std::uint64_t cases = tests::from_environment("DIRECTOR_CASES", usual_cases);
+  constexpr tests::Series series{.usual = 150, .slow = 20};
+  const std::uint64_t cases = tests::cases_of(series);
   std::size_t complete = 0, proven = 0, refuted = 0, not_played = 0, states = 0, scenarios = 0;
   for (std::uint64_t seed = first; seed < first + cases; ++seed) {
     const Case each = make(seed);
@@ -111,7 +105,7 @@ TEST_CASE("explorations agree with checks, with proofs, and with scenarios") {
     INFO("DIRECTOR_SEED=" << seed << "\n" << each.text);
     const compiler::Ground ground(model);
     compiler::SearchOptions options;
-    options.bound = bound;
+    options.bound = 4'000;
     options.threads = 1;
     for (std::size_t i = 0; i < model.assertions.size(); ++i) options.assertions.push_back(i);
     const compiler::Searched searched = compiler::search(ground, options);
@@ -149,7 +143,7 @@ TEST_CASE("explorations agree with checks, with proofs, and with scenarios") {
   std::cout << cases << " behaviours from seed " << first << ", " << complete << " explored to the end, " << states
             << " states; " << proven << " assertions proven at once; " << refuted << " ways played, " << not_played
             << " of them not as they were found; " << scenarios << " random scenarios beside complete explorations\n";
-  if (cases < usual_cases) return;
+  if (cases < series.slow) return;
   CHECK(complete * 4 >= cases);
   CHECK(not_played * 20 <= refuted);
 }

@@ -17,15 +17,9 @@ namespace {
 using namespace director::property;
 using director::tests::from_environment;
 
-#ifdef NDEBUG
-constexpr std::uint64_t usual_games = 600;
-#else
-constexpr std::uint64_t usual_games = 20; // without optimisation, or with a sanitizer
-#endif
-
 TEST_CASE("in long games an incremental pass decides the same as a pass from nothing") {
   const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
-  const auto games = from_environment("DIRECTOR_CASES", usual_games);
+  const std::uint64_t games = director::tests::cases_of({.usual = 600, .slow = 20});
   std::uint64_t micro_steps = 0;
   for (std::uint64_t seed = first; seed < first + games; ++seed) {
     watch(seed);

@@ -24,13 +24,6 @@ namespace {
 using namespace director;
 using namespace director::property;
 
-#ifdef NDEBUG
-constexpr std::uint64_t usual_cases = 40, long_cases = 1'000;
-#else
-constexpr std::uint64_t usual_cases = 8, long_cases = 100;
-#endif
-constexpr std::size_t bound = 20'000; ///< states of one behaviour; one with more is left out
-
 /// A small behaviour in which the first root waits for what another group causes, while a state has the value that the
 /// first one sets, or a lower one; and a third group may undo it. The rest is random, and may bring it back.
 BehaviourDraft looped(std::uint64_t seed) {
@@ -74,12 +67,12 @@ BehaviourDraft looped(std::uint64_t seed) {
   return draft;
 }
 
-struct Seen {
+struct Losses {
   std::size_t tried = 0, findings = 0, lost = 0;
   std::vector<std::string> wrong;
 };
 
-void take(Seen& seen, std::uint64_t seed) {
+void find_losses(Losses& seen, std::uint64_t seed) {
   ++seen.tried;
   const std::string text = to_yaml(to_document(looped(seed)));
   dsl::MemoryFiles files;
@@ -97,7 +90,7 @@ void take(Seen& seen, std::uint64_t seed) {
   if (claims.empty()) return;
   const compiler::Ground ground(checked.model, compiler::OptionalEntries::left_out_too);
   Reached reached(ground);
-  if (!reached.find_changes(bound)) return;
+  if (!reached.find_changes(20'000)) return;
   for (const NeverBack& claim : claims) {
     ++seen.findings;
     const bool is_lost = std::any_of(reached.changes.begin(), reached.changes.end(),
@@ -112,9 +105,9 @@ void take(Seen& seen, std::uint64_t seed) {
 
 TEST_CASE("conditions that a finding calls lost for good never come back, and mostly are lost") {
   const auto first = tests::from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
-  const auto cases = tests::from_environment("DIRECTOR_CASES", tests::is_long() ? long_cases : usual_cases);
-  Seen seen;
-  for (std::uint64_t seed = first; seen.findings < cases && seed < first + 100 * cases; ++seed) take(seen, seed);
+  const std::uint64_t cases = tests::cases_of({.usual = 40, .slow = 8, .whole = 1'000});
+  Losses seen;
+  for (std::uint64_t seed = first; seen.findings < cases && seed < first + 100 * cases; ++seed) find_losses(seen, seed);
   std::cout << seen.tried << " behaviours, " << seen.findings << " findings, of which " << seen.lost
             << " were seen lost\n";
   for (const std::string& each : seen.wrong) UNSCOPED_INFO(each);

@@ -25,13 +25,6 @@ namespace {
 using namespace director;
 using namespace director::property;
 
-#ifdef NDEBUG
-constexpr std::uint64_t usual_cases = 150, long_cases = 2'000;
-#else
-constexpr std::uint64_t usual_cases = 8, long_cases = 100;
-#endif
-constexpr std::size_t bound = 20'000; ///< states of one behaviour; one with more is left out
-
 LevelDraft level(Random& r, double apart) {
   LevelDraft out;
   out.priority = r.one_of({0, 5, 5, 10});
@@ -116,11 +109,11 @@ bool is_waiting(const Waits& waits, const compiler::Model& model, const compiler
          engine.memory().last[waits.pushed.value].push.edge == nil;
 }
 
-struct Seen {
+struct Waiting {
   std::size_t tried = 0, findings = 0, waits = 0;
 };
 
-void take(Seen& seen, std::uint64_t seed) {
+void find_waiting(Waiting& seen, std::uint64_t seed) {
   ++seen.tried;
   const std::string text = to_yaml(to_document(ranked(seed)));
   dsl::MemoryFiles files;
@@ -134,7 +127,7 @@ void take(Seen& seen, std::uint64_t seed) {
     const compiler::Ground ground(checked.model, compiler::OptionalEntries::left_out_too);
     bool is_seen = false;
     compiler::SearchOptions how;
-    how.bound = bound;
+    how.bound = 20'000;
     how.threads = 1;
     how.look = [&](const compiler::Machine& machine) {
       is_seen = is_seen || is_waiting(*waits, checked.model, machine);
@@ -149,9 +142,10 @@ void take(Seen& seen, std::uint64_t seed) {
 
 TEST_CASE("a task that may wait behind a provider that could help it does wait in an exploration") {
   const auto first = tests::from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
-  const auto cases = tests::from_environment("DIRECTOR_CASES", tests::is_long() ? long_cases : usual_cases);
-  Seen seen;
-  for (std::uint64_t seed = first; seen.findings < cases && seed < first + 100 * cases; ++seed) take(seen, seed);
+  const std::uint64_t cases = tests::cases_of({.usual = 150, .slow = 8, .whole = 2'000});
+  Waiting seen;
+  for (std::uint64_t seed = first; seen.findings < cases && seed < first + 100 * cases; ++seed)
+    find_waiting(seen, seed);
   std::cout << seen.tried << " behaviours, " << seen.findings << " findings, of which " << seen.waits
             << " were seen to wait\n";
   CHECK(seen.findings >= cases);

@@ -24,11 +24,7 @@ namespace {
 using namespace director::property;
 using director::tests::from_environment;
 
-#ifdef NDEBUG
-constexpr std::uint64_t usual_cases = 8'000;
-#else
-constexpr std::uint64_t usual_cases = 600; // without optimisation, or with a sanitizer
-#endif
+constexpr director::tests::Series of_all{.usual = 5'000, .slow = 600, .whole = 8'000};
 constexpr int parts = 4; // of the cases: ctest runs them in parallel
 
 Verdict verdict_of(const Documents& documents, Manner manner) {
@@ -118,7 +114,7 @@ Shares compare_cases(std::uint64_t first, std::uint64_t count, Documents (*make)
 }
 
 void run_part(int part) {
-  const std::uint64_t all = from_environment("DIRECTOR_CASES", usual_cases);
+  const std::uint64_t all = director::tests::cases_of(of_all);
   const std::uint64_t share = (all + parts - 1) / parts;
   const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1) + static_cast<std::uint64_t>(part) * share;
   const Shares shares = compare_cases(first, share, generate, "");
@@ -135,7 +131,7 @@ void run_part(int part) {
 
 /// There are half as many of these cases as in each part of the others.
 void run_special(Documents (*make)(std::uint64_t), const char* of) {
-  const std::uint64_t cases = from_environment("DIRECTOR_CASES", usual_cases) / (2 * parts);
+  const std::uint64_t cases = director::tests::cases_of(of_all) / (2 * parts);
   const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
   compare_cases(first, cases, make, of);
 }

@@ -34,13 +34,7 @@ using director::compiler::Json;
 using director::oracle::Chain;
 using director::tests::from_environment;
 
-#ifdef NDEBUG
-constexpr std::uint64_t usual_cases = 1'000;
-#else
-constexpr std::uint64_t usual_cases = 100;
-#endif
-
-struct Seen {
+struct Found {
   std::uint64_t rests = 0, refusals = 0, above = 0, rivals = 0, ahead = 0, equal = 0, led = 0;
   std::set<std::string> wrong; ///< each once
 };
@@ -53,7 +47,7 @@ struct Fork {
 
 class PageOrder {
 public:
-  PageOrder(const Compiled& compiled, Seen& seen)
+  PageOrder(const Compiled& compiled, Found& seen)
       : model_(compiled.model),
         parts_(compiled.model),
         ranks_(director::compiler::ranks_json(compiled.model)),
@@ -310,13 +304,13 @@ private:
   const director::compiler::Model& model_;
   const director::oracle::Parts parts_;
   const Json ranks_;
-  Seen& seen_;
+  Found& seen_;
   const director::View* view_ = nullptr;
   const Snapshot* now_ = nullptr;
   director::oracle::Holders held_;
 };
 
-void compare_cases(Documents (*make)(std::uint64_t), std::uint64_t cases, Seen& seen) {
+void compare_cases(Documents (*make)(std::uint64_t), std::uint64_t cases, Found& seen) {
   const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
   for (std::uint64_t seed = first; seed < first + cases; ++seed) {
     watch(seed);
@@ -342,8 +336,8 @@ void compare_cases(Documents (*make)(std::uint64_t), std::uint64_t cases, Seen& 
 }
 
 TEST_CASE("the order of tasks on a page is that of the engine") {
-  const std::uint64_t cases = from_environment("DIRECTOR_CASES", usual_cases);
-  Seen seen;
+  const std::uint64_t cases = director::tests::cases_of({.usual = 1'000, .slow = 100});
+  Found seen;
   compare_cases(generate, cases, seen);
   if (cases < 1'000) return;
   CHECK(seen.refusals > cases);
@@ -353,8 +347,8 @@ TEST_CASE("the order of tasks on a page is that of the engine") {
 }
 
 TEST_CASE("the order of tasks on a page is that of the engine if a unit changes its place in the order") {
-  const std::uint64_t cases = from_environment("DIRECTOR_CASES", usual_cases / 2);
-  Seen seen;
+  const std::uint64_t cases = director::tests::cases_of({.usual = 500, .slow = 50});
+  Found seen;
   compare_cases(generate_moving_unit, cases, seen);
   if (cases < 500) return;
   CHECK(seen.rivals > cases / 10);

@@ -22,12 +22,6 @@ namespace {
 using namespace director::property;
 using director::tests::from_environment;
 
-#ifdef NDEBUG
-constexpr std::uint64_t usual_cases = 1'000;
-#else
-constexpr std::uint64_t usual_cases = 100;
-#endif
-
 /// All events of the scenario, a line each.
 std::string record(const Compiled& compiled) {
   struct Tape {
@@ -93,7 +87,7 @@ std::string mutated(std::string behaviour, Random& random) {
 TEST_CASE(
     "a replay of a random scenario is equal to its trace, and differs where another behaviour decides differently") {
   const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
-  const std::uint64_t cases = from_environment("DIRECTOR_CASES", usual_cases);
+  const std::uint64_t cases = director::tests::cases_of({.usual = 1'000, .slow = 100});
   std::size_t events = 0, others = 0, differing = 0;
   for (std::uint64_t seed = first; seed < first + cases; ++seed) {
     CAPTURE(seed);

@@ -20,12 +20,6 @@ namespace {
 using namespace director;
 using namespace director::property;
 
-#ifdef NDEBUG
-constexpr std::uint64_t usual_cases = 800, long_cases = 3'000;
-#else
-constexpr std::uint64_t usual_cases = 8, long_cases = 100;
-#endif
-
 /// Checks that report that a task never runs for its requester, each for another reason.
 const std::set<std::string> speak_of_tasks{"optional_never_runs", "self_conflict", "sibling_starvation",
                                            "starved_task",        "task_cycle",    "uncovered_state"};
@@ -63,7 +57,7 @@ std::string find_told_twice(std::uint64_t seed) {
 
 TEST_CASE("only one finding reports that a task never runs for a requester") {
   const auto first = tests::from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
-  const auto cases = tests::from_environment("DIRECTOR_CASES", tests::is_long() ? long_cases : usual_cases);
+  const std::uint64_t cases = tests::cases_of({.usual = 800, .slow = 8, .whole = 3'000});
   std::string twice;
   for (std::uint64_t seed = first; seed < first + cases; ++seed) twice += find_told_twice(seed);
   CHECK(twice == "");

@@ -24,15 +24,11 @@ namespace {
 
 using namespace director;
 using namespace director::property;
+using director::tests::cases_of;
 using director::tests::from_environment;
-using director::tests::is_long;
 
-#ifdef NDEBUG
-constexpr std::size_t numbers_apart = 1;
-#else
-constexpr std::size_t numbers_apart = 5; ///< slow with sanitizers, which find their errors in these
-#endif
-constexpr std::size_t most_micro_steps = 10'000; ///< of one step of a scenario
+constexpr std::size_t numbers_apart = director::tests::is_slow ? 10 : 1; ///< sanitizers find their errors in few
+constexpr std::size_t most_micro_steps = 10'000;                         ///< of one step of a scenario
 
 std::unique_ptr<Compiled> compiled(std::uint64_t seed) {
   const Documents documents = generate(seed);
@@ -134,7 +130,7 @@ void cut_at_random(std::uint64_t seed, Cuts& cuts) {
 
 TEST_CASE(
     "a behaviour that is saved at random and loaded into a new engine has the trace of one that was not interrupted") {
-  const std::uint64_t wanted = is_long() ? 100'000 : 3'000;
+  const std::uint64_t wanted = cases_of({.usual = 3'000, .slow = 1'000, .whole = 100'000});
   Cuts cuts;
   std::uint64_t seed = from_environment<std::uint64_t>("DIRECTOR_SEED", 1), cases = 0;
   for (; cuts.made < wanted; ++seed, ++cases) {
@@ -156,7 +152,8 @@ std::vector<Queued> reasons(const Engine& engine) {
 }
 
 TEST_CASE("an engine that decides everything again in each micro-step decides the same, for the same reasons") {
-  const std::uint64_t first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1), cases = is_long() ? 30'000 : 1'000;
+  const std::uint64_t first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1),
+                      cases = cases_of({.usual = 1'000, .slow = 300, .whole = 30'000});
   for (std::uint64_t seed = first; seed < first + cases; ++seed) {
     watch(seed);
     const auto documents = compiled(seed);
@@ -283,7 +280,7 @@ void damage(std::vector<std::byte>& bytes, Random& random) {
 }
 
 TEST_CASE("bytes that were not saved are refused, or loaded without harm") {
-  const std::uint64_t wanted = is_long() ? 200'000 : 20'000;
+  const std::uint64_t wanted = cases_of({.usual = 20'000, .slow = 5'000, .whole = 200'000});
   std::uint64_t seed = from_environment<std::uint64_t>("DIRECTOR_SEED", 1), tried = 0, accepted = 0;
   for (; tried < wanted; ++seed) {
     watch(seed);

@@ -165,7 +165,7 @@ std::string told(unsigned number, const fs::path& root) {
 } // namespace
 
 TEST_CASE("Clang reads the orders like the cheap stand-in, the user's bytes remain, and insertions are found") {
-  const auto count = from_environment<unsigned>("DIRECTOR_ORDERS", is_long() ? 2000 : 700);
+  const auto count = from_environment<unsigned>("DIRECTOR_ORDERS", is_long() ? 2000 : 300);
   const auto first = from_environment<unsigned>("DIRECTOR_ORDERS_FROM", 0);
   std::cout << "orders " << first << " to " << first + count - 1 << std::endl;
   const fs::path root = fs::canonical(binary_dir()) / ("tests/stubs-orders-" + std::to_string(getpid()));
