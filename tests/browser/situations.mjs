@@ -9,6 +9,9 @@ import { chromium } from 'playwright-core';
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
+/** `./test --long`: each page in both color schemes, and as a file for paper. */
+export const isLong = process.env.DIRECTOR_LONG !== undefined;
+
 export class Situations {
   failed = 0;
 
