@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 using Time = std::chrono::milliseconds;
 
 constexpr int count = 3;
-constexpr Time tick = 10ms, say_again = 100ms, longest_delay = 50ms;
+constexpr Time step_time = 10ms, say_again = 100ms, longest_delay = 50ms;
 
 struct Robot {
   explicit Robot(int number, Time now) : started(now) {
@@ -66,7 +66,7 @@ public:
   void lose(double share) { lost_ = share; }
 
   void run(Time how_long) {
-    for (const Time end = now_ + how_long; now_ < end; now_ += tick) step();
+    for (const Time end = now_ + how_long; now_ < end; now_ += step_time) step();
   }
   int strikers() const {
     return static_cast<int>(
@@ -102,14 +102,15 @@ private:
       robot.next_word = now_ + say_again;
       for (int other = 0; other < count; ++other) say(i, other, robot.said);
     }
-    with_two_ = strikers() > 1 ? with_two_ + tick : 0ms;
+    with_two_ = strikers() > 1 ? with_two_ + step_time : 0ms;
     longest_ = std::max(longest_, with_two_);
   }
 
   /// In order: a message never overtakes another one of the same robot.
   void say(int from, int to, team::Role role) {
     if (from == to || parted_ || std::uniform_real_distribution<>(0, 1)(draw_) < lost_) return;
-    Time arrives = now_ + tick * std::uniform_int_distribution<>(0, static_cast<int>(longest_delay / tick))(draw_);
+    Time arrives =
+        now_ + step_time * std::uniform_int_distribution<>(0, static_cast<int>(longest_delay / step_time))(draw_);
     for (const Word& word : words_) {
       if (word.from == from && word.to == to) arrives = std::max(arrives, word.arrives);
     }
@@ -129,7 +130,7 @@ void come_and_go(Team& team, std::mt19937& draw, int times) {
   for (int i = 0; i < times; ++i) {
     const int robot = std::uniform_int_distribution<>(0, count - 1)(draw);
     team.there(robot) ? team.kill(robot) : team.start(robot);
-    team.run(tick * std::uniform_int_distribution<>(1, 250)(draw));
+    team.run(step_time * std::uniform_int_distribution<>(1, 250)(draw));
   }
 }
 
@@ -163,7 +164,7 @@ TEST_CASE("however robots come and go, two never strike for longer than a messag
     CAPTURE(seed);
     CHECK(team.strikers() == 1);
     CHECK(team.striker() == team.first());
-    CHECK(team.longest_with_two() <= longest_delay + 2 * tick);
+    CHECK(team.longest_with_two() <= longest_delay + 2 * step_time);
   }
 }
 
@@ -189,7 +190,7 @@ TEST_CASE("robots that receive no messages all strike, and one remains soon afte
     CAPTURE(seed);
     CHECK(team.strikers() == 3);
     team.part(false);
-    team.run(say_again + longest_delay + 2 * tick);
+    team.run(say_again + longest_delay + 2 * step_time);
     CHECK(team.strikers() <= 1);
     team.run(1000ms);
     CHECK(team.striker() == 0);

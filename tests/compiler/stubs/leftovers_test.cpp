@@ -11,12 +11,12 @@ namespace {
 using Kind = WantedFunction::Kind;
 using Said = std::vector<std::string>;
 
-const Wanted wanted{"robot",
-                    "robot.hpp",
-                    "b",
-                    {{"legs", "b::Legs", "Legs", "legs", {{Kind::provide, "b::Walk::Default", {}}}},
-                     {"eyes", "b::Eyes", "Eyes", "eyes", {{Kind::provide, "b::Look::Default", {}}}}},
-                    {}};
+const Wanted two_modules{"robot",
+                         "robot.hpp",
+                         "b",
+                         {{"legs", "b::Legs", "Legs", "legs", {{Kind::provide, "b::Walk::Default", {}}}},
+                          {"eyes", "b::Eyes", "Eyes", "eyes", {{Kind::provide, "b::Look::Default", {}}}}},
+                         {}};
 
 FoundFunction function(const std::string& of, const std::string& name, const std::string& context, bool known) {
   FoundFunction out;
@@ -35,7 +35,7 @@ Said said(const FoundFunction& row) {
   found.classes = {{"Legs", {"b::Legs"}, {}, {}, 0, unconditional, true, false, false}};
   found.functions = {row};
   Said out;
-  for (const Remark& each : leftovers(wanted, found)) {
+  for (const Remark& each : leftovers(two_modules, found)) {
     CHECK(each.place == row.place);
     out.push_back(each.message);
   }

@@ -11,7 +11,7 @@ namespace {
 using Kind = WantedFunction::Kind;
 using Said = std::vector<std::string>;
 
-const Wanted wanted{
+const Wanted one_module{
     "robot",
     "robot.hpp",
     "b",
@@ -42,7 +42,7 @@ Said said(const std::string& above, const std::string& above_stop = "/// (b.yaml
     found.functions.push_back(row);
   }
   Said out;
-  for (const Remark& each : stale_comments(wanted, found, {{"/p/legs.cpp", text}}))
+  for (const Remark& each : stale_comments(one_module, found, {{"/p/legs.cpp", text}}))
     out.push_back(std::to_string(each.place.line) + ": " + each.message);
   return out;
 }

@@ -26,7 +26,7 @@ constexpr std::array names{"one", "two", "three"};
 /// The bound in runtime/dds/README.md, in seconds.
 constexpr double never_two_for_longer = 2.0;
 
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 struct Span {
   int robot = 0;
@@ -71,7 +71,7 @@ struct Life {
       if (since >= 0) add(out, since, time);
       since = role == "striking" ? time : -1;
     }
-    if (since >= 0) add(out, since, ended.value_or(now()));
+    if (since >= 0) add(out, since, ended.value_or(seconds()));
     return out;
   }
 
@@ -100,7 +100,7 @@ public:
   void end(int robot, int signal) {
     life(robot).process.signal(signal);
     life(robot).process.wait();
-    life(robot).ended = now();
+    life(robot).ended = seconds();
     living_[static_cast<std::size_t>(robot)] = nullptr;
   }
 
@@ -145,9 +145,9 @@ private:
 };
 
 void check_settled(Team& team, const std::string& after) {
-  const double begin = now();
+  const double begin = seconds();
   const bool settled = comes_true([&] { return team.settled(); });
-  std::printf("   %-28s %s after %.2f s\n", after.c_str(), team.roles().c_str(), now() - begin);
+  std::printf("   %-28s %s after %.2f s\n", after.c_str(), team.roles().c_str(), seconds() - begin);
   CAPTURE(after, team.roles());
   CHECK(settled);
 }
@@ -204,10 +204,10 @@ TEST_CASE("a striker that freezes loses the role, and when it continues there is
   Team team;
   for (int robot = 0; robot < count; ++robot) team.start(robot);
   check_settled(team, "all three are there");
-  team.life(0).frozen = now();
+  team.life(0).frozen = seconds();
   team.life(0).process.signal(SIGSTOP);
   CHECK(comes_true([&] { return team.life(1).role() == "striking"; }));
-  team.life(0).thawed = now();
+  team.life(0).thawed = seconds();
   team.life(0).process.signal(SIGCONT);
   check_settled(team, "one goes on");
   check_never_two(team);

@@ -14,8 +14,6 @@ using namespace std::chrono_literals;
 using courier::Deliver, courier::Open, courier::Rest, courier::Sing, courier::Walk;
 using Lines = std::vector<std::string>;
 
-post::Parcel parcel(int weight) { return {std::make_unique<int>(weight)}; }
-
 TEST_CASE("a task's data reach its body, the program's and those of a body") {
   Office office;
   office.plans.deliver = [](Deliver::Default& run) {

@@ -47,7 +47,7 @@ struct Watched {
   }
 };
 
-Deliver parcel(int weight) { return Deliver{{std::make_unique<int>(weight)}}; }
+Deliver delivery(int weight) { return Deliver{{std::make_unique<int>(weight)}}; }
 
 TEST_CASE("what an observer throws leaves the step after its micro-step, and everything was done in between") {
   for (const Kind kind : {Kind::input, Kind::grant, Kind::run, Kind::ask, Kind::start, Kind::set, Kind::done,
@@ -75,10 +75,10 @@ TEST_CASE("what an observer throws leaves the step after its micro-step, and eve
     };
     watched.skills.sing = [&](Sing::Default& run) { return run.done(); };
     watched.skills.on_stop = [&](Walk::Stop& run) { calls.push_back("stop " + std::to_string(run.task().count)); };
-    watched.behaviour.request(parcel(3));
+    watched.behaviour.request(delivery(3));
     watched.behaviour.request<Rest>();
     int thrown = watched.settle();
-    watched.behaviour.request(parcel(4));
+    watched.behaviour.request(delivery(4));
     thrown += watched.settle();
     watched.behaviour.cancel<Deliver>();
     thrown += watched.settle();

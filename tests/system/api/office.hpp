@@ -5,10 +5,13 @@
 #include "courier.hpp"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace director::tests {
+
+inline post::Parcel parcel(int weight) { return {std::make_unique<int>(weight)}; }
 
 namespace courier = post::courier;
 

@@ -16,7 +16,7 @@ using namespace director;
 using namespace std::chrono_literals;
 using std::chrono::duration, std::chrono::microseconds;
 
-struct Guard final : night_watch::Guard {
+struct RoundGuard final : night_watch::Guard {
   Outcome provide(night_watch::Round::Default& run) override {
     rounds.push_back(run.reasons());
     return on_round ? on_round(run) : run.keep();
@@ -38,7 +38,7 @@ struct Guard final : night_watch::Guard {
 };
 
 struct Night {
-  Guard guard;
+  RoundGuard guard;
   night_watch::Behaviour behaviour{guard};
 
   std::int32_t noise() const { return behaviour.engine().value(0); }

@@ -17,8 +17,6 @@ using director::testing::Fares;
 using director::testing::Trial;
 using Kind = Outcome::Kind;
 
-post::Parcel parcel(int weight) { return {std::make_unique<int>(weight)}; }
-
 TEST_CASE("a body alone: its task, and what it requests, with data and levels") {
   Plans plans;
   plans.deliver = [](Deliver::Default& run) {

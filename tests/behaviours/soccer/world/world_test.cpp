@@ -53,7 +53,7 @@ void walk_up_to_the_ball(World& world) {
   }
 }
 
-void kick(World& world) {
+void kick_once(World& world) {
   pass(world, world.robot().move(Servo::right_knee, 60 * degree));
   pass(world, world.robot().move(Servo::right_knee, -30 * degree));
 }
@@ -83,7 +83,7 @@ TEST_CASE("a robot that stands still kicks the ball away") {
   pass(world, 1'000);
   REQUIRE(world.robot().still());
   const Point before = world.ball();
-  kick(world);
+  kick_once(world);
   CHECK(world.kicks() == 1);
   pass(world, 1'000);
   CHECK(length(world.ball() - before) > 500);
@@ -94,7 +94,7 @@ TEST_CASE("a robot that kicks while it still sways falls") {
   World world(3);
   walk_up_to_the_ball(world);
   world.robot().release();
-  kick(world);
+  kick_once(world);
   CHECK(world.robot().posture() == Posture::falling);
   CHECK(world.kicks() == 0);
 }
