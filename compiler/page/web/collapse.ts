@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One picture at a time: all groups, or collapsed to modules or layers.
+// Shows one picture at a time, with a choice between them: all groups, or collapsed to modules or layers.
 
 import { make } from './elements';
 import { Picture } from './picture';

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Numbers, one after another, in memory that grows by doubling: millions of events have no object of their own.
+// Arrays of numbers whose capacity grows by doubling: an object for each of millions of events would need too much memory.
 
 type Numbers = Float64Array | Uint32Array;
 
 export class Column<T extends Numbers> {
   length = 0;
 
-  /** `at` is read directly, as far as `length`. */
+  /** `at` may be read directly, up to `length`. */
   constructor(public at: T) {}
 
   push(value: number): void {
@@ -14,7 +14,7 @@ export class Column<T extends Numbers> {
     this.at[this.length++] = value;
   }
 
-  /** Room for so many, for who knows how many will come. */
+  /** Reserves capacity for `count` numbers, for callers that know how many they will add. */
   reserve(count: number): void {
     if (count <= this.at.length) return;
     const more = new (this.at.constructor as new (size: number) => T)(count);
@@ -26,13 +26,13 @@ export class Column<T extends Numbers> {
     return this.at[this.length - 1];
   }
 
-  /** The first `count` are gone. */
+  /** Removes the first `count` numbers. */
   drop(count: number): void {
     this.at.copyWithin(0, count, this.length);
     this.length -= count;
   }
 
-  /** How many of the first numbers are `value` at most. They must be in order. */
+  /** The number of values that are at most `value`, by binary search. They must be in ascending order. */
   upTo(value: number): number {
     let low = 0;
     let high = this.length;

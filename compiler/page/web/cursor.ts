@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The moment that is looked at: a time, and the event after which it is. Everything that shows it listens here.
+// The moment that is shown: a time, and the last event that has happened by then. Everything that shows the moment is notified when it changes.
 
 import type { Recording } from './recording';
 
@@ -10,7 +10,7 @@ export class Cursor {
 
   constructor(private readonly recording: Recording) {
     this.time = recording.begins;
-    this.event = recording.eventAt(this.time); // the last of all that happened at once
+    this.event = recording.eventAt(this.time); // the last of all events at this time
   }
 
   onMove(listener: () => void): void {
@@ -34,7 +34,7 @@ export class Cursor {
   }
 }
 
-/** `12.600 s`; with microseconds where they are not 0. */
+/** `12.600 s`; with microseconds if they are not 0. */
 export function seconds(time: number): string {
   return `${(time / 1e6).toFixed(time % 1000 === 0 ? 3 : 6)} s`;
 }

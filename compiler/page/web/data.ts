@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the script reads of the page's JSON. Schema: schemas/graph.schema.json.
+// The part of the page's JSON that the script reads. Schema: schemas/graph.schema.json.
 
 export interface Cell {
   kind: string;
@@ -14,17 +14,17 @@ export interface Row {
   cells: Cell[];
 }
 
-/** What decides between two tasks of one requester. */
+/** The rule that decides between two tasks of one requester. */
 export interface Decision {
   goes_first: string;
   words: string;
 }
 
-/** Codes of decisions: twice the place, and one more where the first group is on the side of the second task. */
+/** The order of two groups. `decisions`: twice the index in Data.ranks.decisions, plus 1 if the first group is on the side of the second task. */
 export interface Answer {
   leads?: string;
   decisions: number[];
-  more?: number; // that the page does not have
+  more?: number; // the number of decisions that the page does not have
 }
 
 export interface Data {

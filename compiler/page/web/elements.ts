@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Elements of the page, made and found.
+// Functions that make and find elements of the page.
 
 type Attributes = Record<string, string>;
 
@@ -20,7 +20,7 @@ export function button(label: string, act: () => void, attributes: Attributes = 
   return out;
 }
 
-/** A place at the end of a text, `(robot.yaml:12)`, is a link, where the page has any. */
+/** Makes a place at the end of a text, `(robot.yaml:12)`, a link, if the page has links to places. */
 export function withPlace(text: string): (Node | string)[] {
   const pattern = document.body.dataset.link;
   const found = /^(.* \()([^()]+):(\d+)\)$/.exec(text);
@@ -34,7 +34,7 @@ export function byId(id: string): HTMLElement | null {
   return document.getElementById(id);
 }
 
-/** Shown, and where the keyboard is. */
+/** Opens the details around an element, scrolls to it and moves the keyboard focus there; false: there is none with this id. */
 export function goTo(id: string): boolean {
   const target = byId(id);
   if (!target) return false;

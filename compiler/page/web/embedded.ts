@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The recording that `directorc trace --to=html` writes into a page; its other half, with the format, is compiler/trace/recording.hpp.
+// Decodes the recording that `directorc trace --to=html` writes into a page. The encoder and the format: compiler/trace/recording.hpp.
 
 import { counts, type Column } from './columns';
 import type { Header } from './names';
@@ -18,7 +18,7 @@ interface Head {
   why_ends?: string;
 }
 
-/** Numbers of seven bits a byte, the lowest first, each byte but the last with its highest bit set. */
+/** Reads numbers that have seven bits a byte, the lowest first, each byte but the last with its highest bit set. */
 class Bytes {
   constructor(private readonly bytes: Uint8Array, private place: number) {}
 
@@ -43,8 +43,8 @@ async function inflate(base64: string): Promise<Uint8Array> {
 
 class Embedded implements Source {
   readonly grows = false;
-  private readonly events: Column<Uint32Array>[]; // by group, when what keeps it becomes another
-  private readonly answers: Column<Uint32Array>[]; // ... and what: a place among the texts, plus 1; 0: it does not wait
+  private readonly events: Column<Uint32Array>[]; // by group: from which events on its answer to why changes
+  private readonly answers: Column<Uint32Array>[]; // ... and the answer: an index in the texts, plus 1; 0: it does not wait
 
   constructor(readonly recording: Recording, private readonly head: Head) {
     this.events = head.header.groups.map(counts);
@@ -67,7 +67,7 @@ class Embedded implements Source {
   }
 }
 
-/** `initial`: what states are worth before anything is told. */
+/** `initial`: the values of the states before the first event. */
 export async function decodeRecording(base64: string, initial: Map<string, Value>): Promise<Source> {
   const raw = await inflate(base64);
   const length = new DataView(raw.buffer, raw.byteOffset).getUint32(0, true);

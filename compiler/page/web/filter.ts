@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which groups have a track, and which events are stepped to and listed.
+// The filter: which groups have a track, and which events are stepped to and listed.
 
 import { type Column, counts } from './columns';
 import { button, make } from './elements';
@@ -10,20 +10,20 @@ const words: Record<Sort, string> = {
   request: 'requests of the program', input: 'other inputs', run: 'runs', ask: 'what bodies request', 'take-over': 'take-overs', control: 'granted, lost and withdrawn', push: 'pushes', queue: 'queued',
   state: 'states set', handler: 'start and stop', result: 'done and failed', fault: 'faults and losses',
 };
-/** What comes again and again is there for who asks. */
+/** The kinds of events that are chosen at first; very frequent ones are not among them. */
 const usual: Sort[] = ['request', 'take-over', 'push', 'queue', 'state', 'handler', 'fault'];
 
 export class Filter {
   readonly element = make('details', { class: 'filter' }, make('summary', {}, 'Filter'));
   private readonly chosenSorts = new Set<Sort>(usual);
-  private chosenGroups: Set<number> | undefined; // nothing: those to which something happens
+  private chosenGroups: Set<number> | undefined; // undefined: those to which something happens
   private shown = counts();
-  private looked = 0; // the first event that is not among `shown` yet, if it is one of them
-  private let: boolean[] = []; // by the place of a shape
+  private looked = 0; // the first event that has not been filtered into `shown` yet
+  private let: boolean[] = []; // by the index of a shape: whether its events are shown; a cache
   private readonly boxes: HTMLInputElement[] = [];
   private readonly note = make('p', { class: 'hint', role: 'status' });
 
-  /** `order`: of the groups. */
+  /** `order`: the groups, in the order of their tracks. */
   constructor(private readonly recording: Recording, private readonly order: number[], private readonly changed: () => void) {
     const events = make('fieldset', {}, make('legend', {}, 'Events to step to and to list'));
     for (const sort of sorts) events.append(this.box(words[sort], this.chosenSorts.has(sort), (on) => (on ? this.chosenSorts.add(sort) : this.chosenSorts.delete(sort))).label);
@@ -43,26 +43,26 @@ export class Filter {
     this.tell();
   }
 
-  /** In the order of the tracks. `event`: only those that do something after it, or wait. */
+  /** The groups that have a track, in order. `event`: instead those that are neither inactive nor unknown after this event. */
   groups(event?: number): number[] {
     return this.order.filter((group) => (event === undefined ? this.shows(group) : !['inactive', 'unknown'].includes(this.recording.standingAt(group, event).mark)));
   }
 
-  /** Those that are shown, in order. */
+  /** The events that are shown, in order. */
   events(): Column<Uint32Array> {
     const { recording } = this;
     for (; this.looked < recording.end; ++this.looked) if (this.looked >= recording.first && this.lets(recording.shape.at[this.looked - recording.first])) this.shown.push(this.looked);
     return this.shown;
   }
 
-  /** The next or previous one that is shown; nothing: there is none. */
+  /** The next or previous event that is shown; undefined: there is none. */
   from(event: number, step: 1 | -1): number | undefined {
     const shown = this.events();
     const place = step === 1 ? shown.upTo(event) : shown.upTo(event - 1) - 1;
     return place >= 0 && place < shown.length && shown.at[place] >= this.recording.first ? shown.at[place] : undefined;
   }
 
-  /** By the place of its shape. */
+  /** Whether events of this shape are shown. */
   private lets(place: number): boolean {
     let known = this.let[place];
     if (known === undefined) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Search for groups and states by name and by what is said of them, and the focus on one group.
+// Searches groups and states by name and documentation, and focuses one group in the pictures.
 
 import type { Data } from './data';
 import { button, byId, goTo, make } from './elements';
@@ -13,7 +13,7 @@ export class Finder {
   private readonly status = make('p', { id: 'status', role: 'status' });
   private readonly clear = button('Show everything', () => this.focus(undefined), { hidden: '' });
 
-  /** `chosen`: what a click on a group in the picture does; without it, the focus goes there. */
+  /** `chosen`: called for a click on a group in a picture; undefined: the click focuses the group. */
   constructor(private readonly data: Data, private readonly pictures: Picture[], chosen?: (group: string) => void) {
     const box = byId('finder');
     if (!box) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The page of a running behaviour (runtime/live): what happens comes as server-sent events whose data are lines of a trace, and fills a recording that the
-// timeline follows. Why something waits is asked of the program, which knows it of the present alone. Only a page that a program sends does this: the tag
-// that says where to ask is the program's.
+// The page of a running behaviour (runtime/live). It receives server-sent events whose data are lines of a trace, and fills a recording with them,
+// which the timeline follows. It asks the program why groups wait; the program knows that only for the present. Only a page that a program sent does
+// this: the program adds a tag with the address of the events (runtime/live/page.cpp).
 
 import type { Data } from './data';
 import { byId, make } from './elements';
@@ -11,10 +11,10 @@ import type { Picture } from './picture';
 import { type Because, type Held, lineOf, Recording, type Source } from './recording';
 import { Timeline } from './timeline';
 
-const most = 400_000; // events that are kept
-const pause = 100; // milliseconds between two looks at what has come, so that a person can read
-const askAgain = 1000; // milliseconds, of what waits still
-const silence = 5000; // milliseconds without a sign of life, which comes each second
+const most = 400_000; // the number of events above which the oldest are removed
+const pause = 100; // milliseconds between two updates of the page, so that the user can read it
+const askAgain = 1000; // milliseconds after which the reasons for waiting are requested again
+const silence = 5000; // milliseconds without a message; an `alive` message comes each second
 
 interface Reason {
   group: string;
@@ -27,16 +27,16 @@ export class Live implements Source {
   readonly grows = true;
   private record: Recording | undefined;
   private fingerprint = '';
-  private readonly waiting: string[] = []; // data of messages that nobody looked at yet
+  private readonly waiting: string[] = []; // data of messages that are not processed yet
   private time: number | undefined;
-  private held = false; // a button of the mouse is down: what is under it stays
+  private held = false; // a pointer is pressed: until it is released, the page does not change
   private heard = performance.now();
-  private readonly answers = new Map<string, Because & { asked: number }>(); // by group and since when it waits
+  private readonly answers = new Map<string, Because & { asked: number }>(); // by group and the event since which it waits
   private asking = false;
   private asked = 0;
   readonly bar: LiveBar;
 
-  /** `address`: of the events, beside the page. */
+  /** `address`: of the events, relative to the page. */
   constructor(address: string, private readonly data: Data, private readonly pictures: Picture[]) {
     this.bar = new LiveBar(data, (group) => this.reasonOf(group));
     const events = new EventSource(address);
@@ -72,7 +72,7 @@ export class Live implements Source {
     if (time !== undefined) record.pass(time);
   }
 
-  /** The header makes the recording, when it comes first; then it says only that the viewer begins anew. */
+  /** Removes the header of a trace. The first header creates the recording; a later one only says that the stream begins again. */
   private withoutHeader(data: string): string {
     const lines = data.split('\n');
     if (lines[0].startsWith('{"director_trace":')) this.takeHeader(lines);
@@ -92,7 +92,7 @@ export class Live implements Source {
     if (header.groups.some((group) => !own.has(group.name))) this.bar.warn('This page is of another version of the behaviour than the one that runs.');
     const initial = new Map(this.data.states.map((state) => [state.name, state.initial ?? null]));
     this.record = new Recording(header, initial, most);
-    // What happened before is not missing: it is before the beginning.
+    // Events before the connection are not missing: the recording begins here.
     if (lines[0]?.startsWith('{"event":"dropped"')) lines.shift();
     if (lines.length > 0) this.record.append(lines.splice(0).join('\n'));
     this.makeTimeline();
@@ -106,12 +106,12 @@ export class Live implements Source {
     const section = make('section', { id: 'timeline', 'aria-labelledby': 'timeline-title' }, make('h2', { id: 'timeline-title' }, 'Now, and what led to it'));
     byId('picture')?.after(section);
     new Timeline(this, this.pictures, this.data);
-    if (scrollY === 0 && location.hash === '') scrollTo({ top: byId('live')?.getBoundingClientRect().top }); // not scrollIntoView: it leaves the place that this box takes itself
+    if (scrollY === 0 && location.hash === '') scrollTo({ top: byId('live')?.getBoundingClientRect().top }); // scrollIntoView would add the padding meant for this box
   }
 
-  // Why.
+  // Reasons for waiting.
 
-  /** Of the present it is asked, and asked again while it lasts; of the past it is known where somebody asked then. */
+  /** For the present the program is asked, again and again while the group waits; for the past there are only the answers that were given then. */
   why(group: number, event: number): Because | undefined {
     const key = this.keyOf(group, event);
     const known = this.answers.get(key);
@@ -133,7 +133,7 @@ export class Live implements Source {
     this.asking = true;
     this.asked = performance.now();
     const { recording } = this;
-    const event = recording.end - 1; // what comes meanwhile may be the end of what is answered: it is shown until then
+    const event = recording.end - 1; // the answer is for this event: events that come meanwhile may end the wait
     try {
       for (const reason of await this.ask('why')) {
         const group = recording.names.group(reason.group);
@@ -142,7 +142,7 @@ export class Live implements Source {
       if (this.answers.size > 2000) this.answers.clear();
       recording.pass(recording.ends);
     } catch {
-      // The bar says what is wrong with the connection.
+      // The bar shows that the connection is lost.
     } finally {
       this.asking = false;
     }
@@ -159,7 +159,7 @@ export class Live implements Source {
   }
 }
 
-/** Where to ask; undefined: the page is a file, and asks for nothing. */
+/** The address of the events; undefined: the page is a file, and makes no requests. */
 export function liveAddress(): string | undefined {
   return document.querySelector<HTMLMetaElement>('meta[name="director-live"]')?.content;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Above the picture of a running behaviour: whether what is seen is the present, and why a group runs or does not, asked with one click.
+// The bar above the picture of a running behaviour: it shows whether the page shows the present, and with one click why a group runs or does not.
 
 import type { Data } from './data';
 import { button, byId, make } from './elements';
@@ -19,7 +19,7 @@ const words: Record<State, string> = {
   lost: 'Lost',
   over: 'Over',
 };
-const behindFor = 4000; // milliseconds that a gap is spoken of
+const behindFor = 4000; // milliseconds for which the bar mentions missing events
 
 const clock = (): string => new Date().toLocaleTimeString('en-GB');
 
@@ -49,7 +49,7 @@ export class LiveBar {
     this.show('connected', ': this is what happens now');
   }
 
-  /** Something came, or should have come by now if all were well. */
+  /** Messages are coming: ends the state `silent`, and `behind` after its time. */
   heard(): void {
     if (this.state === 'silent' || (this.state === 'behind' && performance.now() > this.behindUntil)) this.connected();
   }
@@ -73,7 +73,7 @@ export class LiveBar {
     this.warning.hidden = false;
   }
 
-  /** Asks why, and shows the answer. */
+  /** Asks the program why the group runs or does not, and shows the answer. */
   async why(group: string): Promise<void> {
     const mine = ++this.asked;
     this.choice.value = group;
@@ -87,7 +87,7 @@ export class LiveBar {
     }
     if (mine !== this.asked) return;
     this.answer.replaceChildren(...parts);
-    this.answer.scrollIntoView({ block: 'nearest' }); // who clicked a box may not see it
+    this.answer.scrollIntoView({ block: 'nearest' }); // it may be outside the viewport of a user who clicked a box
   }
 
   private show(state: State, about: string): void {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the tracks are drawn: colours of the page's style, and a look for each mark that is told apart without colour.
+// How the tracks are drawn: the colours are those of the page's style, and the marks can be distinguished without colour too.
 
 import type { Mark } from './standing';
 
@@ -23,7 +23,7 @@ export function lookOf(element: Element): Look {
   };
 }
 
-/** Running is solid, pushed solid with stripes, queued hollow and dashed, held dotted, unknown hatched; inactive is a line. */
+/** Running is solid, pushed solid with stripes, queued empty with a dashed border, held with a dotted one, unknown hatched; inactive is a line. */
 export function drawSlice(to: CanvasRenderingContext2D, look: Look, mark: Mark, x: number, y: number, width: number, height: number): void {
   const solid = mark === 'running' || mark === 'pushed';
   to.lineWidth = 1;
@@ -71,7 +71,7 @@ export function hatch(to: CanvasRenderingContext2D, colour: string, x: number, y
   to.restore();
 }
 
-/** What is longer than its place is cut. */
+/** A text that is wider than `width` is cut off. */
 export function drawText(to: CanvasRenderingContext2D, text: string, colour: string, x: number, y: number, width: number): void {
   if (width < 14 || text === '') return;
   to.save();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The matrix: the arrow keys go from cell to cell, and a cell explains itself, with its scenario.
+// The transition matrix: arrow keys move the focus from cell to cell, and a click shows the explanation of a cell, with its scenario.
 
 import type { Data } from './data';
 import { button, byId, make } from './elements';
@@ -29,7 +29,7 @@ export class Matrix {
     return this.data.transitions?.rows ?? [];
   }
 
-  /** For those who hear the cells, once the page is painted. */
+  /** Labels the cells for screen readers; done after the page is painted. */
   private name(): void {
     for (const [link, [i, j]] of this.places) {
       link.setAttribute('aria-label', `${this.rows[i].cells[j].kind}: from ${this.rows[i].group} to ${this.rows[j].group}`);
@@ -91,14 +91,14 @@ export class Matrix {
     this.reveal(this.links[i][j], panel);
   }
 
-  /** The words stand below the matrix: as much of them is scrolled into sight as leaves the cell there. */
+  /** Scrolls the explanation, which is below the matrix, into the viewport as far as the cell remains visible. */
   private reveal(link: HTMLElement, panel: HTMLElement): void {
     const missing = panel.getBoundingClientRect().bottom - innerHeight;
     const room = link.getBoundingClientRect().top - 2 * link.offsetHeight;
     scrollBy(0, Math.max(0, Math.min(missing, room)));
   }
 
-  /** Without the right to the clipboard, the text is selected. */
+  /** Copies the text; without permission to use the clipboard, the text is selected. */
   private async copy(text: string, shown: HTMLElement, copied: HTMLButtonElement): Promise<void> {
     try {
       await navigator.clipboard.writeText(text);

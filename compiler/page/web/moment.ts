@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The moment in words: who waits and why, who is pushed, who runs for whom, what the states are worth.
+// The moment in words: which groups wait and why, which are pushed, which run and for which requester, and the values of the states.
 
 import { type Cursor, seconds } from './cursor';
 import { make, withPlace } from './elements';
@@ -11,7 +11,7 @@ const link = (kind: string, name: string): HTMLElement => make('a', { href: `#${
 
 export class Moment {
   readonly element = make('div', { id: 'moment', tabindex: '0', role: 'region', 'aria-label': 'The moment' });
-  private asked = 0; // so that an answer that comes late for another moment is not shown
+  private asked = 0; // counts calls of show(): an answer that comes after the next call is not shown
 
   constructor(private readonly source: Source, private readonly cursor: Cursor, private readonly order: number[]) {}
 
@@ -36,7 +36,7 @@ export class Moment {
     this.put(parts);
   }
 
-  /** What is as it was stays, and so does where the keyboard is: while a program runs this comes many times a second. */
+  /** Replaces only the parts that changed, and keeps the keyboard focus: for a running program this is called many times a second. */
   private put(parts: Node[]): void {
     const old = [...this.element.children];
     const focus = this.element.contains(document.activeElement) ? document.activeElement?.getAttribute('href') : undefined;
@@ -83,7 +83,7 @@ export class Moment {
     return out;
   }
 
-  /** What `directorc why` prints: the answer, and a line for each thing that it comes from. */
+  /** The text of `directorc why`: the answer, and a line for each of its notes; a shorter text if there is no answer. */
   private answer(group: number, standing: Standing, event: number, because: Because | undefined): Node[] {
     const { names } = this.source.recording;
     if (because === undefined) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the first line of a trace calls everything (schemas/trace.schema.json), and the number that each has: its place there.
+// The names in the header of a trace, its first line (schemas/trace.schema.json), and the number of each: its index there.
 
 export interface Header {
   director_trace: number;
@@ -12,7 +12,7 @@ export interface Header {
   conditions: string[];
 }
 
-/** Instead of a number: there is none, and who goes on for nobody. */
+/** Instead of an index. `nobody`: none, or as a requester the program; `limbo`: as the holder of a group that limbo keeps. */
 export const nobody = -1;
 export const limbo = -2;
 
@@ -24,8 +24,8 @@ export class Names {
   private readonly states: Map<string, number>;
   readonly targets: number[]; // of each edge
   readonly requesters: number[]; // of each edge; `nobody`: the program
-  readonly requests: number[][]; // of each group, the edges by which it asks
-  readonly askers: number[][]; // of each group, the edges that lead to it
+  readonly requests: number[][]; // of each group, the edges of which it is the requester
+  readonly askers: number[][]; // of each group, the edges that lead to it, from its requesters
 
   constructor(readonly header: Header) {
     this.groups = places(header.groups.map((group) => group.name));
@@ -54,14 +54,14 @@ export class Names {
     return this.header.groups[group]?.providers.indexOf(name ?? '') ?? nobody;
   }
 
-  /** `Walk.halting`; `Walk` alone where a group writes its words directly. */
+  /** `Walk.halting`; only `Walk` if the group has no named providers. */
   providerText(group: number, provider: number): string {
     const { name, providers } = this.header.groups[group];
     const own = providers[provider];
     return own === undefined || own === 'default' ? name : `${name}.${own}`;
   }
 
-  /** The group that asks by this edge, or the program. */
+  /** The requester of this edge: a group, or the program. */
   askerText(edge: number): string {
     const group = this.requesters[edge] ?? nobody;
     return group === nobody ? 'the program' : this.header.groups[group].name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a page of `directorc docs` does beyond its text. Without it, all of the text is there.
+// The entry point of the script of a page (`directorc docs`, `directorc trace --to=html`). Without scripts, the page still has its whole text.
 
 import { choosePicture } from './collapse';
 import { readData } from './data';

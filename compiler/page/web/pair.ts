@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Of any two groups: who goes first, and what decides.
+// Shows for any two groups which of them goes first, and what decides that.
 
 import type { Data, Decision } from './data';
 import { byId, make } from './elements';
 
-/** `first`, `second` or `equal`, of the two groups that were asked for. */
+/** `first`, `second` or `equal`, of the two chosen groups. `turned`: the decision has them in the other order. */
 function sideThatWins(decision: Decision, turned: boolean): string {
   if (decision.goes_first === 'equal' || !turned) return decision.goes_first;
   return decision.goes_first === 'first' ? 'second' : 'first';
@@ -36,7 +36,7 @@ export class Pair {
   private tell(a: number, b: number): Node[] {
     const ranks = this.data.ranks;
     if (!ranks) return [];
-    const swapped = a < b; // there is a row for each group, with those before it
+    const swapped = a < b; // the row of a group has only the groups up to it
     const answer = ranks.answers[swapped ? ranks.pairs[b][a] : ranks.pairs[a][b]];
     const [first, second] = [this.data.groups[a].name, this.data.groups[b].name];
     const lines: string[] = [];

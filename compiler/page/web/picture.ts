@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A picture that moves, and that greys out what has nothing to do with one group. Its layout is that of Graphviz.
+// A picture that can be moved and zoomed, and that can grey out everything not related to one group. Its layout is that of Graphviz.
 
 import { select } from 'd3-selection';
 import { zoom, zoomIdentity } from 'd3-zoom';
@@ -7,17 +7,17 @@ import { button, make } from './elements';
 
 const inFront = 'near';
 
-/** Pixels a point: at this scale its text is as large as Graphviz means it. */
+/** Pixels per point: at this scale its text has the size that was given to Graphviz. */
 const onPaper = 4 / 3;
 
-/** Smaller than that nobody recognizes a name: a picture that is wider begins at its roots, and a flat one larger, as the frame has room. */
+/** The smallest scale at which names can be recognized. A picture too wide for it first shows its roots; a flat one is larger, to fill its frame. */
 const least = 0.4;
-const flat = { scale: 0.8, height: 256 }; // at most; as page.css has it
+const flat = { scale: 0.8, height: 256 }; // its largest scale; pixels, the least height of a frame in page.css (16rem)
 
-/** At this scale names can be read. */
+/** The smallest scale at which names can be read well. */
 const readable = 0.6;
 
-/** What Graphviz calls an arrow: `Walk.halting → Wheels`, each end with its row behind a dot. */
+/** The two ends in the title of an arrow, `Walk.halting → Wheels`: each is a box, or a row of a box after a dot. */
 function endsOf(title: string): [string, string] | undefined {
   const ends = title.split(' → ');
   return ends.length === 2 ? [ends[0], ends[1]] : undefined;
@@ -28,7 +28,7 @@ const groupOf = (end: string): string => end.split('.')[0];
 export class Picture {
   readonly nodes = new Map<string, SVGGElement>();
   readonly svg: SVGSVGElement;
-  readonly arrows: { from: string; to: string; element: SVGGElement }[] = []; // and their labels; each end with its row behind a dot
+  readonly arrows: { from: string; to: string; element: SVGGElement }[] = []; // and their labels; the ends are as in endsOf()
   private readonly motion = zoom<SVGSVGElement, unknown>();
 
   constructor(readonly frame: HTMLElement) {
@@ -49,7 +49,7 @@ export class Picture {
     return this.frame.dataset.picture ?? '';
   }
 
-  /** The group, whom it asks for or needs, and who asks for it or needs it; nothing: everything. */
+  /** Greys out everything but the group, the groups that it requests or needs, and its requesters; undefined: greys out nothing. */
   focus(group?: string): void {
     const near = new Set<string>();
     if (group !== undefined) near.add(group);
@@ -83,7 +83,7 @@ export class Picture {
       .filter((event: Event) => (event instanceof WheelEvent ? event.ctrlKey || event.metaKey : !('touches' in event) || (event.touches as TouchList).length > 1))
       .on('zoom', (event: { transform: { toString(): string } }) => moved.setAttribute('transform', event.transform.toString()));
     select(this.svg).call(this.motion).on('dblclick.zoom', null);
-    // Two fingers would scroll the page as well.
+    // Otherwise two fingers would also scroll the page.
     this.svg.addEventListener('touchstart', (event) => event.touches.length > 1 && event.cancelable && event.preventDefault(), { passive: false });
     this.frame.classList.add('moves');
     this.frame.addEventListener('keydown', (event) => this.key(event));
@@ -107,12 +107,12 @@ export class Picture {
     select(this.svg).call(this.motion.scaleBy, by);
   }
 
-  /** All of it is seen. */
+  /** Shows all of the picture. */
   whole(): void {
     select(this.svg).call(this.motion.transform, zoomIdentity);
   }
 
-  /** As large as on paper where that fits, else as wide as the frame where that can be read; from the top, in a frame that is no higher than needed. */
+  /** Sets the first scale: as on paper if that fits, otherwise the frame's width if readable; from the top, in a frame no higher than needed. */
   show(): void {
     const view = this.svg.viewBox.baseVal;
     const fits = this.frame.clientWidth / view.width;
@@ -123,18 +123,18 @@ export class Picture {
     const scale = unit > onPaper ? onPaper / unit : Math.max(1, wanted / unit);
     this.motion.scaleExtent([0.2, Math.max(12, (3 * onPaper) / unit)]);
     const [seen, drawn] = [this.frame.clientWidth / unit, scale * view.width];
-    const most = Math.max(0, (drawn - seen) / 2); // from its middle
+    const most = Math.max(0, (drawn - seen) / 2); // the largest shift from the middle
     const aside = Math.max(-most, Math.min(most, scale * (view.width / 2 - this.roots(view.width / 2))));
     select(this.svg).call(this.motion.transform, zoomIdentity.translate((view.width - drawn) / 2 + aside, 0).scale(scale));
   }
 
-  /** Where what the program requests stands, from the left. */
+  /** The mean horizontal position of the groups that the program requests, which have the sign ▼; `otherwise`: if there are none. */
   private roots(otherwise: number): number {
     const all = [...this.nodes.values()].filter((node) => node.querySelector('text')?.textContent?.startsWith('▼')).map((node) => node.getBBox());
     return all.length === 0 ? otherwise : all.reduce((sum, { x, width }) => sum + x + width / 2, 0) / all.length;
   }
 
-  /** With all that is near it, where that can be read. */
+  /** Centres the group with its related groups if that is readable, otherwise the group alone. */
   private centre(group: string, near: Set<string>): void {
     const node = this.nodes.get(group);
     this.whole();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The pictures show the moment: frames as `directorc graph --step` draws them, a sign before who is in charge, and below a box why it waits or for whom
-// it is pushed. Boxes of several groups show the one that has most to tell.
+// Marks the moment in the pictures: frames as `directorc graph --step` draws them, a sign before the active provider, and below a box a note why its
+// group waits, or for which task it is pushed. A box of several groups shows the one whose mark is last in `order`.
 
 import type { Data } from './data';
 import { type Names, nobody } from './names';
@@ -12,19 +12,19 @@ import { words } from './standing_words';
 const order: Mark[] = ['inactive', 'unknown', 'held', 'running', 'queued', 'pushed'];
 const space = 'http://www.w3.org/2000/svg';
 const sign = '▶ ';
-const readable = 10; // pixels of a letter
+const readable = 10; // pixels: the font size that notes should have on the screen
 
 interface Box {
   node: SVGGElement;
   groups: number[];
-  heads: Map<number, SVGTextElement>; // with the name of a group that has no rows
+  heads: Map<number, SVGTextElement>; // the texts with the names of groups, in a box without rows
   rows: Map<string, SVGTextElement>;
-  lengths: Map<string, string>; // of what was written in it: none where it fits
+  lengths: Map<string, string>; // by mark and text, the `textLength`; empty: the text fits. A cache of lengthOf()
   note: SVGGElement | undefined;
   shown: string;
 }
 
-/** What a box is to show from now on. */
+/** The new content of a box. */
 interface Change {
   box: Box;
   mark: Mark | '';
@@ -35,9 +35,9 @@ interface Change {
 interface Arrow {
   element: SVGGElement;
   from: number[];
-  provider: string | undefined; // who has to be in charge for it
+  provider: string | undefined; // the active provider that requests or needs by this arrow; undefined: any
   to: number[];
-  pushedTo: string | undefined; // it is a push, to this provider
+  pushedTo: string | undefined; // the arrow is a push, to this provider; undefined: a request or need
   shown: string;
 }
 
@@ -45,11 +45,11 @@ export class PictureMarks {
   private readonly boxes: Box[] = [];
   private readonly arrows: Arrow[] = [];
   private readonly names: Names;
-  private readonly letters = new Map<string, number>(); // of each note, as letterOf has it
+  private readonly letters = new Map<string, number>(); // by text of a note: a cache of letterOf()
 
   constructor(private readonly picture: Picture, private readonly recording: Recording, data: Data) {
     this.names = recording.names;
-    const parts = new Map<string, number[]>(); // modules and layers; the names of bands are called so too, and have no frame
+    const parts = new Map<string, number[]>(); // groups of modules and layers, by title of the box; bands have such titles too, but no frame
     for (const { name, module, layer } of data.groups) for (const part of [`module ${module}`, `layer ${layer}`]) parts.set(part, [...(parts.get(part) ?? []), this.names.group(name)]);
     const groupsOf = (title: string): number[] => {
       const groups = title.split(', ').map((name) => this.names.group(name));
@@ -68,12 +68,12 @@ export class PictureMarks {
     }
   }
 
-  /** Else its boxes have no size. */
+  /** Whether the picture has a layout: without one its boxes have no size. */
   get isVisible(): boolean {
     return this.picture.svg.getClientRects().length > 0;
   }
 
-  /** Without an event the picture is as it was. `onlyNow`: what is inactive is hardly there. */
+  /** `event`: undefined: removes all marks. `onlyNow`: inactive parts are almost transparent. */
   show(event: number | undefined, onlyNow = false): void {
     this.picture.svg.classList.toggle('moment', event !== undefined);
     this.picture.svg.classList.toggle('only-now', onlyNow);
@@ -109,7 +109,7 @@ export class PictureMarks {
     return { box, mark, texts: [...rows, ...heads], note };
   }
 
-  /** All of it is written before any of it is measured, and measured before any of it is fitted: else each text has the whole picture laid out anew. */
+  /** Writes all texts, then measures all, then fits all: if these alternated, each measurement would cause a new layout of the whole picture. */
   private apply(changes: Change[]): void {
     for (const { box, mark, texts } of changes) {
       for (const each of order) box.node.classList.toggle(`is-${each}`, each === mark);
@@ -128,22 +128,22 @@ export class PictureMarks {
     for (const { box, mark, note } of changes) box.note = note === '' ? undefined : this.note(box.node, note, mark);
   }
 
-  /** A sign and bold letters take more room than the frame was made for: then they stand closer together. None where they fit. */
+  /** The `textLength` that makes a text fit its frame, whose size does not allow for the sign and bold letters; empty: the text fits. */
   private lengthOf(box: Box, text: SVGTextElement, words: string, mark: Mark | ''): string {
-    if (mark === '') return ''; // as it was drawn
+    if (mark === '') return ''; // as Graphviz drew it
     const key = `${mark} ${words}`;
     const known = box.lengths.get(key);
     if (known !== undefined) return known;
     const frame = box.node.querySelector('path')?.getBBox();
     const written = text.getBBox();
-    if (!frame || frame.width === 0) return ''; // it is not visible
+    if (!frame || frame.width === 0) return ''; // it has no layout
     const room = frame.x + frame.width - 3 - Math.max(written.x, frame.x + 3);
     const length = written.width > room ? room.toFixed(1) : '';
     box.lengths.set(key, length);
     return length;
   }
 
-  /** In lines as wide as the box, or somewhat wider; large enough to be read also where the picture is small; within the picture. */
+  /** Adds a note below a box, in lines as wide as the box or somewhat wider, with larger letters if the scale is small, and within the picture. */
   private note(node: SVGGElement, text: string, mark: string): SVGGElement {
     const out = document.createElementNS(space, 'g');
     out.setAttribute('class', `note is-${mark}`);
@@ -176,7 +176,7 @@ export class PictureMarks {
     return out;
   }
 
-  /** How wide its letters are, as a part of their size: rather more than on average, so that a line of wide ones has room. */
+  /** The average width of its letters in relation to the font size, plus 6 %, so that lines with wider letters fit too. */
   private letterOf(text: string, note: SVGGElement): number {
     const known = this.letters.get(text);
     if (known !== undefined) return known;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Time that runs, at a speed.
+// Plays the recording: moves the cursor at a chosen speed.
 
 import type { Cursor } from './cursor';
 import { button, make } from './elements';
@@ -11,7 +11,7 @@ export class Player {
   readonly element: HTMLElement;
   private readonly toggle = button('Play', () => this.flip(), { class: 'play' });
   private readonly speed = make('select', { id: 'speed' }, ...speeds.map((each) => make('option', { value: String(each) }, `${each} ×`)));
-  private last: number | undefined; // when the frame before was drawn; nothing: it stands
+  private last: number | undefined; // the time of the last frame; undefined: not playing
 
   constructor(private readonly recording: Recording, private readonly cursor: Cursor) {
     this.speed.value = '1';

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: MIT
-// A recording in the browser: all events in order, and from them where each group stood and what each state was worth at any of them. The timeline
-// and the picture read it, and know nothing of where it comes from.
+// A recording in the browser: all events in order, and, derived from them, the standing of each group (standing.ts) and the value of each state after
+// any event. The timeline and the pictures read it, whatever its source is.
 //
-// A source is who fills it, and who knows why something waits:
-// - embedded.ts decodes the one that `directorc trace --to=html` wrote into the page; it is whole at once;
-// - a live source makes `new Recording(header)` from the first line of a trace, calls `append(text)` with each further bundle of whole lines, and
-//   `pass(time)` where nothing happened but time passed. `limit` bounds how many events are kept. One that begins in the middle sends first what
-//   holds as events: a `given` for each state, and `grant`, `queue` and `push`. `why(group, event)` may answer later, by a promise. A page shows it by
-//   `new Timeline(source, pictures, data)`, as page.ts does; with `grows` it follows the end until the person goes elsewhere.
+// A source fills the recording, and answers why a group waits:
+// - embedded.ts decodes the recording that `directorc trace --to=html` wrote into the page; it is complete at once;
+// - a live source calls `new Recording(header)` with the first line of a trace, `append(text)` with each further block of complete lines, and
+//   `pass(time)` if time passed without an event. `limit` is the number of events above which the oldest are removed. A source that begins in the
+//   middle first sends the current state as events, such as `given`, `grant`, `queue` and `push` (runtime/live/moment_lines.hpp). `why(group, event)`
+//   may answer later, by a promise. `new Timeline(source, pictures, data)` shows it; if it `grows`, the end is followed until the user goes elsewhere.
 //
-// Events are numbered from 0 and keep their numbers; of those before `first` nothing is kept but what holds there.
+// Events are numbered from 0 and keep their numbers. Events before `first` are removed; the standings and values that they led to are kept.
 
 import { type Column, counts, times } from './columns';
 import { type Header, Names } from './names';
 import { type EventLine, isTold, Shape } from './shape';
 import { type Standing, Standings } from './standing';
 
-/** Why something waits. */
+/** The reason why a group waits. */
 export interface Because {
-  text: string; // one line or several
+  text: string; // one or several lines
   held?: Held;
 }
-/** What is in the way, and the edge by which it is held. */
+/** The group that blocks, and the edge by which it is held. */
 export interface Held {
   group: string;
   by: string;
@@ -29,36 +29,36 @@ export interface Held {
 
 export interface Source {
   readonly recording: Recording;
-  /** More may come: the timeline follows the end. */
+  /** Whether more events may come: then the timeline follows the end. */
   readonly grows: boolean;
-  /** Why a group waits after this event; undefined: that is not known. */
+  /** Why a group waits after this event; undefined: not known. */
   why(group: number, event: number): Because | undefined | Promise<Because | undefined>;
-  /** Why `why` knows nothing of this event; undefined: it does. */
+  /** Why `why` has no answers for this event; undefined: it has. */
   whyUnknown(event: number): string | undefined;
 }
 
-/** From which event on something is what; the first one holds from `first` on. */
+/** The history of a group or state: `value[i]` is valid from `event[i]` on, the first value from Recording.first on. */
 export interface Track {
   event: Column<Uint32Array>;
-  value: Column<Uint32Array>; // place among Recording.standings or Recording.values
+  value: Column<Uint32Array>; // index in Recording.standings or Recording.values
 }
 
-export type Value = string | null | undefined; // null: it has none; undefined: not known
+export type Value = string | null | undefined; // null: unset; undefined: not known
 
 const newTrack = (): Track => ({ event: counts(), value: counts() });
 
-/** A message of what holds and no event tells, a JSON array (runtime/live/moment_lines.hpp), as a line to append. */
+/** Makes a line for append() from a list of standings that no event reports, a JSON array (append_standing in runtime/live/moment_lines.hpp). */
 export const lineOf = (standing: string): string => `{"event":"standing","told":${standing}}`;
 
 export class Recording {
   readonly names: Names;
   readonly shapes: Shape[] = [];
-  readonly time: Column<Float64Array> = times(); // of each event from `first` on, in microseconds; never earlier than the one before
-  readonly shape: Column<Uint32Array> = counts(); // place among `shapes`
+  readonly time: Column<Float64Array> = times(); // of each event from `first` on, in microseconds, in ascending order
+  readonly shape: Column<Uint32Array> = counts(); // of each event from `first` on, index in `shapes`
   readonly groups: Track[];
   readonly states: Track[];
-  readonly flows: Column<Uint32Array> = counts(); // events that are a push or a take-over
-  readonly gaps: Column<Uint32Array> = counts(); // events before which some are missing
+  readonly flows: Column<Uint32Array> = counts(); // events that are pushes or take-overs
+  readonly gaps: Column<Uint32Array> = counts(); // events `dropped`: other events are missing before them
   readonly standings: Standing[] = [];
   readonly values: Value[] = [undefined, null];
   first = 0;
@@ -70,7 +70,7 @@ export class Recording {
   private readonly listeners: (() => void)[] = [];
   private passed = 0;
 
-  /** `initial`: what states are worth before anything is told; `limit`: events. */
+  /** `initial`: the values of the states before the first event. `limit`: if more events are kept, the oldest are removed. */
   constructor(header: Header, initial: Map<string, Value> = new Map(), private readonly limit = Infinity) {
     this.names = new Names(header);
     this.now = new Standings(this.names);
@@ -80,12 +80,12 @@ export class Recording {
     this.states.forEach((track, i) => this.put(track, 0, this.value(initial.get(header.states[i].name))));
   }
 
-  /** One more than the last event's number. */
+  /** The number of the last event, plus 1. */
   get end(): number {
     return this.first + this.time.length;
   }
 
-  /** When it begins and ends, in microseconds. */
+  /** The times of its beginning and its end, in microseconds. */
   get begins(): number {
     return this.time.length === 0 ? 0 : this.time.at[0];
   }
@@ -101,7 +101,7 @@ export class Recording {
     return this.shapes[this.shape.at[event - this.first]];
   }
 
-  /** The last event that is no later; before the first one, one less than `first`. */
+  /** The last event up to this time; `first` - 1: there is none. */
   eventAt(time: number): number {
     return this.first + this.time.upTo(time) - 1;
   }
@@ -114,13 +114,13 @@ export class Recording {
     return this.values[this.at(this.states[state], event)];
   }
 
-  /** The event since which the group stands as it does after this one. */
+  /** The event since which the group has the standing that it has after this event. */
   sinceOf(group: number, event: number): number {
     const { event: begins } = this.groups[group];
     return begins.at[Math.max(0, begins.upTo(event) - 1)];
   }
 
-  /** Whole lines of a trace, behind its header. Throws at what is none; what stands before it is taken. */
+  /** Appends complete lines of a trace, without its header. Throws at a line that cannot be read; the lines before it are appended. */
   append(text: string): void {
     try {
       for (const each of text.split('\n')) if (each !== '') this.takeLine(JSON.parse(each) as EventLine & { t?: number });
@@ -130,18 +130,18 @@ export class Recording {
     }
   }
 
-  /** Time went on, and nothing happened. */
+  /** Time has passed without an event. */
   pass(time: number): void {
     this.passed = Math.max(this.passed, time);
     this.tell();
   }
 
-  /** Called whenever there is more. */
+  /** `listener` is called whenever events were appended, or time has passed. */
   onGrowth(listener: () => void): void {
     this.listeners.push(listener);
   }
 
-  /** A shape by its line, known from then on by the number that comes back. */
+  /** Adds the shape of a line, if it is new; returns its index in `shapes`. */
   addShape(line: EventLine): number {
     const key = JSON.stringify(line);
     const known = this.shapeOf.get(key);
@@ -150,7 +150,7 @@ export class Recording {
     return this.shapes.push(new Shape(line, this.names)) - 1;
   }
 
-  /** An event of a shape that was added. */
+  /** Adds an event; `number`: the index of its shape. */
   add(time: number, number: number): void {
     const event = this.end;
     const shape = this.shapes[number];
@@ -171,7 +171,7 @@ export class Recording {
     this.add(t ?? this.ends, this.addShape(rest));
   }
 
-  /** What is known already is no event. What is held and not among these runs, and no other request waits. */
+  /** Adds events where a complete list of standings differs. Held groups that are not in it run; requests that are not in it are not queued. */
   private settle(told: EventLine[]): void {
     const look = (line: EventLine) => {
       const shape = this.addShape(line);
@@ -210,7 +210,7 @@ export class Recording {
     return this.values.push(value) - 1;
   }
 
-  /** Half of what is kept, so that it is done seldom. */
+  /** Removes the oldest events down to half of the limit, so that this is rarely necessary. */
   private forgetOldest(): void {
     if (this.time.length <= this.limit) return;
     const count = this.time.length - Math.floor(this.limit / 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An event without its time. A recording has millions of events and a few hundred shapes, so what an event is, means and is called is found once.
+// An event without its time. A recording has millions of events but only a few hundred shapes, so kind, effect and text are found once per shape.
 
 import { limbo, type Names, nobody } from './names';
 
@@ -22,11 +22,11 @@ export interface EventLine {
   asks?: string[];
 }
 
-/** What people filter by. */
+/** The kinds of events that can be chosen in the filter. */
 export const sorts = ['request', 'input', 'run', 'ask', 'take-over', 'control', 'push', 'queue', 'state', 'handler', 'result', 'fault'] as const;
 export type Sort = (typeof sorts)[number];
 
-/** What a body answered, and time that passed: what comes of it is told by other events. */
+/** False for events that the page does not need, as other events report their effect: answers and settings of bodies, and due timers. */
 export function isTold(line: EventLine): boolean {
   if (['answer', 'wait', 'assign'].includes(line.event)) return false;
   return line.event !== 'input' || !['wait', 'within', 'every', 'expire'].includes(line.input ?? '');
@@ -57,13 +57,13 @@ export class Shape {
   readonly state: number;
   readonly sort: Sort;
   readonly text: string;
-  readonly value: string | null; // of a state; null: it has none any more
-  /** Somebody may stand elsewhere after it. */
+  readonly value: string | null; // of a state; null: unset
+  /** Whether it may change the standing of a group. */
   readonly decides: boolean;
   readonly setsState: boolean;
   readonly isGap: boolean;
   readonly isFlow: boolean;
-  /** Whom it is about: its group, and who asks. */
+  /** The groups that it concerns: its own, and the requesters of its edges. */
   readonly groups: number[];
 
   constructor(readonly line: EventLine, names: Names) {
@@ -85,7 +85,7 @@ export class Shape {
 
 const valueText = (line: EventLine): string => String(line.value ?? 'no value');
 
-/** As `directorc trace` prints it; what it leaves out has words like them. */
+/** The text that `directorc trace` prints; events that it leaves out have similar texts. */
 function textOf(shape: Shape, names: Names): string {
   const { line, group } = shape;
   const groupName = names.header.groups[group]?.name ?? '';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long a group was what up to any time: sums from the beginning on, so that an hour in a thousand points costs as much as a second.
+// How long a group had each mark up to any time: as prefix sums, so that to draw an hour in a thousand pixels costs as much as to draw a second.
 
 import { type Column, times } from './columns';
 import type { Recording, Track } from './recording';
@@ -8,12 +8,12 @@ import type { Mark } from './standing';
 export const summed = ['running', 'pushed', 'queued', 'held', 'unknown'] as const satisfies readonly Mark[];
 
 export class Shares {
-  private sums: Column<Float64Array>[] = []; // of each mark, up to the beginning of each slice
-  private of = -1; // Recording.first for which they are
+  private sums: Column<Float64Array>[] = []; // for each mark, its time up to the beginning of each slice
+  private of = -1; // the Recording.first of the sums
 
   constructor(private readonly recording: Recording, private readonly track: Track) {}
 
-  /** Once before some calls of until(). */
+  /** Brings the sums up to date; to be called before calls of until(). */
   prepare(): void {
     if (this.of !== this.recording.first) this.sums = summed.map(times);
     this.of = this.recording.first;
@@ -24,7 +24,7 @@ export class Shares {
     }
   }
 
-  /** The sum of each mark up to a time, of which `event` is the last event. */
+  /** Writes the time of each mark up to `time` into `out`; `event`: the last event up to that time. */
   until(event: number, time: number, out: number[]): void {
     const place = Math.max(0, this.track.event.upTo(event) - 1);
     const mark = this.markAt(place);

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Where each group stands, kept up event by event: what the engine's own view says at rest (compiler/play/moment.cpp), found from what it told. What
-// it does not tell is when a group stops that nobody asks for any more, which was kept for who might, and is still held for a need; and that a group
-// whose request is queued or withdrawn goes on as a need of who is about to run, and still asks. A source that can look at the engine says so:
-// - of a recording what was missed, where it happened: {"event":"held","group":…}, {"event":"stays","group":…} (compiler/trace/waits.cpp);
-// - of a running program all of it, now and then (runtime/live/feed.cpp): what is held and not among these runs, {"event":"runs","group":…}, and no
-//   other request waits, {"event":"dequeue","edge":…} (recording.ts).
-// Without it the next thing that happens to the group tells.
+// The standing of each group: its mark, provider, holder and queued requests. It is derived from events, and at rest equals what the engine's view says
+// (compiler/play/moment.cpp). Two changes have no event of the engine: a group that is no longer requested, and was kept for a possible requester,
+// stops and is only held as a need; a group whose request was queued or withdrawn continues as a need, with its own requests. Sources report them:
+// - a recording has additional events where that happened: {"event":"held","group":…}, {"event":"stays","group":…} (compiler/trace/waits.hpp);
+// - a running program sends complete lists of standings (runtime/live/feed.hpp); recording.ts adds {"event":"runs","group":…} for a held group that
+//   is not in the list, and {"event":"dequeue","edge":…} for a request that is not.
+// Without these events, the standing is wrong until the next event of the group.
 
 import { type Names, nobody } from './names';
 import type { Shape } from './shape';
 
-/** As `directorc graph --step` marks groups; unknown: events are missing, and nothing was told of it since. */
+/** As `directorc graph --step` marks groups. `unknown`: events are missing, and none has reported the group's standing since. */
 export const marks = ['inactive', 'running', 'pushed', 'queued', 'held', 'unknown'] as const;
 export type Mark = (typeof marks)[number];
 
@@ -28,12 +28,12 @@ export interface Push {
 
 export interface Standing {
   mark: Mark;
-  /** Who is in charge; `nobody`. */
+  /** The active provider, if the group is granted; otherwise `nobody`. */
   provider: number;
-  /** The edge that holds it; `nobody`, `limbo`. */
+  /** The edge that holds it, `nobody` or `limbo`. */
   holder: number;
   push?: Push;
-  /** Requests of it that wait, its own or those of others beside the one that has it. */
+  /** The queued requests for it, by its holder or by others. */
   waits: Wait[];
 }
 
@@ -42,7 +42,7 @@ interface Group {
   holder: number;
   provider: number;
   granted: boolean;
-  /** Not granted any more, and it goes on all the same: what it asks for stands. */
+  /** It is not granted any more but continues: its own requests remain. */
   stays: boolean;
   push?: Push;
 }
@@ -50,10 +50,10 @@ interface Group {
 export class Standings {
   private readonly groups: Group[];
   private readonly waits: (Wait | undefined)[]; // by edge
-  private readonly told: (Wait | undefined)[]; // by edge: why it waited last, until it is granted; only another reason is told again
-  private readonly asked: boolean[]; // by edge: somebody asks by it
+  private readonly told: (Wait | undefined)[]; // by edge: the last reported reason, until it is granted; the engine reports only changes
+  private readonly asked: boolean[]; // by edge: whether it is requested
   private readonly touched = new Set<number>();
-  private readonly lapsing = new Map<number, boolean>(); // groups that lost their request, and may be handed on in the same micro-step; they were granted
+  private readonly lapsing = new Map<number, boolean>(); // groups whose request ended, if this micro-step may hand them over; value: were they granted
 
   constructor(private readonly names: Names) {
     this.groups = names.header.groups.map(() => ({ known: true, holder: nobody, provider: nobody, granted: false, stays: false }));
@@ -62,7 +62,7 @@ export class Standings {
     this.asked = names.header.edges.map(() => false);
   }
 
-  /** The groups that may stand elsewhere than before. */
+  /** Applies an event; returns the groups whose standing may have changed. */
   apply(shape: Shape): Set<number> {
     const { line, group, edge } = shape;
     const at = this.groups[group];
@@ -91,7 +91,7 @@ export class Standings {
     return this.touched.add(group);
   }
 
-  /** What this line says, `held`, `stays`, `runs`, `waits` or `dequeue`, holds already. */
+  /** Whether a line `held`, `stays`, `runs`, `waits` or `dequeue` says only what is known already. */
   knows({ line, group, edge }: Shape): boolean {
     if (line.event === 'waits') return this.waits[edge] !== undefined;
     if (line.event === 'dequeue') return !this.isWaiting(edge);
@@ -110,12 +110,12 @@ export class Standings {
     return { mark, provider: at.granted ? at.provider : nobody, holder: at.holder, push: at.push, waits };
   }
 
-  /** What does not run asks for nothing. */
+  /** A request does not count while its requester does not run. */
   private isWaiting(edge: number): boolean {
     return this.waits[edge] !== undefined && this.isAlive(this.names.requesters[edge]);
   }
 
-  /** The program always is. */
+  /** Whether a requester runs; the program (`nobody`) always does. */
   private isAlive(group: number): boolean {
     return group === nobody || this.groups[group].granted || this.groups[group].stays;
   }
@@ -124,7 +124,7 @@ export class Standings {
     for (const edge of this.names.requests[group]) if (this.waits[edge]) this.touched.add(this.names.targets[edge]);
   }
 
-  /** What it does not ask for now goes on for nobody any more, though it may still be held for a need. */
+  /** A group that this one holds without having requested it stops, unless this run requests it; it may still be held as a need. */
   private run(at: Group, shape: Shape): Set<number> {
     for (const edge of this.names.requests[shape.group]) {
       const target = this.names.targets[edge];
@@ -141,7 +141,7 @@ export class Standings {
     return this.touched.add(shape.group);
   }
 
-  /** What is still there from before goes on, or waits as before. */
+  /** A group that the same micro-step was about to stop continues; a request that is not granted waits for the last reported reason. */
   private ask(edge: number): Set<number> {
     this.asked[edge] = true;
     const group = this.names.targets[edge];
@@ -170,7 +170,7 @@ export class Standings {
     return this.touched.add(shape.group);
   }
 
-  /** Where a request neither waits nor was withdrawn, who made it does not run any more. */
+  /** If the request through which the group was held is neither queued nor withdrawn, it ended because its requester stopped. */
   private lose(at: Group, group: number, from: number): Set<number> {
     const asker = this.names.requesters[from] ?? nobody;
     if (asker !== nobody && this.asked[from] && !this.waits[from]) {
@@ -195,18 +195,18 @@ export class Standings {
     this.waitsFor(shape);
     if (this.groups[group].holder === edge) this.stopUnlessHandedOn(group);
     const asker = this.names.requesters[edge];
-    if (this.lapsing.has(asker)) this.stay(asker); // what does not go on asks for nothing
+    if (this.lapsing.has(asker)) this.stay(asker); // only a group that continues has requests
     return this.touched.add(group);
   }
 
-  /** `asks`: the edges by which it asks, where this may be known late, when what it asked for was forgotten already. */
+  /** `asks`: the edges that it requests. A list of standings may come late, when these requests were removed already. */
   private goesOn(group: number, asks: string[]): void {
     this.groups[group].granted = false;
     this.stay(group);
     for (const edge of asks) this.ask(this.names.edge(edge));
   }
 
-  /** It was taken to have ended. */
+  /** For a group that was wrongly taken to have stopped. */
   private runsAgain(at: Group, group: number): void {
     at.granted = at.known = true;
     at.stays = false;
@@ -238,7 +238,7 @@ export class Standings {
     this.lapsing.clear();
   }
 
-  /** Nobody asks by this edge any more. */
+  /** The edge is not requested any more. */
   private forget(edge: number): Set<number> {
     const group = this.names.targets[edge];
     if (group === undefined) return this.touched;

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Where a group stands, in a few words: in a slice of its track, and below its box.
+// The standing of a group in a few words, for a slice of its track and for the note below its box.
 
 import { limbo, type Names, nobody } from './names';
 import type { Because } from './recording';
 import type { Standing, Wait } from './standing';
 
-/** `Stability == standing` is waited for, or in one word what keeps the request; of one that is blocked by whom, where the answer to `why` says so. */
+/** `until Stability == standing`, or the reason in one word; for a blocked request also what blocks it, if the answer to `why` says so. */
 export function waitWords(wait: Wait, names: Names, why?: Because): string {
   if (wait.why === 'waiting' && wait.condition !== undefined) return `until ${wait.condition}`;
   if (wait.why === 'blocked' && why?.held !== undefined) return `blocked, as ${why.held.group} is held by ${names.askerText(names.edge(why.held.by))}`;
   return wait.why;
 }
 
-/** `walking, for WalkTo`. `why`: what is known of why it waits. */
+/** `walking, for WalkTo`. `why`: the reason why it waits; undefined: not known. */
 export function words(names: Names, group: number, standing: Standing, why?: Because): string {
   const own = names.header.groups[group].providers[standing.provider];
   const provider = own === undefined || own === 'default' ? '' : own;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The timeline below the picture, of a recording that is whole or that grows: scrub, step, play, filter. The picture and the words beside it show the
-// moment.
+// The timeline below the picture, for a recording that is complete or that grows: the user scrubs, steps, plays and filters. The picture, and the text
+// beside it, show the moment.
 
 import { Cursor, seconds } from './cursor';
 import type { Data } from './data';
@@ -18,7 +18,7 @@ import { words } from './standing_words';
 import { rulerHeight, Tracks } from './tracks';
 import { View } from './view';
 
-/** By layer from the first one on, then as declared; those in no layer last. */
+/** The groups by layer, the first layer first, and within a layer as declared; those in no layer are last. */
 function orderOf(source: Source, data: Data): number[] {
   const layers = data.layers ?? [];
   const place = new Map(data.groups.map((group, i) => [group.name, (group.layer === undefined ? layers.length : layers.indexOf(group.layer)) * data.groups.length + i]));
@@ -37,7 +37,7 @@ export class Timeline {
   private readonly overview: Overview;
   private readonly marks: PictureMarks[];
   private readonly canvas = make('canvas', { class: 'slices', 'aria-hidden': 'true' });
-  private readonly ruler = make('canvas', { class: 'ruler', 'aria-hidden': 'true' }); // stays where the tracks are scrolled
+  private readonly ruler = make('canvas', { class: 'ruler', 'aria-hidden': 'true' }); // remains visible when the tracks are scrolled
   private readonly line = make('div', { class: 'cursor' });
   private readonly tip = make('div', { class: 'tip', hidden: '' });
   private readonly labels = make('div', { class: 'labels' });
@@ -49,8 +49,8 @@ export class Timeline {
   private readonly follow = make('input', { type: 'checkbox', id: 'follow', checked: '' });
   private look: Look;
   private width = 0;
-  private drawn = false; // since the last change
-  private waiting = false; // for the next frame
+  private drawn = false; // whether the tracks are drawn since the last change
+  private waiting = false; // whether a frame is requested
 
   constructor(private readonly source: Source, pictures: Picture[], data: Data) {
     const { recording } = source;
@@ -101,7 +101,7 @@ export class Timeline {
   private listen(): void {
     this.inPicture.addEventListener('change', () => this.moved());
     this.onlyNow.addEventListener('change', () => this.change());
-    byId('picture')?.addEventListener('change', () => this.moved()); // another view of it
+    byId('picture')?.addEventListener('change', () => this.moved()); // another picture was chosen
     this.at.addEventListener('change', () => this.goTo(this.at.value));
     this.follow.addEventListener('change', () => this.grown());
     this.area.addEventListener('keydown', (event) => this.key(event));
@@ -120,7 +120,7 @@ export class Timeline {
     });
   }
 
-  // What people do.
+  // Input of the user.
 
   private step(by: 1 | -1): void {
     this.leaveEnd();
@@ -134,7 +134,7 @@ export class Timeline {
     this.cursor.goToTime(this.view.timeAt(event.clientX - this.area.getBoundingClientRect().left, this.width));
   }
 
-  /** To this time, in seconds; nowhere if it is none. */
+  /** Goes to this time, in seconds; a text that is no number is ignored. */
   private goTo(text: string): void {
     if (text === '' || !Number.isFinite(Number(text))) return;
     this.leaveEnd();
@@ -183,7 +183,7 @@ export class Timeline {
     acts[event.key]();
   }
 
-  /** Where it is known without asking anybody who answers later. */
+  /** Why the group waits; undefined: not known, or the source answers later. */
   private why(group: number, event: number): Because | undefined {
     const known = this.source.why(group, event);
     return known instanceof Promise ? undefined : known;
@@ -209,7 +209,7 @@ export class Timeline {
     this.tip.style.top = `${y + 14}px`;
   }
 
-  // What is shown.
+  // Display.
 
   private grown(): void {
     if (this.follow.checked && this.source.grows) {
@@ -229,7 +229,7 @@ export class Timeline {
     this.plan();
   }
 
-  /** Once a frame, whatever happened in it. */
+  /** Shows all changes together in the next frame. */
   private plan(): void {
     if (this.waiting) return;
     this.waiting = true;

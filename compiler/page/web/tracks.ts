@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tracks: one for each group, with a slice for each time that it stands somewhere, then one for each state, and above all a ruler with pushes and
-// take-overs. Where slices are thinner than a point, their shares of each point's time are drawn instead, so the cost is that of the points.
+// The tracks: one for each group, with a slice for each standing, then one for each state, and at the top a ruler with pushes and take-overs. If more
+// slices of a group are in the viewport than pixels, each pixel shows the shares of the marks in its time: the cost depends on the number of pixels.
 
 import { drawSlice, drawText, hatch, type Look } from './look';
 import type { Because, Recording, Track } from './recording';
@@ -18,7 +18,7 @@ export interface Row {
   state?: number;
 }
 
-/** A slice under the pointer. */
+/** The slice under the pointer. */
 export interface Hit {
   row: Row;
   from: number;
@@ -30,7 +30,7 @@ export class Tracks {
   rows: Row[] = [];
   private readonly shares: Shares[];
 
-  /** `why`: a group waits after an event, where that is known. */
+  /** `why`: why a group waits after an event; undefined: not known. */
   constructor(private readonly recording: Recording, private readonly view: View, private readonly why: (group: number, event: number) => Because | undefined) {
     this.shares = recording.groups.map((track) => new Shares(recording, track));
   }
@@ -68,7 +68,7 @@ export class Tracks {
   }
 
   private begin(track: Track, place: number): number {
-    if (place >= track.event.length) return this.view.last; // what is all at one time has a width too
+    if (place >= track.event.length) return this.view.last; // so the last slice has a width even if all events have one time
     const event = track.event.at[place];
     return place === 0 || event < this.recording.first ? this.recording.begins : this.recording.timeOf(event);
   }
@@ -89,7 +89,7 @@ export class Tracks {
   }
 
   private drawShares(to: CanvasRenderingContext2D, width: number, look: Look, group: number, y: number, height: number, events: number[]): void {
-    const colours = [look.running, look.pushed, look.queued, look.grey, look.line]; // as `summed`
+    const colours = [look.running, look.pushed, look.queued, look.grey, look.line]; // in the order of `summed`
     const shares = this.shares[group];
     shares.prepare();
     let [before, after]: number[][] = [[], []];
@@ -132,7 +132,7 @@ export class Tracks {
     return track.event.upTo(events[width]) - track.event.upTo(events[0]);
   }
 
-  /** Without those that take no time. */
+  /** Calls `draw` for each slice in the viewport, without those that last no time. */
   private eachSlice(track: Track, width: number, events: number[], draw: (value: number, x: number, length: number) => void): void {
     const first = Math.max(0, track.event.upTo(events[0]) - 1);
     const last = Math.max(first + 1, track.event.upTo(events[width]));
@@ -171,7 +171,7 @@ export class Tracks {
     }
   }
 
-  /** A triangle is a push, a diamond a take-over, of many a line above or below; an arrow leads from who waits or loses to who is pushed or takes. */
+  /** Pushes are triangles, take-overs diamonds, with an arrow from the group that waits or loses to the other one; if there are many, short lines. */
   private drawFlows(to: CanvasRenderingContext2D, width: number, look: Look, events: number[]): void {
     const { flows } = this.recording;
     const [first, last] = [flows.upTo(events[0]), flows.upTo(events[width])];

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The part of the time that the tracks show.
+// The viewport of the tracks: the part of the recording's time that they show.
 
 import type { Recording } from './recording';
 
 const shortest = 200; // microseconds
-const usual = 20e6; // of what grows, so much of the end
+const usual = 20e6; // microseconds: how much of a growing recording is shown at first
 
 export class View {
   from: number;
   to: number;
-  private wanted = usual; // how much is seen while the end is followed
+  private wanted = usual; // microseconds: how much is shown while the end is followed
 
   constructor(private readonly recording: Recording) {
     this.from = recording.begins;
@@ -28,7 +28,7 @@ export class View {
     return Math.round(this.from + (x / width) * this.length);
   }
 
-  /** `factor` below 1: closer, with this time where it is. */
+  /** `factor` below 1: zooms in. The time `around` keeps its position. */
   zoom(factor: number, around: number): void {
     const whole = this.last - this.recording.begins;
     const length = Math.min(Math.max(this.length * factor, Math.min(shortest, whole)), whole);
@@ -36,12 +36,12 @@ export class View {
     this.put(around - ((around - this.from) / this.length) * length, length);
   }
 
-  /** By a part of what is shown. */
+  /** `part`: of the length that is shown. */
   pan(part: number): void {
     this.put(this.from + part * this.length, this.length);
   }
 
-  /** To the end, as wide as it was made last. */
+  /** Moves to the end, with the length of the last zoom. */
   toEnd(): void {
     this.put(this.last, Math.min(this.wanted, this.last - this.recording.begins));
   }
@@ -51,7 +51,7 @@ export class View {
     this.put(this.recording.begins, this.last - this.recording.begins);
   }
 
-  /** So that the time is in it. */
+  /** Moves so that this time is shown; false: it was already. */
   reveal(time: number): boolean {
     if (time >= this.from && time <= this.to) return false;
     this.put(time - this.length / 10, this.length);
@@ -63,7 +63,7 @@ export class View {
     this.to = this.from + length;
   }
 
-  /** Where it ends what can be seen: of a recording that has no length a little later. */
+  /** The end of the time that can be shown: at least 1 ms after the beginning, as the length must not be 0. */
   get last(): number {
     return Math.max(this.recording.ends, this.recording.begins + 1000);
   }
