@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// node gap.mjs TRACE TO: the same trace with its events 3001 to 5000 missing.
+// node gap.mjs TRACE TO: writes the same trace to TO, with its events 3001 to 5000 missing.
 import { readFileSync, writeFileSync } from 'node:fs';
 
 const [from, to] = process.argv.slice(2);

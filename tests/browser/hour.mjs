@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// node hour.mjs CHROMIUM FOLDER: an hour of soccer as a page: how large it is, that each part of it is reached, and, printed, how long it takes to
-// open and how long frames are while somebody drags. No time is compared: it is the machine's, with all that goes on there.
+// node hour.mjs CHROMIUM FOLDER: tests the page of an hour of soccer: its size, and that the user can go to each part of it. Prints how long the page
+// takes to open, and how long frames take while the user drags; these times are not tested, as they depend on the load of the machine.
 import { strict as assert } from 'node:assert';
 import { statSync } from 'node:fs';
 import { join } from 'node:path';
@@ -23,14 +23,14 @@ await all.run('an hour of soccer is one page that is opened and scrubbed', 'hour
   await frame(page);
   assert.match(await where(page), /^3600\.000 s, after event 1,\d\d\d,\d\d\d of 1,\d\d\d,\d\d\d: /);
   const { x, y, width } = await page.locator('#scrub').boundingBox();
-  // Each tenth of the hour, by the mouse.
+  // Click at each tenth of the hour.
   for (let part = 1; part < 10; ++part) {
     await page.mouse.click(x + (width * part) / 10, y + 60);
     await frame(page);
     assert.ok(Math.abs((await time(page)) - 360 * part) < 20, `${await where(page)} at ${part} tenths`);
     assert.ok((await page.locator('#moment h4:text-is("Runs") + ul > li').count()) > 0);
   }
-  // And all of it, dragged.
+  // Drag from end to end.
   await page.evaluate(() => {
     const frames = (globalThis.frames = []);
     let last = performance.now();

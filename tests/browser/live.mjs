@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// node live.mjs CHROMIUM LIVE_PROGRAM SOCCER FOLDER: what people do with the page of a running program. Leaves pictures of what they see in FOLDER.
+// node live.mjs CHROMIUM LIVE_PROGRAM SOCCER FOLDER: tests what users do with the page of a running program. Saves screenshots in FOLDER.
 import { strict as assert } from 'node:assert';
 import { spawn } from 'node:child_process';
 import { join } from 'node:path';
@@ -11,7 +11,7 @@ const [program, live, soccer, folder] = process.argv.slice(2);
 const browser = await chromium.launch({ executablePath: program, args: ['--no-sandbox'] });
 let failed = 0;
 
-/** A program that runs, and the address that it printed first. */
+/** Starts a program; returns its process, and the address in the first line that it prints. */
 async function start(command, ...options) {
   const child = spawn(command, options, { stdio: ['pipe', 'pipe', 'inherit'] });
   const lines = createInterface({ input: child.stdout });
@@ -20,7 +20,7 @@ async function start(command, ...options) {
   return { child, url };
 }
 
-/** A program and a page of its own for each situation; it may say nothing, and ask for nothing but what is behind the token. */
+/** Runs a situation with its own program and page. The page may log nothing, and may request only addresses below its own, which has the token. */
 async function situation(title, command, options, act) {
   const { child, url } = await start(...command);
   const context = await browser.newContext({ viewport: { width: 1400, height: 950 }, ...options });
@@ -47,7 +47,7 @@ async function situation(title, command, options, act) {
 
 const text = (page, where) => page.locator(where).first().innerText();
 
-/** Until it is so; the policy of the page forbids what playwright would do. */
+/** Waits until `is` is true in the page; the page's Content-Security-Policy forbids Playwright's own way to wait for that. */
 async function until(page, is, argument, what = is) {
   for (const end = Date.now() + 30_000; !(await page.evaluate(is, argument)); await page.waitForTimeout(50)) assert.ok(Date.now() < end, `never: ${what}`);
 }
@@ -64,7 +64,7 @@ const game = [soccer, '--live', '0', '--speed', '4'];
 
 await situation('a game is followed: the picture, the tracks and the words show what runs now', game, {}, async ({ page }) => {
   await sees(page, '#moment', /Runs\n.*FallRecovery/s);
-  await until(page, () => Math.abs(document.getElementById('live').getBoundingClientRect().top) < 1); // so that all below it is seen
+  await until(page, () => Math.abs(document.getElementById('live').getBoundingClientRect().top) < 1); // so that everything below it is visible
   const first = await time(page);
   await until(page, (from) => Number.parseFloat(document.querySelector('.where').innerText) > from + 3, first);
   assert.match(await node(page, 'FallRecovery').getAttribute('class'), /is-running/);
@@ -188,7 +188,7 @@ await situation('a page of another address can neither read nor show it', [live]
   await other.goto('data:text/html,<p>other</p>');
   const read = await other.evaluate((address) => fetch(`${address}why`).then(() => 'read', () => 'refused'), url);
   assert.equal(read, 'refused');
-  // Sent, and refused there, as it says from where it comes.
+  // The browser sends it, and the server refuses it because of its header Origin.
   await other.evaluate((address) => fetch(`${address}cancel_all`, { method: 'POST', mode: 'no-cors' }).catch(() => undefined), url);
   await page.waitForTimeout(500);
   await sees(page, '#moment', /Rest/);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// node moments.mjs MOMENTS FIRST COUNT [NUMBER...]: the marks that the page's script finds, and the engine's own (moments/moments.cpp), of random
-// behaviours: of a trace, of what a viewer of the live view was sent, and of what one is sent who comes at this moment. Only where time goes on do they
-// have to be the same: before it the engine tells of some things one event later, and a program shows no moment.
+// node moments.mjs MOMENTS FIRST COUNT [NUMBER...]: compares the moments that the page's script derives with the engine's own (moments/moments.cpp),
+// for random behaviours: from a trace, from what a viewer of the live view was sent, and from what a viewer that connects at this moment is sent. They
+// must be equal only where time advances: before that, the engine reports some changes one event later, and a program shows no moment.
 import { build } from 'esbuild';
 import { spawn } from 'node:child_process';
 import { createInterface } from 'node:readline';
@@ -15,7 +15,7 @@ let recording, live, about, moment, last;
 let compared = 0;
 const wrong = { trace: 0, live: 0, late: 0 };
 
-/** Server-sent events, as live.ts takes them; `known`: null, one who comes. */
+/** Reads server-sent events, as live.ts does. `known`: the viewer's recording so far; undefined: a new viewer. */
 function hear(text, known) {
   let into = known;
   for (const message of text.split('\n\n').filter((each) => each !== '')) {

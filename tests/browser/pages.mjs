@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// node pages.mjs CHROMIUM FOLDER: what people do with the pages in FOLDER. Leaves pictures of what they see there.
+// node pages.mjs CHROMIUM FOLDER: tests what users do with the pages in FOLDER. Saves screenshots there.
 import { strict as assert } from 'node:assert';
 import { statSync } from 'node:fs';
 import { join } from 'node:path';
@@ -12,7 +12,7 @@ const shot = (page, name) => all.shot(page, name);
 const near = (page) => page.locator('.holder:not([hidden]) g.node.near title').allTextContents();
 const focused = (page) => page.evaluate(() => document.activeElement?.id || document.activeElement?.textContent);
 
-/** The groups of the picture that are not whole in its frame. */
+/** The groups of the picture that are not completely within its frame. */
 const beyond = (page) => page.evaluate(() => {
   const picture = document.querySelector('.holder:not([hidden]) .picture');
   const paper = picture.getBoundingClientRect();
@@ -171,7 +171,7 @@ await situation('one finger scrolls the page, also on the picture; two move the 
   await touch('touchStart', [x + width / 2, y + 200]);
   for (let moved = 10; moved <= 150; moved += 10) await touch('touchMove', [x + width / 2, y + 200 - moved]);
   await touch('touchEnd');
-  for (let last = -1, now = 0; now !== last; [last, now] = [now, await page.evaluate(() => scrollY)]) await page.waitForTimeout(300); // until it is at rest
+  for (let last = -1, now = 0; now !== last; [last, now] = [now, await page.evaluate(() => scrollY)]) await page.waitForTimeout(300); // until scrolling ends
   assert.ok((await page.evaluate(() => scrollY)) >= 100);
   assert.equal(await place(), before);
   const at = (await page.locator('.holder:not([hidden]) .picture').boundingBox()).y + 100;

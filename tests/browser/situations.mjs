@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests in a browser share: a page of its own for each situation, which may say nothing and ask for nothing but itself.
+// Shared by the tests in a browser: each situation has its own page, which may log nothing and may request nothing but itself.
 import { strict as assert } from 'node:assert';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -9,13 +9,13 @@ import { chromium } from 'playwright-core';
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
-/** `./test --long`: each page in both color schemes, and as a file for paper. */
+/** Set by `./test --long`: tests each page in both color schemes, and prints some as PDF. */
 export const isLong = process.env.DIRECTOR_LONG !== undefined;
 
 export class Situations {
   failed = 0;
 
-  /** Of pages in `folder`, where pictures of them are left. */
+  /** `folder`: of the pages; screenshots are saved there too. */
   static async open(program, folder) {
     const out = new Situations();
     out.folder = folder;
@@ -23,10 +23,10 @@ export class Situations {
     return out;
   }
 
-  /** Axe is put in with `bypassCSP`. */
+  /** Runs a situation with the page `name`. If `act` calls check(), `options` must have `bypassCSP`, to inject axe. */
   async run(title, name, options, act) {
     const context = await this.browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
-    context.setDefaultTimeout(0); // how busy the machine is decides nothing: what never comes is ended by ctest
+    context.setDefaultTimeout(0); // no timeout, so that no test fails on a busy machine; ctest ends a test that waits forever
     const page = await context.newPage();
     const said = [];
     const address = pathToFileURL(join(this.folder, `${name}.html`)).href;
@@ -56,7 +56,7 @@ export class Situations {
   }
 }
 
-/** What stands far below moves when the sections above it are laid out, as they come into view: it is clicked when it has come to rest. */
+/** Clicks an element when its position is stable: sections above it get a layout only when they enter the viewport, which moves the element. */
 export async function click(locator) {
   await locator.scrollIntoViewIfNeeded();
   await locator.evaluate(async (element) => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// node timeline.mjs CHROMIUM FOLDER: what people do with pages that have a recording. Leaves pictures of what they see there.
+// node timeline.mjs CHROMIUM FOLDER: tests what users do with the pages in FOLDER that have a recording. Saves screenshots there.
 import { strict as assert } from 'node:assert';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -9,7 +9,7 @@ const [program, folder] = process.argv.slice(2);
 const all = await Situations.open(program, folder);
 const laptop = { viewport: { width: 1366, height: 768 } };
 
-/** Once the recording is decoded. */
+/** Runs a situation; it begins when the recording is decoded. */
 const situation = (title, name, options, act) =>
   all.run(title, name, { ...laptop, ...options }, async (page, said) => {
     await page.waitForSelector('#scrub[aria-valuetext]');
@@ -17,7 +17,7 @@ const situation = (title, name, options, act) =>
     await act(page, said);
   });
 
-/** What is planned for the next frame is shown. */
+/** Waits until the next frame is drawn, with all changes that are due in it. */
 const frame = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 const press = async (page, ...keys) => {
   await page.locator('#scrub').focus();
@@ -29,13 +29,13 @@ const marked = (page, mark) => page.locator(`.holder:not([hidden]) g.node.is-${m
 const lines = (page, part) => page.locator(`#moment h4:text-is("${part}") + ul > li`).allTextContents();
 const box = (page) => page.locator('#scrub').boundingBox();
 
-/** The policy forbids Playwright's own waiting for what a function says. */
+/** Waits until `holds` returns true; the page's Content-Security-Policy forbids Playwright's own way to wait for that. */
 async function until(page, holds) {
   for (let i = 0; i < 300 && !(await holds()); ++i) await page.waitForTimeout(50);
   assert.ok(await holds());
 }
 
-/** To this part of the whole recording. */
+/** Clicks at this part of the tracks: of the whole recording, unless they are zoomed. */
 async function scrubTo(page, part) {
   const { x, y, width } = await box(page);
   await page.mouse.move(x + width * part, y + 60);
@@ -44,7 +44,7 @@ async function scrubTo(page, part) {
   await frame(page);
 }
 
-/** What is written in a box of the picture and comes near the right side of its frame, or goes beyond. */
+/** The texts in boxes of the picture that come close to the right side of the box's frame, or go beyond it. */
 const beyondFrames = (page) => page.evaluate(() => [...document.querySelectorAll('.holder:not([hidden]) g.node')].flatMap((node) => {
   const frame = node.querySelector('path')?.getBBox();
   return frame ? [...node.querySelectorAll('text')].filter((text) => text.getBBox().x + text.getBBox().width > frame.x + frame.width - 2).map((text) => text.textContent) : [];
@@ -164,7 +164,7 @@ await situation('playing moves the moment, at the speed that is chosen, until it
   await page.waitForTimeout(100);
   assert.equal(await time(), paused);
   await press(page, 'End', ' ');
-  await until(page, async () => (await time()) < 30); // from the beginning again
+  await until(page, async () => (await time()) < 30); // it plays from the beginning again
   await press(page, ' ');
   assert.equal(await page.getByRole('button', { name: 'Play' }).count(), 1);
 });
@@ -254,7 +254,7 @@ await situation('a slice of who is blocked says by whom', 'blocked', {}, async (
   }
   assert.deepEqual(tips, ['GetUp: running, for the program', 'Walk: queued: blocked, as Legs is held by GetUp', 'Legs: queued: blocked, as Legs is held by GetUp']);
   await all.shot(page, 'blocked');
-  // All of it is at one time: what runs then is drawn nevertheless.
+  // All events have the same time; what runs then must be drawn nevertheless.
   const drawn = await page.locator('canvas.slices').evaluate((canvas) => [...canvas.getContext('2d').getImageData(canvas.width / 2, (34 + 4) * devicePixelRatio, 1, 1).data]);
   assert.deepEqual(drawn, [0, 98, 155, 255]);
 });

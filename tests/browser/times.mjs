@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// node times.mjs CHROMIUM PAGE: milliseconds until the page is painted, a search is answered, and the picture is zoomed; each the median of five.
+// node times.mjs CHROMIUM PAGE: prints how many milliseconds it takes to paint the page, to answer a search and to zoom the picture; medians of five.
 import { pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
 

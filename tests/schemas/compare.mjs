@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// node compare.mjs VERDICTS SCHEMAS: does each schema accept all that the reader accepts, and refuse all that the reader refuses for what a schema
-// can see? VERDICTS is what the program verdicts prints, SCHEMAS the folder of the schemas.
+// node compare.mjs VERDICTS SCHEMAS: tests that each schema accepts everything that the reader accepts, and refuses everything that the reader refuses
+// for a reason that a schema can express. VERDICTS: the output of the program `verdicts`; SCHEMAS: the folder of the schemas.
 import { readFileSync } from 'node:fs';
 import Ajv from 'ajv';
 import { parseDocument } from 'yaml';
 
 const seen = ['unknown_key', 'wrong_node_kind', 'missing_key', 'exclusive_keys', 'bad_condition', 'bad_type', 'bad_header'];
 
-// What is lost before a schema sees it, or cannot be said in one: how a number or a boolean is spelled, and which of two numbers is the higher.
+// Faults that no schema can find: how a number or boolean is spelled is lost when YAML is parsed, and a schema cannot compare two numbers.
 const beyond = [
   { why: 'a number that is not in decimal, or a boolean with capitals', text: /\b(0[0-9]+|0x[0-9a-f]+|0o[0-7]+|[0-9]+\.0|[0-9]+e[0-9]+|True|TRUE|False|FALSE)\b/ },
   { why: 'a range whose lowest number is the higher one', text: /"?range"?: *\[(100, 0|0, -1)\]/ },
@@ -18,7 +18,7 @@ const texts = ['behaviour', 'scenario'].map((kind) => JSON.parse(readFileSync(`$
 const validators = texts.map((text) =>
   new Ajv({ strict: true, allowUnionTypes: true, strictRequired: false, strictTypes: false }).compile(text));
 
-// What an editor shows when the pointer rests on a key.
+// Each key must have a description: editors show it when the pointer rests on the key.
 const undescribed = [];
 const visit = (node, path) => {
   for (const [key, value] of Object.entries(node ?? {})) {

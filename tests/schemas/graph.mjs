@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// node graph.mjs SCHEMA FILE...: is each of these what the schema says, and does each property of the schema stand in one of them?
+// node graph.mjs SCHEMA FILE...: tests that the schema accepts each file, and that the name of each property of the schema is a key in one of them.
 import { readFileSync } from 'node:fs';
 import Ajv from 'ajv';
 

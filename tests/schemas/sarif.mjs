@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// node sarif.mjs FILE...: is each of these SARIF 2.1.0? The schema comes with an npm package; its draft is too old for ajv, and what it uses means the same today.
+// node sarif.mjs FILE...: tests that each file is SARIF 2.1.0. The schema is from an npm package. Ajv does not support its old draft of JSON Schema,
+// but the keywords that it uses have the same meaning in the newer one.
 import { readFileSync } from 'node:fs';
 import Ajv from 'ajv';
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// node trace.mjs SCHEMA FILE...: is each line of these what the schema says?
+// node trace.mjs SCHEMA FILE...: tests that the schema accepts each line of each file.
 import { readFileSync } from 'node:fs';
 import Ajv from 'ajv';
 
