@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// node live.mjs CHROMIUM LIVE_PROGRAM SOCCER FOLDER: tests what users do with the page of a running program. Saves screenshots in FOLDER.
+// node live.mjs CHROMIUM LIVE_PROGRAM SOCCER FOLDER: tests what users do with the page of a running program. Saves screenshots in FOLDER (situations.mjs).
 import { strict as assert } from 'node:assert';
 import { spawn } from 'node:child_process';
 import { join } from 'node:path';
 import { createInterface } from 'node:readline';
 import { chromium } from 'playwright-core';
-import { check } from './situations.mjs';
+import { check, screenshot } from './situations.mjs';
 
 const [program, live, soccer, folder] = process.argv.slice(2);
 const browser = await chromium.launch({ executablePath: program, args: ['--no-sandbox'] });
@@ -56,7 +56,7 @@ async function sees(page, where, expected) {
   await until(page, ([at, pattern, flags]) => new RegExp(pattern, flags).test(document.querySelector(at)?.innerText ?? ''), [where, expected.source, expected.flags], `${where} shows ${expected}`);
 }
 
-const shot = (page, name) => page.screenshot({ path: join(folder, `${name}.png`) });
+const shot = (page, name) => screenshot(page, folder, name);
 const time = async (page) => Number.parseFloat(await text(page, '.where'));
 const node = (page, group) => page.locator(`.holder:not([hidden]) g.node:has(> title:text-is("${group}"))`).first();
 const tracks = (page) => page.locator('.labels a:not(.state)').allTextContents();

@@ -40,5 +40,5 @@ execute_process(COMMAND ${DIRECTORC} docs behaviours/soccer/soccer.yaml behaviou
                 WORKING_DIRECTORY ${ROOT} COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${NODE} pages.mjs ${CHROMIUM} ${into}/out WORKING_DIRECTORY ${into} RESULT_VARIABLE failed)
 if(failed)
-  message(FATAL_ERROR "a page is not as it should be; pictures of them are in ${into}/out")
+  message(FATAL_ERROR "a page is not as it should be; pictures of the situations that failed are in ${into}/out")
 endif()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// node pages.mjs CHROMIUM FOLDER: tests what users do with the pages in FOLDER. Saves screenshots there.
+// node pages.mjs CHROMIUM FOLDER: tests what users do with the pages in FOLDER. Saves screenshots there (situations.mjs).
 import { strict as assert } from 'node:assert';
 import { statSync } from 'node:fs';
 import { join } from 'node:path';

@@ -12,10 +12,15 @@ const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.mi
 /** Set by `./test --long`: tests each page in both color schemes, and prints some as PDF. */
 export const isLong = process.env.DIRECTOR_LONG !== undefined;
 
+/** Saves a screenshot for people, `folder/name.png`, with `./test --long` or DIRECTOR_SCREENSHOTS=1. */
+export async function screenshot(page, folder, name) {
+  if (isLong || process.env.DIRECTOR_SCREENSHOTS) await page.screenshot({ path: join(folder, `${name}.png`) });
+}
+
 export class Situations {
   failed = 0;
 
-  /** `folder`: of the pages; screenshots are saved there too. */
+  /** `folder`: of the pages; screenshots are saved there too, those of failed situations always. */
   static async open(program, folder) {
     const out = new Situations();
     out.folder = folder;
@@ -47,7 +52,7 @@ export class Situations {
   }
 
   shot(page, name) {
-    return page.screenshot({ path: join(this.folder, `${name}.png`) });
+    return screenshot(page, this.folder, name);
   }
 
   async end() {

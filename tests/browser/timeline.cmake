@@ -32,5 +32,5 @@ foreach(page minute:behaviours/soccer/soccer.yaml gap:behaviours/soccer/soccer.y
 endforeach()
 execute_process(COMMAND ${NODE} timeline.mjs ${CHROMIUM} ${into}/out WORKING_DIRECTORY ${into} RESULT_VARIABLE failed)
 if(failed)
-  message(FATAL_ERROR "a timeline is not as it should be; pictures of them are in ${into}/out")
+  message(FATAL_ERROR "a timeline is not as it should be; pictures of the situations that failed are in ${into}/out")
 endif()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// node timeline.mjs CHROMIUM FOLDER: tests what users do with the pages in FOLDER that have a recording. Saves screenshots there.
+// node timeline.mjs CHROMIUM FOLDER: tests what users do with the pages in FOLDER that have a recording. Saves screenshots there (situations.mjs).
 import { strict as assert } from 'node:assert';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
