@@ -133,7 +133,7 @@ configure() {
   fi
 }
 
-# build <preset> <target>...
+# build <preset> <target>... [-- <argument of ninja>...]
 build() {
   local preset=$1
   shift
