@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=bash disable=SC2034
-# What the scripts at the root share: how they speak, what they install, how they configure and build. Sourced by bash, with the working directory at
-# the root of the project.
+# Functions that the scripts at the root share: printing messages, installing packages, configuring and building. Sourced by bash, with the working
+# directory at the root of the project.
 
 if [ -t 1 ] && [ -z "${NO_COLOR:-}" ] && [ "${TERM:-dumb}" != dumb ]; then
   bold=$'\e[1m' red=$'\e[31m' plain=$'\e[0m' terminal=yes
@@ -17,7 +17,7 @@ fail() {
   exit 1
 }
 
-# The packages, by what needs them. A name before a colon is a command that makes the package superfluous where another one provides it.
+# The Debian packages for each purpose, as PACKAGE or COMMAND:PACKAGE. If COMMAND is found, the package is not needed.
 packages_main=(g++:g++ cmake:cmake ninja:ninja-build dot:graphviz
                libyaml-cpp-dev libfmt-dev libcli11-dev nlohmann-json3-dev libboost1.74-dev zlib1g-dev libcpp-httplib-dev pkg-config:pkgconf)
 packages_test=(git:git doxygen:doxygen protoc:protobuf-compiler catch2 librapidcheck-dev nm:binutils make:make xz:xz-utils ccache:ccache)
@@ -30,21 +30,23 @@ packages_packages=(mmdebstrap:mmdebstrap lintian:lintian dpkg-shlibdeps:dpkg-dev
 packages_clang=(clang-19 libclang-19-dev llvm-19-dev)
 packages_asan=(clang++-19:clang-19 libclang-rt-19-dev lld-19)
 
-# missing_packages <package>...: those that are not installed, one a line. Without dpkg nobody can tell, so nothing is missing: CMake will say.
+# missing_packages <package>...: prints those that are not installed, one a line. Without dpkg it prints nothing; CMake then reports what it does not
+# find.
 missing_packages() {
   command -v dpkg-query >/dev/null || return 0
   local entry name
   for entry in "$@"; do
     name=${entry#*:}
     [ "$entry" != "$name" ] && command -v "${entry%%:*}" >/dev/null && continue
-    case " $(dpkg-query -W -f='${db:Status-Status} ' "$name" 2>/dev/null)" in # also: not-installed
+    case " $(dpkg-query -W -f='${db:Status-Status} ' "$name" 2>/dev/null)" in # another status is `not-installed`
       *' installed '*) ;;
       *) printf '%s\n' "$name" ;;
     esac
   done
 }
 
-# show_progress <log> <number of packages>: passes apt's words on to the log, and to a person as one line that moves, or a line now and then.
+# show_progress <log>: writes the output of apt, from stdin, to the log. Prints the progress as one line that is overwritten, or, if stdout is no
+# terminal, as one line for every 50 packages.
 show_progress() {
   awk -v log_file="$1" -v terminal="$terminal" '
     { print >> log_file; fflush(log_file) }
@@ -57,7 +59,7 @@ show_progress() {
     END { if (terminal) printf "\r\033[K" }'
 }
 
-# why_apt_failed <log>: sets `why`, and prints nothing.
+# why_apt_failed <log>: sets `why` to the reason, and prints nothing.
 why_apt_failed() {
   if grep -qE 'No space left|enough free space' "$1"; then
     why="the disk is full: $(df -Ph / | awk 'NR == 2 { print $4 }') are free on /"
@@ -72,9 +74,10 @@ why_apt_failed() {
   fi
 }
 
-updated='' # whether this run has fetched the lists of packages
+updated='' # `yes` if this run has already called apt-get update
 
-# install_packages <package>...: installs what is missing and calls apt only then. Returns 1 and says in `why` why it could not.
+# install_packages <package>...: installs the missing packages, and calls apt only if there are any. If it fails it returns 1 and sets `why` to the
+# reason.
 install_packages() {
   local missing asroot=() log
   mapfile -t missing < <(missing_packages "$@")
@@ -103,7 +106,7 @@ install_packages() {
   hash -r
 }
 
-# need_disk <preset>...: says so before the build of those that have no tree yet fills the disk.
+# need_disk <preset>...: fails if the disk has too little space for the build trees of those presets that have none yet.
 need_disk() {
   local free needed=0 preset
   for preset in "$@"; do
@@ -113,15 +116,15 @@ need_disk() {
   [ "$free" -ge "$needed" ] || fail "the disk is nearly full: about $needed MB are needed in $PWD, $free MB are free"
 }
 
-# need_right: the build tree may be new, but not another's.
+# need_right: creates the folder build if there is none, and fails if this user cannot write to it.
 need_right() {
   { mkdir -p build && [ -w build ]; } 2>/dev/null || fail "cannot write to $PWD/build: build as the user to whom the project belongs"
 }
 
-# is_configured <preset>: there is a build tree, and it was not copied from elsewhere.
+# is_configured <preset>: whether there is a build tree that was configured in this place, and not copied from elsewhere.
 is_configured() { [ -f "build/$1/CMakeCache.txt" ] && grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "build/$1/CMakeCache.txt"; }
 
-# configure <preset> <cmake argument>...: quiet unless something is wrong. A build tree that was copied from elsewhere is made anew.
+# configure <preset> <cmake argument>...: prints the output of CMake only if it fails. A build tree that was copied from elsewhere is configured afresh.
 configure() {
   local preset=$1 tree=build/$1 fresh=()
   shift
@@ -133,7 +136,7 @@ configure() {
   fi
 }
 
-# build <preset> <target>... [-- <argument of ninja>...]
+# build <preset> [<target>...] [-- <argument of ninja>...]: builds the targets, or everything.
 build() {
   local preset=$1
   shift

@@ -1,27 +1,28 @@
 # SPDX-License-Identifier: MIT
 # director_add_behaviour(<target> <file.yaml> [WERROR] [VERIFY [EXCLUDE <target or path>...]] [STUBS <folder>] [PAGE [LINK <address>]])
 #
-# Checks the behaviour with directorc, generates its C++ into the build tree and makes it part of <target>: its sources, its include path (so that
-# `#include "<behaviour>.hpp"` finds the header) and the runtime. The headers that the behaviour names are found on the target's include path, and
-# beside the file; where director-clang is, the types of C++ that the behaviour names are looked up in them. Findings of level error stop the build. The C++ is generated again when the file,
-# anything it imports, or directorc itself changes, and only then; what is the same afterwards is not compiled again. A target may have several
-# behaviours, and a behaviour may be part of several targets.
+# Checks the behaviour with directorc, generates its C++ into the build tree and adds it to <target>: the generated sources, the include folder of the
+# generated header (`#include "<behaviour>.hpp"`) and the runtime. The headers that the behaviour names are searched in the target's include folders,
+# and in the folder of the behaviour's file; if director-clang is installed, directorc looks up the C++ types that the behaviour names in these
+# headers. Findings of level error stop the build. The C++ is generated again only when the file, a file that it imports, a header in which directorc
+# looked up types, directorc itself or the target's compile flags change; generated files whose content stays the same are not compiled again. A
+# target may have several behaviours, and a behaviour may be added to several targets.
 #
 #   WERROR          warnings stop the build as errors do
-#   VERIFY          after <target> is compiled, its bodies are held against the behaviour (directorc verify); errors stop the build
-#   EXCLUDE ...     what VERIFY does not look at, such as test doubles in the same build: targets that are there before this call, files, and folders with
-#                   all below them
-#   STUBS <folder>  the target <target>_stubs, to be built when wanted, writes into <folder> what bodies are missing (directorc stubs). A build does
-#                   not: it writes nothing outside of its tree
-#   PAGE            the page about the behaviour (directorc docs) is compiled into <target>: #include "<behaviour>_page.hpp" declares
+#   VERIFY          after <target> is compiled, `directorc verify` compares its bodies with the behaviour; errors stop the build
+#   EXCLUDE ...     what VERIFY leaves out, such as test doubles in the same build: targets that exist before this call, files, and folders with everything
+#                   below them
+#   STUBS <folder>  adds the target <target>_stubs, which is built only on request and writes the missing bodies into <folder> (directorc stubs). A normal
+#                   build writes nothing outside of the build tree
+#   PAGE            compiles the page about the behaviour (directorc docs) into <target>: the header "<behaviour>_page.hpp" declares
 #                   std::string_view director::pages::<behaviour>(), for director::LiveView. Needs the program dot of Graphviz
-#   LINK <address>  behind PAGE: each place there becomes a link, with {file} and {line} in it
+#   LINK <address>  with PAGE: the address of a line, with {file} and {line} in it. Each place that the page names becomes a link
 #
 # VERIFY and STUBS need director-clang, and a generator that writes compile_commands.json: Ninja or Makefiles.
 #
-# The behaviour's name, which names the outputs, is read from the file's key `behaviour` when CMake configures.
+# The name of the behaviour, after which the generated files are named, is read from the key `behaviour` of the file when CMake configures.
 
-# Not those of whoever calls: how a depfile is read depends on them.
+# The module sets its own policies, not those of the calling project: policies determine how paths in a depfile are interpreted.
 cmake_policy(PUSH)
 cmake_policy(VERSION 3.20...3.25)
 
@@ -98,12 +99,12 @@ function(director_add_behaviour)
     set(werror --werror)
   endif()
 
-  # directorc leaves a file alone that says the same already, so what tells that it ran is a file of its own.
+  # directorc does not rewrite a file whose content is the same, so a stamp file shows when it ran last.
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/director/${target}/${behaviour})
   set(outputs ${folder}/${behaviour}.hpp ${folder}/${behaviour}.facts.hpp ${folder}/${behaviour}.cpp ${folder}/manifest.json)
   set(stamp ${folder}/generated)
   set(flags ${folder}/flags)
-  if(CMAKE_CONFIGURATION_TYPES) # several builds in one tree, and flags for each
+  if(CMAKE_CONFIGURATION_TYPES) # a multi-config generator: each configuration has its own flags
     string(APPEND flags .$<CONFIG>)
   endif()
   director_write_flags_(${target} ${flags})
@@ -126,18 +127,18 @@ function(director_add_behaviour)
   if(home STREQUAL CMAKE_CURRENT_SOURCE_DIR)
     target_sources(${target} PRIVATE ${outputs} ${stamp})
   else()
-    # Only targets of one folder share commands.
+    # The output of a custom command can be a source only of a target in the same directory, so this target needs a custom target to depend on.
     add_custom_target(${target}_${behaviour}_generated DEPENDS ${stamp} ${page})
     add_dependencies(${target} ${target}_${behaviour}_generated)
     target_sources(${target} PRIVATE ${outputs})
     set_source_files_properties(${outputs} TARGET_DIRECTORY ${target} PROPERTIES GENERATED TRUE)
   endif()
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${folder}>)
-  # For `#include "..."` alone, so that nothing in this folder can stand for a header of the system.
+  # -iquote adds the folder for `#include "..."` only, so that no file in it can hide a system header.
   cmake_path(GET file PARENT_PATH beside)
   target_compile_options(${target} PUBLIC $<BUILD_INTERFACE:$<$<COMPILE_LANGUAGE:C,CXX>:-iquote${beside}>>)
   target_link_libraries(${target} PUBLIC Director::core)
-  # The generated header makes a missing answer an error; g++ forgets that where the header is a precompiled one.
+  # A pragma in runtime/core/api/behaviour.hpp makes a body without an answer an error; g++ loses the pragma if that header is in a precompiled header.
   set(precompiled "$<OR:$<BOOL:$<TARGET_PROPERTY:${target},PRECOMPILE_HEADERS>>,$<BOOL:$<TARGET_PROPERTY:${target},PRECOMPILE_HEADERS_REUSE_FROM>>>")
   target_compile_options(${target} PRIVATE $<$<AND:$<COMPILE_LANG_AND_ID:CXX,GNU>,${precompiled}>:-Werror=return-type>)
 
@@ -145,7 +146,7 @@ function(director_add_behaviour)
     director_need_clang_(${target})
   endif()
   if(arg_VERIFY)
-    # Objects are compiled again whenever a body, or what it includes, changes; so is this done again.
+    # The command depends on the object files, so it runs again whenever a body or a header that a body includes changes.
     set(verified ${folder}/verified)
     set(excluded "")
     foreach(each IN LISTS arg_EXCLUDE)
@@ -177,7 +178,8 @@ function(director_add_behaviour)
   endif()
 endfunction()
 
-# How the target's headers are compiled, a word in each line: from it directorc reads the values of a state that leaves them to an enum of C++.
+# director_write_flags_(<target> <file>): writes the compiler and the flags of the target to <file>.CXX, one word a line. With them directorc finds
+# the C++ types that the behaviour names, for instance an enum from which a state takes its values.
 function(director_write_flags_ target file)
   separate_arguments(general UNIX_COMMAND "${CMAKE_CXX_FLAGS}")
   list(PREPEND general ${CMAKE_CXX_COMPILER})
@@ -196,11 +198,12 @@ function(director_write_flags_ target file)
     set(value $<TARGET_PROPERTY:${target},${property}>)
     string(APPEND content "$<$<BOOL:${value}>:${what}$<JOIN:${value},\n${what}>>\n")
   endforeach()
-  # A condition on the language, in an option, makes a file for each.
+  # An option may depend on the language (COMPILE_LANGUAGE), so CMake has to write one file for each language.
   file(GENERATE OUTPUT "${file}.$<COMPILE_LANGUAGE>" CONTENT "${content}" TARGET ${target})
 endfunction()
 
-# The page about a behaviour as a source, which is made again where what is generated is.
+# director_write_page_(<behaviour> <file> <folder> <stamp> <link> <out>): sets <out> to a source that contains the page about the behaviour. It is
+# written again whenever the C++ is generated again.
 function(director_write_page_ behaviour file folder stamp link out)
   set(page ${folder}/${behaviour}.html)
   set(source ${folder}/${behaviour}_page.cpp)
@@ -213,7 +216,7 @@ namespace director::pages {
 std::string_view @behaviour@();
 }
 ")
-  cmake_path(RELATIVE_PATH file BASE_DIRECTORY ${CMAKE_SOURCE_DIR}) # as findings and links name it
+  cmake_path(RELATIVE_PATH file BASE_DIRECTORY ${CMAKE_SOURCE_DIR}) # findings and links on the page contain this path
   set(linked "")
   if(link)
     set(linked "--link=${link}")
@@ -231,7 +234,8 @@ std::string_view @behaviour@();
   set(${out} ${source} PARENT_SCOPE)
 endfunction()
 
-# Where the objects of a target lie, or a file or folder as it is.
+# director_excluded_(<what> <out>): sets <out> to the folder of the object files if <what> is a target, and else to the absolute path of the file or
+# folder.
 function(director_excluded_ what out)
   if(TARGET ${what})
     get_target_property(real ${what} ALIASED_TARGET)
@@ -249,7 +253,7 @@ function(director_excluded_ what out)
   set(${out} ${path} PARENT_SCOPE)
 endfunction()
 
-# What reads C++ needs director-clang, and to know how the target's files are compiled.
+# director_need_clang_(<target>): makes sure that director-clang exists and that compile_commands.json will contain the target's sources.
 function(director_need_clang_ target)
   if(NOT TARGET Director::director-clang)
     message(FATAL_ERROR "director_add_behaviour: VERIFY and STUBS read C++, which director-clang does; install it: the package director-clang, or "

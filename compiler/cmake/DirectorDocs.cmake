@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
 # director_add_docs(<target> <file.yaml>... [FORMAT html|markdown] [OUTPUT <folder>] [LINK <address>])
 #
-# Adds the target <target>, to be built when wanted, which has directorc write a page about each behaviour. A page that says the same already is left
-# alone.
+# Adds the target <target>, which is built only on request. It calls `directorc docs`, which writes a page about each behaviour, and does not rewrite
+# a page whose content is the same.
 #
-#   FORMAT    html, one file that needs no other (without it), or markdown
-#   OUTPUT    folder of the pages; a relative one begins at the current build folder. Without it, the folder <target> there
-#   LINK      address of a line, with {file} and {line} in it, for each place
+#   FORMAT    html, the default: one file that needs no other; or markdown
+#   OUTPUT    folder of the pages, relative to the current build folder; the default is <target>
+#   LINK      address of a line, with {file} and {line} in it. Each place that a page names becomes a link
 #
 # HTML needs the program dot of Graphviz.
 
@@ -40,7 +40,7 @@ function(director_add_docs)
     if(NOT EXISTS ${file} OR IS_DIRECTORY ${file})
       message(FATAL_ERROR "director_add_docs: there is no file ${file}; a relative path begins at the folder of the CMakeLists.txt that calls")
     endif()
-    cmake_path(RELATIVE_PATH file BASE_DIRECTORY ${CMAKE_SOURCE_DIR}) # as findings and links name it
+    cmake_path(RELATIVE_PATH file BASE_DIRECTORY ${CMAKE_SOURCE_DIR}) # findings and links on the page contain this path
     list(APPEND files ${file})
   endforeach()
   if(NOT arg_OUTPUT)

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-# What another CMake project finds with find_package(Director): directorc, the runtime, director_add_behaviour. It works from an installed tree
-# (CMAKE_PREFIX_PATH), wherever that is moved to, and from a build tree (Director_DIR=<build>/cmake) alike. A component is an export of its own, so that
-# each can be installed alone.
+# The CMake package that other projects find with find_package(Director): directorc, the runtime and director_add_behaviour. It works from an install
+# prefix (CMAKE_PREFIX_PATH), also after that was moved, and from a build tree (Director_DIR=<build>/cmake). Each component is an export set of its
+# own, so that it can be installed alone.
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Director)
 set(build_folder ${PROJECT_BINARY_DIR}/cmake)
 
-# director_install(<component> <name of the export> <target>...)
+# director_install(<component> <name of the export set> <target>...): installs the targets, and exports them from the build tree too.
 function(director_install component export)
   install(TARGETS ${ARGN} EXPORT ${export}
           RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${component}
@@ -19,7 +19,7 @@ endfunction()
 director_install(runtime DirectorRuntimeTargets director_core director_hosted)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/director COMPONENT runtime FILES_MATCHING PATTERN *.hpp
         PATTERN dds EXCLUDE PATTERN live EXCLUDE)
-# For machines that the library is not made for.
+# The sources are installed as well: a project for another machine compiles the runtime itself (DirectorConfig.cmake.in).
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime DESTINATION ${CMAKE_INSTALL_DATADIR}/director COMPONENT runtime FILES_MATCHING PATTERN *.cpp
         PATTERN dds EXCLUDE PATTERN live EXCLUDE)
 if(TARGET directorc)
@@ -28,8 +28,8 @@ if(TARGET directorc)
     install(FILES ${CMAKE_CURRENT_LIST_DIR}/${module} DESTINATION ${package_folder} COMPONENT compiler)
     configure_file(${CMAKE_CURRENT_LIST_DIR}/${module} ${build_folder}/${module} COPYONLY)
   endforeach()
-  # In a build tree schemas, for editors, and the headers of the runtime, for who reads C++, lie as they do where Director is installed: directorc finds
-  # them from its own place.
+  # The build tree has the JSON schemas, which editors use, and the headers of the runtime, which director-clang reads, at the same relative paths as
+  # an install prefix: directorc searches for them relative to its own path.
   file(GLOB schemas CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/schemas/*.schema.json)
   install(FILES ${schemas} DESTINATION ${CMAKE_INSTALL_DATADIR}/director/schemas COMPONENT compiler)
   foreach(schema IN LISTS schemas)
@@ -45,7 +45,7 @@ if(TARGET director-clang)
   export(EXPORT DirectorClangTargets NAMESPACE Director:: FILE ${build_folder}/DirectorClangTargets.cmake)
 endif()
 
-# The licence asks for its text beside each copy. The Debian packages have it in a file of their own, so this is no component of theirs.
+# The licence requires that each copy contains its text. The Debian packages have it in their file `copyright`, so they do not contain this component.
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/director COMPONENT licence)
 
 set(DIRECTOR_SOURCES ${CMAKE_INSTALL_DATADIR}/director)
@@ -58,7 +58,7 @@ set(DIRECTOR_INCLUDES ${PROJECT_SOURCE_DIR})
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/DirectorConfig.cmake.in ${build_folder}/DirectorConfig.cmake
                               INSTALL_DESTINATION ${build_folder} INSTALL_PREFIX ${PROJECT_BINARY_DIR} PATH_VARS DIRECTOR_SOURCES DIRECTOR_INCLUDES
                               NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
-# Whatever it is found for: where the library does not fit, its sources do.
+# ARCH_INDEPENDENT: the package may be found for any architecture, because the runtime is compiled from its sources if the library does not fit.
 write_basic_package_version_file(${build_folder}/DirectorConfigVersion.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES ${build_folder}/installed/DirectorConfig.cmake ${build_folder}/DirectorConfigVersion.cmake DESTINATION ${package_folder}
         COMPONENT runtime)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cmake -D LIST=<file> -D OUT=<file> -P checks_registry.cmake
-# Writes the C++ table of all checks. A line of LIST is `runs <page>` or `explains <page>`; a check that runs is a function named like its page;
-# where the page says that it reads C++, it takes what there is of that.
+# Writes the C++ table of all checks to OUT. Each line of LIST is `runs <page>` or `explains <page>`. A check that runs is a function with the name of
+# its page; it takes a CodeInput if the page has the line `Reads: C++`, and else an Input.
 file(STRINGS ${LIST} lines)
 set(declarations "")
 set(entries "")

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # cmake -D PAGE=<file> -D HEADER=<header> -D FUNCTION=<namespace::name> -D OUT=<file> -P embed_page.cmake
-# A file as a C++ text, which the function that HEADER declares returns: the reference of the language, and what a page of `directorc docs` has of
-# script and style. In pieces that are put together when it is first called: compilers limit the length of a text.
+# Writes a C++ source to OUT that defines FUNCTION, which HEADER declares and which returns the text of the file PAGE: the reference of the language,
+# a script or style sheet of the pages of `directorc docs`, or such a page. The text is split into several string literals, because compilers limit
+# their length; FUNCTION joins them at its first call.
 file(READ ${PAGE} text)
 if(text MATCHES "\\)page\"")
   message(FATAL_ERROR "${PAGE}: the page must not hold the characters that end a raw string, )page\"")
@@ -11,7 +12,7 @@ string(LENGTH "${text}" length)
 while(length GREATER 0)
   string(SUBSTRING "${text}" 0 8000 piece)
   if(length GREATER 8000)
-    string(REGEX MATCH "^.*[\t\n -~]" whole "${piece}") # not through a character of several bytes, which compilers warn of
+    string(REGEX MATCH "^.*[\t\n -~]" whole "${piece}") # end at an ASCII character: compilers warn of a literal with a part of a multi-byte character
     if(NOT whole STREQUAL "")
       set(piece "${whole}")
     endif()

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # cmake -D DIRECTORC=<program> -D VERSION=<version> -D PAGE=<directorc.1.in> -D OUT=<directorc.1> -P manual.cmake
-# The manual page, from what directorc says with --help: of itself, and of each subcommand.
+# Writes the manual page from the help texts of directorc and of each of its subcommands.
 
-# Text as roff wants it, and without what CMake takes for the end of an item of a list.
+# roff(<text> <out>): escapes the text for roff.
 function(roff text out)
   string(REPLACE "\\" "\\e" text "${text}")
   string(REPLACE "-" "\\-" text "${text}")
@@ -12,14 +12,15 @@ function(roff text out)
   set(${out} "${text}" PARENT_SCOPE)
 endfunction()
 
-# Its help, with | for what CMake takes for the end of an item of a list.
+# ask(<out> [<subcommand>]): sets <out> to the help text, with `|` in place of each `;`, which would separate list items in CMake. The end of this
+# script changes them back.
 function(ask out)
   execute_process(COMMAND ${DIRECTORC} ${ARGN} --help OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
   string(REPLACE ";" "|" said "${said}")
   set(${out} "${said}" PARENT_SCOPE)
 endfunction()
 
-# One of the lists of a help text, as paragraphs with a tag.
+# paragraphs(<help> <title> <out>): converts the list with this title in the help text, such as `Options`, to tagged paragraphs of roff (.TP).
 function(paragraphs help title out)
   set(page "")
   string(FIND "${help}" "\n${title}:\n" begin)
@@ -27,7 +28,7 @@ function(paragraphs help title out)
     string(SUBSTRING "${help}" ${begin} -1 help)
     string(REGEX REPLACE "^\n[^\n]*\n" "" help "${help}")
     string(REGEX REPLACE "\n\n.*$" "\n" help "${help}")
-    # What is too long for its column has the rest in the next line.
+    # A description that does not fit into its column continues in the next line.
     string(REGEX REPLACE "\n                              " "  " help "${help}")
     string(REGEX MATCHALL "[^\n]+" lines "${help}")
     foreach(line IN LISTS lines)
@@ -35,7 +36,7 @@ function(paragraphs help title out)
       if(line MATCHES "^(.*[^ ])  +([^ ].*)$")
         set(name "${CMAKE_MATCH_1}")
         set(text "${CMAKE_MATCH_2}")
-      else() # the name just fills its column
+      else() # the name fills its column, so that only one space follows it
         string(SUBSTRING "${line}" 0 27 name)
         string(SUBSTRING "${line}" 28 -1 text)
       endif()
@@ -80,7 +81,7 @@ foreach(name IN LISTS names)
     paragraphs("${help}" ${title} part)
     string(APPEND COMMANDS "${part}")
   endforeach()
-  # What is said below of this subcommand alone.
+  # The last paragraph of the help text, unless it is the one about exit statuses.
   string(REGEX REPLACE "^.*\n\n" "" below "${help}")
   if(NOT below MATCHES "^Exit status")
     roff("${below}" below)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The manual page, and the Debian packages that `cpack` makes in the build tree: director, and director-clang where that is built. Libraries that
-# a program needs become dependencies by dpkg-shlibdeps.
+# The manual pages, and the Debian packages that `cpack` builds in the build tree: director, and director-clang if that program is built.
+# dpkg-shlibdeps finds the shared libraries on which the packages depend.
 if(NOT TARGET directorc OR CMAKE_CROSSCOMPILING OR NOT PROJECT_IS_TOP_LEVEL)
   return()
 endif()
@@ -9,7 +9,7 @@ set(package ${PROJECT_BINARY_DIR}/package)
 find_program(DIRECTOR_GZIP gzip)
 mark_as_advanced(DIRECTOR_GZIP)
 
-# compressed(<variable> <file>): the file as Debian wants it, where there is gzip.
+# compressed(<variable> <file>): compresses the file, as Debian's policy requires, if gzip is found. Sets the variable to the path of the result.
 function(compressed variable file)
   set(${variable} ${file} PARENT_SCOPE)
   if(DIRECTOR_GZIP)
@@ -28,9 +28,9 @@ compressed(page ${manual})
 configure_file(${CMAKE_CURRENT_LIST_DIR}/changelog.in ${package}/changelog.Debian @ONLY)
 compressed(changelog ${package}/changelog.Debian)
 set(pages ${page})
-# Without it when only a part of the tree was built.
+# OPTIONAL: the page does not exist if only some targets were built.
 install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT compiler OPTIONAL)
-# director_debian(<package>): what Debian wants of each. Nobody else does.
+# director_debian(<package>): installs the files that only a Debian package has to contain.
 function(director_debian name)
   configure_file(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/lintian-overrides.in ${package}/${name}.lintian-overrides @ONLY)
   install(FILES ${package}/${name}.lintian-overrides DESTINATION share/lintian/overrides RENAME ${name} COMPONENT debian-${name} EXCLUDE_FROM_ALL)
@@ -67,7 +67,7 @@ if(TARGET director-clang)
   list(APPEND CPACK_COMPONENTS_ALL clang debian-director-clang)
   set(CPACK_DEBIAN_SCANNER_PACKAGE_NAME director-clang)
   set(CPACK_DEBIAN_SCANNER_PACKAGE_SHLIBDEPS ON)
-  # Clang's own headers, such as stddef.h.
+  # libclang-common-19-dev has Clang's own headers, such as stddef.h.
   set(CPACK_DEBIAN_SCANNER_PACKAGE_DEPENDS "director (= ${whole_version}), libclang-common-19-dev")
   set(CPACK_DEBIAN_SCANNER_DESCRIPTION "reader of C++ for the robot behaviours of Director
 With it, directorc knows the enums and types that a behaviour names, holds
@@ -77,7 +77,7 @@ endif()
 add_custom_target(director_manual ALL DEPENDS ${pages} ${changelog})
 
 set(CPACK_GENERATOR DEB)
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "") # each package has its own
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "") # each package has its own description above
 set(CPACK_PACKAGE_NAME director)
 set(CPACK_PACKAGE_VENDOR Director)
 set(CPACK_PACKAGE_CONTACT "Director <director@localhost.localdomain>")

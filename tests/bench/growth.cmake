@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cmake -D VALGRIND=<valgrind> -D DIRECTORC=<directorc> -D LARGE=<large_project> -D OUT=<folder> [-D SHAPE=<name>] [-D SMALL=<size>] [-D MOST=<times>] -P growth.cmake
-# Counts the instructions of `directorc check` on a behaviour of SMALL groups, 500 by default, and on one of ten times that size, which must take at most MOST times as many, 12 by default.
+# Counts the instructions of `directorc check` for a behaviour of the size SMALL (default: 500) and for one of ten times that size. The second count
+# must be less than MOST times the first (default: 12). SHAPE names a shape of tests/bench/project.cpp; without it the size is the number of groups.
 if(NOT DEFINED SMALL)
   set(SMALL 500)
 endif()

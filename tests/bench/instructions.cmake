@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # cmake -D VALGRIND=<valgrind> -D PROGRAM=<count_instructions> -D GOLDEN=<file> -D OUT=<folder> -P instructions.cmake
-# Counts the instructions of each case under callgrind, writes them to OUT.txt and compares them with GOLDEN: differences of 3 %, or of one, are
-# ignored. With DIRECTOR_BLESS=1 in the environment the golden is rewritten if any line differs. Without GOLDEN it only counts.
+# Counts the instructions of each case under callgrind, writes the counts to OUT.txt and compares them with GOLDEN: a difference of up to 3 %, or of
+# one instruction, is ignored. With DIRECTOR_BLESS=1 in the environment the golden is rewritten if there is a larger difference. Without GOLDEN
+# nothing is compared.
 set(tolerance 3)
 
 file(REMOVE_RECURSE ${OUT})
@@ -12,7 +13,7 @@ if(NOT status STREQUAL 0)
   message(FATAL_ERROR "${PROGRAM} under callgrind ends with ${status}\n${done}\n${errors}")
 endif()
 
-# The printed names are in the order of callgrind's files.
+# The program prints the names of the cases in the order in which callgrind numbers its output files.
 string(STRIP "${done}" done)
 string(REPLACE "\n" ";" done "${done}")
 set(counts "")

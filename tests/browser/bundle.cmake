@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cmake -D NODE=<program> -D NPM=<program> -D ROOT=<the project> -D WORK=<folder> -P bundle.cmake
-# Bundles the script and the style of pages anew and compares with compiler/page/bundle. With DIRECTOR_BLESS=1 in the environment it rewrites that.
+# Bundles the script and the style sheet of the pages again and compares them with compiler/page/bundle. With DIRECTOR_BLESS=1 in the environment the
+# files there are rewritten.
 include(${CMAKE_CURRENT_LIST_DIR}/install.cmake)
 set(from ${ROOT}/compiler/page/web)
 begin(${from} bundle)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # cmake -D NODE=<program> -D NPM=<program> -D CHROMIUM=<program> -D DIRECTORC=<program> -D SOCCER=<program> -D FROM=<this folder> -D ROOT=<the project> -D WORK=<folder> -P hour.cmake
-# Records an hour of soccer as one page.
+# Records an hour of soccer, writes it as one page and tests the page in a browser (hour.mjs).
 include(${CMAKE_CURRENT_LIST_DIR}/install.cmake)
 begin(${FROM} hour)
 file(COPY ${FROM}/hour.mjs ${FROM}/situations.mjs DESTINATION ${into})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# install_packages(<folder with package.json> <folder to install in>): the pinned npm packages. Sets `installed`.
+# install_packages(<folder with package.json> <folder to install in>): installs the npm packages in the pinned versions. Sets `installed` to YES or NO.
 function(install_packages from into)
   foreach(file package.json package-lock.json .npmrc)
     file(COPY_FILE ${from}/${file} ${into}/${file} ONLY_IF_DIFFERENT)
@@ -17,8 +17,8 @@ function(install_packages from into)
   endif()
 endfunction()
 
-# begin(<folder with package.json> <name>): sets `into`, a folder of WORK with these packages and a folder `out`. Ends the script where npm cannot install.
-# Tests that take the same packages share them: npm needs longer than some of the tests.
+# begin(<folder with package.json> <name>): sets `into` to the folder WORK/<name>, which then has these packages and a folder `out`. Ends the calling
+# script if npm cannot install the packages. Tests with the same packages share one installation, because npm takes longer than some of the tests.
 macro(begin from name)
   set(into ${WORK}/${name})
   file(MAKE_DIRECTORY ${into}/out)

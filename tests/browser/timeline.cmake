@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cmake -D NODE=<program> -D NPM=<program> -D CHROMIUM=<program> -D DIRECTORC=<program> -D SOCCER=<program> -D FROM=<this folder> -D ROOT=<the project> -D WORK=<folder> -P timeline.cmake
-# Records a minute of soccer, the same with events missing, the rover, and two tasks that are blocked, as pages.
+# Writes four recordings as pages and tests them in a browser (timeline.mjs): a minute of soccer, the same with missing events, the rover, and two
+# tasks that are blocked.
 include(${CMAKE_CURRENT_LIST_DIR}/install.cmake)
 begin(${FROM} timeline)
 file(GLOB scripts ${FROM}/*.mjs)

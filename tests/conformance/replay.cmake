@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
-# What a scenario records is the same when it is played again, and its trace as text has the lines of `simulate`, but for the inputs.
+# cmake -D DIRECTORC=<program> -D SCENARIO=<file> -D TRACE=<file to write> -P replay.cmake
+# Records a trace of the scenario. `directorc replay` must find the same events when it plays the trace again, and `directorc trace` must
+# print the same lines as `directorc simulate`, except for inputs.
 execute_process(COMMAND ${DIRECTORC} simulate --decisions --times --trace ${TRACE} ${SCENARIO} OUTPUT_VARIABLE simulated ERROR_QUIET)
 execute_process(COMMAND ${DIRECTORC} replay ${TRACE} RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
 if(NOT status EQUAL 0 OR NOT said MATCHES "events, all the same")

@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
 # bash pack_test.sh <tests/fuzz> <a folder to work in> <cmake>
-# tests/fuzz/pack, and each corpus: what it is packed from comes out again, and the same files make the same archive.
+# Tests tests/fuzz/pack: unpacking an archive gives the same files again, and the same files give the same archive. Each corpus must be such an archive.
 set -euo pipefail
 here=$1 work=$2 cmake=$3
 rm -rf "$work"
@@ -10,7 +10,7 @@ mkdir -p "$work"
 fail() { printf '%s\n' "$1" >&2; exit 1; }
 unpack() { mkdir "$2" && (cd "$2" && "$cmake" -E tar xf "$1"); }
 
-# The same files, made in another order, at another time and with other rights.
+# The same files, created in another order, at another time and with other permissions.
 mkdir "$work/one" "$work/other"
 printf 'a: 1\n' >"$work/one/a"
 printf '\0\377' >"$work/one/-b"
@@ -27,7 +27,7 @@ printf 'a: 2\n' >"$work/other/a"
 "$here/pack" "$work/other" "$work/other.tar.xz"
 ! cmp -s "$work/one.tar.xz" "$work/other.tar.xz" || fail 'other files make the same archive'
 
-# Each corpus as pack writes it. Compared unpacked: another version of xz may compress otherwise.
+# Each corpus is the same as if pack had written it. The tar archives are compared, since another version of xz may compress them differently.
 for corpus in "$here"/corpus/*; do
   name=$(basename "$corpus" .tar.xz)
   unpack "$corpus" "$work/$name"

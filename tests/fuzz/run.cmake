@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MIT
 # cmake -D PROGRAM=<fuzzer> -D TARGET=<name> -D FROM=<tests/fuzz> -D CORPUS=<folder> -D WORK=<folder> -D SECONDS=<n> -P run.cmake
-# Lets a fuzzer look for faults for so long, beginning with the corpus. Fails where it finds one, and where fewer edges ran than golden/edges.txt says,
-# give or take 2 %. With DIRECTOR_BLESS=1 in the environment that number is rewritten.
+# Runs a fuzzer for SECONDS, beginning with the corpus. Fails if it finds a fault, or if it reaches over 2 % fewer edges than golden/edges.txt says.
+# With DIRECTOR_BLESS=1 in the environment that number is updated.
 cmake_policy(SET CMP0057 NEW)
 set(tolerance 2)
 set(golden ${FROM}/golden/edges.txt)
 
-# What it learns goes to WORK, so that it stays out of the sources. The same seed each time: a fault of the code that is there already was found before.
+# New inputs go to WORK and not to the corpus. The seed is always the same, so that each run tries similar inputs: a fault that it reports is likely a
+# new one.
 file(GLOB known_inputs ${CORPUS}/*)
 if(NOT known_inputs)
   message(FATAL_ERROR "${CORPUS} is empty: cmake --build TREE --target fuzz_corpus unpacks it.")
@@ -53,7 +54,7 @@ if(EXISTS ${golden})
 endif()
 math(EXPR least "${was} - ${was} * ${tolerance} / 100")
 if("$ENV{DIRECTOR_BLESS}" STREQUAL 1)
-  # What the corpus alone reaches does not depend on how fast the machine is.
+  # The golden has the number of edges that the corpus alone reaches, because that number does not depend on the speed of the machine.
   if(known GREATER was OR edges LESS least)
     list(APPEND others "${TARGET} ${known}")
     list(SORT others)

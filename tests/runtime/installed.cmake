@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-# For tests of an installed Director, in files that `cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -P` runs.
+# For scripts that test an installed Director. They are called as
+# `cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -P <script>`.
 
-# build_with_installed(<component> <public headers, as a regular expression>): the project builds with an installed Director, of which the folder of this
-# component has no other headers.
+# build_with_installed(<component> <public headers, as a regular expression>): installs Director with this component to WORK/prefix, checks that only
+# the public headers of the component are installed, and builds the project with it.
 function(build_with_installed component public)
   file(REMOVE_RECURSE ${WORK})
   foreach(each runtime compiler ${component})

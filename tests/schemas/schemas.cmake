@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # cmake -D DIRECTORC=<program> -D VERDICTS=<program> -D NODE=<program> -D NPM=<program> -D FROM=<this folder> -D SCHEMAS=<folder> -D WORK=<folder> -P schemas.cmake
-# Installs the pinned npm packages in WORK, has VERDICTS read the corpus, and compares with the schemas. Then holds what
-# DIRECTORC prints as SARIF against the schema of SARIF, and its graphs, changes and traces against theirs.
+# Installs the npm packages in the pinned versions in WORK. VERDICTS prints for each file of the corpus whether the reader accepts it, which must
+# agree with the schemas. Then validates the output of DIRECTORC: its SARIF against the schema of SARIF, and its graphs, changes and traces against
+# Director's schemas.
 foreach(file package.json package-lock.json compare.mjs sarif.mjs graph.mjs trace.mjs)
   file(COPY_FILE ${FROM}/${file} ${WORK}/${file} ONLY_IF_DIFFERENT)
 endforeach()
@@ -55,7 +56,7 @@ draw(moment tests/docs/rover/rover.scenario.yaml --step 2)
 file(WRITE ${WORK}/missing.yaml "behaviour: missing\nlanguage: 1\nroots: [Nobody]\ngroups: {Somebody: {needs: [Nobody]}}\n")
 draw(missing ${WORK}/missing.yaml --findings)
 set(large "behaviour: large\nlanguage: 1\nroots: [Task_0]\ngroups:\n")
-foreach(number RANGE 120) # more than a matrix has rows
+foreach(number RANGE 120) # more groups than the matrix on a page may have rows
   math(EXPR next "${number} + 1")
   string(APPEND large "  Task_${number}: {tasks: [Task_${next}]}\n")
 endforeach()
@@ -67,7 +68,7 @@ if(failed)
   message(FATAL_ERROR "a graph is not what its schema says")
 endif()
 
-# Of every scenario of tests/conformance, and each line by itself.
+# The trace of each scenario of tests/conformance is validated, line by line.
 file(GLOB scenarios ${root}/tests/conformance/*.scenario.yaml)
 set(traces "")
 foreach(scenario IN LISTS scenarios)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -P consumer.cmake
-# The example of runtime/dds/README.md as a project of its own, with an installed Director.
+# Builds the example of runtime/dds/README.md as a separate project, with an installed Director, and runs it.
 include(${CMAKE_CURRENT_LIST_DIR}/../installed.cmake)
 build_with_installed(dds "asker|bridge|outbox|plug|reply|settings")
-# A network of its own, inside this computer.
+# DDS uses only loopback, with a random domain and tag, so that other DDS programs do not take part.
 string(RANDOM LENGTH 12 tag)
 string(RANDOM LENGTH 2 ALPHABET 123456789 domain)
 set(ENV{CYCLONEDDS_URI} "<CycloneDDS><Domain Id=\"any\"><General><Interfaces><NetworkInterface address=\"127.0.0.1\" multicast=\"false\"/></Interfaces>\

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -P consumer.cmake
-# A project of its own with an installed Director: its page is compiled in and sent, and commands are carried out.
+# Builds and runs a separate project with an installed Director: it has to serve the page that is compiled into it, and to refuse a PUT request.
 include(${CMAKE_CURRENT_LIST_DIR}/../installed.cmake)
 build_with_installed(live "commands|live_view|moments")
 
@@ -20,7 +20,7 @@ if(NOT got MATCHES "^0;" OR size LESS 10000)
   string(APPEND wrong "the page: ${got}, ${size} bytes\n")
 endif()
 file(WRITE ${WORK}/nothing "")
-file(UPLOAD ${WORK}/nothing "${url}request?task=Shine" STATUS put LOG log) # that is PUT
+file(UPLOAD ${WORK}/nothing "${url}request?task=Shine" STATUS put LOG log) # file(UPLOAD) sends a PUT request
 if(NOT log MATCHES "HTTP/1.1 405")
   string(APPEND wrong "PUT is not refused: ${log}\n")
 endif()

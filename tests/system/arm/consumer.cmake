@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D TARGET=<the board support> -D COMPILER=<the host's compiler>
 #       -D QEMU=<qemu-system-arm> -P consumer.cmake
-# A project outside, with an installed Director of the host: built for the host and, with its own toolchain file, for a Cortex-M3. Both say the same.
+# Builds a separate project with a Director that is installed for the host: once for the host and once, with a toolchain file, for a Cortex-M3. Both
+# programs must print the same.
 file(REMOVE_RECURSE ${WORK})
 foreach(component runtime compiler)
   execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix --component ${component} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)

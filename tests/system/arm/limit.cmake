@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # cmake -D SIZE=<size> -D PROGRAM=<elf> -D MOST=<bytes> -P limit.cmake
-# What lies in flash of a program is at most so much.
+# The code and constants of the program take at most MOST bytes.
 execute_process(COMMAND ${SIZE} ${PROGRAM} OUTPUT_VARIABLE table COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCH "\n[ \t]*([0-9]+)" line "${table}")
 set(bytes "${CMAKE_MATCH_1}")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # cmake -D REPORT=<what sizes.cmake wrote> -D MOST_LAMP=<bytes> -D MOST_SOCCER=<bytes> -D MOST_OBJECT=<bytes> -P limits.cmake
-# What is linked is the same every time: so more than these is no accident of the day.
+# Compares the sizes in REPORT with their limits. Each build has the same sizes, so a larger one is due to a change of the code or of the compiler.
 file(READ ${REPORT} line)
 string(STRIP "${line}" line)
 string(REPLACE " " ";" sizes "${line}")

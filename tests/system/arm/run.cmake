@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cmake -D QEMU=<qemu-system-arm> -D MACHINE=<machine> -D PROGRAM=<elf> -D EXPECTED=<trace of the host> -D TOO_LARGE=<scenario>,... -P run.cmake
-# Runs the program and compares what it says with the host's trace, byte by byte. Lines that begin with `#` tell of the program itself: also which
-# scenarios do not fit into the board's memory, which must be those named.
+# Runs the program and compares its output with the host's trace, byte by byte. Lines that begin with `#` are about the program itself. Some of them
+# name the scenarios that do not fit into the board's memory, which must be those of TOO_LARGE.
 execute_process(
   COMMAND ${QEMU} -M ${MACHINE} -display none -monitor none -serial none -chardev stdio,id=host,signal=off
           -semihosting-config enable=on,target=native,chardev=host -kernel ${PROGRAM}

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # cmake -D SIZE=<size> -D PROCESSOR=<name> -D CORE=<objects> -D GENERATED=<objects> -D LINKED=<program of one task>;<of soccer> -D OUT=<file>
 #   -P sizes.cmake
-# Says what soccer takes: the engine's code, the code and tables that are generated, the Behaviour object; and what is linked for one task and for soccer.
-# Writes these to OUT, for ./bench and limits.cmake.
+# Writes sizes in bytes to OUT, for ./bench and limits.cmake: the code of the engine, the generated code and tables of soccer, its Behaviour object,
+# and the linked programs of one task and of soccer.
 function(total column variable)
   execute_process(COMMAND ${SIZE} --totals ${ARGN} OUTPUT_VARIABLE table COMMAND_ERROR_IS_FATAL ANY)
   string(REGEX MATCH "([0-9]+)[ \t]+([0-9]+)[ \t]+([0-9]+)[ \t]+[0-9]+[ \t]+[0-9a-f]+[ \t]+\\(TOTALS\\)" line "${table}")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -D FLAGS=<its flags> -P bodies.cmake
-# The bodies of a behaviour are written when they are asked for, and more of them when the behaviour asks for more; a build alone leaves them as they are.
-# Whenever they change, they are verified.
+# The target that STUBS adds writes the missing bodies of a behaviour, and the bodies of tasks that are added to it later; a normal build writes none.
+# The bodies are verified again whenever they change.
 file(REMOVE_RECURSE ${WORK})
 file(COPY ${SOURCE}/ DESTINATION ${WORK}/project)
 set(bodies ${WORK}/project/bodies/counter.cpp)
@@ -19,7 +19,7 @@ function(build expected)
   set(output "${output}" PARENT_SCOPE)
 endfunction()
 
-build(1) # main.cpp includes what nobody wrote
+build(1) # main.cpp includes a header that the stubs target has not written yet
 if(EXISTS ${bodies})
   message(FATAL_ERROR "a build wrote ${bodies}")
 endif()

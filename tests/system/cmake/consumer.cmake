@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cmake -D GENERATOR=<generator> -D PROGRAM=<its program> -D TREE=build|install -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project>
 #       -D COMPILER=<compiler> -D FLAGS=<its flags> -P consumer.cmake
+# A separate project uses Director from an install prefix or from a build tree: its C++ is generated when it has to be, and only then.
 if(NOT PROGRAM)
   message(STATUS "skipped: this machine has no program for ${GENERATOR}")
   return()
@@ -11,7 +12,7 @@ file(COPY ${SOURCE}/ DESTINATION ${WORK}/project)
 if(TREE STREQUAL install)
   execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
   set(where -D CMAKE_PREFIX_PATH=${WORK}/prefix)
-  # The lines for editors that the installed directorc names lead to schemas that are installed.
+  # The lines for editors that the installed directorc prints with --help name schemas that are installed.
   execute_process(COMMAND ${WORK}/prefix/bin/directorc --help OUTPUT_VARIABLE help COMMAND_ERROR_IS_FATAL ANY)
   string(REGEX MATCHALL "# yaml-language-server: [$]schema=[^\n]+" lines "${help}")
   foreach(line IN LISTS lines)
@@ -31,7 +32,8 @@ endif()
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/project -B ${WORK}/build -G ${GENERATOR} -D CMAKE_CXX_COMPILER=${COMPILER}
                         -D CMAKE_CXX_FLAGS=${FLAGS} ${where} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 
-# Builds and looks whether directorc ran. `what` tells the reader of a failure what had been done before.
+# build_after(<what> builds|fails generates|keeps): builds the project and checks whether the build succeeds and whether directorc runs. <what> was
+# done before the build, for the message of a failure.
 function(build_after what expected_result expected_generation)
   execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   set(outcome builds)
@@ -49,7 +51,7 @@ function(build_after what expected_result expected_generation)
     message(FATAL_ERROR "after ${what} the build ${generation}, which is wrong:\n${output}")
   endif()
   set(output "${output}" PARENT_SCOPE)
-  # A file system's clock ticks every few milliseconds: a file that is written in the tick of the build before is not newer.
+  # Times of files have a resolution of some milliseconds: a file that is changed right after the build could have the same time as its outputs.
   execute_process(COMMAND ${CMAKE_COMMAND} -E sleep 0.1)
 endfunction()
 
@@ -77,7 +79,7 @@ file(WRITE ${WORK}/project/parts/lamp.yaml "${lamp}")
 build_after("mending it" builds generates)
 build_after("touching nothing at last" builds keeps)
 
-# Several builds in one tree.
+# A multi-config generator: several configurations in one build tree.
 if(GENERATOR STREQUAL Ninja)
   execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/project -B ${WORK}/several -G "Ninja Multi-Config" -D CMAKE_CXX_COMPILER=${COMPILER}
                           -D CMAKE_CXX_FLAGS=${FLAGS} ${where} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -D FLAGS=<its flags> -P fetched.cmake
-# A project that has Director as a part of itself is configured. To build it would be to build Director once more; that the function's commands fit is
-# tested by the other projects here, so the build is only asked for its commands.
+# Configures a project that adds Director by FetchContent. Building it would compile all of Director again, and the other projects here test the
+# commands of director_add_behaviour, so this test only looks at the commands that ninja would run.
 file(REMOVE_RECURSE ${WORK})
 file(COPY ${SOURCE}/ ${SOURCE}/../consumer/main.cpp ${SOURCE}/../consumer/lantern.yaml ${SOURCE}/../consumer/parts DESTINATION ${WORK}/project)
 cmake_path(SET sources NORMALIZE ${SOURCE}/../../../..)

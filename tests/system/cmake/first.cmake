@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -D FLAGS=<its flags> -P first.cmake
-# The first program of docs/building.md: from a behaviour, with what `directorc stubs --main` writes and nothing else, to a program; then with the lines
-# that the page adds: they show what it decides, and play a scenario.
+# The first program of docs/building.md: a behaviour and the files that `directorc stubs --main` writes give a program. Then the lines that the page
+# adds make it print its decisions, and add a scenario as a test.
 file(REMOVE_RECURSE ${WORK})
 file(COPY ${SOURCE}/ DESTINATION ${WORK})
 set(program ${WORK}/build/lantern)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# judge_build(<what was changed> builds|fails <finding>): the project in WORK is built. With an empty finding none may be told. What was printed is left in
-# `output`.
+# judge_build(<what was changed> builds|fails <finding>): builds the project in WORK, and checks whether that succeeds and prints the finding. If
+# <finding> is empty, the build must print no error or warning. Sets `output` to the output of the build.
 function(judge_build change expected_outcome finding)
   execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   set(outcome fails)

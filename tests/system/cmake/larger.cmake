@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -D FLAGS=<its flags> -P larger.cmake
-# An installed tree that was moved, used by a project of several behaviours and folders, all with spaces in their names.
+# A project with several behaviours and folders uses an install prefix that was moved. Names of folders and files contain spaces.
 find_program(make make)
 if(NOT make)
   message(STATUS "skipped: this machine has no program for Unix Makefiles")
@@ -25,7 +25,7 @@ endforeach()
 file(COPY ${SOURCE}/ DESTINATION "${WORK}/a project")
 set(tree "${WORK}/its build")
 
-# Configures with the options, builds, and compares what the program says.
+# build_and_run(<expected> <option>...): configures with these options, builds, and compares the output of the program.
 function(build_and_run expected)
   execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/a\ project -B ${tree} -G "Unix Makefiles" -D CMAKE_CXX_COMPILER=${COMPILER}
                           -D "CMAKE_CXX_FLAGS=${FLAGS} -Wall -Wextra -Wconversion -Wshadow -Werror" "-DCMAKE_PREFIX_PATH=${prefix}" ${ARGN}
@@ -61,7 +61,7 @@ endfunction()
 build_and_run("events are told")
 build()
 expect("nothing" DOES_NOT "Generating the" "Building" "Linking")
-# What says the same is read again, and not compiled again.
+# A file that was touched but not changed is read again, but nothing is compiled again.
 file(TOUCH "${WORK}/a project/behaviours/its lamp.yaml")
 build()
 expect("touching an imported file" DOES "Generating the behaviour lighthouse" DOES_NOT "behaviour buoy" "Building" "Linking")
@@ -72,7 +72,7 @@ build()
 expect("nothing again" DOES_NOT "Generating the" "Building" "Linking")
 build_and_run("no events" -D DIRECTOR_NO_OBSERVER=ON)
 
-# Pages are a target of their own, and name files as the project does.
+# director_add_docs adds a target for pages, on which paths are relative to the project.
 foreach(target pages texts)
   execute_process(COMMAND ${CMAKE_COMMAND} --build ${tree} --target ${target} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endforeach()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # cmake -D BUILD=<Director's build tree> -P manual.cmake
-# The manual page tells of every subcommand and every option that directorc's help tells of, and man has nothing to complain about.
+# The manual page describes every subcommand and option that the help text of directorc lists, and groff prints no warning about it.
 file(READ ${BUILD}/package/directorc.1 page)
 set(missing "")
 function(expect command line)
@@ -37,7 +37,7 @@ if(missing OR options LESS 20)
   message(FATAL_ERROR "of ${options} options the manual page does not tell of:${missing}")
 endif()
 
-# And the other page of the other program, where that is built.
+# The manual page of director-clang, if that is built.
 if(EXISTS ${BUILD}/bin/director-clang)
   file(READ ${BUILD}/package/director-clang.1 page)
   execute_process(COMMAND ${BUILD}/bin/director-clang --help OUTPUT_VARIABLE help COMMAND_ERROR_IS_FATAL ANY)

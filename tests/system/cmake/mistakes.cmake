@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -P mistakes.cmake
-# What a project is told that calls director_add_behaviour, or asks for Director, in a wrong way: whole messages, with white space as CMake does not break it.
+# Compares the error messages for wrong calls of director_add_behaviour, director_add_docs and find_package(Director). Whole messages are compared,
+# after each sequence of white space, where CMake breaks lines, was replaced by one space.
 file(REMOVE_RECURSE ${WORK})
 foreach(component runtime compiler)
   execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix --component ${component} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<a folder beside this script> -D COMPILER=<compiler> -D FLAGS=<its flags> -P plain.cmake
-# Director is configured without a preset, so with the compiler's own -O3. Warnings of another compiler than the one that tests it do not stop this build,
-# and where they are errors, sources for which GCC 12 warns of texts at -O3 compile.
+# Configures Director without a preset, so that CMake's default for Release, -O3, is used. Warnings are no errors, because other compilers may have
+# other ones. With DIRECTOR_WERROR=ON those sources compile for which GCC 12 has wrong warnings about strings at -O3.
 file(REMOVE_RECURSE ${WORK})
 cmake_path(SET sources NORMALIZE ${SOURCE}/../../../..)
 function(configure)

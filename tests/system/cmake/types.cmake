@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -D FLAGS=<its flags> -P types.cmake
-# What the behaviour says of the program's types is held against the headers before anything is compiled: the findings stand in the YAML, and an error
-# among them stops the build before there is one in generated code.
+# directorc compares the C++ types that the behaviour names with the program's headers before anything is compiled: findings point to the YAML, and an
+# error stops the build before the generated code is compiled.
 include(${CMAKE_CURRENT_LIST_DIR}/judge_build.cmake)
 file(REMOVE_RECURSE ${WORK})
 file(COPY ${SOURCE}/ DESTINATION ${WORK}/project)
@@ -16,7 +16,7 @@ endforeach()
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/project -B ${WORK}/build -G ${generator} -D CMAKE_CXX_COMPILER=${COMPILER}
                         -D CMAKE_CXX_FLAGS=${FLAGS} -D Director_DIR=${BUILD}/cmake OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 
-# build_with(<file> <what is changed in it> <into what> builds|fails [<finding>]): without a finding none is told.
+# build_with(<file> <old text> <new text> builds|fails [<finding>]): replaces the text in the file and builds. Without <finding> there must be none.
 function(build_with name old new expected)
   foreach(each types.hpp lift.yaml)
     file(READ ${WORK}/project/${each} text)

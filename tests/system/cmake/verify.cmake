@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -D FLAGS=<its flags> -P verify.cmake
-# A mistake in the bodies of a behaviour, which the C++ compiler does not see, stops the build at its place, again and again until it is mended. A warning
-# is told, and stops the build with WERROR.
+# A mistake in a body that the C++ compiler cannot find stops the build with a finding at its place, in every build until it is corrected. A warning
+# is printed, and stops the build only with WERROR.
 include(${CMAKE_CURRENT_LIST_DIR}/judge_build.cmake)
 file(REMOVE_RECURSE ${WORK})
 file(COPY ${SOURCE}/ DESTINATION ${WORK}/project)
@@ -18,7 +18,7 @@ function(configure)
                           -D CMAKE_CXX_FLAGS=${FLAGS} -D Director_DIR=${BUILD}/cmake ${ARGN} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
-# build_with(<what is changed in the body> <into what> builds|fails [<finding>]): without a finding none is told.
+# build_with(<old text> <new text> builds|fails [<finding>]): replaces the text in the body and builds. Without <finding> there must be none.
 function(build_with old new expected)
   string(REPLACE "${old}" "${new}" text "${good}")
   file(WRITE ${body} "${text}")
@@ -26,7 +26,7 @@ function(build_with old new expected)
   execute_process(COMMAND ${CMAKE_COMMAND} -E sleep 0.1)
 endfunction()
 
-# Test doubles in the same build are left out by their target or by their folder.
+# EXCLUDE leaves out test doubles in the same build, by their file, folder or target.
 configure()
 build_with("" "" fails "doubles/legs_double.cpp:6:9: error: `Walk` sets `Pose` to `fallen`, which it does not declare [undeclared_state_write]")
 configure(-D EXCLUDED=doubles/legs_double.cpp)
@@ -41,7 +41,7 @@ build_with("Pose::moving" "Pose::standing" builds)
 
 set(warning "project/walker.yaml:6:65: warning: no path of `Walk` requests `Step` [task_never_requested]")
 build_with("request(walker::Step{})" "done()" builds "${warning}")
-# Without an answer a body does not compile, also where its headers are precompiled.
+# A body with a path without an answer does not compile, also if its header is precompiled.
 set(path_without "if (pose == walker::Pose::standing) return run.request(walker::Step{})")
 build_with("return run.request(walker::Step{})" "${path_without}" fails "return-type")
 configure(-D PRECOMPILED=ON)
@@ -50,7 +50,7 @@ build_with("" "" builds)
 configure(-D PRECOMPILED=OFF)
 
 file(REMOVE ${WORK}/project/doubles/legs_double.cpp)
-file(TOUCH ${WORK}/project/doubles/legs_double.cpp) # it would be told of in every build
+file(TOUCH ${WORK}/project/doubles/legs_double.cpp) # empty: nothing is excluded below, so the double would give a finding in every build
 configure(-D EXCLUDED= -D STRICT=ON)
 string(REPLACE "warning:" "error:" error "${warning}")
 build_with("request(walker::Step{})" "done()" fails "${error}")

@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: MIT
 # cmake -D COMPILER=<compiler> -D FLAGS=<its flags> -D PRECOMPILED=<header> -D FOLDERS=<where headers are> -D CASE=<source> -P compile.cmake
+# Compiles the case without and with MISTAKE defined, and compares the message with its line `// Message:`.
 file(STRINGS ${CASE} line REGEX "^// Message: ")
 string(REGEX REPLACE "^// Message: " "" message "${line}")
 if(NOT message)
   message(FATAL_ERROR "${CASE} has no line // Message:")
 endif()
-# Flags of its own read the header anew too.
+# A case may have a line `// Flags:` with further flags, or define macros for the header. Then it cannot use the precompiled header.
 file(STRINGS ${CASE} own REGEX "^// Flags: ")
 string(REGEX REPLACE "^// Flags: " "" own "${own}")
 separate_arguments(own)
 list(APPEND FLAGS ${own})
-# A case that defines something for the header reads it anew.
 file(STRINGS ${CASE} defines REGEX "^#define ")
 if(NOT defines AND NOT own)
   list(APPEND FLAGS -include ${PRECOMPILED})
@@ -23,7 +23,7 @@ if(NOT result EQUAL 0)
   message(FATAL_ERROR "without the mistake it must compile:\n${said}")
 endif()
 execute_process(COMMAND ${compile} -fsyntax-only -D MISTAKE RESULT_VARIABLE result ERROR_VARIABLE said)
-if(result EQUAL 0) # some mistakes are only seen where code is made of it
+if(result EQUAL 0) # the compiler finds some mistakes only when it generates code
   execute_process(COMMAND ${compile} -c -o /dev/null -D MISTAKE RESULT_VARIABLE result ERROR_VARIABLE said)
 endif()
 if(result EQUAL 0)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # cmake -D NM=<nm> -D OBJECTS=<list of object files> -P nothing_reported.cmake
-# No object calls what reports to an observer, which stands in one of them: so the linker leaves that out.
+# No other object file may call the functions in reports.cpp, which report events to an observer, so that the linker leaves them out.
 file(STRINGS ${OBJECTS} objects)
 set(reporting 0)
 foreach(object IN LISTS objects)

@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: MIT
 # bare.sh --base <folder to work in>
 # bare.sh <folder with the packages> <folder to work in> <tests/system/cmake of the project>
-# The packages on a Debian 12 that has nothing else: installed by apt with what they depend on, used as somebody would use them, and removed. The bare
-# system is made once and kept in the folder, with what was downloaded; --base does only that. Nothing is mounted: what the kernel offers is not needed.
-# Exit status 77: this machine cannot make such a system, and a line says why; with CI=true it is 1.
+# Tests the Debian packages on a minimal Debian 12 (a chroot): apt installs them with their dependencies, they are used as a user would, and they are
+# removed. The minimal system is created only once and kept in the folder, with the downloaded packages; --base only creates it. No file system of the
+# kernel, such as /proc, is mounted, since none is needed. Exit status 77: this machine cannot create such a system, and a line says why; with CI=true
+# the status is 1.
 set -euo pipefail
 fail() { echo "bare.sh: $*" >&2; exit 1; }
 skip() {
@@ -21,8 +22,8 @@ base=$work/base root=$work/root log=$work/log kept=$work/downloads
 mkdir -p "$kept"
 : >"$log"
 
-# Packages come from where this machine gets them, and the way it does: through its proxy, whether the environment or apt knows of it. A mirror in a folder of
-# this machine is copied from, as it is not there within the other one.
+# The minimal system uses the package sources and the proxy of this machine, whether the environment or the configuration of apt names the proxy. In
+# sources, `file:` is replaced by `copy:`, because the folder of a local mirror does not exist inside the chroot.
 eval "$(apt-config shell list Dir::Etc::sourcelist/f parts Dir::Etc::sourceparts/d)"
 rm -rf "$work/sources"
 mkdir "$work/sources"
@@ -44,12 +45,12 @@ fi
 trap 'rm -rf --one-file-system "$root"' EXIT
 rm -rf --one-file-system "$root"
 cp -a "$base" "$root"
-# The sources may have changed since; those of the base are how mmdebstrap was given them.
+# The package sources may have changed since the base was created, so they replace those that mmdebstrap wrote.
 rm -rf "$root"/etc/apt/sources.list "$root"/etc/apt/sources.list.d/*
 cp "${sources[@]}" "$root/etc/apt/sources.list.d/"
 if [ -e "$root/etc/apt/sources.list.d/sources.list" ]; then mv "$root/etc/apt/sources.list.d/sources.list" "$root/etc/apt/"; fi
 
-# apt of this machine for that one: so it has the same network.
+# The apt of this machine installs into the minimal system, so that it has the same network.
 {
   cat "$work/acquire.conf"
   cat <<END
@@ -83,7 +84,7 @@ cp "$packages"/director_*.deb "$packages"/director-clang_*.deb "$root/packages/"
 bare_apt install --no-install-recommends "$root"/packages/director_*.deb || { tail -n 20 "$log"; fail 'director cannot be installed'; }
 
 cp -r "$projects/consumer" "$root/lantern"
-# The line that an editor wants, as --help names it, leads to a schema.
+# The lines for editors that --help prints name schemas that exist.
 inside directorc --help | sed -n 's/^# yaml-language-server: $schema=//p' >"$work/schemas"
 [ "$(wc -l <"$work/schemas")" = 2 ] || fail 'directorc --help does not name the two schemas'
 while read -r schema; do [ -s "$root$schema" ] || fail "there is no $schema"; done <"$work/schemas"
@@ -104,9 +105,10 @@ bare_apt install --no-install-recommends "$root"/packages/director-clang_*.deb |
 inside /usr/libexec/director/director-clang version <<<'{}'
 inside directorc stubs /lantern/lantern.yaml -o /bodies --main
 inside directorc generate /lantern/lantern.yaml -o /bodies
-inside directorc stubs /lantern/lantern.yaml -o /bodies --check # reads what it wrote
+inside directorc stubs /lantern/lantern.yaml -o /bodies --check # reads the bodies that the call above wrote
 
-# The bodies of a program with headers of the standard library, which include Clang's own: read for what is missing, and held against the behaviour.
+# A program whose headers include those of the standard library, which include Clang's own headers: directorc checks that no body is missing, and
+# compares the bodies with the behaviour.
 cp -r "$projects/verify" "$root/walker"
 sed -i '1i #include <cstddef>\n#include <vector>' "$root/walker/legs.hpp"
 inside directorc stubs /walker/walker.yaml -o /walker --check

@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
 # bash start_test.sh <the project> <a folder to work in>
-# ./start in a project that is not built, that is built, and that was copied with its build tree.
+# Tests ./start in a project without a build tree, in one with a build tree, and in one that was copied with its build tree.
 set -euo pipefail
 project=$1 work=$2
 rm -rf "$work"
@@ -9,7 +9,8 @@ mkdir -p "$work/bin" "$work/here/.ci"
 cp "$project/start" "$work/here/"
 cp "$project/.ci/common.sh" "$work/here/.ci/"
 
-# All packages are installed, and CMake writes down what it is asked for and makes what a configured and built tree has.
+# Stand-ins for two programs: dpkg-query says that all packages are installed, and cmake records its arguments and creates the files that ./start
+# looks for in a configured build tree.
 printf '#!/bin/sh\necho "installed "\n' >"$work/bin/dpkg-query"
 cat >"$work/bin/cmake" <<'FAKE'
 #!/bin/bash

@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# end.sh SIGNAL PROGRAM OUTPUT: sends the signal once the program walks; it must say that it stops, and end well.
+# end.sh SIGNAL PROGRAM OUTPUT: starts the program, with its output in the file OUTPUT, and sends it the signal when it has printed "walks". The
+# program must print "stops" and end with exit status 0.
 "$2" >"$3" &
 program=$!
 turns=0

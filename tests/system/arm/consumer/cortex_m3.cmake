@@ -1,4 +1,4 @@
-# A toolchain file as for any program on a Cortex-M3. Director needs nothing of its own here.
+# A toolchain file as for any program on a Cortex-M3: Director needs no settings of its own.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR arm)
 set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
