@@ -24,7 +24,7 @@ namespace {
 using namespace director::property;
 using director::tests::from_environment;
 
-constexpr director::tests::Series of_all{.usual = 5'000, .slow = 600, .whole = 8'000};
+constexpr director::tests::Series of_all{.usual = 5'000, .slow = 300, .whole = 8'000};
 constexpr int parts = 4; // of the cases: ctest runs them in parallel
 
 Verdict verdict_of(const Documents& documents, Manner manner) {
