@@ -90,7 +90,7 @@ void find_losses(Losses& seen, std::uint64_t seed) {
   if (claims.empty()) return;
   const compiler::Ground ground(checked.model, compiler::OptionalEntries::left_out_too);
   Reached reached(ground);
-  if (!reached.find_changes(20'000)) return;
+  if (!reached.find_changes(20'000)) return; // it has more states
   for (const NeverBack& claim : claims) {
     ++seen.findings;
     const bool is_lost = std::any_of(reached.changes.begin(), reached.changes.end(),

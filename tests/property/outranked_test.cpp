@@ -127,7 +127,7 @@ void find_waiting(Waiting& seen, std::uint64_t seed) {
     const compiler::Ground ground(checked.model, compiler::OptionalEntries::left_out_too);
     bool is_seen = false;
     compiler::SearchOptions how;
-    how.bound = 20'000;
+    how.bound = 20'000; // a behaviour with more states is left out
     how.threads = 1;
     how.look = [&](const compiler::Machine& machine) {
       is_seen = is_seen || is_waiting(*waits, checked.model, machine);
