@@ -8,6 +8,7 @@
 #include "compiler/trace/lookup.hpp"
 #include "dsl/harmless.hpp"
 #include "runtime/hosted/decision_printer.hpp"
+#include "runtime/hosted/trace/event_text.hpp"
 #include "runtime/hosted/trace/json_lines.hpp"
 #include "runtime/hosted/trace/trace_format.hpp"
 
@@ -25,10 +26,9 @@ public:
   explicit Text(const director::Names& names) : names_(names) {}
   void begin(std::string&) override {}
   void event(const Event& event, std::string& out) override {
-    std::array<char, 1000> line{};
     std::array<char, 40> time{};
-    if (*to_text(event, names_, line) == '\0') return;
-    out.append(time_text(event.time, time)).append(dsl::harmless(line.data())).append("\n");
+    const std::string line = to_text(event, names_);
+    if (!line.empty()) out.append(time_text(event.time, time)).append(dsl::harmless(line)).append("\n");
   }
   void dropped(std::uint64_t count, std::string& out) override {
     out += "... " + counted_are(count, "event") + " missing\n";

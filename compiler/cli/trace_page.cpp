@@ -11,12 +11,12 @@
 #include "compiler/lower/row_names.hpp"
 #include "compiler/trace/lookup.hpp"
 #include "compiler/trace/recording.hpp"
-#include "runtime/hosted/decision_printer.hpp"
+#include "runtime/hosted/trace/event_text.hpp"
 #include "runtime/hosted/trace/fingerprint.hpp"
 
 #include <fmt/format.h>
 
-#include <array>
+#include <utility>
 
 namespace director::compiler::cli {
 
@@ -64,8 +64,7 @@ public:
         return false;
       }
       recording_.event(event.event, unused);
-      std::array<char, 1000> words{};
-      if (*to_text(event.event, names_, words) != '\0') add(event.event.time, words.data());
+      if (std::string words = to_text(event.event, names_); !words.empty()) add(event.event.time, std::move(words));
     }
     return print_end(lines, file, console);
   }

@@ -4,11 +4,10 @@
 
 #include "compiler/base/seconds.hpp"
 #include "runtime/core/api/event_names.hpp"
-#include "runtime/hosted/decision_printer.hpp"
+#include "runtime/hosted/trace/event_text.hpp"
 
 #include <fmt/format.h>
 
-#include <array>
 #include <string_view>
 
 namespace director::compiler {
@@ -22,8 +21,7 @@ public:
   Words(const Event& event, const director::Names& names) : e_(event), n_(names) {}
 
   std::string all() const {
-    std::array<char, 1000> buffer{};
-    const std::string text = to_text(e_, n_, buffer);
+    const std::string text = to_text(e_, n_);
     return text.empty() ? rest() : text;
   }
 

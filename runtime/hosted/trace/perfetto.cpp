@@ -9,12 +9,11 @@
 // over. Numbers of fields: protos/perfetto/trace of https://github.com/google/perfetto; those used are in
 // tests/support/perfetto.proto.
 #include "runtime/core/api/event_names.hpp"
-#include "runtime/hosted/decision_printer.hpp"
+#include "runtime/hosted/trace/event_text.hpp"
 #include "runtime/hosted/trace/protobuf.hpp"
 #include "runtime/hosted/trace/trace_format.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -57,7 +56,6 @@ enum class Type : std::uint32_t { begin = 1, end = 2, instant = 3, counter = 4 }
 constexpr std::uint64_t process = 1, outside = 2, queued_tasks = 3, lost_inputs = 4, states = 5,
                         first_group = 16; ///< tracks
 constexpr std::uint64_t by_rank = 3;      ///< order of the tracks below one track
-constexpr std::size_t longest_line = 1000;
 
 class Perfetto final : public TraceFormat {
 public:
@@ -101,7 +99,7 @@ public:
       forget_requests(e.group, out);
       break;
     case Event::Kind::queue:
-      instant(first_group + e.group, line(e), {}, out);
+      instant(first_group + e.group, to_text(e, n_), {}, out);
       queued(e, out);
       break;
     case Event::Kind::withdraw: forget(e.edge, out); break;
@@ -112,14 +110,14 @@ public:
     case Event::Kind::failed:
     case Event::Kind::broken:
     case Event::Kind::fault:
-    case Event::Kind::release: instant(first_group + e.group, line(e), {}, out); break;
+    case Event::Kind::release: instant(first_group + e.group, to_text(e, n_), {}, out); break;
     case Event::Kind::begin:
       for (Index row = 0; row < values_.size(); ++row) take_value(row, t_.states[row].initial, out);
       break;
     case Event::Kind::given:
     case Event::Kind::set: take_value(e.state, e.value, out); break;
-    case Event::Kind::refused: instant(first_group + e.group, line(e), {}, out); break;
-    case Event::Kind::exhausted: instant(outside, line(e), {}, out); break;
+    case Event::Kind::refused: instant(first_group + e.group, to_text(e, n_), {}, out); break;
+    case Event::Kind::exhausted: instant(outside, to_text(e, n_), {}, out); break;
     case Event::Kind::lost:
       lost_ += e.count;
       count(lost_inputs, lost_, out);
@@ -267,13 +265,8 @@ private:
   void input(const Event& e, std::string& out) {
     if (e.input == Event::Input::cancel && e.edge != nil) forget(e.edge, out);
     if (e.input == Event::Input::set) take_value(e.state, e.value, out);
-    const std::string text = line(e);
+    const std::string text = to_text(e, n_);
     if (!text.empty()) instant(outside, std::string_view(text).substr(2), {}, out); // without `> `
-  }
-
-  std::string line(const Event& e) const {
-    std::array<char, longest_line> buffer{};
-    return to_text(e, n_, buffer);
   }
 
   static std::string reasons(const Event& e) {

@@ -6,6 +6,7 @@
 #include "runtime/core/api/event_names.hpp"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include <string>
 #include <utility>
@@ -21,9 +22,9 @@ const std::string words_header =
 
 class WordsReader {
 public:
-  WordsReader() {
+  explicit WordsReader(const std::string& header = words_header) {
     std::string problem;
-    recorded_ = RecordedNames::read(parse_json(words_header).value(), problem);
+    recorded_ = RecordedNames::read(parse_json(header).value(), problem);
     REQUIRE(recorded_);
     names_ = recorded_->names();
   }
@@ -72,6 +73,21 @@ TEST_CASE("events that simulate does not print have words too") {
   CHECK(words(R"("event":"input","input":"expire","state":"S")") == "> expire S");
   CHECK(words(R"("event":"input","input":"wait","group":"A")") == "> wait A");
   CHECK(words(R"("event":"input","input":"every","group":"A","provider":"y")") == "> every A.y");
+}
+
+TEST_CASE("the text of an event has all of its names, however long they are") {
+  const std::string group(1024, 'A'), provider(1024, 'x');
+  std::string header = words_header;
+  header.replace(header.find(R"("A","providers":["x")"), 20, fmt::format(R"("{}","providers":["{}")", group, provider));
+  for (std::size_t at; (at = header.find(R"("target":"A")")) != std::string::npos;)
+    header.replace(at, 12, fmt::format(R"("target":"{}")", group));
+  for (const auto& [of, name] : {std::pair("root>A", "root>" + group), std::pair("A>B", group + ">B")}) {
+    const std::string quoted = fmt::format("\"{}\"", of);
+    header.replace(header.find(quoted), quoted.size(), fmt::format("\"{}\"", name));
+  }
+  const WordsReader reader(header);
+  CHECK(reader.words(fmt::format(R"("t":1,"n":3,"event":"run","group":"{}","provider":"{}","reasons":["new_task"])",
+                                 group, provider)) == fmt::format("run {}.{} new_task", group, provider));
 }
 
 TEST_CASE("if two events have equal texts, the difference is added") {
