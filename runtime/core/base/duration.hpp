@@ -92,7 +92,7 @@ constexpr Time to_microseconds(const T& duration, bool up) {
 
 } // namespace detail
 
-/// Microseconds in a duration, rounded down.
+/// Microseconds in a duration, rounded towards zero.
 template <Duration T>
 constexpr Time microseconds_begun(const T& duration) {
   return detail::to_microseconds(duration, false);

@@ -112,12 +112,15 @@ DIRECTOR_INLINE bool Engine::micro_step() {
     if (!x_.t.states.empty()) begin_to_expire();
   }
   c.quiet_until = first_time;
-  // A call for the same time, because the budget was used up, continues at the time reached.
+  inbox_.open();
+  // A call for the same time, because the budget was used up, continues at the time reached, unless there are inputs.
   const bool further = now > c.until;
   if (further) c.until = now;
-  if (c.now != c.until && !c.serving && (further || !(c.handlers_set || !queue().empty() || c.unsettled)))
+  const bool goes_on = c.serving || (!further && (c.handlers_set || !queue().empty() || c.unsettled));
+  if (c.now != c.until && (!goes_on || inbox_.due())) {
     c.now = c.until;
-  inbox_.open();
+    c.serving = false;
+  }
   if (observed()) {
     if (inbox_.lost() != reported_lost_) report_lost();
     if (std::exchange(faulted_, false)) return StepResult::fault; // the observer threw

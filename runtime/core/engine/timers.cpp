@@ -34,7 +34,7 @@ void Timers::set(Index index, Time due) {
 void Run::wait(Time duration) { wait_ = duration; }
 
 void Engine::begin_wait(Index group, Time wait) {
-  const Time due = later(x_.s.counters->now, wait);
+  const Time due = wait == never ? never : later(x_.s.counters->now, wait); // the time may be negative
   if (observed()) report_wait(group, due);
   x_.s.run_queue[group].flags |= group_flag::waits;
   timers_.arm({Timers::Kind::wait, group}, due);

@@ -183,6 +183,35 @@ groups:
   CHECK(machine.engine().now() == ms(100));
 }
 
+TEST_CASE("an input comes at the time of its step, though the budget of the step before ended at an earlier timer") {
+  Machine machine(timed);
+  machine.body("Clock", [](Run& run) { return run.keep(); });
+  machine.request("Clock");
+  machine.request("Look");
+  machine.step(0);
+  machine.set("Ball", "near");
+  machine.step(ms(5));
+  machine.engine().set_budget(1);
+  CHECK(machine.step(ms(100)) == Lines{"exhausted"}); // at the timer of 10 ms
+  machine.engine().set_budget(Engine::default_budget);
+  machine.set("Ball", "near");
+  CHECK(machine.step(ms(150)) == Lines{"run Clock trigger", "run Clock trigger"});
+  CHECK(machine.engine().next_due() == ms(160));
+  CHECK(machine.step(ms(245)) == Lines{"run Clock trigger"});
+  CHECK(machine.step(ms(250)) == Lines{"set Ball -", "run Clock trigger"});
+}
+
+TEST_CASE("a wait of the longest duration never ends, also if the time is negative when it begins") {
+  Machine machine(timed);
+  machine.body("Look", [](Run& run) {
+    run.wait(never);
+    return run.keep();
+  });
+  machine.request("Look");
+  machine.step(-ms(1000));
+  CHECK(machine.step(last_time) == Lines{"set Ball -"});
+}
+
 TEST_CASE("an input that a body posts is taken by the next step") {
   Machine machine(timed);
   machine.body("Look", [&](Run& run) {
