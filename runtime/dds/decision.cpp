@@ -72,18 +72,11 @@ std::optional<Kept> Promises::observe(const Event& event) {
   } else if (event.kind == Event::Kind::set && running_ != nil && event.micro_step == micro_step_) {
     for (const Index row : t.list(t.providers[running_].effects)) {
       const Condition& condition = t.conditions[row];
-      if (condition.state == event.state && accepts(condition, event.value))
+      if (condition.state == event.state && t.accepts(condition, event.value))
         return ended(running_, true, plug_.names.condition(row));
     }
   }
   return {};
-}
-
-bool Promises::accepts(const Condition& condition, std::int32_t value) const {
-  for (const Interval& interval : plug_.tables().intervals.subspan(condition.accepts.begin, condition.accepts.size())) {
-    if (interval.low <= value && value <= interval.high) return true;
-  }
-  return false;
 }
 
 Kept Promises::ended(Index provider, bool kept, std::string condition) const {

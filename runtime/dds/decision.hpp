@@ -37,7 +37,6 @@ public:
   std::optional<Kept> observe(const Event& event);
 
 private:
-  bool accepts(const Condition& condition, std::int32_t value) const;
   Kept ended(Index provider, bool kept, std::string condition) const;
 
   const Plug& plug_;

@@ -73,6 +73,19 @@ private:
     add(name + " is " + value(state), About::condition, because.condition);
     for (const Index row : causers(t_, because.condition)) causer(row, because);
     if (t_.states[state].external) add("the outside may set " + name, About::state, state);
+    if (because.provider != nil) others(because);
+  }
+
+  /// The other conditions of the provider that are false: pushes have to cause all of them.
+  void others(const Because& because) {
+    for (const Index row : t_.list(t_.providers[because.provider].when)) {
+      const Condition& other = t_.conditions[row];
+      if (row == because.condition || t_.accepts(other, v_.values[other.state].value)) continue;
+      const bool caused = any(causers(t_, row), [&](Index provider) { return v_.enabled[provider] != 0; });
+      add(std::string(n_.condition(n_.self, row)) + " is false too" +
+              (caused ? "" : ", and no enabled provider promises it, so nothing is pushed"),
+          About::condition, row);
+    }
   }
 
   /// The state of a provider that promises the condition.

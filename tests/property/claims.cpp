@@ -119,10 +119,24 @@ private:
     return out;
   }
 
+  /// Whether the holder is a need of the running provider of a group above the member: claimed before all below that.
+  bool is_claimed_above(EdgeId holder, EdgeId member) const {
+    const std::optional<GroupId> by = parts_.requester(holder);
+    if (!by || !group(*by).active || !model().providers[*group(*by).active].needs_group(parts_.target(holder)))
+      return false;
+    std::optional<GroupId> above = parts_.requester(member);
+    while (above && above != by) {
+      const std::optional<EdgeId> next = group(*above).holder;
+      above = next && !parts_.is_limbo(*next) ? parts_.requester(*next) : std::nullopt;
+    }
+    return above == by;
+  }
+
   /// Whether the group is held by an edge from which a claim by `edge`, below `member`, cannot take it.
   bool in_the_way(GroupId of, EdgeId edge, EdgeId member) const {
     const std::optional<EdgeId> holder = group(of).holder;
     if (!holder || *holder == edge || parts_.is_limbo(*holder)) return false;
+    if (is_claimed_above(*holder, member)) return true;
     const Rivals both = rivals(member, *holder);
     return !oracle::Order(parts_, facts_).before(both.ours, both.theirs);
   }
@@ -149,6 +163,8 @@ private:
     if (any_can_be_had(member)) return "nothing is in the way";
     if (group(what).holder != holder) return "somebody else holds it";
     if (claim_.kind == Kind::lost ? what != member_target() : !is_needed(what)) return "that is not what it takes";
+    if (is_claimed_above(holder, member))
+      return claim_.rivalry.won_by == Precedence::above ? "" : "it is claimed with a group above";
     const oracle::Order order(parts_, facts_);
     const Rivals both = rivals(member, holder);
     if (order.before(both.ours, both.theirs)) return "the holder goes behind";

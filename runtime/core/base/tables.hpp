@@ -181,6 +181,11 @@ struct Tables {
   /// The first edge of its requester that may claim a group that this one may also claim, directly or through others.
   constexpr Index cluster(Index edge) const { return static_cast<Index>(edge - edges[edge].cluster_offset); }
 
+  constexpr bool accepts(const Condition& condition, std::int32_t value) const {
+    return any(intervals.subspan(condition.accepts.begin, condition.accepts.size()),
+               [&](const Interval& interval) { return interval.low <= value && value <= interval.high; });
+  }
+
   constexpr std::span<const TableIndex> list(Range range) const { return {lists.data() + range.begin, range.size()}; }
 };
 

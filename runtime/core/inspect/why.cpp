@@ -77,10 +77,25 @@ private:
   }
   Index urgency(Index edge) const { return arbitration::urgency(t_, edge, v_.request[edge].level); }
 
+  /// Whether `theirs` is a need of the running provider of a group above `ours`: it is claimed with that group.
+  bool is_claimed_above(Index theirs, Index ours) const {
+    const Index by = requester(theirs);
+    if (by == nil || v_.assignment[by].active == nil) return false;
+    const auto needs = t_.list(t_.providers[v_.assignment[by].active].needs);
+    if (!any(needs, [&](Index need) { return need == theirs; })) return false;
+    Index group = requester(ours);
+    while (group != nil && group != by) group = requester(v_.holder(group));
+    return group == by;
+  }
+
   /// Whether `theirs` goes before `ours` by rules 1 to 4 of the order, or is its equal and was there first.
   bool goes_first(Index theirs, Index ours, Rivalry& out) const {
     using arbitration::Chains, arbitration::Parting, arbitration::Place, arbitration::Verdict;
     out = {};
+    if (is_claimed_above(theirs, ours)) {
+      out.won_by = Precedence::above;
+      return true;
+    }
     const Index length_ours = length(ours), length_theirs = length(theirs);
     const auto [at_ours, at_theirs] = arbitration::parting(
         {ours, Chains::previous}, {theirs, Chains::previous}, length_ours, length_theirs,

@@ -73,6 +73,29 @@ TEST_CASE("why a group waits: which condition, and what the providers do that co
                      "  Drive.braking is to cause it: pushed for root>Photograph (rover.yaml:16)\n");
 }
 
+TEST_CASE("why a group waits: all conditions that are false, and which of them prevents a push") {
+  World world;
+  world.files.add("lift.yaml", R"(behaviour: lift
+language: 1
+states:
+  Door: {values: [open, shut], initial: open}
+  Load: {values: [none, light], initial: none}
+roots: [Door_, Loader, Lift]
+groups:
+  Door_:
+    providers: [{name: resting}, {name: closing, causing: [Door == shut]}]
+  Loader: {sets: [Load == light]}
+  Lift: {when: [Door == shut, Load == light]}
+)");
+  world.files.add("s.yaml", "behaviour: lift.yaml\nsteps: [{request: [Door_, Loader]}, {request: Lift}]\n");
+  CHECK(world.directorc({"why", "s.yaml", "Lift"}) == 0);
+  CHECK(world.out == "Lift waits (root>Lift): until Door == shut, which Door_.closing could cause\n"
+                     "  Door is open (lift.yaml:11)\n"
+                     "  Door_.closing could cause it, and is not pushed for root>Lift (lift.yaml:9)\n"
+                     "  Load == light is false too, and no enabled provider promises it, so nothing is pushed "
+                     "(lift.yaml:11)\n");
+}
+
 TEST_CASE("why a group waits: which tasks hold what it needs") {
   World world = rover();
   CHECK(world.directorc({"why", "s.yaml", "Dream"}) == 0);
@@ -86,6 +109,22 @@ TEST_CASE("why a group waits: which tasks hold what it needs") {
         "needs, is held by Photograph>Wheels, and root>Photograph (priority 20) goes before root>Dream "
         "(priority 1)\",\"notes\":[{\"text\":\"it is held for Photograph, priority 0, that for the program, "
         "priority 20\",\"place\":\"rover.yaml:11\"}]}\n");
+}
+
+TEST_CASE("why a group waits: its requester keeps what it needs itself") {
+  World world;
+  world.files.add("kick.yaml", R"(behaviour: kick
+language: 1
+roots: [KickTo]
+groups:
+  KickTo: {needs: [Legs], tasks: {Walk: {priority: 20, apart: true}, Legs: {priority: 10}}}
+  Walk: {needs: [Legs]}
+  Legs: {}
+)");
+  world.files.add("s.yaml", "behaviour: kick.yaml\nsteps: [{request: KickTo}]\n");
+  CHECK(world.directorc({"why", "s.yaml", "Walk"}) == 0);
+  CHECK(world.out == "Walk waits (KickTo>Walk): Legs, which it needs, is held by KickTo>Legs, which is above it\n"
+                     "  it is held for KickTo, priority 10, that for the program, priority 0 (kick.yaml:5)\n");
 }
 
 TEST_CASE("why a group does not run that nothing requests") {
