@@ -64,6 +64,40 @@ std::string beside(const Model& model, const Together& together) {
   return fmt::format("no other task of the pack `{}`", together.pack);
 }
 
+/// Tasks of a provider are still requested while another provider of its group begins to run. So they are compared with
+/// what that one needs, which counts with the first priority that the group gives it.
+class OtherProviders {
+public:
+  OtherProviders(const Model& model, const Together& together) : model_(model) {
+    if (!together.provider) return;
+    provider_ = *together.provider;
+    for (const ProviderId id : model.groups[model.providers[provider_].group].providers) {
+      if (id != provider_) others_.push_back(id);
+    }
+  }
+
+  /// What is compared with this task.
+  std::vector<GroupId> beside(GroupId task) const {
+    std::vector<GroupId> out;
+    const bool is_needed = !others_.empty() && model_.providers[provider_].needs_group(task);
+    for (const ProviderId id : others_) {
+      const Provider& other = model_.providers[id];
+      for (const Use<GroupId>& need : other.needs) out.push_back(need.id);
+      if (!is_needed && !other.needs_group(task)) continue;
+      for (const Pack& pack : other.packs) {
+        for (const Task& each : pack.tasks) out.push_back(each.target);
+      }
+    }
+    std::erase(out, task);
+    return out;
+  }
+
+private:
+  const Model& model_;
+  ProviderId provider_{};
+  std::vector<ProviderId> others_;
+};
+
 void look_at(const Input& input, const Together& together, Stakes& stakes, Findings& findings) {
   const Model& model = input.model;
   const std::vector<Task>& tasks = *together.tasks;
@@ -72,11 +106,20 @@ void look_at(const Input& input, const Together& together, Stakes& stakes, Findi
   for (const Task& task : tasks) {
     for (const GroupId group : stakes.of(task.target)) ++wanted_by[group];
   }
+  const OtherProviders others(model, together);
+  const auto is_disputed = [&](GroupId task) {
+    const std::vector<GroupId> own = stakes.of(task);
+    if (std::any_of(own.begin(), own.end(), [&](GroupId group) { return wanted_by[group] > 1; })) return true;
+    SparseSet<GroupId> ours;
+    for (const GroupId group : own) ours.add(group);
+    const std::vector<GroupId> compared = others.beside(task);
+    return std::any_of(compared.begin(), compared.end(), [&](GroupId other) {
+      const std::vector<GroupId>& theirs = stakes.of(other);
+      return std::any_of(theirs.begin(), theirs.end(), [&](GroupId group) { return ours.contains(group); });
+    });
+  };
   for (const Task& task : tasks) {
-    const std::vector<GroupId>& own = stakes.of(task.target);
-    if (!has_priority(model, task) ||
-        std::any_of(own.begin(), own.end(), [&](GroupId group) { return wanted_by[group] > 1; }))
-      continue;
+    if (!has_priority(model, task) || is_disputed(task.target)) continue;
     findings
         .add(task.span, fmt::format("the priority of {} decides nothing: {} may ever want the same group",
                                     name_of(model, task.target), beside(model, together)))

@@ -53,6 +53,15 @@ void drop_covered(const Model& model, std::vector<Diagnostic>& findings, std::ve
   findings.erase(std::remove_if(findings.begin(), findings.end(), is_covered), findings.end());
 }
 
+/// Whether another warning is about the same element. It may be the reason why nothing else was found there.
+bool is_suppressed(const Allowance& allowance, const std::vector<Diagnostic>& findings) {
+  return std::any_of(findings.begin(), findings.end(), [&](const Diagnostic& finding) {
+    const auto is_here = [&](const dsl::Note& note) { return allowance.scope.contains(note.span); };
+    return finding.level == dsl::Level::warning && finding.id != allowance.id.value &&
+           (allowance.scope.contains(finding.span) || std::any_of(finding.notes.begin(), finding.notes.end(), is_here));
+  });
+}
+
 bool names_error(const Allowance& allowance) {
   const Registered* check = find_registered(allowance.id.value);
   return check != nullptr && level_of(*check) == dsl::Level::error;
@@ -174,7 +183,7 @@ std::vector<Diagnostic> apply_allowances(const Model& model, std::vector<Diagnos
   std::vector<bool> used(model.allowances.size(), false);
   drop_covered(model, findings, used);
   if (!all_checks_ran) return findings;
-  // An error may suppress a warning.
+  // An error may suppress a warning anywhere.
   const bool errors = dsl::has_errors(findings);
   // An `allow: [unused_allow]` is applied last: only now is it known what it covers.
   std::vector<Diagnostic> leftover;
@@ -182,7 +191,8 @@ std::vector<Diagnostic> apply_allowances(const Model& model, std::vector<Diagnos
     for (std::size_t i = 0; i < used.size(); ++i) {
       const Allowance& allowance = model.allowances[i];
       if (used[i] || is_for_others(allowance) || (allowance.id.value == "unused_allow") != last) continue;
-      if (!errors || names_error(allowance)) leftover.push_back(unused(allowance));
+      const bool may_return = errors || is_suppressed(allowance, findings);
+      if (!may_return || names_error(allowance)) leftover.push_back(unused(allowance));
     }
   };
   collect(false);

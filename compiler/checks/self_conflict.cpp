@@ -3,6 +3,7 @@
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/needs/needs.hpp"
+#include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -128,6 +129,27 @@ void add_same(const Model& model, const Loser& first, const Loser& other, dsl::D
   }
 }
 
+/// What the provider may need instead of the group that it keeps: the requested task, which takes with it what it
+/// needs.
+std::string propose_need(const Input& input, const Loser& loser) {
+  const Model& model = input.model;
+  const GroupId task = loser.entry->target;
+  const std::string kept = name_of(model, loser.taker.group);
+  std::vector<std::string> instead;
+  bool conflict = input.facts.may_wait.contains(task); // if it needed that, it would wait with it
+  for (const Use<GroupId>& need : model.providers[loser.above].needs) {
+    if (need.id == task) continue;
+    if (need.id == loser.taker.group || input.shared.claims(task).contains(need.id)) {
+      instead.push_back(name_of(model, need.id));
+    } else if (!input.shared.indispensable().in_common(need.id, task).empty()) {
+      conflict = true;
+    }
+  }
+  if (conflict) return fmt::format("do not need {}", kept);
+  return fmt::format("need {} instead of {}, or {}", name_of(model, task), list_of(instead, "and"),
+                     instead.size() == 1 ? "nothing" : "none of them");
+}
+
 void report(const Input& input, const std::vector<Losers>& all, Findings& findings) {
   const Model& model = input.model;
   const Losers& losers = all.front();
@@ -158,13 +180,8 @@ void report(const Input& input, const std::vector<Losers>& all, Findings& findin
   }
   if (need == nullptr) {
     finding.help = fmt::format("request it where {} is not above it", kept);
-  } else if (need->id == loser.taker.group && loser.entry->target != need->id &&
-             input.facts.may_wait.contains(loser.entry->target)) {
-    // If it needed that, it would wait with it.
-    finding.help = fmt::format("do not need {}: what a task needs is held when it is granted", kept);
   } else if (need->id == loser.taker.group && loser.entry->target != need->id) {
-    finding.help = fmt::format("need {} instead of {}, or nothing: what a task needs is held when it is granted",
-                               name_of(model, loser.entry->target), kept);
+    finding.help = propose_need(input, loser) + ": what a task needs is held when it is granted";
   } else {
     finding.help = fmt::format("leave {} to {}, or do not need that: what a task needs is held when it is granted",
                                kept, name_of(model, need->id));

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 
 namespace director::checks {
 
@@ -25,7 +26,7 @@ public:
 
   void look_at(GroupId task, const Want& want) {
     const std::vector<ConditionUse>& own = model_.providers[want.waiter].sets;
-    for (const ConditionUse& entry : own) look_at_entry(want, want.waiter, entry, false, {});
+    for (const ConditionUse& entry : own) look_at_entry(want, setter(want.waiter), entry, {});
     const Claims& claims = shared_.claims(task);
     for (const GroupId group : claims.groups()) {
       if (group == task) continue;
@@ -38,35 +39,51 @@ public:
   }
 
 private:
+  /// What may set the state.
+  struct Setter {
+    std::string name;
+    GroupId group{};
+    bool promised = false; ///< it causes it
+    bool unpushed = false; ///< also if its own group causes the condition, which is no longer pushed once the task has
+                           ///< that group
+  };
+
+  Setter setter(ProviderId id) const { return {name_of(model_, id), model_.providers[id].group}; }
+
   void look_below(const Want& want, GroupId group, const std::vector<ChainStep>& path) {
     Region here = region_of(model_, model_.providers[want.waiter].when);
+    if (model_.groups[group].start) {
+      const Setter start{fmt::format("the start of {}", name_of(model_, group)), group};
+      for (const ConditionUse& entry : model_.groups[group].start->sets) look_at_entry(want, start, entry, path);
+    }
     bool comes_first = true; // no earlier one is always chosen
     for (const ProviderId id : model_.groups[group].providers) {
       const Provider& provider = model_.providers[id];
       if (!facts_.active.contains(id) || !compatible(here, active_region(model_, provider))) continue;
-      for (const ConditionUse& entry : provider.sets) look_at_entry(want, id, entry, false, path, comes_first);
-      for (const ConditionUse& entry : provider.causing) look_at_entry(want, id, entry, true, path, comes_first);
+      Setter by = setter(id);
+      by.unpushed = comes_first;
+      for (const ConditionUse& entry : provider.sets) look_at_entry(want, by, entry, path);
+      by.promised = true;
+      for (const ConditionUse& entry : provider.causing) look_at_entry(want, by, entry, path);
       if (contains(region_of(model_, provider.when), here)) comes_first = false;
     }
   }
 
-  /// `unpushed`: also if its own group causes the condition, which is no longer pushed once the task has that group.
-  void look_at_entry(const Want& want, ProviderId setter, const ConditionUse& entry, bool promised,
-                     const std::vector<ChainStep>& path, bool unpushed = false) {
+  void look_at_entry(const Want& want, const Setter& by, const ConditionUse& entry,
+                     const std::vector<ChainStep>& path) {
     const Condition& set = model_.conditions[entry.id];
     if (set.state != model_.conditions[want.condition.id].state) return;
     const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, set.accepts);
     if (values.empty()) return;
-    const GroupId group = model_.providers[setter].group;
     auto causer = std::find_if(want.causers.begin(), want.causers.end(),
-                               [&](ProviderId id) { return model_.providers[id].group != group; });
-    if (causer == want.causers.end() && unpushed) causer = want.causers.begin();
+                               [&](ProviderId id) { return model_.providers[id].group != by.group; });
+    if (causer == want.causers.end() && by.unpushed) causer = want.causers.begin();
     if (causer == want.causers.end() || !seen_.insert({entry.span, want.condition.span}).second) return;
     const std::string waiter = name_of(model_, want.waiter), condition = name_of(model_, want.condition.id);
     dsl::Diagnostic& finding =
-        findings_.add(entry.span, fmt::format("{} may {} {}, and then {} is cut off until {} causes {} again",
-                                              name_of(model_, setter), promised ? "cause" : "set",
-                                              name_of(model_, entry.id), waiter, name_of(model_, *causer), condition));
+        findings_.add(entry.span, fmt::format("{} may {} {}, and then {} is cut off until {} causes {} again", by.name,
+                                              by.promised ? "cause" : "set", name_of(model_, entry.id), waiter,
+                                              name_of(model_, *causer), condition));
     finding.notes.push_back(runs_only_while(model_, want.waiter, want.condition));
     add_chain(model_, path, finding.notes);
     finding.notes.push_back(causes(model_, *causer, want.condition.id));

@@ -3,6 +3,7 @@
 #include "compiler/analysis/causing/takings.hpp"
 #include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -32,16 +33,47 @@ public:
   void look_at(const Wanting& wanting, const Want& want) {
     for (const ProviderId causer : want.causers) {
       const StateId state = model_.conditions[want.condition.id].state;
-      for (const StopValue& stop : stop_values(model_.providers[causer].group, state)) {
-        const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, stop.values);
-        if (values.empty() || seen_.count({stop.span, want.condition.span}) != 0) continue;
-        Taking how = why_stopped(wanting.task, causer);
-        if (!how.notes.empty()) report(wanting, want, causer, stop, values, std::move(how));
+      const GroupId group = model_.providers[causer].group;
+      look_at_stop(wanting, want, causer, group, state, {});
+      for (const Pack& pack : model_.providers[causer].packs) {
+        for (const Task& task : pack.tasks) {
+          const Claims& claims = shared_.claims(task.target);
+          for (const GroupId below : claims.groups()) {
+            if (below != group) look_at_stop(wanting, want, causer, below, state, chain_to(task, claims, group, below));
+          }
+        }
       }
     }
   }
 
 private:
+  /// From the causing group to one below it.
+  std::vector<ChainStep> chain_to(const Task& task, const Claims& claims, GroupId causing, GroupId below) const {
+    std::vector<ChainStep> out{{causing, task.target, false, task.span}};
+    for (const Reach reach : all_reaches) {
+      if (claims.find(below, reach) == nullptr) continue;
+      const std::vector<ChainStep> path = claims.path(below, reach);
+      out.insert(out.end(), path.begin(), path.end());
+      break;
+    }
+    return out;
+  }
+
+  /// `chain`: from the causing group to the one that stops.
+  void look_at_stop(const Wanting& wanting, const Want& want, ProviderId causer, GroupId stopped, StateId state,
+                    const std::vector<ChainStep>& chain) {
+    for (const StopValue& stop : stop_values(stopped, state)) {
+      const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, stop.values);
+      if (values.empty() || seen_.count({stop.span, want.condition.span}) != 0) continue;
+      Taking how = why_stopped(wanting.task, stopped, causer);
+      if (how.notes.empty()) continue;
+      std::vector<dsl::Note> notes;
+      add_chain(model_, chain, notes);
+      how.notes.insert(how.notes.begin(), notes.begin(), notes.end());
+      report(wanting, want, causer, stop, values, std::move(how));
+    }
+  }
+
   std::vector<StopValue> stop_values(GroupId id, StateId state) const {
     const Group& group = model_.groups[id];
     const State& row = model_.states[state];
@@ -61,20 +93,21 @@ private:
     return out;
   }
 
-  /// How the task takes what each provider of the causing group needs; empty: the group continues, or is handed over.
-  Taking why_stopped(GroupId task, ProviderId causer) const {
+  /// How the task takes what each provider of the group needs, told of the causer or the first one; empty: the group
+  /// continues, or is handed over.
+  Taking why_stopped(GroupId task, GroupId group, ProviderId causer) const {
     const Takings takings(model_, shared_.indispensable(), shared_.claims(task), task);
-    const GroupId group = model_.providers[causer].group;
     if (takings.takes(group)) return {};
+    const bool causes = model_.providers[causer].group == group;
     Taking out;
     for (const ProviderId id : model_.groups[group].providers) {
       if (id != causer && !facts_.active.contains(id)) continue;
       const Use<GroupId>* need = takings.need_taken(id);
       if (need == nullptr) return {};
-      if (id != causer) continue;
+      if (causes ? id != causer : !out.notes.empty()) continue;
       out = takings.way_to(*need);
       out.notes.insert(out.notes.begin(),
-                       {need->span, fmt::format("{} needs {}", name_of(model_, causer), name_of(model_, need->id))});
+                       {need->span, fmt::format("{} needs {}", name_of(model_, id), name_of(model_, need->id))});
     }
     return out;
   }

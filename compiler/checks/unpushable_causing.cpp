@@ -24,16 +24,25 @@ struct Obstacle {
   Meeting meeting;
   GroupId waiter{};
   bool one_unit = false;
-  bool waits_with = false; ///< it is not granted while the task waits, except in one unit with it
+  bool waits_with = false;            ///< it is not granted while the task waits, except in one unit with it
+  const Use<GroupId>* need = nullptr; ///< by which their requester claims the group before both; null: there is none
 };
 
 struct Obstacles {
   std::vector<Obstacle> all;
-  bool meet = false; ///< somewhere; false: one is always below the other
+  bool meet = false;       ///< somewhere; false: one is always below the other
+  bool none_waits = false; ///< each has another way to run, so that rank does not matter
 };
 
+const Use<GroupId>* need_of(const Model& model, const Together& together, GroupId group) {
+  if (!together.provider) return nullptr;
+  const std::vector<Use<GroupId>>& needs = model.providers[*together.provider].needs;
+  const auto at = std::find_if(needs.begin(), needs.end(), [&](const Use<GroupId>& need) { return need.id == group; });
+  return at == needs.end() ? nullptr : &*at;
+}
+
 /// For the meetings of a waiting task and a group, the first at each pair of entries.
-void find_obstacles(const Chains& chains, GroupId waiter, GroupId other, Obstacles& to) {
+void find_obstacles(const Model& model, const Chains& chains, GroupId waiter, GroupId other, Obstacles& to) {
   std::vector<Obstacle> out;
   chains.visit(waiter, {other}, [&](const Meeting& meeting, GroupId) {
     to.meet = true;
@@ -41,9 +50,10 @@ void find_obstacles(const Chains& chains, GroupId waiter, GroupId other, Obstacl
       return obstacle.meeting.first == meeting.first && obstacle.meeting.second == meeting.second;
     });
     const bool in_unit = meeting.one_unit();
-    if (!known && (in_unit || !meeting.first_goes_before()))
-      out.push_back(
-          {meeting, waiter, in_unit && meeting.second->target == other, in_unit && meeting.first->target == waiter});
+    const Use<GroupId>* const need = need_of(model, *meeting.together, other);
+    if (!known && (need != nullptr || in_unit || !meeting.first_goes_before()))
+      out.push_back({meeting, waiter, in_unit && meeting.second->target == other,
+                     in_unit && meeting.first->target == waiter, need});
   });
   to.all.insert(to.all.end(), out.begin(), out.end());
 }
@@ -55,6 +65,12 @@ std::string rank(const Level& level, bool optional) {
 void explain(const Model& model, const Obstacle& obstacle, GroupId waiter, GroupId other, Diagnostic& finding) {
   const Meeting& meeting = obstacle.meeting;
   const std::string first = name_of(model, meeting.first->target), second = name_of(model, meeting.second->target);
+  if (obstacle.need != nullptr) {
+    finding.notes.push_back(
+        {obstacle.need->span, fmt::format("{} needs {}, and claims it before anything that it requests is tried",
+                                          name_of(model, *meeting.together->provider), name_of(model, other))});
+    return;
+  }
   if (obstacle.one_unit) {
     finding.notes.push_back(
         {meeting.second->span,
@@ -88,12 +104,13 @@ std::string propose_mandatory(const Model& model, const Obstacle& obstacle) {
 }
 
 std::string propose(const Model& model, const Obstacles& obstacles) {
-  // They have another way to run, and so never wait for this one.
-  if (obstacles.all.empty() && obstacles.meet)
+  if (obstacles.meet && (obstacles.none_waits || obstacles.all.empty()))
     return "let those that wait for it have no other way, or leave the promise out";
   if (obstacles.all.empty())
     return "request the two side by side: a task pushes nothing below itself, and nothing above";
   const Obstacle& obstacle = obstacles.all.front();
+  if (obstacle.need != nullptr)
+    return fmt::format("do not need {} here, only request it", name_of(model, obstacle.need->id));
   const std::string first = name_of(model, obstacle.meeting.first->target);
   const std::string second = name_of(model, obstacle.meeting.second->target);
   if (obstacle.one_unit && obstacle.meeting.first_goes_before())
@@ -122,6 +139,9 @@ void report(const Input& input, const Chains& chains, Waiting& waits, const Neve
                                name_of(model, promise.causer), name_of(model, promise.promise.id),
                                name_of(model, group), promise.at_first ? ": once lost, it never comes back" : ""));
   Obstacles obstacles;
+  obstacles.none_waits = std::none_of(promise.waiting.begin(), promise.waiting.end(), [&](const auto& each) {
+    return waits.may_wait(model.providers[each.provider].group);
+  });
   finding.rules_out = {promise.promise.span};
   for (const NeverKept::Waiting& waiting : promise.waiting) finding.rules_out.push_back(waiting.condition.span);
   for (const NeverKept::Waiting& waiting : find_waiting(model, waits, promise)) {
@@ -130,8 +150,8 @@ void report(const Input& input, const Chains& chains, Waiting& waits, const Neve
     if (!model.satisfies(promise.promise.id, waiting.condition.id)) continue;
     const GroupId waiter = model.providers[waiting.provider].group;
     const std::size_t before = obstacles.all.size();
-    find_obstacles(chains, waiter, group, obstacles);
-    for (std::size_t i = before; i < obstacles.all.size(); ++i)
+    find_obstacles(model, chains, waiter, group, obstacles);
+    for (std::size_t i = before; i < obstacles.all.size() && !obstacles.none_waits; ++i)
       explain(model, obstacles.all[i], waiter, group, finding);
   }
   finding.help = propose(model, obstacles);

@@ -140,7 +140,8 @@ void Machine::list(std::vector<Happens>& out) const {
     if (ground_.wake[g] != nil && engine_.active(g) != nil && engine_.granted(g)) out.push_back({Kind::wake, g});
   }
   for (Index i = 0; i < ground_.expiries.size(); ++i) {
-    if (engine_.value(ground_.expiries[i].state) != ground_.expiries[i].value) out.push_back({Kind::expire, i});
+    const std::int32_t value = engine_.value(ground_.expiries[i].state);
+    if (value != unset && value != ground_.expiries[i].value) out.push_back({Kind::expire, i});
   }
   for (Index i = 0; i < ground_.broken.size(); ++i) {
     const Broken& broken = ground_.broken[i];

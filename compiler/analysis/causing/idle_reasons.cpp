@@ -147,6 +147,11 @@ private:
         who.push_back(fmt::format("the {} of {}", source.kind == Source::Kind::start ? "start" : "stop",
                                   name_of(model_, *source.group)));
         for (const ProviderId id : model_.groups[*source.group].providers) next.push_back(id);
+      } else if (source.kind == Source::Kind::expires) {
+        who.push_back("its expiry after another value");
+        for (const Source& other : sources_[condition.state]) {
+          if (other.provider) next.push_back(*other.provider);
+        }
       }
     }
     if (next.empty()) has_end_ = true;

@@ -137,6 +137,8 @@ void Chains::visit(GroupId waiter, const std::vector<GroupId>& others,
 }
 
 bool Chains::beats(const Entry& waiting, const Entry& entry, GroupId other) const {
+  const std::optional<ProviderId> requester = waiting.together->provider;
+  if (requester && model_.providers[*requester].needs_group(other)) return false; // it is claimed with the requester
   for (const Task::NamedLevel& a : waiting.task->levels) {
     for (const Task::NamedLevel& b : entry.task->levels) {
       Meeting meeting{waiting.together, waiting.task, entry.task, model_.edges[waiting.task->edge].levels[a.level],

@@ -60,7 +60,7 @@ public:
     }
     for (const StateId state : model_.states.ids()) {
       for (const Source& source : sources_[state]) {
-        if (source.provider || source.group) continue;
+        if (source.provider || source.group || source.kind == Source::Kind::expires) continue;
         grow(state, source.values, source.kind != Source::Kind::initial || model_.states[state].of.has_value());
       }
     }
@@ -219,8 +219,14 @@ private:
     if (waits_for_a_look_.add(group)) again_.push_back(group);
   }
 
-  /// `again`: not only at the start.
+  /// `again`: not only at the start. A state that has a value may expire.
   void grow(StateId state, const ValueSet& values, bool again) {
+    grow_by(state, values, again);
+    const State& row = model_.states[state];
+    if (row.expires && row.expires->to) grow_by(state, ValueSet::single(*row.expires->to), true);
+  }
+
+  void grow_by(StateId state, const ValueSet& values, bool again) {
     if (again && !values.subset_of(facts_.given[state])) {
       facts_.given[state] = facts_.given[state].united(values);
       ++news_;

@@ -110,9 +110,23 @@ private:
           if (!live) continue;
           by.push_back(*live);
         }
+        if (source.kind == Source::Kind::expires) {
+          const std::optional<Fact> set = first_source(state, i);
+          if (!set) continue;
+          by.push_back(*set);
+        }
         know({Fact::Kind::source, state.value, i}, std::move(by), source.span, words(source));
       }
     }
+  }
+
+  /// The first known source of a value, other than this one.
+  std::optional<Fact> first_source(StateId state, std::uint32_t other) const {
+    for (std::uint32_t i = 0; i < sources_[state].size(); ++i) {
+      const Fact fact{Fact::Kind::source, state.value, i};
+      if (i != other && knows(fact)) return fact;
+    }
+    return std::nullopt;
   }
 
   /// The first known source that gives the state one of the values.

@@ -47,6 +47,7 @@ IdTable<StateId, std::vector<Source>> find_sources(const Model& model) {
     if (group.stop) collector.add(Kind::stop, group.stop->sets, std::nullopt, id);
   }
   for (std::vector<Source>& row : collector.sources) {
+    if (row.size() == 1 && row.front().kind == Kind::expires) row.clear(); // a state that is never set does not expire
     std::stable_sort(row.begin(), row.end(), [](const Source& a, const Source& b) { return a.kind < b.kind; });
   }
   return std::move(collector.sources);

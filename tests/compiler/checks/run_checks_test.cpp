@@ -51,6 +51,30 @@ TEST_CASE("an allowance covers what is inside its thing, and nothing beside it")
   CHECK(check_text(kick_and_walk + "allow: [equal_priority]\nbecause: first come first served\n").findings().empty());
 }
 
+TEST_CASE("an allowance is not called unused beside a warning that may be the reason why nothing else was found") {
+  const auto deliver = [](const std::string& needs) {
+    return check_text(
+               "states: {Badge: {values: [none, nurse], initial: none, external: true}, "
+               "Speed: {values: [zero, slow], initial: zero}}\n"
+               "roots: [Deliver]\n"
+               "groups:\n"
+               "  Deliver: {" +
+               needs +
+               "packs: {hand: {HandOut: {priority: 10, apart: true}, Move: {priority: 5}}}}\n"
+               "  Move:\n"
+               "    providers:\n"
+               "      - {name: rolling, needs: [Wheels], sets: [Speed == slow], tasks: [Wheels]}\n"
+               "      - {name: parking, needs: [Wheels], causing: [Speed == zero], tasks: [Wheels]}\n"
+               "  HandOut: {when: [Badge == nurse, Speed == zero], allow: [uncovered_state], because: a nurse comes}\n"
+               "  Wheels: {}\n")
+        .findings();
+  };
+  CHECK(deliver("").empty());
+  const std::string found = deliver("needs: [Wheels], ");
+  CHECK(found.find("[push_in_vain]") != std::string::npos);
+  CHECK(found.find("[unused_allow]") == std::string::npos);
+}
+
 TEST_CASE("an allowance of a lint is in use although the lint is not requested") {
   CHECK(check_text(
             "roots: [Walk]\ngroups:\n  Walk: {}\n  Kick: {allow: [unused_declaration], because: for the workshop}\n")
