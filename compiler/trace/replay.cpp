@@ -3,7 +3,8 @@
 //
 // Steps the engine one micro-step at a time. Each event has the micro-step in which it happened, so an input is posted
 // when the next micro-step is the one that took it, and `until` is the time that the step was given then. Nothing else
-// affects a micro-step: how many of them a step had made no difference.
+// affects a micro-step: how many of them a step had made no difference. A micro-step without an event that follows the
+// last event of a step has the time of that step.
 #include "compiler/trace/replay.hpp"
 
 #include "compiler/trace/event_words.hpp"
@@ -14,6 +15,7 @@
 
 #include <deque>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace director::compiler {
@@ -52,7 +54,7 @@ public:
       const std::size_t events = out_.events;
       post();
       if (over_) break;
-      engine_.step(next->event.until);
+      step(*next);
       if (over_) break;
       if (watch_ != nullptr) watch_->stepped(view_of(engine_));
       silent = out_.events == events ? silent + 1 : 0;
@@ -64,12 +66,20 @@ public:
 private:
   struct Recorded {
     std::size_t line = 0;
-    std::string_view text;
+    std::string text;
     Json json;
     Event event;
     std::uint64_t dropped = 0;
     std::string problem; ///< why this behaviour has no such event
+    bool early = false;  ///< the step before it ended before it was at rest: the budget was exhausted, or a body failed
   };
+
+  /// Makes one micro-step, in the step of this event or, if what is left of the step before has no event, in that.
+  void step(const Recorded& next) {
+    const std::uint64_t before = engine_.micro_steps();
+    if (before != 0 && !next.early && next.event.micro_step > before + 1) engine_.step();
+    if (!over_ && engine_.micro_steps() == before) engine_.step(next.event.until);
+  }
 
   // The trace.
 
@@ -79,15 +89,19 @@ private:
     while (waiting_.size() <= places) {
       std::optional<TraceLine> line = lines_.next();
       if (!line) return nullptr;
-      Recorded recorded{line->number, line->text, std::move(line->json), {}, line->dropped, {}};
+      Recorded recorded{line->number, std::move(line->text), std::move(line->json), {}, line->dropped,
+                        {},           ended_early_};
       if (line->dropped == 0) {
         Lookup::Found found = lookup_.event(recorded.json);
         recorded.event = found.event;
         recorded.problem = std::move(found.problem);
+        if (recorded.problem.empty() && recorded.event.kind == Kind::exhausted) ended_early_ = true;
         if (recorded.problem.empty() && (recorded.event.kind == Kind::lost || recorded.event.kind == Kind::exhausted)) {
           continue;
         }
       }
+      const std::uint64_t last = std::exchange(last_micro_step_, recorded.event.micro_step);
+      ended_early_ = recorded.event.kind == Kind::fault || (ended_early_ && recorded.event.micro_step == last);
       waiting_.push_back(std::move(recorded));
     }
     return &waiting_[places];
@@ -302,6 +316,8 @@ private:
   std::deque<Recorded> waiting_;
   Replayed out_;
   bool over_ = false;
+  bool ended_early_ = false;          ///< as Recorded::early, of the event that is read next
+  std::uint64_t last_micro_step_ = 0; ///< of the event that was read last
   std::string line_;
   std::vector<Inbox::Cell> cells_;
   Inbox inbox_;

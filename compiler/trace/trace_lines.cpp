@@ -4,6 +4,24 @@
 
 namespace director::compiler {
 
+namespace {
+
+/// The JSON without blanks outside of its texts.
+std::string compact(std::string_view json) {
+  std::string out;
+  out.reserve(json.size());
+  bool in_text = false, escaped = false;
+  for (const char c : json) {
+    if (!in_text && (c == ' ' || c == '\t')) continue;
+    if (c == '"' && !escaped) in_text = !in_text;
+    escaped = c == '\\' && !escaped;
+    out += c;
+  }
+  return out;
+}
+
+} // namespace
+
 std::optional<TraceLine> TraceLines::next() {
   if (rest_.empty() || !problem_.empty()) return {};
   ++number_;
@@ -11,8 +29,9 @@ std::optional<TraceLine> TraceLines::next() {
   const std::size_t end = rest_.find('\n');
   const bool whole = end != std::string_view::npos;
   out.number = number_;
-  out.text = rest_.substr(0, end);
-  if (out.text.ends_with('\r')) out.text.remove_suffix(1); // an editor may have saved it so
+  std::string_view line = rest_.substr(0, end);
+  if (line.ends_with('\r')) line.remove_suffix(1); // an editor may have saved it so
+  out.text = compact(line);
   rest_ = whole ? rest_.substr(end + 1) : std::string_view{};
   std::optional<Json> json = parse_json(out.text);
   if (!json || !json->is_object()) {

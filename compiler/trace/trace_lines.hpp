@@ -15,7 +15,7 @@ namespace director::compiler {
 /// One line behind the header.
 struct TraceLine {
   std::size_t number = 0; ///< counts from 1, the header is the first
-  std::string_view text;
+  std::string text;       ///< without blanks between its members, which other programs add and which are no damage
   Json json;
   std::uint64_t dropped = 0; ///< not 0: so many events are missing here, and the line is no event
 };

@@ -243,7 +243,7 @@ TEST_CASE("a line that names an event, and that no recorder would have written, 
                               "the lines before are good: "
                               "`head -n 1 bad.jsonl` prints them\n";
   const std::string rest = right.substr(right.find(",\"n\""));
-  for (const char* time : {"\"t\":\"abc\"", "\"t\":{}", "\"time\":0", "\"t\":null"}) {
+  for (const char* time : {"\"t\":\"abc\"", "\"t\":{}", "\"time\":0", "\"t\":null", "\"t\":0.5", "\"t\":7,\"t\":0"}) {
     CAPTURE(time);
     const std::string said = trace("{" + std::string(time) + rest);
     CHECK(said == (std::string(time).starts_with("\"time")
@@ -263,6 +263,49 @@ TEST_CASE("the same behaviour decides the same") {
   CHECK(world.directorc({"replay", "run.jsonl", "--format=json"}) == 0);
   CHECK(world.out ==
         "{\"trace\":\"run.jsonl\",\"behaviour\":\"rover.yaml\",\"other_version\":false,\"events\":37,\"dropped\":0}\n");
+}
+
+TEST_CASE("a trace with blanks, as other programs write JSON, is replayed too") {
+  World world = with_trace();
+  std::string wide;
+  for (const char c : trace_in(world)) {
+    wide += c;
+    if (c == ':' && wide.ends_with("\":")) wide += ' ';
+  }
+  world.files.add("wide.jsonl", wide);
+  CHECK(world.directorc({"replay", "wide.jsonl"}) == 0);
+  CHECK(world.out == "wide.jsonl: 37 events, all the same\n");
+}
+
+TEST_CASE("a value that a handler sets again and that does not change restarts its expiry in a replay too") {
+  World world;
+  world.files.add("lamp.yaml", R"(behaviour: lamp
+language: 1
+states:
+  Heat: {range: [0, 9], initial: 7, expires: {after: 300 ms, to: 0}}
+roots: [Lamp, Other]
+groups:
+  Lamp: {stop: {sets: [Heat == 7]}, sets: [Heat]}
+  Other: {}
+)");
+  world.files.add("s.yaml", R"(scenario: the lamp goes out while it is hot
+behaviour: lamp.yaml
+script:
+  Lamp.stop: {set: {Heat: 7}}
+steps:
+  - request: Lamp
+  - advance: 100 ms
+  - cancel: Lamp
+  - advance: 50 ms
+  - request: Other
+  - advance: 1 s
+)");
+  REQUIRE(world.directorc({"simulate", "s.yaml", "--trace", "run.jsonl"}) == 0);
+  world.files.add("run.jsonl", trace_in(world));
+  REQUIRE(trace_in(world).find(R"({"t":400000,"n":8,"event":"input","input":"expire","state":"Heat"})") !=
+          std::string::npos);
+  CHECK(world.directorc({"replay", "run.jsonl"}) == 0);
+  CHECK(world.err.empty());
 }
 
 TEST_CASE("a damaged line ends a replay, and is never a decision") {
