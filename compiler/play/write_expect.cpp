@@ -43,6 +43,16 @@ std::string quoted(const std::vector<std::string>& lines) {
   return out + "\"";
 }
 
+/// The next character that is neither blank nor in a comment; '\0' at the end.
+char next_mark(std::string_view text, std::size_t at) {
+  for (;;) {
+    at = text.find_first_not_of(" \t\r\n", at);
+    if (at == std::string_view::npos) return '\0';
+    if (text[at] != '#') return text[at];
+    at = end_of_line(text, at);
+  }
+}
+
 bool is_blank(std::string_view line) { return line.find_first_not_of(" \t") == std::string_view::npos; }
 
 /// The value of `expect:`, if it is a block.
@@ -92,12 +102,15 @@ public:
       const bool last = text_.substr(place.end, rest - place.end).find_first_not_of(" \t") == std::string_view::npos;
       return {place.begin, place.end, flow || !last ? quoted(lines) : block(lines, indent)};
     }
-    if (!flow && text_[text_.find_last_not_of(" \t\r\n", begin - 1)] != '-') // `steps: [request: Walk]`
+    const char next = next_mark(text_, end);
+    if (!flow && (next == ',' || next == ']')) // `steps: [request: Walk]`
       return {begin, end, fmt::format("{{{}, expect: {}}}", text_.substr(begin, end - begin), quoted(lines))};
     if (!flow) {
       const std::size_t at = end_of_line(text_, end);
       return {at, at, fmt::format("{}{}expect: {}", newline_, std::string(indent, ' '), block(lines, indent))};
     }
+    if (text_.substr(begin, end - begin).find('#') != std::string_view::npos) // there may be a comment at its end
+      return {begin + 1, begin + 1, fmt::format("expect: {}, ", quoted(lines))};
     std::size_t last = end - 2; // what is before the bracket
     while (text_[last] == ' ' || text_[last] == '\n' || text_[last] == '\r') --last;
     return {last + 1, last + 1, fmt::format("{} expect: {}", text_[last] == ',' ? "" : ",", quoted(lines))};
@@ -132,7 +145,10 @@ private:
     if (!old.events.empty()) keep();
     const std::size_t remark = std::min(old.head.find_first_of(" \t"), old.head.size());
     if (std::all_of(out.begin(), out.end(), is_blank)) return "\"\"" + std::string(old.head.substr(remark));
-    return std::string(old.head) + newline_ + fmt::format("{}", fmt::join(out, newline_));
+    std::string head(old.head.substr(0, remark));
+    if (old.indent.empty()) std::erase_if(head, [](char c) { return c >= '1' && c <= '9'; }); // `|4`
+    head += old.head.substr(remark);
+    return head + newline_ + fmt::format("{}", fmt::join(out, newline_));
   }
 
   std::string block(const std::vector<std::string>& lines, std::size_t indent) const {

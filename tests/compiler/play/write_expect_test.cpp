@@ -52,6 +52,21 @@ TEST_CASE("what happens is written between brackets as a text in quotes") {
   check("steps: [request: Lamp]\n", "steps: [{request: Lamp, expect: \"run Lamp new_task\"}]\n");
 }
 
+TEST_CASE("what happens is not written into a comment, nor beside one that stands behind a dash") {
+  check("steps:\n  - {request: Lamp # on\n    }\n",
+        "steps:\n  - {expect: \"run Lamp new_task\", request: Lamp # on\n    }\n");
+  check("steps:\n  - # first\n    request: Lamp\n    doc: light\n",
+        "steps:\n  - # first\n    request: Lamp\n    doc: light\n    expect: |\n      run Lamp new_task\n");
+  check("steps: [ # all\n  request: Lamp # on\n  ,\n  request: Bell\n  ]\n",
+        "steps: [ # all\n  {request: Lamp, expect: \"run Lamp new_task\"} # on\n  ,\n"
+        "  {request: Bell, expect: \"run Bell new_task\"}\n  ]\n");
+}
+
+TEST_CASE("a stated indentation of an expect without lines is not kept") {
+  check("steps:\n  - request: Lamp\n    expect: |4-\n",
+        "steps:\n  - request: Lamp\n    expect: |-\n      run Lamp new_task\n");
+}
+
 TEST_CASE("only what is not as expected changes, and a step without expect remains so") {
   const std::string before = "steps:\n"
                              "  - request: Lamp\n"
