@@ -325,6 +325,7 @@ public:
         module.stop(context);
       }
     } else {
+      const Heard heard{*rig_}; // also if the body throws
       const std::uint8_t reasons = reasons_ == 0 ? static_cast<std::uint8_t>(Reason::new_task) : reasons_;
       reasons_ = 0;
       Run run = Access::run(rig_->engine, group, Whole::Providers::template row<Context>, Reasons{reasons});
@@ -332,8 +333,6 @@ public:
       answer.outcome_ = module.provide(context).kind();
       answer.wait_ = Access::wait(run);
       answer.pack_ = Access::pack(run);
-      const Range listens = rig_->engine.tables().groups[group].listens;
-      for (Index slot = listens.begin; slot != listens.end; ++slot) rig_->state().fired[slot] = 0;
       if (answer.outcome_ == Outcome::Kind::pack) commit();
     }
     return answer;
@@ -342,6 +341,18 @@ public:
 private:
   static constexpr Index group = Whole::Groups::template row<Task>;
   static constexpr Reason why = detail::is_start<Context>() ? Reason::started : Reason::stopped;
+
+  /// Forgets the triggers at its end: they fired for one run.
+  struct Heard {
+    explicit Heard(detail::Rig<Whole>& of) : rig(of) {}
+    Heard(const Heard&) = delete;
+    Heard& operator=(const Heard&) = delete;
+    ~Heard() {
+      const Range listens = rig.engine.tables().groups[group].listens;
+      for (Index slot = listens.begin; slot != listens.end; ++slot) rig.state().fired[slot] = 0;
+    }
+    detail::Rig<Whole>& rig;
+  };
 
   /// Makes the staged requests the current ones, and no others.
   void commit() {

@@ -62,11 +62,12 @@ private:
   std::uint64_t taken_ = 0; ///< from the queue, so far
 
   // Messages of standing groups.
-  Text standing_;                  ///< of the newest moment; null: not needed yet
-  std::uint64_t standing_of_ = 0;  ///< the micro-step of its moment
-  Text shown_;                     ///< the last one for viewers
-  std::uint64_t shown_before_ = 0; ///< the event behind it
-  std::uint64_t shown_count_ = 0;  ///< the number of such messages so far
+  Text standing_;                    ///< of the newest moment; null: not needed yet
+  std::uint64_t standing_of_ = 0;    ///< the micro-step of its moment
+  std::uint64_t standing_after_ = 0; ///< the events before that moment
+  Text shown_;                       ///< the last one for viewers
+  std::uint64_t shown_before_ = 0;   ///< the event behind it
+  std::uint64_t shown_count_ = 0;    ///< the number of such messages so far
   bool may_mislead_ = false; ///< since then there was an event after which a reader may wrongly take a group to run
 };
 

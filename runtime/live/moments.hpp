@@ -28,11 +28,14 @@ public:
   Moments(const Moments&) = delete;
   Moments& operator=(const Moments&) = delete;
 
-  /// For the thread that steps. Copies only if a micro-step was taken since the last call.
+  /// For the thread that steps. Copies only if something happened since the last call. After a load, the number of the
+  /// micro-step may be the same again: then there were other events, or time went back.
   void show(const View& view, std::uint64_t events) {
+    const bool went_back = view.now < now_.load(std::memory_order_relaxed);
     now_.store(view.now, std::memory_order_relaxed);
-    if (view.micro_step == shown_) return;
+    if (view.micro_step == shown_ && events == events_ && !went_back) return;
     shown_ = view.micro_step;
+    events_ = events;
     Buffer& buffer = buffers_[written_];
     buffer.moment = {view.copy(reinterpret_cast<std::byte*>(buffer.bytes.data())), events};
     buffer.moment.view.tables = &tables_; // those of the engine end with the behaviour, before the view
@@ -59,7 +62,8 @@ private:
   const Tables& tables_;
   std::array<Buffer, 3> buffers_;
   std::uint64_t shown_ =
-      ~std::uint64_t{0}; ///< the micro-step of the last moment; this and the next are used by the thread that steps
+      ~std::uint64_t{0}; ///< the micro-step of the last moment; this and the next two are used by the thread that steps
+  std::uint64_t events_ = 0; ///< the events before it
   std::uint8_t written_ = 0;
   std::uint8_t read_ = 1; ///< used by the thread that shows
   std::atomic<std::uint8_t> between_{2};

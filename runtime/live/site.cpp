@@ -199,7 +199,9 @@ Reply Site::request_task(const Request& request) const {
     return names_.level == nullptr ? "" : names_.level(names_.self, static_cast<Index>(levels.begin + row));
   };
   while (wanted && level != levels.end && *wanted != name(static_cast<Index>(level - levels.begin))) ++level;
-  if (level == levels.end) return text_reply(404, "\"" + wanted.value_or("") + "\" is no level of this root task.");
+  if (level == levels.end)
+    return text_reply(404, "\"" + wanted.value_or("") +
+                               "\" is no level of this root task; the first one is requested without `level`.");
   if (!commands_.request(*edge, level))
     return text_reply(409, "not posted: the task carries data, which only the program can give");
   return text_reply(202, "posted: request " + *parameter(request, "task") + (wanted ? " at " + *wanted : ""));
@@ -224,17 +226,20 @@ Reply Site::set_state(const Request& request) const {
     return text_reply(409,
                       "\"" + *state + "\" is set by the behaviour itself: only external states are set from outside.");
   std::int32_t number = 0;
+  bool in_range = true;
   const bool named = *names_.value(names_.self, row, 0) != '\0';
   if (named) {
     while (*names_.value(names_.self, row, number) != '\0' && *value != names_.value(names_.self, row, number))
       ++number;
     if (*names_.value(names_.self, row, number) == '\0')
       return text_reply(404, "\"" + *value + "\" is no value of " + *state + ".");
-  } else if (const auto [end, error] = std::from_chars(value->data(), value->data() + value->size(), number);
-             error != std::errc{} || end != value->data() + value->size()) {
-    return text_reply(400, "\"" + *value + "\" is not a whole number.");
+  } else {
+    const auto [end, error] = std::from_chars(value->data(), value->data() + value->size(), number);
+    in_range = error != std::errc::result_out_of_range;
+    if ((in_range && error != std::errc{}) || end != value->data() + value->size())
+      return text_reply(400, "\"" + *value + "\" is not a whole number.");
   }
-  if (!commands_.set(row, number))
+  if (!in_range || !commands_.set(row, number))
     return text_reply(409, "not posted: " + *value + " is not within the range of " + *state);
   return text_reply(202, "posted: set " + *state + " " + *value);
 }

@@ -53,7 +53,7 @@ private:
 };
 
 /// What other threads can read of a behaviour: a copy of its state at the last `behaviour.show(snapshot)`. Any number
-/// of threads may read it at any time; no thread waits. It holds two copies.
+/// of threads may read it at any time, with up to 255 looks at once; no thread waits. It holds two copies.
 template <class Facts>
 class Snapshot {
 public:
@@ -69,7 +69,7 @@ public:
     ~Look() {
       if (buffer_ != nil) of_.buffers_.leave(buffer_);
     }
-    explicit operator bool() const { return buffer_ != nil; } ///< false: nothing was shown yet
+    explicit operator bool() const { return buffer_ != nil; } ///< false: nothing was shown yet, or 255 others look
     /// The state at that moment; only if the look is true.
     BehaviourView<Facts> operator*() const { return BehaviourView<Facts>(of_.views_[buffer_]); }
 

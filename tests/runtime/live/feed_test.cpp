@@ -29,6 +29,22 @@ struct Viewer {
 
 } // namespace
 
+TEST_CASE("a state that was loaded is shown, though its micro-step has the number of the last one that was shown") {
+  CourierMoments source{16};
+  View view = source.behaviour.seen().view();
+  view.now = 2'000'000;
+  source.moments.show(view, 5);
+  CHECK(source.moments.look().events == 5);
+  view.now = 3'000'000;
+  source.moments.show(view, 5); // nothing happened
+  CHECK(source.moments.look().view.now == 2'000'000);
+  source.moments.show(view, 6); // another future
+  CHECK(source.moments.look().events == 6);
+  view.now = 1'000'000; // loaded, and nothing has happened since
+  source.moments.show(view, 6);
+  CHECK(source.moments.look().view.now == 1'000'000);
+}
+
 TEST_CASE("a viewer from the beginning gets every event, in order") {
   CourierMoments source{1024};
   Feed feed(source.queue, source.moments, source.names, 1 << 20);

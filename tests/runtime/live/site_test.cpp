@@ -168,17 +168,19 @@ TEST_CASE("a command that cannot be carried out is answered with the reason") {
   CHECK(post("cancel", {{"task", "Sing"}}) == "404 \"Sing\" is not a root task; there are: Deliver, Rest.\n");
   CHECK(post("request", {{"task", "Deliver"}}) ==
         "409 not posted: the task carries data, which only the program can give\n");
-  CHECK(post("request", {{"task", "Deliver"}, {"level", "soon"}}) == "404 \"soon\" is no level of this root task.\n");
+  CHECK(post("request", {{"task", "Deliver"}, {"level", "soon"}}) ==
+        "404 \"soon\" is no level of this root task; the first one is requested without `level`.\n");
   CHECK(post("set", {{"state", "Mood"}}) == "400 A state and a value are needed: set?state=NAME&value=VALUE.\n");
   CHECK(post("set", {{"state", "Moot"}, {"value", "calm"}}) == "404 There is no state \"Moot\".\n");
   CHECK(post("set", {{"state", "Door"}, {"value", "open"}}) ==
         "409 \"Door\" is set by the behaviour itself: only external states are set from outside.\n");
   CHECK(post("set", {{"state", "Mood"}, {"value", "angry"}}) == "404 \"angry\" is no value of Mood.\n");
-  for (const char* number : {"", "x", "1.5", "7 ", "99999999999"})
+  for (const char* number : {"", "x", "1.5", "7 ", "9x"})
     CHECK(post("set", {{"state", "Battery"}, {"value", number}}) ==
           "400 \"" + std::string(number) + "\" is not a whole number.\n");
-  CHECK(post("set", {{"state", "Battery"}, {"value", "101"}}) ==
-        "409 not posted: 101 is not within the range of Battery\n");
+  for (const char* number : {"101", "3000000000", "-99999999999"})
+    CHECK(post("set", {{"state", "Battery"}, {"value", number}}) ==
+          "409 not posted: " + std::string(number) + " is not within the range of Battery\n");
   CHECK(post("jump", {}) == "404 There is no such command: there are request, cancel, cancel_all and set.\n");
   CHECK(shown.call("POST", "/token/cancel_all", {}, "http://evil.example") ==
         "403 A command is not taken from the page of another server, http://evil.example.\n");

@@ -122,6 +122,20 @@ TEST_CASE("a handler alone") {
   CHECK(!Trial<Walk::Start>{post::Steps{7}}.run(skills).sets<courier::Door>());
 }
 
+TEST_CASE("a body alone that throws: the next run does not hear the trigger again") {
+  Plans plans;
+  std::vector<bool> rung;
+  plans.deliver = [&](Deliver::Default& run) -> Outcome {
+    rung.push_back(run.triggered<courier::Bell>());
+    if (rung.size() == 1) throw std::runtime_error("too loud");
+    return run.keep();
+  };
+  Trial<Deliver::Default> deliver{parcel(1)};
+  CHECK_THROWS_WITH(deliver.triggered<courier::Bell>().run(plans), "too loud");
+  deliver.run(plans);
+  CHECK(rung == std::vector<bool>{true, false});
+}
+
 TEST_CASE("what a body throws passes through a trial, and a level that is not declared is a fault") {
   Plans plans;
   Trial<Rest::Default> rest;
