@@ -20,7 +20,7 @@ Make check_options(CLI::App& app) {
   add_format(app, request->format, {"text", "json", "sarif"});
   add_selection(app, *words);
   app.add_option("--explain-reachable", request->reachable,
-                 "also tell how a group, Walk.halting or 'Pose == standing' may be reached")
+                 "also print how a group, a provider (Walk.halting) or a value ('Pose == standing') may be reached")
       ->type_name("X");
   add_build(app, request->build);
   CLI::Option* verbose =
@@ -60,7 +60,7 @@ Make verify_options(CLI::App& app) {
                  "only files that are compiled with the generated header of this folder")
       ->type_name("FOLDER");
   app.add_option("--exclude", request->excluded,
-                 "leave out sources below this folder, or compiled into it; or one file. May be given several times")
+                 "leave out a source, all sources below a folder, or all compiled into it; may be given several times")
       ->type_name("PATH");
   add_format(app, request->format, {"text", "json", "sarif"});
   add_selection(app, *words);
@@ -73,7 +73,7 @@ Make verify_options(CLI::App& app) {
 
 Make explain_options(CLI::App& app) {
   auto request = std::make_shared<Explain>();
-  app.add_option("ID", request->id, "what stands in brackets behind a finding, or a key of the language: needs")
+  app.add_option("ID", request->id, "the id in brackets behind a finding, or a key of the language, such as needs")
       ->required();
   return [=]() -> Request { return *request; };
 }

@@ -16,8 +16,7 @@ Make generate_options(CLI::App& app) {
       ->required();
   CLI::Option* depfile = app.add_option("--depfile", request->depfile, "also write what was read, for Make and Ninja");
   depfile->type_name("FILE");
-  app.add_option("--depfile-target", request->target,
-                 "what depends on it there; without it, everything that is generated")
+  app.add_option("--depfile-target", request->target, "the target of its rule; without it, all generated files")
       ->type_name("FILE")
       ->needs(depfile);
   add_build(app, request->build);
@@ -38,14 +37,15 @@ Make stubs_options(CLI::App& app) {
   auto request = std::make_shared<Stubs>();
   app.add_option("FILE", request->file, "the behaviour; it must have `roots`")->required();
   app.add_option("-o,--output", request->folder,
-                 "folder of the program's C++; what its files say stays as it is, more is only put between")
+                 "folder of your C++; text that is there stays as it is, and what is missing is inserted")
       ->type_name("FOLDER")
       ->required();
   app.add_option("-p,--build", request->build,
                  "folder with compile_commands.json, which says how the program is compiled; without it, the first "
                  "one above FOLDER, or in a folder `build` there")
       ->type_name("FOLDER");
-  app.add_option("-I,--include", request->includes, "a folder to include from, where there is no such file")
+  app.add_option("-I,--include", request->includes,
+                 "an include folder, if there is no compile_commands.json; may be given several times")
       ->type_name("FOLDER")
       ->expected(1)
       ->take_all()

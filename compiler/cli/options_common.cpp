@@ -77,13 +77,12 @@ std::optional<Message> unknown_id(const SelectionWords& words) {
 
 void add_build(CLI::App& app, std::string& build) {
   app.add_option("-p,--build", build,
-                 "compare the types of C++ too, as compile_commands.json of this build's folder has them compiled")
+                 "also check the types of the C++, with the flags in compile_commands.json of this build folder")
       ->type_name("FOLDER");
 }
 
 CLI::Option* add_bound(CLI::App& app, std::size_t& bound) {
-  return app
-      .add_option("--bound", bound, "end after so many different states, a few hundred bytes each; without it 1000000")
+  return app.add_option("--bound", bound, "end after N different states, a few hundred bytes each; without it 1000000")
       ->type_name("N")
       ->check(CLI::Range(std::size_t{1}, std::size_t{4'000'000'000}));
 }

@@ -13,7 +13,7 @@ namespace {
 CLI::Option* add_transitions(CLI::App& app, std::vector<std::string>& groups) {
   return app
       .add_option("--transitions", groups,
-                  "the transition matrix of these groups only, GROUP,GROUP; of all there is none beyond 100")
+                  "only these groups in the transition matrix, GROUP,GROUP; without it all, if there are at most 100")
       ->type_name("GROUP")
       ->delimiter(',')
       ->expected(1)
@@ -48,9 +48,10 @@ Make graph_options(CLI::App& app) {
   auto request = std::make_shared<DrawGraph>();
   app.add_option("FILE", request->file, "the behaviour")->required();
   CLI::Option* format = add_format(app, request->format, {"dot", "svg", "json", "mermaid"});
-  format->description("one of dot, svg, json, mermaid; without it, as the file of -o ends, or else dot");
-  app.add_option("-o,--output", request->output,
-                 "file to write, unless another program has written it; without it, or with -, to the terminal")
+  format->description("one of dot, svg, json, mermaid; without it, the one that the ending of -o names, or dot");
+  app.add_option(
+         "-o,--output", request->output,
+         "the file to write (not one that another program has written); without it, or with -, the standard output")
       ->type_name("FILE");
   app.add_option("--view", request->view, "only these arrows: tasks, needs, pushes or takes (what may take from what)")
       ->type_name("NAME")
@@ -59,13 +60,14 @@ Make graph_options(CLI::App& app) {
       ->type_name("NAME")
       ->check(CLI::IsMember({"module", "layer"}));
   CLI::Option* focus = app.add_option("--focus", request->focus,
-                                      "only what can reach, hold, push or block one of these groups, GROUP,GROUP")
+                                      "only these groups, GROUP,GROUP, and those that lead to them, that they may hold "
+                                      "or push, that may push them, or that need the same groups")
                            ->type_name("GROUP")
                            ->delimiter(',')
                            ->expected(1)
                            ->take_all()
                            ->allow_extra_args(false);
-  app.add_option("--depth", request->depth, "no further than so many arrows from the focus")
+  app.add_option("--depth", request->depth, "only what is at most N arrows away from these groups")
       ->type_name("N")
       ->check(CLI::Range(0, 1'000))
       ->needs(focus);

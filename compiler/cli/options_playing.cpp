@@ -37,10 +37,11 @@ Make trace_options(CLI::App& app) {
       app.add_option(
              "--to", request->to,
              "text, as `simulate --decisions --times` prints it; json, line by line; perfetto, for ui.perfetto.dev; "
-             "html, the page of `directorc docs` with a timeline; without it, as the file of -o ends, or else text")
+             "html, the page of `directorc docs` with a timeline; without it, what the ending of -o names, or text")
           ->type_name("FORMAT")
           ->check(CLI::IsMember({"text", "json", "perfetto", "html"}));
-  app.add_option("-o,--output", request->output, "the file; without it, or with -, to the terminal")->type_name("FILE");
+  app.add_option("-o,--output", request->output, "the file to write; without it, or with -, the standard output")
+      ->type_name("FILE");
   app.add_option("--behaviour", request->behaviour,
                  "for html: the file of the behaviour that was recorded; without it, the one that the trace names")
       ->type_name("FILE");
@@ -101,9 +102,9 @@ Make test_options(CLI::App& app) {
       ->type_name("PERCENT")
       ->check(CLI::Range(0, 100))
       ->needs(coverage);
-  CLI::Option* update = app.add_flag(
-      "--update", request->update,
-      "write what happens into the files: where it is not as expected, and in scenarios that expect nothing");
+  CLI::Option* update = app.add_flag("--update", request->update,
+                                     "write what happens into the scenarios: into each `expect` that differs, and into "
+                                     "each step of a scenario without any");
   add_watch(app, request->watch)->excludes(update);
   return [=]() -> Request {
     if (const std::optional<Message> wrong = wrong_watch(request->watch, request->format)) return *wrong;

@@ -85,12 +85,13 @@ std::optional<Message> empty_value(const CLI::App& subcommand) {
   return {};
 }
 
+constexpr std::string_view exit_status =
+    "Exit status: 0 clean; 1 errors were found, a scenario does not hold, an assertion is refuted, or too little is\n"
+    "covered; 2 wrong usage, or a file named on the command line cannot be read or written; 3 not decided.";
+
 /// The text below the list of subcommands.
 std::string last_words(const std::string& schemas) {
-  std::string out =
-      "Exit status: 0 clean; 1 errors were found, a scenario does not hold, an assertion is refuted, or too little is\n"
-      "covered; 2 wrong usage, or a file named on the command line cannot be read or written; 3 not decided.\n"
-      "`directorc SUBCOMMAND --help` tells more.";
+  std::string out = fmt::format("{}\n`directorc SUBCOMMAND --help` tells more.", exit_status);
   if (!schemas.empty())
     out += fmt::format("\n\nAn editor with the YAML language server knows the keys where the first line is\n"
                        "# yaml-language-server: $schema={0}/behaviour.schema.json\n"
@@ -109,13 +110,14 @@ Request parse(const std::vector<std::string>& arguments, const std::string& sche
   app.set_help_flag("--help,-h", "Print this help");
   app.require_subcommand(1);
   app.formatter(std::make_shared<Help>());
-  app.footer(last_words(schemas));
+  app.footer(std::string(exit_status)); // of each subcommand that has no other
   std::array<Make, subcommands.size()> make;
   std::array<CLI::App*, subcommands.size()> apps{};
   for (std::size_t i = 0; i < subcommands.size(); ++i) {
     apps[i] = app.add_subcommand(subcommands[i].name, subcommands[i].summary);
     make[i] = subcommands[i].options(*apps[i]);
   }
+  app.footer(last_words(schemas));
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend())); // CLI11 expects the last word first
   } catch (const CLI::CallForHelp&) {

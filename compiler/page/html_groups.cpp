@@ -43,7 +43,7 @@ std::string tasks_html(const Json& tasks) {
 std::string provider_html(const Json& group, const Json& provider, const HtmlInput& input) {
   std::string facts;
   add_fact(facts, "runs when", code_list(provider["when"]));
-  add_fact(facts, "goes on while", code_list(provider["stay"]));
+  add_fact(facts, "also goes on while", code_list(provider["stay"]));
   std::vector<std::string> needs, promises;
   for (const std::string& need : provider["needs"].as_texts()) needs.push_back(group_link(need));
   add_fact(facts, "needs", fmt::format("{}", fmt::join(needs, ", ")));

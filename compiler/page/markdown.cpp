@@ -141,7 +141,7 @@ private:
       if (!text.empty()) out_ += fmt::format("{}- {}: {}\n", indent, title, text);
     };
     line("runs when", conditions(provider["when"]));
-    line("goes on while", conditions(provider["stay"]));
+    line("also goes on while", conditions(provider["stay"]));
     std::vector<std::string> needs, promises;
     for (const std::string& need : provider["needs"].as_texts()) needs.push_back(mention({need, need, {}}));
     line("needs", fmt::format("{}", fmt::join(needs, ", ")));

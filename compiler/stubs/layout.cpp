@@ -78,7 +78,7 @@ std::vector<Artefact> first_files(const Wanted& wanted, const WantedModule& modu
                                    [](const WantedFunction& each) { return each.kind == Kind::provide; });
   if (answers) {
     source.blank();
-    source.comment("Each body ends with an answer: g++ wants one also behind a switch over all values of an enum.",
+    source.comment("Each body ends with an answer: g++ requires one also after a switch over all values of an enum.",
                    "//");
   }
   for (const WantedFunction& function : module.functions) {

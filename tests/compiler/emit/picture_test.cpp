@@ -244,7 +244,7 @@ TEST_CASE("the legend names what is drawn, and nothing else") {
         "rows: providers, the preferred one first; an arrow from one row is of that provider alone\n"
         "\u25C7: packs: it requests one of them at a time\n"
         "dashed box: groups that the same ones request in the same way\n"
-        "when, stay: must hold, for it to run and to go on\n"
+        "when, stay: when must hold for it to run, stay is enough to go on\n"
         "causing: makes that true when it is pushed\n"
         "sets: may set that, and promises nothing\n"
         "on, every: runs again then\n");

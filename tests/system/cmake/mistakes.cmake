@@ -50,7 +50,7 @@ mistake("robot kiosc.yaml"
         "director_add_behaviour: there is no file kiosc.yaml; a relative path begins at the folder of the CMakeLists.txt that calls")
 mistake("robot ../mistakes" "director_add_behaviour: ${SOURCE} is a folder; name the behaviour's file in it")
 mistake("robot counter.yaml"
-        "director_add_behaviour: counter.yaml has no key behaviour at its top level; only a behaviour can be generated, not a module alone")
+        "director_add_behaviour: counter.yaml has no line `behaviour: NAME` that begins in the first column; only a behaviour can be generated, not a module alone")
 mistake("robot kiosk.yaml|robot kiosk.yaml"
         "director_add_behaviour: robot has a behaviour kiosk already; two of one name would be one header and one namespace")
 mistake("robot kiosk.yaml VERIFY"
