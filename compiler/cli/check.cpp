@@ -90,7 +90,7 @@ public:
     {
       Progress progress(console_, request_.explore);
       options.progress = progress.shown();
-      checked = load(request_.file, options, sources_, console_, {request_.build, {}});
+      checked = load(request_.file, options, sources_, console_, request_.cpp);
     }
     if (!checked) return misused;
     if (!request_.reachable.empty()) {

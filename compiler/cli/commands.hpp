@@ -21,30 +21,37 @@ enum class Format { text, json, sarif, dot, svg, mermaid, html, markdown };
 
 inline constexpr int clean = 0, found = 1, misused = 2, undecided = 3;
 
+/// How the C++ is compiled from which types are read: by a folder with compile_commands.json, or by a file with the
+/// words of the command line, one a line. Both empty: by the first compile_commands.json beside the behaviour or above
+/// it.
+struct CppSource {
+  std::string build, flags;
+};
+
 struct Check {
   std::string file;
+  CppSource cpp;
   Format format = Format::text;
   checks::Selection selection;
   std::string reachable;                          ///< empty: none; else `Kick`, `Walk.halting`, `Pose == standing`
   bool verbose = false;                           ///< also memory and bounds
   double work_ns = analysis::nanoseconds_of_work; ///< the cost of a unit of work
-  std::string build;       ///< folder with compile_commands.json, for the types that it names; empty: searched
-  std::size_t explore = 0; ///< states to explore for what never runs; 0: none
-  bool watch = false;      ///< again whenever a file that was read changes
+  std::size_t explore = 0;                        ///< states to explore for what never runs; 0: none
+  bool watch = false;                             ///< again whenever a file that was read changes
 };
 
 struct Generate {
   std::string file;
+  CppSource cpp;
   std::string folder;
   std::string depfile; ///< empty: none
   std::string target;  ///< target of the depfile; empty: all that is generated
-  std::string build;   ///< folder with compile_commands.json, for the types that it names; empty: searched
-  std::string flags;   ///< or a file with flags, one a line
   checks::Selection selection;
 };
 
 struct DrawGraph {
   std::string file;
+  CppSource cpp;
   Format format = Format::dot;
   std::string output;                   ///< empty: to the terminal
   std::string link;                     ///< address of a line, with {file} and {line}; empty: nothing is a link
@@ -62,6 +69,7 @@ struct DrawGraph {
 
 /// Pages for people, one a behaviour.
 struct Docs {
+  CppSource cpp;
   std::vector<std::string> files;
   std::string folder;
   Format format = Format::html;
@@ -76,17 +84,18 @@ struct ListChecks {};
 
 /// How one behaviour differs in meaning from another, or from itself in a revision of git.
 struct Diff {
+  CppSource cpp;
   std::string before; ///< empty with `revision`
   std::string after;
   std::string revision; ///< empty: `before` is a file
   bool staged = false;  ///< with `revision`: `after` is what git has staged, not the file on the disk
   Format format = Format::text;
   Breaking breaking;
-  std::string build; ///< folder with compile_commands.json, for the types that they name; empty: searched
 };
 
 struct Simulate {
   std::string file;
+  CppSource cpp;
   Format format = Format::text;
   bool decisions = false;
   bool times = false;
@@ -96,6 +105,7 @@ struct Simulate {
 /// Converts what a robot or a scenario recorded.
 struct Trace {
   std::string file;
+  CppSource cpp;           ///< for html
   std::string to = "text"; ///< text, json, perfetto, html
   std::string output;      ///< empty: to the terminal
   std::string behaviour;   ///< for html: its file; empty: the one that the trace names
@@ -104,6 +114,7 @@ struct Trace {
 
 /// Replays what was recorded on the engine.
 struct Replay {
+  CppSource cpp;
   std::string trace;
   std::string behaviour; ///< its file; empty: the one that the trace names
   Format format = Format::text;
@@ -111,6 +122,7 @@ struct Replay {
 
 /// Why a group runs or not, at some moment of a scenario.
 struct Why {
+  CppSource cpp;
   std::string scenario, group;
   std::uint32_t step = 0;           ///< after this step, from 1; 0: in the end
   std::optional<std::int64_t> time; ///< or at this time, in microseconds
@@ -118,6 +130,7 @@ struct Why {
 };
 
 struct Test {
+  CppSource cpp;
   std::vector<std::string> files; ///< or folders, with all scenarios below them
   Format format = Format::text;
   bool coverage = false;
@@ -128,12 +141,14 @@ struct Test {
 
 struct Dump {
   std::string file;
+  CppSource cpp;
   std::string stage;
 };
 
 /// Explores all states that the behaviour can be in.
 struct Explore {
   std::string file;
+  CppSource cpp;
   std::size_t bound = 1'000'000; ///< states
   std::string output;            ///< folder for scenarios; empty: none are written
 };

@@ -17,7 +17,7 @@ namespace {
 std::optional<Checked> load_from(dsl::FileAccess& files, const std::string& file, const Diff& request,
                                  dsl::Sources& sources, Console& console) {
   Console other = with_files(console, files, console.outputs);
-  return load(file, {}, sources, other, {request.build, {}});
+  return load(file, {}, sources, other, request.cpp);
 }
 
 std::optional<Checked> load_before(const Diff& request, dsl::Sources& sources, Console& console) {
@@ -32,7 +32,8 @@ std::optional<Checked> load_before(const Diff& request, dsl::Sources& sources, C
     return {};
   }
   Diff there = request;
-  if (!there.build.empty()) there.build = absolute_path(there.build).string(); // it is no part of a revision
+  if (!there.cpp.build.empty())
+    there.cpp.build = absolute_path(there.cpp.build).string(); // it is no part of a revision
   std::optional<Checked> out = load_from(files, files.path(), there, sources, console);
   if (!out)
     print_message(
@@ -43,7 +44,7 @@ std::optional<Checked> load_before(const Diff& request, dsl::Sources& sources, C
 }
 
 std::optional<Checked> load_after(const Diff& request, dsl::Sources& sources, Console& console) {
-  if (!request.staged) return load(request.after, {}, sources, console, {request.build, {}});
+  if (!request.staged) return load(request.after, {}, sources, console, request.cpp);
   StagedFiles files(console.programs, console.files);
   if (const std::optional<std::string> wrong = files.open(request.after)) {
     print_message(console, fmt::format("directorc: {}\n", *wrong));

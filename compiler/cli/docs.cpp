@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 /// The page, and the exit status.
 std::pair<std::optional<std::string>, int> page_of(const std::string& file, const Docs& request, Console& console) {
   dsl::Sources sources;
-  const std::optional<Checked> checked = load(file, {}, sources, console);
+  const std::optional<Checked> checked = load(file, {}, sources, console, request.cpp);
   if (!checked) return {{}, misused};
   if (!checked->resolved) {
     print_findings(errors_of(checked->findings), sources, console.err, console.err_colours, console.err_width);

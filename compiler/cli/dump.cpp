@@ -12,7 +12,7 @@ namespace director::compiler::cli {
 
 int run(const Dump& request, Console& console) {
   dsl::Sources sources;
-  const std::optional<Checked> checked = load(request.file, only_errors(), sources, console);
+  const std::optional<Checked> checked = load(request.file, only_errors(), sources, console, request.cpp);
   if (!checked) return misused;
   const bool spec = request.stage == "spec", tables = request.stage == "tables";
   // The spec exists even with errors; later stages only if they can be computed.

@@ -47,7 +47,7 @@ bool any(const Exploration& exploration, Verdict::Kind kind) {
 
 int run(const Explore& request, Console& console) {
   dsl::Sources sources;
-  const std::optional<Checked> checked = load(request.file, only_errors(), sources, console);
+  const std::optional<Checked> checked = load(request.file, only_errors(), sources, console, request.cpp);
   if (!checked) return misused;
   if (!checked->lowerable) {
     print_findings(checked->findings, sources, console.err, console.err_colours, console.err_width);

@@ -18,7 +18,7 @@ int run(const Generate& request, Console& console) {
   CheckOptions options;
   options.decide = true;
   options.selection = request.selection;
-  const std::optional<Checked> checked = load(request.file, options, sources, console, {request.build, request.flags});
+  const std::optional<Checked> checked = load(request.file, options, sources, console, request.cpp);
   if (!checked) return misused;
   print_findings(checked->findings, sources, console.err, console.err_colours, console.err_width);
   const bool is_open = print_undecided(checked->undecided, console);

@@ -138,7 +138,7 @@ std::string_view ending_of(Format format) {
 
 int draw_moments(const DrawGraph& request, Console& console) {
   dsl::Sources sources;
-  const LoadedScenario loaded = load_scenario(request.file, sources, console);
+  const LoadedScenario loaded = load_scenario(request.file, sources, console, request.cpp);
   if (loaded.status != clean) return loaded.status;
   const auto steps = static_cast<std::uint32_t>(loaded.scenario.steps.size());
   if (request.step > steps) {
@@ -177,7 +177,7 @@ int run(const DrawGraph& request, Console& console) {
   dsl::Sources sources;
   const bool wants_all = request.findings || request.page;
   const std::optional<Checked> checked =
-      load(request.file, wants_all ? CheckOptions{} : only_errors(), sources, console);
+      load(request.file, wants_all ? CheckOptions{} : only_errors(), sources, console, request.cpp);
   if (!checked) return misused;
   const bool whole = checked->resolved;
   const std::vector<dsl::Diagnostic> errors = errors_of(checked->findings);

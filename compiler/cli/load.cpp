@@ -48,8 +48,14 @@ TypeFlags flags_of_file(const std::string& path, Console& console) {
   std::error_code fault;
   CompileCommand command{{}, fs::current_path(fault).string(), {}};
   std::istringstream lines(text.value());
+  constexpr std::string_view several = "SHELL:"; // of CMake: an option of several words
   for (std::string line; std::getline(lines, line);) {
-    if (!line.empty()) command.words.push_back(line);
+    if (line.starts_with(several)) {
+      const std::vector<std::string> words = split_command(std::string_view(line).substr(several.size()));
+      command.words.insert(command.words.end(), words.begin(), words.end());
+    } else if (!line.empty()) {
+      command.words.push_back(line);
+    }
   }
   out.commands.push_back(std::move(command));
   return out;
@@ -121,26 +127,22 @@ std::string fault_of(const CppSource& cpp, dsl::FileAccess& files) {
 
 } // namespace
 
-Checked check_file(const std::string& path, CheckOptions options, dsl::Sources& sources, Console& console) {
-  const CppSource unnamed;
-  TypesWhenAsked types(path, unnamed, sources, console);
+Checked check_file(const std::string& path, CheckOptions options, dsl::Sources& sources, Console& console,
+                   const CppSource& cpp, std::string& fault) {
+  TypesWhenAsked types(path, cpp, sources, console);
   options.types = &types;
-  return check(path, console.files, sources, options);
+  Checked out = check(path, console.files, sources, options);
+  fault = types.fault().empty() ? fault_of(cpp, console.files) : types.fault();
+  return out;
 }
 
 std::optional<Checked> load(const std::string& file, const CheckOptions& options, dsl::Sources& sources,
                             Console& console, const CppSource& cpp) {
   const std::string path = shown_path(file);
-  TypesWhenAsked types(path, cpp, sources, console);
-  CheckOptions with_types = options;
-  with_types.types = &types;
-  Checked checked = check(path, console.files, sources, with_types);
-  const bool unreadable =
-      checked.spec.files.empty() && !checked.findings.empty() && checked.findings.front().id == "import_not_found";
-  const std::string fault = unreadable
-                                ? checked.findings.front().message + file_instead(path, is_called_behaviour, console)
-                            : types.fault().empty() ? fault_of(cpp, console.files)
-                                                    : types.fault();
+  std::string fault;
+  Checked checked = check_file(path, options, sources, console, cpp, fault);
+  if (checked.spec.files.empty() && !checked.findings.empty() && checked.findings.front().id == "import_not_found")
+    fault = checked.findings.front().message + file_instead(path, is_called_behaviour, console);
   if (fault.empty()) return checked;
   print_message(console, fmt::format("directorc: {}\n", fault));
   return {};

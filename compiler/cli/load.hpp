@@ -14,18 +14,14 @@ namespace director::compiler::cli {
 /// A path in messages: relative for one inside the working directory, otherwise as it was written.
 std::string shown_path(const std::string& path);
 
-/// Sets `options.types`: with the flags of `build`, or of `flags` (a file with one argument of the compiler's command
-/// line in each line), otherwise of a compile_commands.json beside the behaviour or above it, only if they are needed.
-struct CppSource {
-  std::string build, flags;
-};
-
-/// Empty, and prints why, if the file itself or `cpp` cannot be read.
+/// Sets `options.types`, which reads C++ as `cpp` says, only if types are needed. Empty, and prints why, if the file
+/// itself or what `cpp` names cannot be read.
 std::optional<Checked> load(const std::string& file, const CheckOptions& options, dsl::Sources& sources,
-                            Console& console, const CppSource& cpp = {});
+                            Console& console, const CppSource& cpp);
 
-/// The same without printing anything about a file that cannot be read.
-Checked check_file(const std::string& path, CheckOptions options, dsl::Sources& sources, Console& console);
+/// The same without printing anything: sets `fault` if what `cpp` names cannot be read.
+Checked check_file(const std::string& path, CheckOptions options, dsl::Sources& sources, Console& console,
+                   const CppSource& cpp, std::string& fault);
 
 /// Prints to the stream; nothing if there is no finding. `width`: of its terminal, for source excerpts; 0: none.
 void print_findings(const std::vector<dsl::Diagnostic>& findings, const dsl::Sources& sources, std::ostream& out,

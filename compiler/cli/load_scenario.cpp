@@ -51,7 +51,7 @@ Findings not_among(std::set<std::string>& printed, const Findings& findings, con
 
 } // namespace
 
-LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Console& console,
+LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Console& console, const CppSource& cpp,
                              std::set<std::string>* printed) {
   LoadedScenario out;
   const auto stop = [&](int status, const Findings& findings) {
@@ -73,7 +73,13 @@ LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Con
   }
   if (dsl::has_errors(read.diagnostics)) return stop(found, read.diagnostics), out;
 
-  Checked checked = check_file(read.scenario.behaviour_path, only_errors(), sources, console);
+  std::string fault;
+  Checked checked = check_file(read.scenario.behaviour_path, only_errors(), sources, console, cpp, fault);
+  if (!fault.empty()) {
+    print_message(console, fmt::format("directorc: {}\n", fault));
+    out.status = misused;
+    return out;
+  }
   if (const Findings why = obstacles(checked, read.scenario.behaviour); !why.empty()) return stop(found, why), out;
 
   out.file = read.scenario.file;

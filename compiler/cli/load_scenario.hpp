@@ -25,7 +25,7 @@ struct LoadedScenario {
 };
 
 /// `printed`: errors that were printed for earlier scenarios, and are not printed again; null: there were none.
-LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Console& console,
+LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Console& console, const CppSource& cpp,
                              std::set<std::string>* printed = nullptr);
 
 } // namespace director::compiler::cli

@@ -62,10 +62,11 @@ std::string file_of(const RecordedNames& recorded, const std::string& trace, Con
 } // namespace
 
 RecordedBehaviour load_behaviour(const RecordedNames& recorded, const std::string& trace, const std::string& named,
-                                 const CheckOptions& options, dsl::Sources& sources, Console& console) {
+                                 const CheckOptions& options, dsl::Sources& sources, Console& console,
+                                 const CppSource& cpp) {
   RecordedBehaviour out;
   out.file = shown_path(named.empty() ? file_of(recorded, trace, console) : named);
-  std::optional<Checked> checked = load(out.file, options, sources, console);
+  std::optional<Checked> checked = load(out.file, options, sources, console, cpp);
   if (!checked) {
     if (named.empty())
       console.err << "  help: the trace names this behaviour; where it is neither there nor beside the trace, say "

@@ -26,7 +26,8 @@ struct RecordedBehaviour {
 /// Loads the file `named`; if empty: the one that the trace names, otherwise a file with the behaviour's name; relative
 /// to the working directory, or to the trace.
 RecordedBehaviour load_behaviour(const RecordedNames& recorded, const std::string& trace, const std::string& named,
-                                 const CheckOptions& options, dsl::Sources& sources, Console& console);
+                                 const CheckOptions& options, dsl::Sources& sources, Console& console,
+                                 const CppSource& cpp);
 
 /// Prints on the error stream why the lines of the trace ended early, or that the last one was left out. False: it is
 /// no trace from that line on.

@@ -22,7 +22,7 @@ Make check_options(CLI::App& app) {
   app.add_option("--explain-reachable", request->reachable,
                  "also print how a group, a provider (Walk.halting) or a value ('Pose == standing') may be reached")
       ->type_name("X");
-  add_build(app, request->build);
+  add_cpp(app, request->cpp);
   CLI::Option* verbose =
       app.add_flag("--verbose", request->verbose, "also print how much memory, work and time the engine may need");
   app.add_option("--work-ns", request->work_ns,
@@ -91,6 +91,7 @@ Make dump_options(CLI::App& app) {
       ->required()
       ->type_name("NAME")
       ->check(CLI::IsMember({"spec", "model", "graph", "tables"}));
+  add_cpp(app, request->cpp);
   return [=]() -> Request { return *request; };
 }
 

@@ -19,10 +19,7 @@ Make generate_options(CLI::App& app) {
   app.add_option("--depfile-target", request->target, "the target of its rule; without it, all generated files")
       ->type_name("FILE")
       ->needs(depfile);
-  add_build(app, request->build);
-  app.add_option("--flags", request->flags,
-                 "the compiler and its flags, a word in each line, instead of a build's folder")
-      ->type_name("FILE");
+  add_cpp(app, request->cpp);
   add_selection(app, *words);
   return [=]() -> Request {
     if (const std::optional<Message> wrong = unknown_id(*words)) return *wrong;

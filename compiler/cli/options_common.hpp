@@ -56,7 +56,7 @@ checks::Selection selection_of(const SelectionWords& words);
 /// An error for the first unknown id, with a suggestion.
 std::optional<Message> unknown_id(const SelectionWords& words);
 
-void add_build(CLI::App& app, std::string& build);
+void add_cpp(CLI::App& app, CppSource& cpp);
 CLI::Option* add_bound(CLI::App& app, std::size_t& bound);
 
 CLI::Option* add_watch(CLI::App& app, bool& watch);

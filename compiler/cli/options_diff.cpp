@@ -62,7 +62,7 @@ Make diff_options(CLI::App& app) {
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
-  add_build(app, request->build);
+  add_cpp(app, request->cpp);
   app.footer(footer());
   return [=]() -> Request {
     if (const std::optional<Message> wrong = parse_kinds(*kinds, request->breaking)) return *wrong;

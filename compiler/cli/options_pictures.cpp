@@ -72,6 +72,7 @@ Make graph_options(CLI::App& app) {
       ->check(CLI::Range(0, 1'000))
       ->needs(focus);
   add_link(app, request->link);
+  add_cpp(app, request->cpp);
   CLI::Option* findings = app.add_flag("--findings", request->findings, "also what is found, each at its place");
   CLI::Option* page = app.add_flag("--page", request->page,
                                    "as JSON: also all else that a page of `directorc docs` tells, findings, who beats "
@@ -120,6 +121,7 @@ Make docs_options(CLI::App& app) {
   add_format(app, request->format, {"html", "markdown"});
   add_transitions(app, request->transitions);
   add_link(app, request->link);
+  add_cpp(app, request->cpp);
   return [=]() -> Request {
     if (const std::optional<Message> wrong = wrong_place("-o", "a folder", request->folder)) return *wrong;
     if (const std::optional<Message> wrong = wrong_link(request->link)) return *wrong;

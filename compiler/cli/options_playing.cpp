@@ -19,6 +19,7 @@ Make simulate_options(CLI::App& app) {
          "also write all that happens, as a robot's recorder does: JSON lines, or for ui.perfetto.dev where the name "
          "ends so, .perfetto-trace or .pftrace")
       ->type_name("FILE");
+  add_cpp(app, request->cpp);
   return [=]() -> Request {
     if (const std::optional<Message> wrong = wrong_place("--trace", "a file", request->trace)) return *wrong;
     if (request->trace.ends_with(".html"))
@@ -46,6 +47,7 @@ Make trace_options(CLI::App& app) {
                  "for html: the file of the behaviour that was recorded; without it, the one that the trace names")
       ->type_name("FILE");
   add_link(app, request->link);
+  add_cpp(app, request->cpp);
   return [=]() -> Request {
     const std::string by_ending = format_by_ending(request->output, {{".json", "json"},
                                                                      {".jsonl", "json"},
@@ -69,6 +71,7 @@ Make replay_options(CLI::App& app) {
                  "the file of the behaviour, or of another version of it; without it, the one that the trace names")
       ->type_name("FILE");
   add_format(app, request->format, {"text", "json"});
+  add_cpp(app, request->cpp);
   return [=]() -> Request { return *request; };
 }
 
@@ -84,6 +87,7 @@ Make why_options(CLI::App& app) {
       ->type_name("TIME")
       ->excludes(step);
   add_format(app, request->format, {"text", "json"});
+  add_cpp(app, request->cpp);
   return [=]() -> Request {
     if (time->empty()) return *request;
     if (const std::optional<Message> wrong = parse_time(*time, request->time)) return *wrong;
@@ -106,6 +110,7 @@ Make test_options(CLI::App& app) {
                                      "write what happens into the scenarios: into each `expect` that differs, and into "
                                      "each step of a scenario without any");
   add_watch(app, request->watch)->excludes(update);
+  add_cpp(app, request->cpp);
   return [=]() -> Request {
     if (const std::optional<Message> wrong = wrong_watch(request->watch, request->format)) return *wrong;
     return *request;
@@ -117,6 +122,7 @@ Make explore_options(CLI::App& app) {
   app.add_option("FILE", request->file, "the behaviour; it must have `roots`")->required();
   add_bound(app, request->bound);
   app.add_option("-o,--output", request->output, "folder for what is found, as scenarios")->type_name("FOLDER");
+  add_cpp(app, request->cpp);
   return [=]() -> Request {
     if (const std::optional<Message> wrong = wrong_place("-o", "a folder", request->output)) return *wrong;
     return *request;

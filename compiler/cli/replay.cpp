@@ -71,7 +71,7 @@ int run(const Replay& request, Console& console) {
   if (trace.status != clean) return trace.status;
   dsl::Sources sources;
   const RecordedBehaviour of =
-      load_behaviour(*trace.recorded, request.trace, request.behaviour, only_errors(), sources, console);
+      load_behaviour(*trace.recorded, request.trace, request.behaviour, only_errors(), sources, console, request.cpp);
   if (of.status != clean) return of.status;
   const Lowered lowered = lower(of.checked.model);
   const RowNames rows(of.checked.model, lowered);

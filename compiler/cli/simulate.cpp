@@ -40,7 +40,7 @@ private:
 
 int run(const Simulate& request, Console& console) {
   dsl::Sources sources;
-  const LoadedScenario loaded = load_scenario(request.file, sources, console);
+  const LoadedScenario loaded = load_scenario(request.file, sources, console, request.cpp);
   if (loaded.status != clean) return loaded.status;
   const ShowTimes times = request.times ? ShowTimes::yes : ShowTimes::no;
   const Sink sink = [&](const Happening& happening) {

@@ -252,7 +252,7 @@ private:
 
 int run(const Stubs& request, Console& console) {
   dsl::Sources sources;
-  const std::optional<Checked> checked = load(request.file, only_errors(), sources, console);
+  const std::optional<Checked> checked = load(request.file, only_errors(), sources, console, {});
   if (!checked) return misused;
   print_findings(checked->findings, sources, console.err, console.err_colours, console.err_width);
   if (dsl::has_errors(checked->findings)) return found;

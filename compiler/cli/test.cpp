@@ -93,7 +93,7 @@ private:
 
   int test(const std::string& file) {
     dsl::Sources sources;
-    const LoadedScenario loaded = load_scenario(file, sources, console_, &told_);
+    const LoadedScenario loaded = load_scenario(file, sources, console_, request_.cpp, &told_);
     if (loaded.status != clean) {
       Json row = Json::object({{"file", Json::text(shown_path(file))}, {"holds", Json::boolean(false)}});
       rows_.push_back(with(loaded.findings, sources, std::move(row)));

@@ -14,7 +14,7 @@ namespace director::compiler::cli {
 
 int run(const Why& request, Console& console) {
   dsl::Sources sources;
-  const LoadedScenario loaded = load_scenario(request.scenario, sources, console);
+  const LoadedScenario loaded = load_scenario(request.scenario, sources, console, request.cpp);
   if (loaded.status != clean) return loaded.status;
   std::vector<dsl::Diagnostic> findings;
   const std::optional<GroupId> group = Names(loaded.model, findings).group({request.group, {}});

@@ -120,7 +120,7 @@ function(director_add_behaviour)
     COMMENT "Generating the behaviour ${behaviour}"
     VERBATIM)
   if(arg_PAGE)
-    director_write_page_(${behaviour} ${file} ${folder} ${stamp} "${arg_LINK}" page)
+    director_write_page_(${behaviour} ${file} ${folder} ${stamp} ${flags} "${arg_LINK}" page)
     list(APPEND outputs ${page})
   endif()
   get_target_property(home ${target} SOURCE_DIR)
@@ -189,6 +189,18 @@ function(director_write_flags_ target file)
   if(CMAKE_CXX_COMPILER_TARGET)
     list(APPEND general --target=${CMAKE_CXX_COMPILER_TARGET})
   endif()
+  # Each configuration has flags of its own, for instance -DNDEBUG.
+  set(configurations ${CMAKE_CONFIGURATION_TYPES})
+  if(NOT configurations)
+    set(configurations ${CMAKE_BUILD_TYPE})
+  endif()
+  foreach(configuration IN LISTS configurations)
+    string(TOUPPER "${configuration}" name)
+    separate_arguments(words UNIX_COMMAND "${CMAKE_CXX_FLAGS_${name}}")
+    foreach(word IN LISTS words)
+      list(APPEND general $<$<CONFIG:${configuration}>:${word}>)
+    endforeach()
+  endforeach()
   list(JOIN general "\n" general)
   set(standard $<TARGET_PROPERTY:${target},CXX_STANDARD>)
   set(content "${general}\n-std=c++$<IF:$<VERSION_GREATER:0${standard},20>,${standard},20>\n")
@@ -202,9 +214,9 @@ function(director_write_flags_ target file)
   file(GENERATE OUTPUT "${file}.$<COMPILE_LANGUAGE>" CONTENT "${content}" TARGET ${target})
 endfunction()
 
-# director_write_page_(<behaviour> <file> <folder> <stamp> <link> <out>): sets <out> to a source that contains the page about the behaviour. It is
+# director_write_page_(<behaviour> <file> <folder> <stamp> <flags> <link> <out>): sets <out> to a source that contains the page about the behaviour. It is
 # written again whenever the C++ is generated again.
-function(director_write_page_ behaviour file folder stamp link out)
+function(director_write_page_ behaviour file folder stamp flags link out)
   set(page ${folder}/${behaviour}.html)
   set(source ${folder}/${behaviour}_page.cpp)
   set(header ${behaviour}_page.hpp)
@@ -224,7 +236,7 @@ std::string_view @behaviour@();
   add_custom_command(
     OUTPUT ${source}
     BYPRODUCTS ${page}
-    COMMAND Director::directorc docs ${file} -o ${folder} ${linked}
+    COMMAND Director::directorc docs ${file} -o ${folder} --flags ${flags} ${linked}
     COMMAND ${CMAKE_COMMAND} -D PAGE=${page} -D HEADER=${header} -D FUNCTION=director::pages::${behaviour} -D OUT=${source}
             -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/embed_page.cmake
     DEPENDS ${stamp} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/embed_page.cmake

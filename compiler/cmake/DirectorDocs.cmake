@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
-# director_add_docs(<target> <file.yaml>... [FORMAT html|markdown] [OUTPUT <folder>] [LINK <address>])
+# director_add_docs(<target> <file.yaml>... [FORMAT html|markdown] [OUTPUT <folder>] [LINK <address>] [BUILD <folder>])
 #
 # Adds the target <target>, which is built only on request. It calls `directorc docs`, which writes a page about each behaviour, and does not rewrite
 # a page whose content is the same.
 #
 #   FORMAT    html, the default: one file that needs no other; or markdown
 #   OUTPUT    folder of the pages, relative to the current build folder; the default is <target>
+#   BUILD     folder with compile_commands.json, for states whose values are those of a C++ enum; relative to the current build folder
 #   LINK      address of a line, with {file} and {line} in it. Each place that a page names becomes a link
 #
 # HTML needs the program dot of Graphviz.
@@ -14,8 +15,8 @@ cmake_policy(PUSH)
 cmake_policy(VERSION 3.20...3.25)
 
 function(director_add_docs)
-  set(usage "director_add_docs(<target> <file.yaml>... [FORMAT html|markdown] [OUTPUT <folder>] [LINK <address>])")
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "FORMAT;OUTPUT;LINK" "")
+  set(usage "director_add_docs(<target> <file.yaml>... [FORMAT html|markdown] [OUTPUT <folder>] [LINK <address>] [BUILD <folder>])")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "FORMAT;OUTPUT;LINK;BUILD" "")
   list(LENGTH arg_UNPARSED_ARGUMENTS count)
   if(count LESS 2)
     message(FATAL_ERROR "director_add_docs: the target and a behaviour's file are needed: ${usage}")
@@ -51,12 +52,17 @@ function(director_add_docs)
   if(arg_LINK)
     set(link "--link=${arg_LINK}")
   endif()
+  set(build "")
+  if(arg_BUILD)
+    cmake_path(ABSOLUTE_PATH arg_BUILD BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} NORMALIZE)
+    set(build --build ${arg_BUILD})
+  endif()
   if(NOT TARGET Director::directorc)
     message(FATAL_ERROR "director_add_docs: there is no directorc; find_package(Director COMPONENTS compiler REQUIRED) finds it")
   endif()
   add_custom_target(
     ${target}
-    COMMAND Director::directorc docs ${files} -o ${folder} --format=${arg_FORMAT} ${link}
+    COMMAND Director::directorc docs ${files} -o ${folder} --format=${arg_FORMAT} ${link} ${build}
     WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
     COMMENT "Writing pages about behaviours into ${folder}"
     VERBATIM)

@@ -60,7 +60,7 @@ mistake("" "there is no component robots; there are runtime, compiler, clang, li
 mistake("" "the component live needs cpp-httplib and pkg-config (libcpp-httplib-dev and pkgconf), and a Director that was built with them." COMPONENTS "live")
 mistake("robot kiosk.yaml WERROR" "nothing")
 mistake("robot kiosk.yaml PAGE LINK a" "nothing")
-set(usage "director_add_docs(<target> <file.yaml>... [FORMAT html|markdown] [OUTPUT <folder>] [LINK <address>])")
+set(usage "director_add_docs(<target> <file.yaml>... [FORMAT html|markdown] [OUTPUT <folder>] [LINK <address>] [BUILD <folder>])")
 mistake("pages" "director_add_docs: the target and a behaviour's file are needed: ${usage}" FUNCTION director_add_docs)
 mistake("pages kiosk.yaml FORMAT" "director_add_docs: nothing stands behind FORMAT: ${usage}" FUNCTION director_add_docs)
 mistake("pages kiosk.yaml FORMAT pdf" "director_add_docs: there is no format pdf: ${usage}" FUNCTION director_add_docs)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -D FLAGS=<its flags> -P types.cmake
 # directorc compares the C++ types that the behaviour names with the program's headers before anything is compiled: findings point to the YAML, and an
-# error stops the build before the generated code is compiled.
+# error stops the build before the generated code is compiled. The values of a state are those of an enum whose header is found by an option of two
+# words, and which has one value less with the flags of the configuration; the page about the behaviour is written with these flags too.
 include(${CMAKE_CURRENT_LIST_DIR}/judge_build.cmake)
 file(REMOVE_RECURSE ${WORK})
 file(COPY ${SOURCE}/ DESTINATION ${WORK}/project)
@@ -14,7 +15,7 @@ foreach(name types.hpp lift.yaml)
   file(READ ${WORK}/project/${name} good_${name})
 endforeach()
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/project -B ${WORK}/build -G ${generator} -D CMAKE_CXX_COMPILER=${COMPILER}
-                        -D CMAKE_CXX_FLAGS=${FLAGS} -D Director_DIR=${BUILD}/cmake OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+                        -D CMAKE_CXX_FLAGS=${FLAGS} -D CMAKE_BUILD_TYPE=Release -D Director_DIR=${BUILD}/cmake OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 
 # build_with(<file> <old text> <new text> builds|fails [<finding>]): replaces the text in the file and builds. Without <finding> there must be none.
 function(build_with name old new expected)

@@ -1,0 +1,14 @@
+#pragma once
+
+namespace lift {
+
+enum class Gear {
+  low,
+  high
+#ifndef NDEBUG
+  ,
+  any ///< only where it is tested
+#endif
+};
+
+} // namespace lift
