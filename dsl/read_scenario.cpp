@@ -69,7 +69,7 @@ void read_provider_name(Reader& reader, const YamlNode& node, InputSpec& input, 
   std::tie(input.name, input.provider) = split_at_dot(*name, !node.quoted());
   if (input.provider.value.empty())
     reader.unexpected(node, word, expected,
-                      fmt::format("the only provider of a group is called `{}.default`", name->value));
+                      fmt::format("if it has no `providers`, the only one is called `{}.default`", name->value));
 }
 
 InputSpec read_input(Reader& reader, const YamlNode& mapping, std::size_t which) {

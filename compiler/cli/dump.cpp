@@ -33,7 +33,7 @@ int run(const Dump& request, Console& console) {
   } else {
     console.out << print_tables(checked->model, lower(checked->model));
   }
-  return clean;
+  return spec && dsl::has_errors(errors) ? found : clean;
 }
 
 } // namespace director::compiler::cli

@@ -104,7 +104,8 @@ std::string seconds(Microseconds time) {
   return out + " s";
 }
 
-/// After that step (0: at the end), or at that time. Empty, and prints why, if a body violates its declaration.
+/// After that step (0: at the end), or at that time. Empty, and prints why, if a body violates its declaration, or the
+/// scenario ends before.
 std::optional<Moment> moment_in(const LoadedScenario& loaded, std::uint32_t step, std::optional<std::int64_t> time,
                                 const dsl::Sources& sources, Console& console) {
   Moment out;
@@ -115,6 +116,10 @@ std::optional<Moment> moment_in(const LoadedScenario& loaded, std::uint32_t step
   const Played played = play(loaded.scenario, loaded.model, loaded.lowered, options, [](const Happening&) {});
   if (played.refused) {
     print_findings({*played.refused}, sources, console.err, console.err_colours, console.err_width);
+    return {};
+  }
+  if (played.budget_exhausted && (step == 0 || step > played.last_step)) {
+    print_early_end(played, sources[loaded.file].path(), console);
     return {};
   }
   if (played.last_step == 0) return out;

@@ -95,4 +95,9 @@ LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Con
   return out;
 }
 
+void print_early_end(const Played& played, const std::string& file, Console& console) {
+  print_message(console, fmt::format("directorc: `{}` ends in step {}: {}\n", shown_path(file), played.last_step,
+                                     played.too_many_stops ? "too much is due" : "the engine does not come to rest"));
+}
+
 } // namespace director::compiler::cli

@@ -5,6 +5,7 @@
 #include "compiler/cli/load.hpp"
 #include "compiler/graph/graph.hpp"
 #include "compiler/lower/lowered.hpp"
+#include "compiler/play/play.hpp"
 #include "compiler/play/scenario.hpp"
 
 #include <set>
@@ -27,5 +28,8 @@ struct LoadedScenario {
 /// `printed`: errors that were printed for earlier scenarios, and are not printed again; null: there were none.
 LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Console& console, const CppSource& cpp,
                              std::set<std::string>* printed = nullptr);
+
+/// Prints in which step the scenario ended early, because the engine did not come to rest.
+void print_early_end(const Played& played, const std::string& file, Console& console);
 
 } // namespace director::compiler::cli

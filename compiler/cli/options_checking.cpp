@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/options_common.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
 #include <memory>
+#include <string>
 
 namespace director::compiler::cli {
 
@@ -10,6 +15,11 @@ namespace {
 
 /// The check that explores.
 constexpr const char* never_runs = "never_runs";
+
+/// CLI::Range accepts nan, which compares as neither too small nor too large.
+std::string is_number(const std::string& text) {
+  return std::isnan(std::strtod(text.c_str(), nullptr)) ? fmt::format("Value {} is not a number", text) : std::string{};
+}
 
 } // namespace
 
@@ -28,6 +38,7 @@ Make check_options(CLI::App& app) {
   app.add_option("--work-ns", request->work_ns,
                  "with --verbose: what a unit of work costs on your machine, in nanoseconds, as ./bench measures it")
       ->type_name("N")
+      ->check(is_number)
       ->check(CLI::Range(0.01, 1e9))
       ->capture_default_str()
       ->needs(verbose);

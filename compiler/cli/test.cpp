@@ -154,8 +154,10 @@ private:
     CoverageWatch watch(loaded.model, loaded.lowered, coverage);
     const Onlooker onlooker = watch.onlooker();
     ScenarioResult result = test_scenario(loaded.scenario, loaded.model, loaded.lowered, {.onlooker = &onlooker});
-    const auto known = std::find_if(reports_.begin(), reports_.end(),
-                                    [&](const CoverageReport& report) { return report.behaviour == loaded.behaviour; });
+    const std::string identity = console_.files.identity(loaded.behaviour); // scenarios may name it by several paths
+    const auto known = std::find_if(reports_.begin(), reports_.end(), [&](const CoverageReport& report) {
+      return console_.files.identity(report.behaviour) == identity;
+    });
     if (known != reports_.end()) {
       known->coverage.merge(coverage);
       ++known->scenarios;

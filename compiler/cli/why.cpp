@@ -41,12 +41,14 @@ int run(const Why& request, Console& console) {
     print_findings({*played.refused}, sources, console.err, console.err_colours, console.err_width);
     return found;
   }
+  if (played.budget_exhausted) print_early_end(played, request.scenario, console);
+  if (request.step > played.last_step) return found;
   if (request.format == Format::json) {
     console.out << to_line(to_json(reasoning, sources)) << '\n';
   } else {
     console.out << to_text(reasoning, sources, console.out_colours);
   }
-  return clean;
+  return played.budget_exhausted ? found : clean;
 }
 
 } // namespace director::compiler::cli

@@ -25,6 +25,8 @@ void Judge::judge(const Beginning& row, const Beginning& column, const Play& now
     out.kind = Kind::both;
   } else {
     out.kind = pushed_first(row, now.trial) ? Kind::soft : Kind::hard;
+    context.takers = other_takers(column, now.trial.rest, all);
+    context.runs_at_once = runs_before(now.trial, row, column);
   }
   if (out.kind != Kind::soft) return;
   out.bound = 0;
@@ -50,6 +52,34 @@ bool Judge::pushed_first(const Beginning& row, const Trial& trial) const {
     if (takes && row.rest.is_under(model_, GroupId{event.group}, edge)) return false;
   }
   return false;
+}
+
+/// Whether the column was granted when the first push was made.
+bool Judge::runs_before(const Trial& trial, const Beginning& row, const Beginning& column) const {
+  std::uint64_t granted = 0, pushed = std::numeric_limits<std::uint64_t>::max();
+  for (const Event& event : trial.events) {
+    if (pushes(event, row)) pushed = std::min(pushed, event.micro_step);
+    if (event.kind == Event::Kind::grant && event.group == column.way.target.value) granted = event.micro_step;
+  }
+  return granted <= pushed;
+}
+
+std::vector<GroupId> Judge::other_takers(const Beginning& column, const Rest& rest,
+                                         const std::vector<GroupId>& lost) const {
+  std::vector<GroupId> out;
+  const EdgeId edge = column.way.last().edge;
+  for (const GroupId id : model_.groups.ids()) {
+    const std::optional<ProviderId> active = rest.groups[id.value].active;
+    const bool takes =
+        active && std::any_of(lost.begin(), lost.end(), [&](GroupId each) {
+          const std::optional<EdgeId> by = rest.groups[each.value].by;
+          return model_.providers[*active].needs_group(each) || (by && model_.edges[*by].requester == id);
+        });
+    if (!takes || std::find(lost.begin(), lost.end(), id) != lost.end()) continue;
+    if (!rest.is_under(model_, id, column.way.root->edge) || rest.is_under(model_, id, edge)) return {};
+    if (!column.way.passes(id)) out.push_back(id);
+  }
+  return out;
 }
 
 std::vector<Transition::Push> Judge::pushes_of(const Trial& trial, const Beginning& row) const {

@@ -141,7 +141,7 @@ private:
     Transition out;
     const TransitionMatrix::Row &first = out_.rows[i], &second = out_.rows[j];
     const Beginning &row = beginnings_[i], &column = beginnings_[j];
-    CellContext context{model_, first, second, {}, {}, true};
+    CellContext context{model_, first, second, {}, {}, true, {}, false};
     if (first.reached && second.reached) {
       const bool same = i == j || row.way.passes(second.group) || column.way.passes(first.group) ||
                         row.rest.is_under(model_, second.group, row.way.last().edge);

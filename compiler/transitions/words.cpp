@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace director::compiler {
 
 std::string_view name_of(Transition::Kind kind) {
@@ -47,14 +49,42 @@ std::string names_of(const std::vector<GroupId>& groups, const Model& model) {
   return and_list(names);
 }
 
+/// For whom the taken groups ran: the group of the row, or its requester where it is taken itself.
+std::string_view former(const Transition& cell, const CellContext& context) {
+  const TransitionMatrix::Row& row = context.row;
+  const bool itself = std::find(cell.taken.begin(), cell.taken.end(), row.group) != cell.taken.end();
+  if (itself && row.chain.empty()) return "the program";
+  return context.model.groups[itself ? row.chain.back() : row.group].name.value;
+}
+
 std::string stops(const Transition& cell, const CellContext& context) {
   std::string out;
   if (!cell.stops.empty())
     out += fmt::format(" {} {}.", names_of(cell.stops, context.model), cell.stops.size() == 1 ? "stops" : "stop");
   if (!cell.taken.empty())
     out += fmt::format(" {} {} on, but not for {} any more.", names_of(cell.taken, context.model),
-                       cell.taken.size() == 1 ? "runs" : "run", context.model.groups[context.row.group].name.value);
+                       cell.taken.size() == 1 ? "runs" : "run", former(cell, context));
   return out;
+}
+
+/// `Stand, which is requested with Grab,`
+std::string others(const CellContext& context) {
+  return fmt::format("{}, which {} requested with {},", names_of(context.takers, context.model),
+                     context.takers.size() == 1 ? "is" : "are", context.model.groups[context.column.group].name.value);
+}
+
+/// Who takes over, with the verb.
+std::string taking(const CellContext& context) {
+  if (context.takers.empty()) return context.model.groups[context.column.group].name.value + " takes";
+  return others(context) + (context.takers.size() == 1 ? " takes" : " take");
+}
+
+/// Who waits for the pushes, without the verb.
+std::string waiting(const CellContext& context) {
+  const std::string& second = context.model.groups[context.column.group].name.value;
+  return context.runs_at_once && !context.takers.empty()
+             ? fmt::format("{} runs at once. What is requested with it", second)
+             : second;
 }
 
 std::string pushes(const Transition& cell, const Model& model) {
@@ -106,11 +136,11 @@ std::string words_of(const Transition& cell, const CellContext& context) {
                                 ? fmt::format(" All of that is promised within {}.", dsl::time_text(*cell.bound))
                                 : std::string{};
     const std::string bound = cell.bound ? all : " No time is promised for that.";
-    return fmt::format("{} waits.{}{} Then {} takes over.{}{}", second, pushes(cell, context.model), bound, second,
-                       stops(cell, context), outside(cell.states));
+    return fmt::format("{} waits.{}{} Then {} over.{}{}", waiting(context), pushes(cell, context.model), bound,
+                       taking(context), stops(cell, context), outside(cell.states));
   }
   case Kind::hard:
-    return fmt::format("{} takes at once what {} holds.{}{}", second, first, stops(cell, context),
+    return fmt::format("{} at once what {} holds.{}{}", taking(context), first, stops(cell, context),
                        outside(cell.states));
   case Kind::waits:
     return fmt::format("{} {} when {} is done.{}{}{}", second,

@@ -86,6 +86,24 @@ await situation('who looks back stays there, while more happens, until the end i
   await until(page, (from) => Number.parseFloat(document.querySelector('.where').innerText) > from + 2, there);
 });
 
+await situation('who chooses an event or a place in the overview, or plays, leaves the end too', game, {}, async ({ page }) => {
+  const first = await time(page);
+  await until(page, (from) => Number.parseFloat(document.querySelector('.where').innerText) > from + 2, first);
+  for (const choose of [() => page.locator('#events button').first().click(), () => page.locator('.overview').click({ position: { x: 5, y: 5 } })]) {
+    await page.check('#follow');
+    await choose();
+    assert.equal(await page.locator('#follow').isChecked(), false);
+    const there = await time(page);
+    await page.waitForTimeout(700);
+    assert.equal(await time(page), there);
+  }
+  await page.check('#follow');
+  await page.getByRole('button', { name: 'Play' }).click();
+  await page.waitForTimeout(500);
+  assert.equal(await page.locator('#follow').isChecked(), false);
+  assert.equal(await page.getByRole('button', { name: 'Pause' }).count(), 1);
+});
+
 await situation('what waits says for which state, what that is worth, and who could cause it', [live], {}, async ({ page }) => {
   await sees(page, '#moment', /Waits\n(.*\n)*Open waits \(Deliver>Open\): until Door == open/);
   await sees(page, '#moment', /Door is shut\nOpen\.unlocking could cause it, and is disabled/);

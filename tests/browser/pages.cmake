@@ -14,6 +14,8 @@ foreach(i RANGE 1 59)
 endforeach()
 file(WRITE ${into}/wide.yaml "${wide}")
 file(WRITE ${into}/alone.yaml "behaviour: alone\nlanguage: 1\nroots: [Only]\ngroups:\n  Only: {}\n")
+file(WRITE ${into}/alike.yaml "behaviour: alike\nlanguage: 1\nroots: {Walkto: {priority: 10}, WalkTo: {priority: 30}, Sit: {priority: 20}}
+groups: {Walkto: {needs: [Legs]}, WalkTo: {needs: [Legs]}, Sit: {needs: [Legs]}, Legs: {}}\n")
 set(aside "behaviour: aside\nlanguage: 1\nroots: [Play]\ngroups:\n  Play: {tasks: [Thing1]}\n")
 foreach(i RANGE 1 80)
   string(APPEND aside "  Thing${i}: {needs: [Part${i}]}\n  Part${i}: {}\n")
@@ -35,7 +37,7 @@ roots: [${name}]
 groups:
   ${name}: {providers: [{name: ${way}, when: [${name}State == ${way}], tasks: [${name}Below]}, {name: else_${way}, tasks: [${name}Below]}]}
   ${name}Below: {}\n")
-execute_process(COMMAND ${DIRECTORC} docs behaviours/soccer/soccer.yaml behaviours/robocup/robocup.yaml tests/docs/explore/photo.yaml ${into}/wide.yaml ${into}/aside.yaml ${into}/flat.yaml ${into}/alone.yaml ${into}/long_names.yaml -o ${into}/out
+execute_process(COMMAND ${DIRECTORC} docs behaviours/soccer/soccer.yaml behaviours/robocup/robocup.yaml tests/docs/explore/photo.yaml ${into}/wide.yaml ${into}/aside.yaml ${into}/flat.yaml ${into}/alone.yaml ${into}/alike.yaml ${into}/long_names.yaml -o ${into}/out
                         "--link=https://git.example.org/{file}#L{line}"
                 WORKING_DIRECTORY ${ROOT} COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${NODE} pages.mjs ${CHROMIUM} ${into}/out WORKING_DIRECTORY ${into} RESULT_VARIABLE failed)

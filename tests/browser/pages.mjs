@@ -63,6 +63,46 @@ await situation('a focus greys out what has nothing to do with the group, Escape
   assert.deepEqual(await near(page), []);
 });
 
+await situation('a focus while modules are shown goes to the picture that has the group, and leaves the others as they are', 'soccer', {}, async (page) => {
+  const place = () => page.locator('.holder:not([hidden]) svg > g').getAttribute('transform');
+  await page.getByLabel('By module', { exact: true }).check();
+  const modules = await place();
+  await click(page.locator('#group-KickTo button.focus'));
+  assert.deepEqual(await page.locator('.picture:visible').evaluateAll((all) => all.map((each) => each.dataset.picture)), ['All groups']);
+  assert.equal(await page.getByLabel('All groups', { exact: true }).isChecked(), true);
+  assert.deepEqual((await near(page)).sort(), ['Kick', 'KickTo', 'KickToGoal', 'LookAt', 'Walk']);
+  assert.doesNotMatch(await place(), /NaN/);
+  await page.getByLabel('By module', { exact: true }).check();
+  assert.equal(await place(), modules);
+  assert.equal(await page.locator('.holder:not([hidden]) svg.focused').count(), 0);
+});
+
+await situation('a focus on a group that shares its box with others is on that box', 'soccer', {}, async (page) => {
+  await click(page.locator('#group-LeftArm button.focus'));
+  assert.deepEqual((await near(page)).sort(), ['Brace', 'GetUp', 'LeftArm, RightArm', 'Walk']);
+  await page.fill('#search', 'leftarm');
+  assert.deepEqual(await page.locator('.holder:not([hidden]) g.node.found title').allTextContents(), ['LeftArm, RightArm']);
+});
+
+await situation('the keys for searching and for ending a focus act where a radio button has the keyboard', 'soccer', {}, async (page) => {
+  await click(page.locator('#group-KickTo button.focus'));
+  await page.getByLabel('All groups', { exact: true }).focus();
+  await page.keyboard.press('Escape');
+  assert.deepEqual(await near(page), []);
+  await page.keyboard.press('/');
+  assert.equal(await focused(page), 'search');
+});
+
+await situation('who goes first is said of the group that is named, where another name differs only in case', 'alike', {}, async (page) => {
+  const ask = async (first, second) => {
+    await page.getByLabel('Who goes first,').fill(first);
+    await page.getByLabel('or', { exact: true }).fill(second);
+    return page.locator('#pair-answer li').allTextContents();
+  };
+  assert.deepEqual(await ask('Walkto', 'Sit'), ['Sit goes first. At the program: Sit (priority 20) before Walkto (priority 10).']);
+  assert.deepEqual(await ask('WalkTo', 'Sit'), ['WalkTo goes first. At the program: WalkTo (priority 30) before Sit (priority 20).']);
+});
+
 await situation('a focus has all that is near the group in the frame, at a size that can be read', 'soccer', {}, async (page) => {
   for (const group of ['Kick', 'Walk', 'Striker']) {
     await click(page.locator(`#group-${group} button.focus`));

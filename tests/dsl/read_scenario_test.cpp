@@ -247,7 +247,7 @@ TEST_CASE("What is wrong in a step is reported at its place") {
                 "2:24 `keep` unknown_key: a request of `A` has no key `keep` (it may have level, data)\n"},
            Case{"[{enable: Walk}]",
                 "2:18 `Walk` wrong_node_kind: `enable`: expected a provider such as Walk.halting, found "
-                "`Walk` (the only provider of a group is called `Walk.default`)\n"},
+                "`Walk` (if it has no `providers`, the only one is called `Walk.default`)\n"},
            Case{"[{advance: soon}]",
                 "2:19 `soon` wrong_node_kind: `advance`: expected a duration such as 10 ms, found `soon` "
                 "(a whole number and one of us, ms, s, min)\n"},

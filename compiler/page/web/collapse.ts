@@ -20,6 +20,7 @@ export function choosePicture(section: HTMLElement): Picture[] {
     holders.forEach((holder, i) => (holder.hidden = i !== chosen));
     if (!shown.has(chosen)) pictures[chosen].show();
     shown.add(chosen);
+    pictures[chosen].settle();
   };
   if (pictures.length > 1) {
     const choice = make('fieldset', { class: 'views' }, make('legend', {}, 'Collapse'));
@@ -27,6 +28,10 @@ export function choosePicture(section: HTMLElement): Picture[] {
       const radio = make('input', { type: 'radio', name: 'view', id: `view-${i}` });
       radio.checked = i === 0;
       radio.addEventListener('change', () => show(i));
+      picture.reveal = () => {
+        radio.checked = true;
+        show(i);
+      };
       choice.append(make('span', {}, radio, make('label', { for: `view-${i}` }, picture.name)));
     });
     holders[0].before(choice);

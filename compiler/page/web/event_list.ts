@@ -9,11 +9,12 @@ import type { Recording } from './recording';
 const before = 6;
 const rows = 14;
 
+/** `chosen`: called before a click goes to an event. */
 export class EventList {
   readonly element = make('div', { id: 'events', tabindex: '0', role: 'region', 'aria-label': 'Events' });
   private readonly list = make('ol');
 
-  constructor(private readonly recording: Recording, private readonly cursor: Cursor, private readonly filter: Filter) {
+  constructor(private readonly recording: Recording, private readonly cursor: Cursor, private readonly filter: Filter, private readonly chosen: () => void) {
     this.element.append(make('h3', {}, 'Events'), this.list);
   }
 
@@ -29,8 +30,13 @@ export class EventList {
     if (events.length === 0) this.list.append(make('li', {}, 'None that the filter lets through.'));
   }
 
+  private go(event: number): void {
+    this.chosen();
+    this.cursor.goToEvent(event);
+  }
+
   private row(event: number, isLast: boolean, isLater: boolean): HTMLElement {
-    const go = button(this.recording.shapeAt(event).text, () => this.cursor.goToEvent(event), isLast ? { 'aria-current': 'true' } : {});
+    const go = button(this.recording.shapeAt(event).text, () => this.go(event), isLast ? { 'aria-current': 'true' } : {});
     go.prepend(make('span', { class: 'time' }, seconds(this.recording.timeOf(event))));
     return make('li', { class: isLater ? 'later' : '' }, go);
   }

@@ -3,9 +3,12 @@
 
 import type { Data } from './data';
 import { button, byId, goTo, make } from './elements';
-import type { Picture } from './picture';
+import { namesIn, type Picture } from './picture';
 
 const most = 12;
+
+/** Types of inputs into which no text is typed. */
+const textless = ['radio', 'checkbox', 'range', 'button'];
 
 export class Finder {
   private readonly input = make('input', { type: 'search', id: 'search', autocomplete: 'off', spellcheck: 'false', 'aria-controls': 'found' });
@@ -25,7 +28,7 @@ export class Finder {
       if (event.key === 'Escape') this.reset();
     });
     document.addEventListener('keydown', (event) => {
-      const typing = event.target instanceof HTMLInputElement || event.target instanceof HTMLTextAreaElement;
+      const typing = event.target instanceof HTMLTextAreaElement || (event.target instanceof HTMLInputElement && !textless.includes(event.target.type));
       if (event.key === '/' && !typing && !event.ctrlKey && !event.metaKey) {
         event.preventDefault();
         this.input.focus();
@@ -37,11 +40,14 @@ export class Finder {
       article.querySelector('h3')?.after(button('Focus in the picture', () => this.focus(group), { class: 'focus', 'aria-label': `Focus on ${group} in the picture` }));
     }
     for (const picture of pictures) {
-      for (const [name, node] of picture.nodes) {
-        if (!this.isGroup(name)) continue;
+      for (const [title, node] of picture.nodes) {
+        const names = namesIn(title).filter((name) => this.isGroup(name));
+        if (names.length === 0) continue;
         node.classList.add('choosable');
         node.addEventListener('click', (event) => {
           if (event.target instanceof Element && event.target.closest('a[*|href]')) return;
+          const text = event.target instanceof Element ? event.target.textContent?.trim() : undefined;
+          const name = names.find((each) => each === text) ?? names[0];
           if (chosen) chosen(name);
           else this.focus(name);
         });
@@ -50,9 +56,12 @@ export class Finder {
   }
 
   focus(group: string | undefined): void {
+    if (group !== undefined && !this.pictures.some((picture) => picture.has(group) && !picture.hidden)) {
+      this.pictures.find((picture) => picture.has(group))?.reveal();
+    }
     for (const picture of this.pictures) picture.focus(group);
     this.clear.hidden = group === undefined;
-    this.status.textContent = group === undefined ? '' : `Focus on ${group}: who requests it or needs it, and what it requests and needs.`;
+    this.status.textContent = group === undefined ? '' : `Focus on ${group}: who requests, needs or pushes it, and what it requests, needs and pushes.`;
     if (group !== undefined) byId('picture')?.scrollIntoView({ block: 'start' });
   }
 

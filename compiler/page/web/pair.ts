@@ -15,10 +15,11 @@ export class Pair {
     make('input', { type: 'search', id: `pair-${id}`, list: 'pair-names', autocomplete: 'off', spellcheck: 'false' }),
   );
   private readonly answer = make('div', { id: 'pair-answer', role: 'status' });
-  private readonly places: Map<string, number>;
+  private readonly places: Map<string, number>; // by name, and by name in small letters, which several groups may share
 
   constructor(private readonly data: Data) {
-    this.places = new Map(data.groups.map((group, i) => [group.name.toLowerCase(), i]));
+    const places = data.groups.map((group, i): [string, number] => [group.name, i]);
+    this.places = new Map([...places.map(([name, i]): [string, number] => [name.toLowerCase(), i]), ...places]);
     const box = byId('pair');
     if (!box || !data.ranks || data.ranks.pairs.length === 0) return;
     const names = make('datalist', { id: 'pair-names' }, ...data.groups.map((group) => make('option', { value: group.name })));
@@ -29,7 +30,7 @@ export class Pair {
   }
 
   private show(): void {
-    const [a, b] = this.inputs.map((input) => this.places.get(input.value.trim().toLowerCase()));
+    const [a, b] = this.inputs.map(({ value }) => this.places.get(value.trim()) ?? this.places.get(value.trim().toLowerCase()));
     this.answer.replaceChildren(...(a === undefined || b === undefined ? [] : this.tell(a, b)));
   }
 

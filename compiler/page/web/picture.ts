@@ -23,19 +23,27 @@ function endsOf(title: string): [string, string] | undefined {
   return ends.length === 2 ? [ends[0], ends[1]] : undefined;
 }
 
+/** The groups of a box, from its title. */
+export const namesIn = (title: string): string[] => title.split(', ');
+
 const groupOf = (end: string): string => end.split('.')[0];
 
 export class Picture {
   readonly nodes = new Map<string, SVGGElement>();
   readonly svg: SVGSVGElement;
   readonly arrows: { from: string; to: string; element: SVGGElement }[] = []; // and their labels; the ends are as in endsOf()
+  private readonly boxes = new Map<string, SVGGElement>(); // by group; several groups may share a box, `LeftArm, RightArm`
   private readonly motion = zoom<SVGSVGElement, unknown>();
+  private pending?: () => void; // centres what was focused while this picture was hidden
+  reveal: () => void = () => undefined; // shows this picture instead of the others
 
   constructor(readonly frame: HTMLElement) {
     this.svg = frame.querySelector('svg') as SVGSVGElement;
     const layer = this.svg.querySelector('g.graph') as SVGGElement;
     for (const node of layer.querySelectorAll<SVGGElement>('g.node')) {
-      this.nodes.set(node.querySelector('title')?.textContent ?? '', node);
+      const title = node.querySelector('title')?.textContent ?? '';
+      this.nodes.set(title, node);
+      for (const name of [title, ...namesIn(title)]) this.boxes.set(name, node);
     }
     for (const element of layer.querySelectorAll<SVGGElement>('g.edge, g.label')) {
       const ends = endsOf(element.querySelector('title')?.textContent ?? '');
@@ -49,26 +57,43 @@ export class Picture {
     return this.frame.dataset.picture ?? '';
   }
 
-  /** Greys out everything but the group, the groups that it requests or needs, and its requesters; undefined: greys out nothing. */
+  get hidden(): boolean {
+    return this.frame.clientWidth === 0;
+  }
+
+  has(group: string): boolean {
+    return this.boxes.has(group);
+  }
+
+  /** Greys out everything but the group, the groups that it requests or needs, and its requesters; nothing if it is undefined or not in the picture. */
   focus(group?: string): void {
-    const near = new Set<string>();
-    if (group !== undefined) near.add(group);
+    const own = group === undefined ? undefined : this.boxes.get(group);
+    const near = new Set<SVGGElement>();
+    if (own) near.add(own);
     for (const arrow of this.arrows) {
-      const [from, to] = [groupOf(arrow.from), groupOf(arrow.to)];
-      const touches = from === group || to === group;
-      if (touches) near.add(from).add(to);
+      const ends = [arrow.from, arrow.to].map((end) => this.boxes.get(groupOf(end)));
+      const touches = own !== undefined && ends.includes(own);
+      for (const end of ends) if (touches && end) near.add(end);
       arrow.element.classList.toggle(inFront, touches);
     }
-    for (const [name, node] of this.nodes) {
-      node.classList.toggle(inFront, near.has(name));
-      node.classList.toggle('chosen', name === group);
+    for (const node of this.nodes.values()) {
+      node.classList.toggle(inFront, near.has(node));
+      node.classList.toggle('chosen', node === own);
     }
-    this.svg.classList.toggle('focused', group !== undefined);
-    if (group !== undefined) this.centre(group, near);
+    this.svg.classList.toggle('focused', own !== undefined);
+    this.pending = own && (() => this.centre(own, near));
+    this.settle();
+  }
+
+  /** Called when it becomes visible: a hidden picture has no size by which something could be centred. */
+  settle(): void {
+    if (this.hidden) return;
+    this.pending?.();
+    this.pending = undefined;
   }
 
   mark(names: Set<string>): void {
-    for (const [name, node] of this.nodes) node.classList.toggle('found', names.has(name));
+    for (const [title, node] of this.nodes) node.classList.toggle('found', namesIn(title).some((name) => names.has(name)));
   }
 
   private makeMovable(layer: SVGGElement): void {
@@ -135,17 +160,16 @@ export class Picture {
   }
 
   /** Centres the group with its related groups if that is readable, otherwise the group alone. */
-  private centre(group: string, near: Set<string>): void {
-    const node = this.nodes.get(group);
+  private centre(node: SVGGElement, near: Set<SVGGElement>): void {
     this.whole();
     const matrix = this.svg.getScreenCTM();
-    if (!node || !matrix || matrix.a === 0) return;
+    if (!matrix || matrix.a === 0) return;
     const around = (nodes: Element[]): DOMRect => {
       const boxes = nodes.map((each) => each.getBoundingClientRect());
       const [left, top] = [Math.min(...boxes.map((box) => box.left)), Math.min(...boxes.map((box) => box.top))];
       return new DOMRect(left, top, Math.max(...boxes.map((box) => box.right)) - left, Math.max(...boxes.map((box) => box.bottom)) - top);
     };
-    const all = around([...near].flatMap((name) => this.nodes.get(name) ?? []));
+    const all = around([...near]);
     const fits = (0.95 * matrix.a) * Math.min(this.frame.clientWidth / all.width, this.frame.clientHeight / all.height);
     const box = fits < readable ? around([node]) : all;
     const at = new DOMPoint(box.left + box.width / 2, box.top + box.height / 2).matrixTransform(matrix.inverse());

@@ -13,7 +13,7 @@ export class Player {
   private readonly speed = make('select', { id: 'speed' }, ...speeds.map((each) => make('option', { value: String(each) }, `${each} ×`)));
   private last: number | undefined; // the time of the last frame; undefined: not playing
 
-  constructor(private readonly recording: Recording, private readonly cursor: Cursor) {
+  constructor(private readonly recording: Recording, private readonly cursor: Cursor, private readonly started: () => void) {
     this.speed.value = '1';
     this.element = make('span', { class: 'row' }, this.toggle, make('label', { for: 'speed' }, 'Speed'), this.speed);
   }
@@ -24,6 +24,7 @@ export class Player {
 
   flip(): void {
     if (this.plays) return this.stop();
+    this.started();
     if (this.cursor.time >= this.recording.ends) this.cursor.goToTime(this.recording.begins);
     this.last = performance.now();
     this.say();

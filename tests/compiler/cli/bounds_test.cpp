@@ -42,6 +42,8 @@ TEST_CASE("the cost of a unit of work on another machine changes the times, and 
   CHECK(world.err.find("--work-ns requires --verbose") != std::string::npos);
   CHECK(world.directorc({"check", "--verbose", "--work-ns=0", "lamp.yaml"}) == 2);
   CHECK(world.err.find("--work-ns: Value 0 not in range") != std::string::npos);
+  CHECK(world.directorc({"check", "--verbose", "--work-ns=nan", "lamp.yaml"}) == 2);
+  CHECK(world.err == "directorc check: --work-ns: Value nan is not a number\nTry `directorc check --help`.\n");
 }
 
 TEST_CASE("a module has no bounds of its own") {

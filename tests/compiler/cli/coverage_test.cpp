@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "compiler/cli/load.hpp"
 #include "tests/compiler/cli/world.hpp"
+#include "tests/support/own_folder.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <sstream>
 
 namespace {
 
@@ -34,6 +39,33 @@ TEST_CASE("what scenarios cover together is reported for each behaviour") {
                      "  providers     1 of 1\n"
                      "  packs         2 of 2\n"
                      "  levels        1 of 1\n");
+}
+
+TEST_CASE("a behaviour that scenarios name by several paths is one in the coverage") {
+  const director::tests::OwnFolder folder("cli-coverage");
+  std::filesystem::create_directories(folder.path / "below");
+  folder.write("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups:\n"
+                            "  Lamp: {packs: {bright: {}, dim: {}}}\n");
+  std::filesystem::create_symlink("../lamp.yaml", folder.path / "below/linked.yaml");
+  folder.write("bright.yaml", "behaviour: lamp.yaml\nscript: {Lamp: {pack: bright}}\nsteps: [request: Lamp]\n");
+  folder.write("below/dim.yaml", "behaviour: linked.yaml\nscript: {Lamp: {pack: dim}}\nsteps: [request: Lamp]\n");
+  director::dsl::DiskFiles files;
+  director::compiler::cli::MemoryOutputs outputs;
+  director::tests::FakePrograms programs;
+  std::ostringstream out, err;
+  director::compiler::cli::Console console{out, err, false, false, files, outputs, programs};
+  const std::string first = (folder.path / "bright.yaml").string(), second = (folder.path / "below/dim.yaml").string();
+  const int status = std::visit([&](const auto& command) { return run(command, console); },
+                                director::compiler::cli::parse({"test", "--coverage", "--min=100", first, second}));
+  CHECK(status == 0);
+  CHECK(err.str().empty());
+  using director::compiler::cli::shown_path;
+  CHECK(out.str() == "holds " + shown_path(first) + "\nholds " + shown_path(second) + "\n2 of 2 hold\ncoverage of " +
+                         shown_path((folder.path / "lamp.yaml").string()) +
+                         " by 2 scenarios: 100 % (4 of 4)\n"
+                         "  providers     1 of 1\n"
+                         "  packs         2 of 2\n"
+                         "  levels        1 of 1\n");
 }
 
 TEST_CASE("too little that is covered is a failure where a minimum is requested") {

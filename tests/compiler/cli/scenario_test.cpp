@@ -102,6 +102,33 @@ TEST_CASE("every stage can be printed") {
   CHECK(world.err == "directorc: `bulb.yaml` has no `roots`: a module alone has no tables\n");
 }
 
+TEST_CASE("a step that is not played, because the engine does not come to rest before, has no moment") {
+  World world;
+  world.files.add("busy.yaml",
+                  "behaviour: busy\nlanguage: 1\nroots: [Busy]\ngroups:\n  Busy: {tasks: [Part], every: 1 us}\n"
+                  "  Part: {}\n");
+  world.files.add("b.scenario.yaml", "behaviour: busy.yaml\nscript: {Part: {done: true}}\n"
+                                     "steps: [request: Busy, cancel: Busy]\n");
+  const std::string ends = "directorc: `b.scenario.yaml` ends in step 1: the engine does not come to rest\n";
+  CHECK(world.directorc({"why", "b.scenario.yaml", "Busy", "--step", "2"}) == 1);
+  CHECK(world.out.empty());
+  CHECK(world.err == ends);
+  CHECK(world.directorc({"why", "b.scenario.yaml", "Busy", "--step", "1"}) == 1);
+  CHECK(world.out.starts_with("Busy runs (root>Busy) in default"));
+  CHECK(world.err == ends);
+  CHECK(world.directorc({"graph", "b.scenario.yaml", "--step", "2"}) == 1);
+  CHECK(world.out.empty());
+  CHECK(world.err == ends);
+}
+
+TEST_CASE("the spec of a file with errors is printed, and the exit status says that there are errors") {
+  World world;
+  world.files.add("twice.yaml", "behaviour: twice\nlanguage: 1\nroots: [Lamp]\ngroups: {Lamp: {need: []}}\n");
+  CHECK(world.directorc({"dump", "--stage=spec", "twice.yaml"}) == 1);
+  CHECK(world.out.find("Lamp") != std::string::npos);
+  CHECK(world.err.ends_with("1 error\n"));
+}
+
 TEST_CASE("a check is explained, and all are listed") {
   World world;
   CHECK(world.directorc({"explain", "needs_cycle"}) == 0);

@@ -116,6 +116,43 @@ steps:
 )");
 }
 
+TEST_CASE("hard, soft: the second runs at once, and what is requested with it takes over") {
+  const std::string pack = R"(states: {Pose: {values: [moving, still], initial: still}}
+roots: {Guard: {priority: 20}, Walk: {priority: 10}}
+groups:
+  Guard: {packs: {act: {Stand: {priority: 6}, Grab: {apart: true, priority: 2}}}}
+  Walk:
+    providers:
+      - {name: walking, needs: [Legs], sets: [Pose == moving], tasks: [Legs]}
+      - {name: halting, needs: [Legs], causing: [Pose == still within 2 s], tasks: [Legs]}
+  Grab: {needs: [Hand]}
+  Hand: {}
+  Legs: {}
+)";
+  const auto words = [&](const std::string& stand) {
+    const std::string all = cell(pack + stand, "Walk", "Grab");
+    return all.substr(0, all.find('\n'));
+  };
+  CHECK(words("  Stand: {needs: [Legs]}\n") ==
+        "hard: Stand, which is requested with Grab, takes at once what Walk holds. Walk and Legs stop.");
+  CHECK(words("  Stand: {when: [Pose == still], needs: [Legs]}\n") ==
+        "soft: Grab runs at once. What is requested with it waits. Walk is pushed to halting for Pose == still, within "
+        "2 s. Then Stand, which is requested with Grab, takes over. Walk and Legs stop.");
+}
+
+TEST_CASE("hard: the group of the row itself is taken, and runs on, but not for its requester") {
+  const char* const shared = R"(roots: {Boss: {priority: 10}, Guard: {priority: 50}}
+groups:
+  Boss: {tasks: [Look]}
+  Guard: {tasks: [Look]}
+  Look: {needs: [Eyes], tasks: [Eyes]}
+  Eyes: {}
+)";
+  const std::string all = cell(shared, "Look", "Guard");
+  CHECK(all.substr(0, all.find('\n')) ==
+        "hard: Guard takes at once what Look holds. Look and Eyes run on, but not for Boss any more.");
+}
+
 TEST_CASE("waits: the requester of the second runs in another way meanwhile, and is named") {
   CHECK(
       cell(R"(roots: {Guard: {priority: 20}, Serve: {priority: 10}}
