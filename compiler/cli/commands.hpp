@@ -30,7 +30,6 @@ struct CppSource {
 
 struct Check {
   std::string file;
-  CppSource cpp;
   Format format = Format::text;
   checks::Selection selection;
   std::string reachable;                          ///< empty: none; else `Kick`, `Walk.halting`, `Pose == standing`
@@ -38,20 +37,20 @@ struct Check {
   double work_ns = analysis::nanoseconds_of_work; ///< the cost of a unit of work
   std::size_t explore = 0;                        ///< states to explore for what never runs; 0: none
   bool watch = false;                             ///< again whenever a file that was read changes
+  CppSource cpp{};
 };
 
 struct Generate {
   std::string file;
-  CppSource cpp;
   std::string folder;
   std::string depfile; ///< empty: none
   std::string target;  ///< target of the depfile; empty: all that is generated
   checks::Selection selection;
+  CppSource cpp{};
 };
 
 struct DrawGraph {
   std::string file;
-  CppSource cpp;
   Format format = Format::dot;
   std::string output;                   ///< empty: to the terminal
   std::string link;                     ///< address of a line, with {file} and {line}; empty: nothing is a link
@@ -65,16 +64,17 @@ struct DrawGraph {
   std::uint32_t step = 0;               ///< of a scenario: the moment after this one; 0: no step is named
   std::optional<std::int64_t> time;     ///< of a scenario: the moment at this time, in microseconds
   bool frames = false;                  ///< of a scenario: a file for each step, into the folder `output`
+  CppSource cpp{};
 };
 
 /// Pages for people, one a behaviour.
 struct Docs {
-  CppSource cpp;
   std::vector<std::string> files;
   std::string folder;
   Format format = Format::html;
   std::string link;                     ///< address of a line, with {file} and {line}; empty: nothing is a link
   std::vector<std::string> transitions; ///< groups of the matrix; empty: all
+  CppSource cpp{};
 };
 struct Explain {
   std::string id; ///< of a check, or a key of the language
@@ -84,73 +84,73 @@ struct ListChecks {};
 
 /// How one behaviour differs in meaning from another, or from itself in a revision of git.
 struct Diff {
-  CppSource cpp;
   std::string before; ///< empty with `revision`
   std::string after;
   std::string revision; ///< empty: `before` is a file
   bool staged = false;  ///< with `revision`: `after` is what git has staged, not the file on the disk
   Format format = Format::text;
   Breaking breaking;
+  CppSource cpp{};
 };
 
 struct Simulate {
   std::string file;
-  CppSource cpp;
   Format format = Format::text;
   bool decisions = false;
   bool times = false;
   std::string trace; ///< a file for all that happens; empty: none
+  CppSource cpp{};
 };
 
 /// Converts what a robot or a scenario recorded.
 struct Trace {
   std::string file;
-  CppSource cpp;           ///< for html
   std::string to = "text"; ///< text, json, perfetto, html
   std::string output;      ///< empty: to the terminal
   std::string behaviour;   ///< for html: its file; empty: the one that the trace names
   std::string link;        ///< for html: address of a line, with {file} and {line}; empty: nothing is a link
+  CppSource cpp{};         ///< for html
 };
 
 /// Replays what was recorded on the engine.
 struct Replay {
-  CppSource cpp;
   std::string trace;
   std::string behaviour; ///< its file; empty: the one that the trace names
   Format format = Format::text;
+  CppSource cpp{};
 };
 
 /// Why a group runs or not, at some moment of a scenario.
 struct Why {
-  CppSource cpp;
   std::string scenario, group;
   std::uint32_t step = 0;           ///< after this step, from 1; 0: in the end
   std::optional<std::int64_t> time; ///< or at this time, in microseconds
   Format format = Format::text;
+  CppSource cpp{};
 };
 
 struct Test {
-  CppSource cpp;
   std::vector<std::string> files; ///< or folders, with all scenarios below them
   Format format = Format::text;
   bool coverage = false;
   int min = 0;         ///< percent of each behaviour's points; less is a failure
   bool update = false; ///< write what happens into the files
   bool watch = false;  ///< again whenever a file that was read changes
+  CppSource cpp{};
 };
 
 struct Dump {
   std::string file;
-  CppSource cpp;
   std::string stage;
+  CppSource cpp{};
 };
 
 /// Explores all states that the behaviour can be in.
 struct Explore {
   std::string file;
-  CppSource cpp;
   std::size_t bound = 1'000'000; ///< states
   std::string output;            ///< folder for scenarios; empty: none are written
+  CppSource cpp{};
 };
 
 /// Adds the C++ that a behaviour needs and the program does not have yet.

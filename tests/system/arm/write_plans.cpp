@@ -48,7 +48,7 @@ int main(int count, char** arguments) {
   std::string traces;
   for (auto file = words.begin() + 2; file != words.end(); ++file) {
     dsl::Sources sources;
-    const cli::LoadedScenario loaded = cli::load_scenario(*file, sources, console);
+    const cli::LoadedScenario loaded = cli::load_scenario(*file, sources, console, {});
     if (loaded.status != cli::clean) return loaded.status;
     const std::string title = std::filesystem::path(*file).filename().string();
     text.add(title, sources, loaded);
