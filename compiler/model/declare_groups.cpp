@@ -98,6 +98,7 @@ void extend(Resolver& r, const dsl::ExtendSpec& spec) {
       if (!known.empty()) finding.help = fmt::format("its providers are {}", dsl::list_of(known));
     }
   }
+  if (spec.doc) source.docs.push_back(&*spec.doc);
   add_providers(r, r.model.groups[*id].name, source, spec.providers, place);
 }
 

@@ -164,8 +164,15 @@ Provider stand_in(Resolver& r, GroupId id) {
   return out;
 }
 
+/// Adds a paragraph.
+void add_doc(std::string& all, const std::string& doc) {
+  while (all.ends_with('\n')) all.pop_back();
+  all += (all.empty() ? "" : "\n\n") + doc;
+}
+
 void resolve_group(Resolver& r, GroupId id, const GroupSource& source) {
   if (source.spec) resolve_words(r, r.model.groups[id], *source.spec);
+  for (const Word* doc : source.docs) add_doc(r.model.groups[id].doc, doc->value);
   const ForAll for_all = resolve_for_all(r, source.spec);
   for (const dsl::ProviderSpec* spec : source.providers) {
     const ProviderId provider = r.model.providers.add(resolve_provider(r, id, *spec, for_all));

@@ -22,6 +22,7 @@ struct GroupSource {
   const dsl::GroupSpec* spec = nullptr; ///< null: an `extern` without a declaration
   const dsl::BehaviourSpec* file = nullptr;
   std::vector<const dsl::ProviderSpec*> providers; ///< in order of preference, `extend` included
+  std::vector<const Word*> docs;                   ///< of each `extend`
   std::vector<const dsl::ProviderSpec*> forgotten; ///< duplicates: resolved for their own faults only
 };
 

@@ -10,6 +10,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace director::compiler {
 
@@ -55,12 +57,15 @@ std::string message(std::string_view text) {
   return out;
 }
 
+constexpr const char* groups_heading = "Groups";
+
 class MarkdownPage {
 public:
   explicit MarkdownPage(const PageInput& input)
       : input_(input),
         data_(input.data),
-        relations_(find_relations(input.data)) {}
+        relations_(find_relations(input.data)),
+        anchors_(anchors_in(input.data)) {}
 
   std::string write() {
     out_ = fmt::format("# {}\n\n", escaped(data_["behaviour"].as_text()));
@@ -78,11 +83,26 @@ public:
   }
 
 private:
-  /// Equals the anchor that GitHub makes of a heading with a name.
+  /// Equals the anchor that viewers make of a heading with a name.
   static std::string in_small_letters(std::string text) {
     for (char& letter : text) letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
     return text;
   }
+
+  /// Of equal headings, viewers number all but the first, each viewer in its own way. So a group that is not the first
+  /// has an anchor of its own; the others have none, as Sphinx knows only anchors of headings.
+  static std::map<std::string, std::string> anchors_in(const Json& data) {
+    std::set<std::string> taken = {in_small_letters(data["behaviour"].as_text()), in_small_letters(groups_heading)};
+    std::map<std::string, std::string> out;
+    for (const Json& group : data["groups"].items()) {
+      const std::string& name = group["name"].as_text();
+      const std::string of_heading = in_small_letters(name);
+      out[name] = taken.insert(of_heading).second ? of_heading : own_anchor(name);
+    }
+    return out;
+  }
+
+  static std::string own_anchor(const std::string& group) { return "group-" + group; }
 
   void add_doc(const Json& thing) {
     if (thing["doc"].is_null()) return;
@@ -102,10 +122,10 @@ private:
   }
 
   /// `Walk.halting` as a link to its group; the program has none.
-  static std::string mention(const Mention& mention) {
+  std::string mention(const Mention& mention) const {
     const std::string by = mention.group.empty()
                                ? "the program"
-                               : fmt::format("[{}](#{})", escaped(mention.by), in_small_letters(mention.group));
+                               : fmt::format("[{}](#{})", escaped(mention.by), anchors_.at(mention.group));
     return mention.how.empty() ? by : fmt::format("{} ({})", by, escaped(mention.how));
   }
 
@@ -158,9 +178,10 @@ private:
   }
 
   void add_groups() {
-    out_ += "## Groups\n\n";
+    out_ += fmt::format("## {}\n\n", groups_heading);
     for (const Json& group : data_["groups"].items()) {
       const std::string& name = group["name"].as_text();
+      if (anchors_.at(name) == own_anchor(name)) out_ += fmt::format("<a id=\"{}\"></a>\n\n", own_anchor(name));
       out_ += fmt::format("### {}\n\n", escaped(name));
       add_doc(group);
       std::string where = place(group);
@@ -280,6 +301,7 @@ private:
   const PageInput& input_;
   const Json& data_;
   Relations relations_;
+  std::map<std::string, std::string> anchors_; // of each group
   std::string out_;
 };
 

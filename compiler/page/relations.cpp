@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/page/relations.hpp"
 
+#include "compiler/page/words.hpp"
 #include "dsl/duration.hpp"
 
 #include <fmt/format.h>
@@ -85,6 +86,7 @@ std::string manner_of(const Json& task) {
     if (level["optional"].as_boolean()) out += ", optional";
     if (level["apart"].as_boolean()) out += ", apart";
   }
+  if (!task["doc"].is_null()) out += ": " + trimmed(task["doc"].as_text());
   return out;
 }
 

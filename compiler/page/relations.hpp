@@ -34,7 +34,7 @@ struct Relations {
 
 Relations find_relations(const Json& data);
 
-/// `priority 20`, `priority normal 10, urgent 80`, `priority 10, optional`
+/// `priority 20`, `priority normal 10, urgent 80`, `priority 10, optional`, and its `doc`: `priority 20: At times.`
 std::string manner_of(const Json& task);
 
 /// `Walk.halting`, `Kick`

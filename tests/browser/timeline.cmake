@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cmake -D NODE=<program> -D NPM=<program> -D CHROMIUM=<program> -D DIRECTORC=<program> -D SOCCER=<program> -D FROM=<this folder> -D ROOT=<the project> -D WORK=<folder> -P timeline.cmake
-# Writes four recordings as pages and tests them in a browser (timeline.mjs): a minute of soccer, the same with missing events, the rover, and two
-# tasks that are blocked.
+# Writes five recordings as pages and tests them in a browser (timeline.mjs): a minute of soccer, the same with missing events, the rover, two tasks
+# that are blocked, and a request for a task that runs for another.
 include(${CMAKE_CURRENT_LIST_DIR}/install.cmake)
 begin(${FROM} timeline)
 file(GLOB scripts ${FROM}/*.mjs)
@@ -23,9 +23,23 @@ steps:
   - advance: 1 s
 ")
 execute_process(COMMAND ${DIRECTORC} simulate ${into}/blocked.scenario.yaml --trace ${into}/blocked.jsonl OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+file(WRITE ${into}/eyes.yaml "behaviour: eyes
+language: 1
+roots: {Boss: {priority: 10}, Guard: {priority: 50}}
+groups: {Boss: {tasks: [Look]}, Guard: {tasks: [Look]}, Look: {}}
+")
+file(WRITE ${into}/eyes.scenario.yaml "scenario: the guard takes what the boss requests too
+behaviour: eyes.yaml
+steps:
+  - inputs: [{request: Boss}]
+  - advance: 1 s
+  - inputs: [{request: Guard}]
+  - advance: 1 s
+")
+execute_process(COMMAND ${DIRECTORC} simulate ${into}/eyes.scenario.yaml --trace ${into}/eyes.jsonl OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${NODE} gap.mjs minute.jsonl gap.jsonl WORKING_DIRECTORY ${into} COMMAND_ERROR_IS_FATAL ANY)
 foreach(page minute:behaviours/soccer/soccer.yaml gap:behaviours/soccer/soccer.yaml rover:tests/docs/rover/rover.yaml
-             blocked:${into}/blocked.yaml)
+             blocked:${into}/blocked.yaml eyes:${into}/eyes.yaml)
   string(REPLACE ":" ";" page ${page})
   list(POP_FRONT page name)
   execute_process(COMMAND ${DIRECTORC} trace ${into}/${name}.jsonl --to=html --behaviour ${page} -o ${into}/out/${name}.html "--link=https://git.example.org/{file}#L{line}"

@@ -28,12 +28,13 @@ PictureBox BoxMaker::group(GroupId id) const {
   box.name = group.name.value;
   box.groups = {id};
   box.data = group.data;
-  if (const Task* root = root_of(id))
-    box.requested = words_.manner(manner_of(model_, *root, has_priorities(model_, model_.roots)));
+  const Task* root = root_of(id);
+  if (root != nullptr) box.requested = words_.manner(manner_of(model_, *root, has_priorities(model_, model_.roots)));
   box.lines = words_.handler_lines(group);
   for (const ProviderId provider : group.providers) box.rows.push_back(words_.row(provider));
   box.in_focus = is_focused(id);
   box.about = words_.group(id);
+  if (root != nullptr && !root->doc.empty()) box.about.words += "\n" + with_doc("requested by the program", root->doc);
   return box;
 }
 

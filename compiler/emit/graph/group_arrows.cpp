@@ -38,6 +38,7 @@ struct Wanted {
   struct Request {
     std::size_t pack = 0;
     Manner manner;
+    std::string doc; ///< of the task
   };
   std::vector<Request> requests;
   Span span{};
@@ -77,7 +78,7 @@ private:
       for (const Task& task : provider.packs[i].tasks) {
         Wanted& wanted = out[task.target];
         if (wanted.requests.empty()) wanted.span = task.span;
-        wanted.requests.push_back({i, manner_of(model_, task, numbers_)});
+        wanted.requests.push_back({i, manner_of(model_, task, numbers_), task.doc});
       }
     }
     for (const Use<GroupId>& need : provider.needs) {
@@ -98,13 +99,13 @@ private:
     return out;
   }
 
-  std::string words(const GroupArrow& arrow, const Pack* pack, const Manner& manner) const {
+  std::string words(const GroupArrow& arrow, const Pack* pack, const Wanted::Request& request) const {
     const ProviderId provider = model_.groups[arrow.from].providers[*arrow.row];
     const std::string& to = model_.groups[arrow.to].name.value;
     const std::string requester = requester_name(model_, provider, pack);
     if (arrow.kind == ArrowKind::need) return fmt::format("{} needs {}", requester, to);
-    return fmt::format("{} {} {}{}", requester, arrow.kind == ArrowKind::both ? "needs and requests" : "requests", to,
-                       manner_words(manner));
+    const std::string_view how = arrow.kind == ArrowKind::both ? "needs and requests" : "requests";
+    return with_doc(fmt::format("{} {} {}{}", requester, how, to, manner_words(request.manner)), request.doc);
   }
 
   void add_row(GroupId from, GroupId to, std::size_t row, const Wanted& wanted, std::vector<GroupArrow>& out) const {
@@ -123,7 +124,7 @@ private:
         of_pack.label = request.manner.text;
         of_pack.optional = request.manner.optional;
         of_pack.apart = request.manner.apart;
-        of_pack.words = words(of_pack, &provider.packs[request.pack], request.manner);
+        of_pack.words = words(of_pack, &provider.packs[request.pack], request);
         out.push_back(of_pack);
       }
       return;
@@ -137,7 +138,7 @@ private:
     all.apart = every(&Manner::apart);
     for (const Wanted::Request& request : wanted.requests) {
       join(all.label, request.manner.text, ", ");
-      join(all.words, words(all, choice ? &provider.packs[request.pack] : nullptr, request.manner), "\n");
+      join(all.words, words(all, choice ? &provider.packs[request.pack] : nullptr, request), "\n");
     }
     if (wanted.requests.empty()) all.words = words(all, nullptr, {});
     out.push_back(all);
@@ -201,6 +202,12 @@ Manner manner_of(const Model& model, const Task& task, bool numbers) {
     join(out.text, text, ", ");
   }
   return out;
+}
+
+std::string with_doc(const std::string& name, std::string doc) {
+  std::replace(doc.begin(), doc.end(), '\n', ' ');
+  while (doc.ends_with(' ')) doc.pop_back();
+  return doc.empty() ? name : fmt::format("{}: {}", name, doc);
 }
 
 std::vector<GroupArrow> find_requests(const Model& model, Detail detail) {

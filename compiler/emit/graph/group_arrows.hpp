@@ -56,4 +56,7 @@ bool has_priorities(const Model& model, const std::vector<Task>& tasks);
 /// `Walk.halting`, `Kick`, `Striker.ready, pack go`.
 std::string requester_name(const Model& model, ProviderId provider, const Pack* pack);
 
+/// `Walk: It walks.`, on one line; the name alone without a `doc`.
+std::string with_doc(const std::string& name, std::string doc);
+
 } // namespace director::compiler

@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace director::compiler {
 
 namespace {
@@ -28,17 +26,6 @@ void add_handler(std::vector<PictureLine>& out, std::string_view key, const Mode
   if (!handler) return;
   for (const ConditionUse& use : handler->sets)
     out.push_back({LineKind::sets, fmt::format("{} sets", key), model.conditions[use.id].text});
-}
-
-/// A text of several lines on one.
-std::string flat(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  while (text.ends_with(' ')) text.pop_back();
-  return text;
-}
-
-std::string with_doc(std::string name, const std::string& doc) {
-  return doc.empty() ? name : fmt::format("{}: {}", name, flat(doc));
 }
 
 } // namespace

@@ -5,7 +5,7 @@ import { type Cursor, seconds } from './cursor';
 import { make, withPlace } from './elements';
 import type { Because, Source } from './recording';
 import type { Standing } from './standing';
-import { words } from './standing_words';
+import { waitWords, words } from './standing_words';
 
 const link = (kind: string, name: string): HTMLElement => make('a', { href: `#${kind}-${name}` }, name);
 
@@ -60,8 +60,10 @@ export class Moment {
 
   private line(group: number, standing: Standing, mark: string): HTMLElement {
     const { condition } = standing.push ?? {};
-    const text = words(this.source.recording.names, group, standing);
-    return make('li', { class: mark }, link('group', this.name(group)), text === '' ? '' : `: ${text}`, mark === 'pushed' && condition ? `, which waits for ${condition}` : '');
+    const { names } = this.source.recording;
+    const text = words(names, group, standing);
+    const others = standing.waits.map((wait) => `; queued for ${names.askerText(wait.edge)}: ${waitWords(wait, names)}`);
+    return make('li', { class: mark }, link('group', this.name(group)), text === '' ? '' : `: ${text}`, mark === 'pushed' && condition ? `, which waits for ${condition}` : '', ...others);
   }
 
   private idle(group: number): HTMLElement {

@@ -325,6 +325,22 @@ TEST_CASE("groups that are requested alike have frames of their own, which show 
                                           "BORDER=\"1\" STYLE=\"ROUNDED\" COLOR=\"#8A919B\" \n");
 }
 
+TEST_CASE("the `doc` of a task is in the words of its arrow, that of a root and of `extend` in those of the group") {
+  const Picture picture = picture_of(R"(behaviour: docs
+language: 1
+roots: {A: {priority: 3, doc: At times.}}
+groups:
+  A: {tasks: {B: {priority: 1, doc: "Two\nlines."}}}
+  B: {doc: It is.}
+extend:
+  B: {doc: And more., providers: [{name: more}]}
+)");
+  CHECK(picture.boxes[0].about.words == "A\nrequested by the program: At times.");
+  CHECK(picture.boxes[1].about.words == "B: It is.  And more.");
+  REQUIRE(picture.arrows.size() == 1);
+  CHECK(picture.arrows[0].about.words == "A requests B, priority 1: Two lines.");
+}
+
 TEST_CASE("a picture as text has its purpose and the number of things of each kind") {
   CHECK(
       summary(picture_of(walker)) ==

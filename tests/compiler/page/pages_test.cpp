@@ -101,6 +101,33 @@ TEST_CASE("a text of several paragraphs has them on both pages") {
   CHECK(pages.html.find("<p class=\"doc\">One\nleg.</p>\n<p class=\"doc\">The other.</p>\n") != std::string::npos);
 }
 
+TEST_CASE("the `doc` of a root, a task and `extend` is on both pages") {
+  const Pages pages = pages_of("roots: {A: {priority: 3, doc: At times.}}\n"
+                               "groups: {A: {tasks: {B: {optional: true, doc: If <light>.}}}, B: {doc: It is.}}\n"
+                               "extend: {B: {doc: And more., providers: [{name: more}]}}\n",
+                               "");
+  for (const std::string text : {"(priority 3: At times.)", "(priority 0, optional: If &lt;light&gt;.)"}) {
+    CHECK(pages.markdown.find(text) != std::string::npos);
+    CHECK(pages.html.find(text) != std::string::npos);
+  }
+  CHECK(pages.markdown.find("\n\nIt is.\n\nAnd more.\n\n") != std::string::npos);
+  CHECK(pages.html.find("<p class=\"doc\">It is.</p>\n<p class=\"doc\">And more.</p>") != std::string::npos);
+}
+
+TEST_CASE("Markdown links to a group lead to it, also where an earlier heading of the page is equal") {
+  const std::string markdown = pages_of("roots: [Master]\ngroups:\n"
+                                        "  Master: {tasks: [Robot, Groups, WalkTo, Walkto, Findings]}\n"
+                                        "  Robot: {}\n  Groups: {}\n  WalkTo: {}\n  Walkto: {}\n  Findings: {}\n",
+                                        "")
+                                   .markdown;
+  for (const std::string name : {"Robot", "Groups", "Walkto"}) {
+    CHECK(markdown.find("[" + name + "](#group-" + name + ")") != std::string::npos);
+    CHECK(markdown.find("<a id=\"group-" + name + "\"></a>\n\n### " + name + "\n") != std::string::npos);
+  }
+  CHECK(markdown.find("[WalkTo](#walkto)") != std::string::npos);
+  CHECK(markdown.find("[Findings](#findings)") != std::string::npos);
+}
+
 TEST_CASE("the policy of a page allows its own script and style by their check sums, and nothing else") {
   const std::string html = pages_of(robot, {}).html;
   const std::string policy = between(html, "content=\"default-src 'none'; ", "\">");
