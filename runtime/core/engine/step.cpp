@@ -117,7 +117,7 @@ DIRECTOR_INLINE bool Engine::micro_step() {
   const bool further = now > c.until;
   if (further) c.until = now;
   const bool goes_on = c.serving || (!further && (c.handlers_set || !queue().empty() || c.unsettled));
-  if (c.now != c.until && (!goes_on || inbox_.due())) {
+  if (c.now != c.until && (!goes_on || inbox_.is_open())) {
     c.now = c.until;
     c.serving = false;
   }
