@@ -104,6 +104,18 @@ await situation('who chooses an event or a place in the overview, or plays, leav
   assert.equal(await page.getByRole('button', { name: 'Pause' }).count(), 1);
 });
 
+await situation('the boxes of the filter follow what happens, and a click on one removes the track of that group alone', game, {}, async ({ page }) => {
+  await page.locator('.filter summary').click();
+  const ticked = () => page.locator('.filter fieldset:nth-of-type(2) label:has(input:checked)').allInnerTexts();
+  const first = (await ticked()).length;
+  await until(page, (before) => document.querySelectorAll('.filter fieldset:nth-of-type(2) input:checked').length > before, first);
+  const [gone, ...others] = (await ticked()).map((name) => name.trim());
+  await page.locator('.filter').getByLabel(gone, { exact: true }).uncheck();
+  await until(page, ([group, stay]) => {
+    const shown = [...document.querySelectorAll('.labels a:not(.state)')].map((track) => track.textContent);
+    return !shown.includes(group) && stay.every((each) => shown.includes(each));
+  }, [gone, others]);
+});
 await situation('what waits says for which state, what that is worth, and who could cause it', [live], {}, async ({ page }) => {
   await sees(page, '#moment', /Waits\n(.*\n)*Open waits \(Deliver>Open\): until Door == open/);
   await sees(page, '#moment', /Door is shut\nOpen\.unlocking could cause it, and is disabled/);

@@ -16,7 +16,7 @@ const usual: Sort[] = ['request', 'take-over', 'push', 'queue', 'state', 'handle
 export class Filter {
   readonly element = make('details', { class: 'filter' }, make('summary', {}, 'Filter'));
   private readonly chosenSorts = new Set<Sort>(usual);
-  private chosenGroups: Set<number> | undefined; // undefined: those to which something happens
+  private readonly chosenGroups = new Map<number, boolean>(); // by the user; others are shown if something happens to them
   private shown = counts();
   private looked = 0; // the first event that has not been filtered into `shown` yet
   private let: boolean[] = []; // by the index of a shape: whether its events are shown; a cache
@@ -29,22 +29,25 @@ export class Filter {
     for (const sort of sorts) events.append(this.box(words[sort], this.chosenSorts.has(sort), (on) => (on ? this.chosenSorts.add(sort) : this.chosenSorts.delete(sort))).label);
     const groups = make('fieldset', {}, make('legend', {}, 'Groups'));
     for (const group of order) {
-      const { label, input } = this.box(recording.names.header.groups[group].name, this.shows(group), () => this.take());
+      const { label, input } = this.box(recording.names.header.groups[group].name, this.shows(group), (on) => this.choose(group, on));
       this.boxes.push(input);
       groups.append(label);
     }
-    const all = (on: (group: number) => boolean) => (): void => {
-      this.boxes.forEach((box, i) => (box.checked = on(order[i])));
-      this.take();
+    const all = (on?: boolean) => (): void => {
+      this.chosenGroups.clear();
+      if (on !== undefined) for (const group of order) this.chosenGroups.set(group, on);
+      this.tell();
       this.anew();
     };
-    groups.append(make('span', { class: 'row' }, button('All groups', all(() => true)), button('No group', all(() => false)), button('Those to which something happens', all((group) => this.happens(group)))));
+    groups.append(make('span', { class: 'row' }, button('All groups', all(true)), button('No group', all(false)), button('Those to which something happens', all())));
     this.element.append(make('div', {}, events, groups, this.note));
+    this.element.addEventListener('toggle', () => this.tell());
     this.tell();
   }
 
   /** The groups that have a track, in order. `event`: instead those that are neither inactive nor unknown after this event. */
   groups(event?: number): number[] {
+    if (this.element.open) this.tell(); // a recording that grows may have something of further groups
     return this.order.filter((group) => (event === undefined ? this.shows(group) : !['inactive', 'unknown'].includes(this.recording.standingAt(group, event).mark)));
   }
 
@@ -67,8 +70,7 @@ export class Filter {
     let known = this.let[place];
     if (known === undefined) {
       const shape = this.recording.shapes[place];
-      const { chosenGroups } = this;
-      known = this.chosenSorts.has(shape.sort) && (chosenGroups === undefined || shape.groups.length === 0 || shape.groups.some((group) => chosenGroups.has(group)));
+      known = this.chosenSorts.has(shape.sort) && (shape.groups.length === 0 || shape.groups.some((group) => this.chosenGroups.get(group) ?? true));
       this.let[place] = known;
     }
     return known;
@@ -82,20 +84,22 @@ export class Filter {
   }
 
   private shows(group: number): boolean {
-    return this.chosenGroups === undefined ? this.happens(group) : this.chosenGroups.has(group);
+    return this.chosenGroups.get(group) ?? this.happens(group);
   }
 
   private happens(group: number): boolean {
     return this.recording.groups[group].event.length > 1;
   }
 
-  private take(): void {
-    this.chosenGroups = new Set(this.order.filter((_, i) => this.boxes[i].checked));
+  private choose(group: number, on: boolean): void {
+    this.chosenGroups.set(group, on);
     this.tell();
   }
 
+  /** Brings the boxes and the note up to date. */
   private tell(): void {
-    const hidden = this.order.length - this.groups().length;
+    this.boxes.forEach((box, i) => (box.checked = this.shows(this.order[i])));
+    const hidden = this.order.filter((group) => !this.shows(group)).length;
     this.note.textContent = hidden === 0 ? '' : `${hidden} ${hidden === 1 ? 'group has' : 'groups have'} no track.`;
   }
 

@@ -47,7 +47,7 @@ export class Finder {
         node.addEventListener('click', (event) => {
           if (event.target instanceof Element && event.target.closest('a[*|href]')) return;
           const text = event.target instanceof Element ? event.target.textContent?.trim() : undefined;
-          const name = names.find((each) => each === text) ?? names[0];
+          const name = names.find((each) => text === each || text?.endsWith(` ${each}`)) ?? names[0]; // `▶ LeftArm`
           if (chosen) chosen(name);
           else this.focus(name);
         });
