@@ -79,7 +79,7 @@ bool Behaviour::take_timer(const Input& input) {
   if (promised == promised_.end()) return false;
   const auto at = promised->second.due.find(input.causing);
   if (at == promised->second.due.end() || at->second > time_) return false;
-  promised->second.due.erase(at);
+  promised->second.due.clear(); // one broken promise a push
   const ProviderId provider = promised->second.push.to;
   trace_.push_back("broken " + parts_.model().full_name(provider));
   for (const TriggerId trigger : parts_.model().triggers.ids()) {
