@@ -162,6 +162,9 @@ private:
     GroupId theirs = target(holder);
     if (claim.rivalry.won_by == Precedence::above) {
       ++seen_.above;
+      const Chain own = chain(member);
+      if (std::find(own.edges.begin(), own.edges.end(), holder) == own.edges.end())
+        return;                   // a group above needs what is taken itself: the page compares tasks
       if (ours == theirs) return; // it requests itself, through others
       const Json& leads = answer(ours, theirs)["leads"];
       if (leads.as_text() != (theirs < ours ? "second" : "first"))
