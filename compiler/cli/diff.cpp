@@ -32,8 +32,9 @@ std::optional<Checked> load_before(const Diff& request, dsl::Sources& sources, C
     return {};
   }
   Diff there = request;
-  if (!there.cpp.build.empty())
-    there.cpp.build = absolute_path(there.cpp.build).string(); // it is no part of a revision
+  for (std::string* path : {&there.cpp.build, &there.cpp.flags}) {
+    if (!path->empty()) *path = absolute_path(*path).string(); // it is no part of a revision
+  }
   std::optional<Checked> out = load_from(files, files.path(), there, sources, console);
   if (!out)
     print_message(
