@@ -151,12 +151,7 @@ private:
   }
 
   void add_path(GroupId from, GroupId skill, dsl::Diagnostic& finding) const {
-    const Claims& claims = input_.shared.claims(from);
-    for (const Reach reach : all_reaches) {
-      if (claims.find(skill, reach) == nullptr) continue;
-      add_chain(input_.model, claims.path(skill, reach), finding.notes);
-      return;
-    }
+    add_chain(input_.model, input_.shared.claims(from).path(skill), finding.notes);
   }
 
   const Input& input_;

@@ -108,7 +108,7 @@ void look_at(const Input& input, const Together& together, Stakes& stakes, Findi
   }
   const OtherProviders others(model, together);
   const auto is_disputed = [&](GroupId task) {
-    const std::vector<GroupId> own = stakes.of(task);
+    const std::vector<GroupId>& own = stakes.of(task); // later calls do not move it
     if (std::any_of(own.begin(), own.end(), [&](GroupId group) { return wanted_by[group] > 1; })) return true;
     SparseSet<GroupId> ours;
     for (const GroupId group : own) ours.add(group);

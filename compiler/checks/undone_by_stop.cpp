@@ -34,12 +34,11 @@ public:
     for (const ProviderId causer : want.causers) {
       const StateId state = model_.conditions[want.condition.id].state;
       const GroupId group = model_.providers[causer].group;
-      look_at_stop(wanting, want, causer, group, state, {});
+      look_at_stop(wanting, want, causer, group, state, nullptr);
       for (const Pack& pack : model_.providers[causer].packs) {
         for (const Task& task : pack.tasks) {
-          const Claims& claims = shared_.claims(task.target);
-          for (const GroupId below : claims.groups()) {
-            if (below != group) look_at_stop(wanting, want, causer, below, state, chain_to(task, claims, group, below));
+          for (const GroupId below : shared_.claims(task.target).groups()) {
+            if (below != group) look_at_stop(wanting, want, causer, below, state, &task);
           }
         }
       }
@@ -47,29 +46,21 @@ public:
   }
 
 private:
-  /// From the causing group to one below it.
-  std::vector<ChainStep> chain_to(const Task& task, const Claims& claims, GroupId causing, GroupId below) const {
-    std::vector<ChainStep> out{{causing, task.target, false, task.span}};
-    for (const Reach reach : all_reaches) {
-      if (claims.find(below, reach) == nullptr) continue;
-      const std::vector<ChainStep> path = claims.path(below, reach);
-      out.insert(out.end(), path.begin(), path.end());
-      break;
-    }
-    return out;
-  }
-
-  /// `chain`: from the causing group to the one that stops.
+  /// `task`: of the causing provider, which leads to the group that stops; null: that is the causing group itself.
   void look_at_stop(const Wanting& wanting, const Want& want, ProviderId causer, GroupId stopped, StateId state,
-                    const std::vector<ChainStep>& chain) {
+                    const Task* task) {
     for (const StopValue& stop : stop_values(stopped, state)) {
       const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, stop.values);
       if (values.empty() || seen_.count({stop.span, want.condition.span}) != 0) continue;
       Taking how = why_stopped(wanting.task, stopped, causer);
       if (how.notes.empty()) continue;
-      std::vector<dsl::Note> notes;
-      add_chain(model_, chain, notes);
-      how.notes.insert(how.notes.begin(), notes.begin(), notes.end());
+      if (task != nullptr) {
+        std::vector<ChainStep> chain = shared_.claims(task->target).path(stopped);
+        chain.insert(chain.begin(), {model_.providers[causer].group, task->target, false, task->span});
+        std::vector<dsl::Note> notes;
+        add_chain(model_, chain, notes);
+        how.notes.insert(how.notes.begin(), notes.begin(), notes.end());
+      }
       report(wanting, want, causer, stop, values, std::move(how));
     }
   }

@@ -35,14 +35,10 @@ Taking Takings::way_to(const Use<GroupId>& need) const {
     out.notes.push_back({model_.groups[task_].name.span, fmt::format("{} is taken", name_of(model_, task_))});
     return out;
   }
-  for (const Reach reach : all_reaches) {
-    if (claims_.find(*taken, reach) == nullptr) continue;
-    const std::vector<ChainStep> path = claims_.path(*taken, reach);
-    add_chain(model_, path, out.notes);
-    for (const ChainStep& step : path) {
-      if (!step.by_need) out.requests.push_back(step.span);
-    }
-    return out;
+  const std::vector<ChainStep> path = claims_.path(*taken);
+  add_chain(model_, path, out.notes);
+  for (const ChainStep& step : path) {
+    if (!step.by_need) out.requests.push_back(step.span);
   }
   return out;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <iterator>
 
 namespace director::analysis {
 
@@ -120,6 +121,12 @@ std::vector<ChainStep> Claims::path(GroupId group, Reach reach) const {
   }
   std::reverse(out.begin(), out.end());
   return out;
+}
+
+std::vector<ChainStep> Claims::path(GroupId group) const {
+  const auto reach =
+      std::find_if(std::begin(all_reaches), std::end(all_reaches), [&](Reach each) { return find(group, each); });
+  return reach == std::end(all_reaches) ? std::vector<ChainStep>{} : path(group, *reach);
 }
 
 } // namespace director::analysis

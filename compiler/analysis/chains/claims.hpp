@@ -80,6 +80,8 @@ public:
   std::size_t effort() const { return effort_; }
   /// A shortest path to the group; empty for the task's own.
   std::vector<ChainStep> path(GroupId group, Reach reach) const;
+  /// The same by the first reach in which it claims the group; empty if there is none.
+  std::vector<ChainStep> path(GroupId group) const;
 
 private:
   std::unordered_map<GroupId, Claim> claims_[3];

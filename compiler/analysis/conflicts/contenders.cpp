@@ -99,13 +99,8 @@ private:
   /// A group is held once: the two chains have no common group above.
   std::optional<Contender> confirm(const Candidate& candidate) const {
     const Meeting& meeting = candidate.meeting;
-    const Claims& ours = input_.shared.claims(meeting.first->target);
     std::vector<GroupId> above{own_, meeting.first->target};
-    for (const Reach how : all_reaches) {
-      if (ours.find(own_, how) == nullptr) continue;
-      for (const ChainStep& step : ours.path(own_, how)) above.push_back(step.from);
-      break;
-    }
+    for (const ChainStep& step : input_.shared.claims(meeting.first->target).path(own_)) above.push_back(step.from);
     if (std::find(above.begin(), above.end(), meeting.second->target) != above.end()) return std::nullopt;
     const auto serves = [&](GroupId group, Reach reach, const Claim& claim) {
       return group == group_ && reach == candidate.reach && compatible(claim.region, region_);

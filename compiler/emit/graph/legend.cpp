@@ -139,7 +139,8 @@ std::vector<LegendEntry> legend_of(const Picture& picture) {
                has_line(picture, PictureLine::Kind::wrong),
            "red, \u2716", "is wrong, or missing");
   add_sign(has_line(picture, PictureLine::Kind::doubtful), "\u26A0", "a warning, or a lint");
-  add_sign(has_line(picture, PictureLine::Kind::when), "when, stay", "when must hold for it to run, stay is enough to go on");
+  add_sign(has_line(picture, PictureLine::Kind::when), "when, stay",
+           "when must hold for it to run, stay is enough to go on");
   add_sign(has_line(picture, PictureLine::Kind::causing), "causing", "makes that true when it is pushed");
   add_sign(has_line(picture, PictureLine::Kind::sets), "sets", "may set that, and promises nothing");
   add_sign(has_line(picture, PictureLine::Kind::runs), "on, every", "runs again then");
