@@ -32,28 +32,40 @@ void add_new(const Model& model, const std::vector<ChainStep>& chain, dsl::Note:
   }
 }
 
+std::string message(const Model& model, const EqualPair& pair) {
+  const Contest& contest = pair.contest;
+  const std::string first = name_of(model, pair.meeting.first->target);
+  const std::string second = name_of(model, pair.meeting.second->target);
+  const std::string wanted = name_of(model, contest.group);
+  if (pair.mutual_wait)
+    return fmt::format("{0} and {1} have equal rank: {0} may hold {2} and want {3} while {1} holds {3} and wants {2}, "
+                       "and then each waits for the other",
+                       first, second, name_of(model, pair.mutual_wait->held), wanted);
+  const std::string both = fmt::format("{} and {} have equal rank and may both want {}", first, second, wanted);
+  if (!contest.unpushed)
+    return fmt::format("{}: whichever takes it first keeps it, and if both want it at once {} takes it", both, first);
+  return fmt::format("{}: while {} has it, {} is blocked and pushes nothing for {}", both,
+                     contest.unpushed->second ? first : second, name_of(model, contest.unpushed->task),
+                     name_of(model, contest.unpushed->want->condition.id));
+}
+
 void report(const Model& model, const EqualPair& pair, Findings& findings) {
   const auto& [meeting, contest, mutual_wait, stakes] = static_cast<const Rivalling&>(pair);
   using Link = dsl::Note::Link;
-  const std::string first = name_of(model, meeting.first->target), second = name_of(model, meeting.second->target);
-  const std::string wanted = name_of(model, contest.group);
-  Diagnostic& finding = findings.add(
-      meeting.second->span,
-      mutual_wait
-          ? fmt::format("{0} and {1} have equal rank: {0} may hold {2} and want {3} while {1} holds {3} and wants {2}, "
-                        "and then each waits for the other",
-                        first, second, name_of(model, mutual_wait->held), wanted)
-          : fmt::format("{0} and {1} have equal rank and may both want {2}: whichever takes it first keeps it, and if "
-                        "both want it at once {0} takes it",
-                        first, second, wanted));
-  finding.notes.push_back(
-      {meeting.first->span,
-       fmt::format("{} is requested here, with the same priority {}", first, meeting.first_level.priority),
-       Link::first});
+  Diagnostic& finding = findings.add(meeting.second->span, message(model, pair));
+  finding.notes.push_back({meeting.first->span,
+                           fmt::format("{} is requested here, with the same priority {}",
+                                       name_of(model, meeting.first->target), meeting.first_level.priority),
+                           Link::first});
   if (mutual_wait) add_new(model, mutual_wait->first_path, Link::next, finding);
   add_new(model, contest.first_path, Link::next, finding);
   add_new(model, contest.second_path, Link::first, finding);
   if (mutual_wait) add_new(model, mutual_wait->second_path, Link::next, finding);
+  if (contest.unpushed) {
+    const Want& want = *contest.unpushed->want;
+    finding.notes.push_back(runs_only_while(model, want.waiter, want.condition));
+    finding.notes.push_back(causes(model, want.causers.front(), want.condition.id));
+  }
   finding.help = mutual_wait ? "give one of them a higher priority, or let each need at once all that it wants"
                              : "give one of them a higher priority";
 }
@@ -63,8 +75,12 @@ void report(const Model& model, const EqualPair& pair, Findings& findings) {
 /// (reported_pairs.hpp).
 constexpr std::size_t many = 4;
 
-constexpr std::string_view winner_rule =
-    "whichever takes it first keeps it, and of those that want it at once the one that is declared first takes it";
+/// `blocked`: the conditions of some of them exclude each other.
+std::string_view winner_rule(bool blocked) {
+  return blocked ? "whichever takes it first keeps it"
+                 : "whichever takes it first keeps it, and of those that want it at once the one that is declared "
+                   "first takes it";
+}
 constexpr std::string_view what_helps = "give them priorities that say which goes first";
 
 /// Entries that compete at one priority, by index, and what they compete for.
@@ -75,6 +91,9 @@ struct Crowd {
   std::vector<const EqualPair*> pairs;
 
   std::size_t second() const { return *std::next(entries.begin()); }
+  bool blocked() const {
+    return std::any_of(pairs.begin(), pairs.end(), [](const EqualPair* pair) { return pair->contest.unpushed; });
+  }
 };
 
 /// The pairs of one list, merged if they share a priority and an entry.
@@ -150,7 +169,9 @@ private:
         tasks_[reported.front().second()].span,
         fmt::format(
             "of the tasks that {} requests {} have equal rank with others that may want the same, in {} sets: {}",
-            by ? name_of(model_, *by) : "the program", entries.size(), reported.size(), winner_rule));
+            by ? name_of(model_, *by) : "the program", entries.size(), reported.size(),
+            winner_rule(
+                std::any_of(reported.begin(), reported.end(), [](const Crowd& each) { return each.blocked(); }))));
     for (const Crowd& crowd : reported) {
       finding.notes.push_back(
           {tasks_[*crowd.entries.begin()].span, fmt::format("{} have priority {} and may want {}", few_of(names(crowd)),
@@ -164,8 +185,9 @@ private:
     const std::string what = wanted.size() == 1 ? fmt::format(" and may all want {}", wanted.front())
                                                 : fmt::format(", and each may want what another one of them wants, {}",
                                                               few_of(wanted, "or"));
-    Diagnostic& finding = findings_.add(
-        tasks_[crowd.second()].span, fmt::format("{} have equal rank{}: {}", few_of(names(crowd)), what, winner_rule));
+    Diagnostic& finding =
+        findings_.add(tasks_[crowd.second()].span, fmt::format("{} have equal rank{}: {}", few_of(names(crowd)), what,
+                                                               winner_rule(crowd.blocked())));
     for (const std::size_t entry : crowd.entries) {
       if (entry == crowd.second()) continue;
       finding.notes.push_back({tasks_[entry].span, fmt::format("{} is requested here, with the same priority {}",

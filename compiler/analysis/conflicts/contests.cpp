@@ -17,13 +17,13 @@ namespace {
 /// hundredth.
 constexpr std::size_t most_effort = 10'000'000;
 
-bool match(const Meeting& meeting, const Claim* a, Reach how_a, const Claim* b, Reach how_b) {
-  if (a == nullptr || b == nullptr) return false;
-  const bool first_optional = meeting.first_level.optional || how_a == Reach::optional;
-  const bool second_optional = meeting.second_level.optional || how_b == Reach::optional;
+/// Whether they may claim a group at equal rank, whatever their conditions.
+bool have_equal_rank(const Meeting& meeting, Reach first, Reach second) {
+  const bool first_optional = meeting.first_level.optional || first == Reach::optional;
+  const bool second_optional = meeting.second_level.optional || second == Reach::optional;
   // What a unit holds from the beginning is not decided by rank: nothing below it is tried before.
-  const bool granted_before = meeting.one_unit() && (how_a == Reach::own || how_b == Reach::own);
-  return first_optional == second_optional && !granted_before && compatible(a->region, b->region);
+  const bool granted_before = meeting.one_unit() && (first == Reach::own || second == Reach::own);
+  return first_optional == second_optional && !granted_before;
 }
 
 } // namespace
@@ -49,6 +49,52 @@ const Claims& Contests::claims(const Meeting& meeting, const Task& entry) const 
   return by ? shared_.claims(entry.target, model_.providers[*by].group) : shared_.claims(entry.target);
 }
 
+/// Sets `contest.unpushed` if their conditions exclude each other.
+bool Contests::match(const Meeting& meeting, const Side& first, const Side& second, Contest& contest) const {
+  if (first.claim == nullptr || second.claim == nullptr || !have_equal_rank(meeting, first.reach, second.reach))
+    return false;
+  contest.unpushed.reset();
+  if (compatible(first.claim->region, second.claim->region)) return true;
+  contest.unpushed = find_unpushed(contest.group, first, second.claim->region);
+  if (!contest.unpushed) {
+    contest.unpushed = find_unpushed(contest.group, second, first.claim->region);
+    if (contest.unpushed) contest.unpushed->second = true;
+  }
+  return contest.unpushed.has_value();
+}
+
+/// Whether the task that waits for the group could push for all of its conditions that are false while the other one
+/// has it. A task above it waits for its own conditions by itself, and not for the group.
+std::optional<Unpushed> Contests::find_unpushed(GroupId group, const Side& waiting, const Region& other) const {
+  const Claim* claim = waiting.claim;
+  while (claim->steps > 0 && claim->by_need) {
+    group = claim->from;
+    claim = waiting.claims.find(group, claim->reach_from);
+  }
+  const std::vector<const Want*> wants = shared_.wants_of(group);
+  if (wants.empty()) return std::nullopt;
+  if (claim->steps > 0) {
+    const std::vector<Branch>& branches = shared_.branches().from(claim->from);
+    const bool requested = std::any_of(branches.begin(), branches.end(), [&](const Branch& branch) {
+      return branch.to == group && !branch.by_need && compatible(branch.region, other);
+    });
+    if (!requested || !compatible(waiting.claims.find(claim->from, claim->reach_from)->region, other))
+      return std::nullopt;
+  }
+  std::optional<Unpushed> out;
+  for (const auto& [state, values] : waiting.claim->region.states) {
+    const auto theirs = other.states.find(state);
+    if (theirs == other.states.end() || !values.intersected(theirs->second).empty()) continue;
+    const auto want = std::find_if(wants.begin(), wants.end(), [&, &state = state, &values = values](const Want* each) {
+      const Condition& condition = model_.conditions[each->condition.id];
+      return condition.state == state && values.subset_of(condition.accepts);
+    });
+    if (want == wants.end()) return std::nullopt;
+    if (!out) out = Unpushed{false, group, *want};
+  }
+  return out;
+}
+
 /// For equal levels of two entries: what both may want, those with the shortest chains first.
 std::vector<Contest> Contests::find_candidates(const Meeting& meeting) const {
   std::vector<Contest> out;
@@ -58,9 +104,11 @@ std::vector<Contest> Contests::find_candidates(const Meeting& meeting) const {
   for (const GroupId group : in_common(first.groups(), second.groups())) {
     for (const Reach a : all_reaches) {
       for (const Reach b : all_reaches) {
-        const Claim* x = first.find(group, a);
-        const Claim* y = second.find(group, b);
-        if (match(meeting, x, a, y, b)) out.push_back({group, a, b, x->steps + y->steps, {}, {}});
+        const Side x{first, first.find(group, a), a}, y{second, second.find(group, b), b};
+        Contest contest{group, a, b, 0, {}, {}, {}};
+        if (!match(meeting, x, y, contest)) continue;
+        contest.steps = x.claim->steps + y.claim->steps;
+        out.push_back(std::move(contest));
       }
     }
   }
@@ -128,11 +176,11 @@ bool Contests::find_paths(const Meeting& meeting, Contest& contest, Lookups& loo
   if (known.leads_through) return false;
   const auto serves = [&](GroupId group, Reach reach, const Claim& claim) {
     return group == contest.group && reach == contest.second &&
-           match(meeting, ours, contest.first, &claim, contest.second);
+           have_equal_rank(meeting, contest.first, contest.second) && compatible(ours->region, claim.region);
   };
   const auto find_second = [&](const Claims& second) {
-    const Claim* theirs = second.find(contest.group, contest.second);
-    if (!match(meeting, ours, contest.first, theirs, contest.second)) return false;
+    const Side theirs{second, second.find(contest.group, contest.second), contest.second};
+    if (!match(meeting, {first, ours, contest.first}, theirs, contest)) return false;
     contest.first_path = first.path(contest.group, contest.first);
     contest.second_path = second.path(contest.group, contest.second);
     return true;

@@ -16,12 +16,21 @@
 
 namespace director::analysis {
 
+/// A task that is blocked while the other one has the group, and would push for its condition if it went before that:
+/// the two exclude each other, but not for good.
+struct Unpushed {
+  bool second = false; ///< by the first task; else the first by the second
+  GroupId task{};      ///< the last one of its chain that is requested
+  const Want* want = nullptr;
+};
+
 /// A group that two tasks may want at the same time, at equal rank, with both chains.
 struct Contest {
   GroupId group{};
   Reach first = Reach::own, second = Reach::own;
   std::size_t steps = 0;
   std::vector<ChainStep> first_path, second_path;
+  std::optional<Unpushed> unpushed; ///< if their conditions exclude each other
 };
 
 /// What the first one may hold while it waits for the contested group, and what the second one, which holds that, waits
@@ -51,6 +60,12 @@ public:
   std::optional<Rivalling> look_at(const Together& together, const Task& first, const Task& second);
 
 private:
+  /// A task's claim for the contested group, and all others of that task.
+  struct Side {
+    const Claims& claims;
+    const Claim* claim = nullptr; ///< null: it does not claim it
+    Reach reach = Reach::own;
+  };
   /// The last step before a contested group on the first chain, and what is known above it.
   struct Above {
     bool leads_through = false;    ///< the second chain leads through it
@@ -61,6 +76,8 @@ private:
 
   /// The groups that the entry may hold while its requester runs.
   const Claims& claims(const Meeting& meeting, const Task& entry) const;
+  bool match(const Meeting& meeting, const Side& first, const Side& second, Contest& contest) const;
+  std::optional<Unpushed> find_unpushed(GroupId group, const Side& waiting, const Region& other) const;
   std::vector<Contest> find_candidates(const Meeting& meeting) const;
   std::optional<Contest> find(const Meeting& meeting, const std::vector<Contest>& candidates);
   std::optional<MutualWait> find_mutual_wait(const Meeting& meeting, const std::vector<Contest>& candidates,

@@ -41,6 +41,17 @@ const std::vector<Wanting>& Shared::wants() const {
   return *wants_;
 }
 
+std::vector<const Want*> Shared::wants_of(GroupId task) const {
+  const std::vector<Wanting>& all = wants();
+  std::vector<const Want*> out;
+  auto at = std::lower_bound(all.begin(), all.end(), task,
+                             [](const Wanting& wanting, GroupId group) { return wanting.task < group; });
+  for (; at != all.end() && at->task == task; ++at) {
+    for (const Want& want : at->wants) out.push_back(&want);
+  }
+  return out;
+}
+
 const Indispensable& Shared::indispensable() const {
   if (!indispensable_) indispensable_.emplace(model_);
   return *indispensable_;

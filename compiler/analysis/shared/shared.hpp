@@ -41,6 +41,8 @@ public:
   const Causers& causers() const;
   const std::vector<Imprecise>& imprecise() const;
   const std::vector<Wanting>& wants() const;
+  /// Of a task for this group, with any provider.
+  std::vector<const Want*> wants_of(GroupId task) const;
   const Indispensable& indispensable() const;
   const Rivals& rivals() const;
   Units& units() const;
