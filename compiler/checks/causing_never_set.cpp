@@ -18,8 +18,8 @@ bool may_keep(const CodeInput& input, const CodeWord& word, const Condition& pro
   if (state == input.names.states.end()) return true; // unknown states are ignored
   if (state->second != promise.state) return false;
   if (!word.values) return true;
-  return std::any_of(word.values->begin(), word.values->end(), [&](const std::string& name) {
-    const std::optional<std::int64_t> value = value_of(input.model.states[promise.state], name);
+  return std::any_of(word.values->begin(), word.values->end(), [&](const std::vector<std::string>& names) {
+    const std::optional<std::int64_t> value = value_of(input.model.states[promise.state], names);
     return !value || promise.accepts.contains(*value);
   });
 }

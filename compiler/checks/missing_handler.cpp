@@ -13,9 +13,10 @@ void missing_handler(const CodeInput& input, Findings& findings) {
   const std::vector<CodeClass>& classes = input.code.classes;
   for (const CodeClass& each : classes) {
     // What a class leaves undefined, a derived class may define.
-    const bool goes_on = std::any_of(classes.begin(), classes.end(), [&](const CodeClass& other) {
-      return std::find(other.bases.begin(), other.bases.end(), each.key) != other.bases.end();
-    });
+    const bool goes_on = input.code.continued.count(each.key) != 0 ||
+                         std::any_of(classes.begin(), classes.end(), [&](const CodeClass& other) {
+                           return std::find(other.bases.begin(), other.bases.end(), each.key) != other.bases.end();
+                         });
     if (goes_on) continue;
     for (const std::string& context : each.missing) {
       const auto of = input.names.contexts.find(context);

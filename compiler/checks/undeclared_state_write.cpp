@@ -29,10 +29,10 @@ Declared declared_for(const Model& model, const BodyOf& body, StateId state) {
 /// All values that it may have, as far as they are known, if none of them is declared.
 std::vector<std::string> undeclared(const State& state, const CodeWord& word, const Declared& declared) {
   std::vector<std::string> out;
-  for (const std::string& name : *word.values) {
-    const std::optional<std::int64_t> value = value_of(state, name);
+  for (const std::vector<std::string>& names : *word.values) {
+    const std::optional<std::int64_t> value = value_of(state, names);
     if (value && declared.values.contains(*value)) return {};
-    out.push_back(quoted(name));
+    out.push_back(quoted(names.front()));
   }
   return out;
 }

@@ -72,7 +72,8 @@ std::basic_ostream:: std::basic_iostream:: std::filesystem::
 )";
 /// For these it depends on what they call.
 constexpr Text no_streams = R"(
-std::filesystem::path:: std::filesystem::file_status:: std::filesystem::operator/
+std::filesystem::path:: std::filesystem::file_status:: std::filesystem::operator std::filesystem::swap
+std::filesystem::hash_value std::filesystem::__detail::
 )";
 
 constexpr Text allocates = R"(

@@ -31,6 +31,21 @@ public:
   bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr*) { return true; }
   bool TraverseCXXNoexceptExpr(CXXNoexceptExpr*) { return true; }
   bool TraverseCXXRecordDecl(CXXRecordDecl*) { return true; }
+  bool TraverseRequiresExpr(RequiresExpr*) { return true; }
+  bool TraverseConceptSpecializationExpr(ConceptSpecializationExpr*) { return true; }
+  bool TraverseCXXTypeidExpr(CXXTypeidExpr* expr) {
+    return !expr->isPotentiallyEvaluated() || RecursiveASTVisitor::TraverseCXXTypeidExpr(expr);
+  }
+
+  // Reads what the compiler makes of these: initializers that are not written there, and operators that it chose.
+  bool TraverseInitListExpr(InitListExpr* list, DataRecursionQueue* = nullptr) {
+    if (!list->isSemanticForm()) list = list->getSemanticForm();
+    if (!RecursiveASTVisitor::TraverseSynOrSemInitListExpr(list)) return false;
+    return list->getArrayFiller() == nullptr || TraverseStmt(list->getArrayFiller());
+  }
+  bool TraverseCXXRewrittenBinaryOperator(CXXRewrittenBinaryOperator* expr, DataRecursionQueue* = nullptr) {
+    return TraverseStmt(expr->getSemanticForm());
+  }
 
   bool dataTraverseStmtPre(Stmt* stmt) { return live_.runs(stmt); }
   bool TraverseVarDecl(VarDecl* variable) {
@@ -55,10 +70,10 @@ public:
   bool VisitCallExpr(CallExpr* expr) {
     callees_.insert(expr->getCallee()->IgnoreParenImpCasts());
     bool carries = false;
-    for (const Expr* argument : expr->arguments()) carries = carries || carries_context(argument->getType());
+    for (const Expr* argument : expr->arguments()) carries = carries || carries_context(*argument);
     const Expr* object = nullptr;
     if (const auto* member = llvm::dyn_cast<CXXMemberCallExpr>(expr)) object = member->getImplicitObjectArgument();
-    if (object != nullptr) carries = carries || carries_context(object->getType());
+    if (object != nullptr) carries = carries || carries_context(*object);
     const FunctionDecl* callee = expr->getDirectCallee();
     if (callee == nullptr) {
       if (!llvm::isa<CXXPseudoDestructorExpr>(expr->getCallee()->IgnoreParens()) && !expr->isTypeDependent())
@@ -92,7 +107,7 @@ public:
   bool VisitCXXConstructExpr(CXXConstructExpr* expr) {
     const CXXConstructorDecl& callee = *expr->getConstructor();
     bool carries = false;
-    for (const Expr* argument : expr->arguments()) carries = carries || carries_context(argument->getType());
+    for (const Expr* argument : expr->arguments()) carries = carries || carries_context(*argument);
     const bool is_given = expr->getNumArgs() > 0 && !callee.isDefaultConstructor() && !callee.isMoveConstructor();
     construct(callee, expr->getBeginLoc(), is_given, carries);
     return true;
@@ -111,7 +126,7 @@ public:
   }
   bool VisitCXXDeleteExpr(CXXDeleteExpr* expr) {
     if (const FunctionDecl* freed_by = expr->getOperatorDelete()) manage_memory(*freed_by, expr->getBeginLoc());
-    if (!expr->getDestroyedType().isNull()) destroy(expr->getDestroyedType(), expr->getBeginLoc());
+    if (!expr->getDestroyedType().isNull()) destroy(expr->getDestroyedType(), expr->getBeginLoc(), true);
     return true;
   }
 
@@ -122,6 +137,12 @@ public:
     if (variable->isCXXForRangeDecl() && variable->getInit() != nullptr)
       go_into(variable->getInit(), variable->getLocation());
     destroy(variable->getType(), variable->getLocation());
+    return true;
+  }
+  bool VisitDecompositionDecl(DecompositionDecl* several) {
+    for (const BindingDecl* each : several->bindings()) {
+      if (const VarDecl* held = each->getHoldingVar()) go_into(held->getInit(), each->getLocation());
+    }
     return true;
   }
   bool VisitCXXBindTemporaryExpr(CXXBindTemporaryExpr* expr) {
@@ -159,9 +180,10 @@ public:
 private:
   static SourceLocation name_place(const CallExpr& expr) {
     const Expr* callee = expr.getCallee()->IgnoreParenImpCasts();
-    if (const auto* member = llvm::dyn_cast<MemberExpr>(callee)) return member->getMemberLoc();
-    if (const auto* name = llvm::dyn_cast<DeclRefExpr>(callee)) return name->getLocation();
-    return expr.getBeginLoc();
+    SourceLocation out;
+    if (const auto* member = llvm::dyn_cast<MemberExpr>(callee)) out = member->getMemberLoc();
+    if (const auto* name = llvm::dyn_cast<DeclRefExpr>(callee)) out = name->getLocation();
+    return out.isValid() ? out : expr.getBeginLoc(); // a conversion is called without its name
   }
 
   void construct(const CXXConstructorDecl& callee, SourceLocation at, bool is_given, bool carries) {
@@ -182,10 +204,16 @@ private:
     here_ = before;
   }
 
-  /// Reads the user's functions that run when such an object is destroyed.
-  void destroy(QualType type, SourceLocation at) {
+  /// Reads the user's functions that run when such an object is destroyed. `by_pointer`: or one of a class below.
+  void destroy(QualType type, SourceLocation at, bool by_pointer = false) {
     if (type->isReferenceType() || type->isDependentType()) return;
-    destroy(book_.context().getBaseElementType(type)->getAsCXXRecordDecl(), carries_context(type), at);
+    const CXXRecordDecl* record = book_.context().getBaseElementType(type)->getAsCXXRecordDecl();
+    if (by_pointer && record != nullptr && record->hasDefinition() && !is_system(*record) && !is_directors(*record)) {
+      const CXXDestructorDecl* own = record->getDestructor();
+      if (own != nullptr && own->isVirtual() && !record->isEffectivelyFinal())
+        call(*own, at, at, carries_context(type), false, true);
+    }
+    destroy(record, carries_context(type), at);
   }
   void destroy(const CXXRecordDecl* record, bool carries, SourceLocation at) {
     if (record == nullptr || !record->hasDefinition() || record->hasTrivialDestructor()) return;
@@ -222,8 +250,11 @@ private:
       if (expr.getNumArgs() == 0) return true;
       fact.add("word", Json::text("set"));
       fact.add("state", Json::text(values_.state_of(expr.getArg(0))));
-      if (const auto values = values_.of(expr.getArg(0)))
-        fact.add("values", Json::texts({values->begin(), values->end()}));
+      if (const auto values = values_.of(expr.getArg(0))) {
+        Json all = Json::list({});
+        for (const Values::Names& names : *values) all.add(Json::texts(names));
+        fact.add("values", std::move(all));
+      }
       fact.add("at", book_.places().of(at, expr.getEndLoc()));
     } else if (word == "done" || word == "fail" || word == "keep") {
       fact.add("word", Json::text(word));
@@ -257,7 +288,7 @@ private:
       for (const Expr* argument : expr.arguments()) {
         const CXXRecordDecl* record = bare(argument->getType())->getAsCXXRecordDecl();
         const bool is_lambda = record != nullptr && record->isLambda();
-        only_lambdas = only_lambdas && (is_lambda || !carries_context(argument->getType()));
+        only_lambdas = only_lambdas && (is_lambda || !carries_context(*argument));
       }
       if (passes_on.count(name) == 0 && !only_lambdas) hide("what `" + name + "` does with it", at, at, true);
     }
@@ -312,7 +343,11 @@ private:
     // Functions that the compiler generates have no such code.
     const auto* method = llvm::dyn_cast<CXXMethodDecl>(&callee);
     const bool is_lambda = method != nullptr && method->getParent()->isLambda();
-    if (callee.getLocation().isInvalid() || callee.isDefaulted() || (callee.isImplicit() && !is_lambda)) return;
+    if (callee.getLocation().isInvalid() || (callee.isDefaulted() && !is_virtual) ||
+        (callee.isImplicit() && !is_lambda && !is_virtual))
+      return;
+    // A lambda that becomes a function pointer: its body is recorded where it is written.
+    if (is_lambda && (llvm::isa<CXXConversionDecl>(method) || method->isLambdaStaticInvoker())) return;
     Json fact = Json::object({{"to", Json::text(book_.want(callee))},
                               {"name", Json::text(name_of(callee))},
                               {"at", book_.places().of(begin, end)}});
@@ -339,10 +374,22 @@ private:
   int inside_ = 0;
 };
 
+/// `return run.keep();`, or `static_cast<void>(run);`
+bool does_nothing(const Stmt& statement) {
+  if (const auto* cast = llvm::dyn_cast<CXXStaticCastExpr>(&statement))
+    return cast->getType()->isVoidType() && llvm::isa<DeclRefExpr>(cast->getSubExpr()->IgnoreParenImpCasts());
+  const auto* answer = llvm::dyn_cast<ReturnStmt>(&statement);
+  if (answer == nullptr || answer->getRetValue() == nullptr) return false;
+  const auto* call = llvm::dyn_cast<CXXMemberCallExpr>(answer->getRetValue()->IgnoreUnlessSpelledInSource());
+  const CXXMethodDecl* method = call == nullptr ? nullptr : call->getMethodDecl();
+  return method != nullptr && is_directors(*method) && method->getDeclName().isIdentifier() &&
+         method->getName() == "keep";
+}
+
 /// Whether it is as `directorc stubs` wrote it: with its comment, and nothing but its one statement.
 bool is_unwritten(const ASTContext& context, const FunctionDecl& function) {
   const auto* body = llvm::dyn_cast_or_null<CompoundStmt>(function.getBody());
-  if (body == nullptr || body->size() != 1) return false;
+  if (body == nullptr || body->size() != 1 || !does_nothing(*body->body_front())) return false;
   const CharSourceRange range = CharSourceRange::getTokenRange(body->getSourceRange());
   return Lexer::getSourceText(range, context.getSourceManager(), context.getLangOpts())
       .contains(compiler::stubs::unwritten);

@@ -4,17 +4,54 @@
 
 #include "compiler/clang/contexts.hpp"
 
+#include <clang/AST/DeclTemplate.h>
 #include <clang/Index/USRGeneration.h>
+#include <llvm/Support/raw_ostream.h>
 
 namespace director::scanning {
 
 using namespace clang;
 
+namespace {
+
+/// What Clang's USR of a declaration leaves out: places of lambdas and of local classes, of which a function may have
+/// several alike, and template arguments that are objects, or made from these.
+std::string left_out(const NamedDecl& decl) {
+  const ASTContext& context = decl.getASTContext();
+  std::string out;
+  const auto add_place = [&](const CXXRecordDecl* record) {
+    if (record == nullptr || (!record->isLambda() && record->isLocalClass() == nullptr)) return;
+    out += "@" + record->getLocation().printToString(context.getSourceManager());
+  };
+  const auto add_arguments = [&](const TemplateArgumentList& arguments) {
+    llvm::raw_string_ostream text(out);
+    for (const TemplateArgument& each : arguments.asArray()) {
+      each.print(context.getPrintingPolicy(), text << "#", false);
+      text.flush();
+      if (each.getKind() == TemplateArgument::Type) add_place(each.getAsType()->getAsCXXRecordDecl());
+    }
+  };
+  for (const Decl* at = &decl; at != nullptr;) {
+    if (const auto* record = llvm::dyn_cast<CXXRecordDecl>(at)) add_place(record);
+    if (const auto* special = llvm::dyn_cast<ClassTemplateSpecializationDecl>(at))
+      add_arguments(special->getTemplateArgs());
+    const auto* function = llvm::dyn_cast<FunctionDecl>(at);
+    if (function != nullptr && function->getTemplateSpecializationArgs() != nullptr)
+      add_arguments(*function->getTemplateSpecializationArgs());
+    const DeclContext* outer = at->getDeclContext();
+    at = outer == nullptr ? nullptr : Decl::castFromDeclContext(outer);
+  }
+  return out;
+}
+
+} // namespace
+
 std::string key_of(const NamedDecl& decl) {
   const SourceManager& sources = decl.getASTContext().getSourceManager();
   llvm::SmallString<128> key;
-  if (clang::index::generateUSRForDecl(&decl, key) || key.empty()) return decl.getLocation().printToString(sources);
-  std::string out = key.str().str();
+  if (clang::index::generateUSRForDecl(&decl, key) || key.empty())
+    return decl.getLocation().printToString(sources) + left_out(decl);
+  std::string out = key.str().str() + left_out(decl);
   if (decl.isExternallyVisible()) return out;
   if (const OptionalFileEntryRef file = sources.getFileEntryRefForID(sources.getMainFileID()))
     out += "@" + file->getName().str();

@@ -36,7 +36,8 @@ public:
   Reach& reach() { return reach_; }
   bool is_deep() const { return is_deep_; }
   std::vector<Json> functions, classes;
-  bool has_templates = false; ///< one has bodies, or a module among its bases
+  std::set<std::string> continued; ///< keys of classes from which a class template derives
+  bool has_templates = false;      ///< one has bodies, or a module among its bases
 
 private:
   clang::ASTContext& context_;

@@ -31,8 +31,13 @@ public:
   }
 
   bool VisitCXXRecordDecl(CXXRecordDecl* record) {
-    if (record->isThisDeclarationADefinition() && record->isDependentContext() && !is_directors(*record))
+    if (record->isThisDeclarationADefinition() && record->isDependentContext() && !is_directors(*record)) {
       book_.has_templates = book_.has_templates || interface_of(*record) != nullptr || has_body(*record);
+      for (const CXXBaseSpecifier& base : record->bases()) {
+        const CXXRecordDecl* above = base.getType()->getAsCXXRecordDecl();
+        if (above != nullptr && !above->isDependentContext()) book_.continued.insert(key_of(*above));
+      }
+    }
     if (!record->isThisDeclarationADefinition() || record->isDependentContext() || record->getNumBases() == 0)
       return true;
     const CXXRecordDecl* module = interface_of(*record);
@@ -46,12 +51,13 @@ public:
     for (const auto& [method, by_subobject] : overriders) {
       for (const auto& [subobject, last] : by_subobject) {
         const CXXMethodDecl* final_one = last.front().Method;
-        if (final_one->isPureVirtual() && is_called_like_body(*final_one) && is_interface(*final_one->getParent()))
+        if (final_one->isPureVirtual() && is_called_like_body(*final_one) &&
+            (is_interface(*final_one->getParent()) || promised_by(*final_one) != nullptr))
           missing.add(Json::text(parameter_context(*final_one)));
       }
     }
     for (const CXXMethodDecl* method : record->methods()) {
-      if (!is_called_like_body(*method) || method->size_overridden_methods() != 0) continue;
+      if (!is_called_like_body(*method) || method->size_overridden_methods() != 0 || method->isDeleted()) continue;
       const std::string context = parameter_context(*method);
       const bool is_lost = context.empty() && method->getNumParams() == 1 &&
                            (method->isInvalidDecl() || method->getParamDecl(0)->isInvalidDecl());
@@ -62,8 +68,9 @@ public:
         each.add("wrote", Json::text(written(*method->getParamDecl(0))));
       } else {
         each.add("context", Json::text(context));
-        if (const CXXMethodDecl* promise = declared_for(*record, method->getName(), context))
-          each.add("unlike", Json::text(difference(*method, *promise)));
+        const CXXMethodDecl* promise = declared_for(*record, method->getName(), context);
+        if (promise == nullptr) promise = declared_for(*record, {}, context);
+        if (promise != nullptr) each.add("unlike", Json::text(difference(*method, *promise)));
       }
       stray.add(std::move(each));
     }
@@ -84,8 +91,10 @@ private:
     });
   }
 
-  /// Why a function does not override the one with the same name and context.
+  /// Why a function does not override the one with the same context.
   static std::string difference(const CXXMethodDecl& method, const CXXMethodDecl& promise) {
+    if (method.getName() != promise.getName())
+      return "it is called `" + method.getName().str() + "` instead of `" + promise.getName().str() + "`";
     if (method.isConst()) return "it is `const`";
     if (method.isVolatile()) return "it is `volatile`";
     if (method.getRefQualifier() != RQ_None) return "it has a `&` behind its parameters";

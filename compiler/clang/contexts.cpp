@@ -5,6 +5,7 @@
 #include "compiler/clang/places.hpp"
 
 #include <clang/AST/DeclTemplate.h>
+#include <clang/AST/Expr.h>
 
 namespace director::scanning {
 
@@ -93,6 +94,10 @@ std::string context_of(QualType type) { return context_of(bare(type)->getAsCXXRe
 
 bool carries_context(QualType type) { return carries_context(type, deepest_member); }
 
+bool carries_context(const Expr& value) {
+  return carries_context(value.getType()) || carries_context(value.IgnoreParenCasts()->getType());
+}
+
 bool is_called_like_body(const NamedDecl& decl) {
   if (!decl.getDeclName().isIdentifier()) return false;
   const llvm::StringRef name = decl.getName();
@@ -132,7 +137,8 @@ const CXXMethodDecl* declared_for(const CXXRecordDecl& record, llvm::StringRef n
     above = above->getDefinition();
     if (is_interface(*above)) {
       for (const CXXMethodDecl* method : above->methods()) {
-        if (is_called_like_body(*method) && method->getName() == name && parameter_context(*method) == context)
+        if (is_called_like_body(*method) && (name.empty() || method->getName() == name) &&
+            parameter_context(*method) == context)
           return method;
       }
     }

@@ -22,6 +22,8 @@ clang::QualType bare(clang::QualType type);
 std::string context_of(clang::QualType type);
 /// Whether a context may be reached through such a value.
 bool carries_context(clang::QualType type);
+/// ... also if a cast hides its type: `void*`, a base class.
+bool carries_context(const clang::Expr& value);
 /// The context of the only parameter of a body; empty: it has another one, or several.
 std::string parameter_context(const clang::CXXMethodDecl& method);
 

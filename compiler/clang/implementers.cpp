@@ -5,6 +5,7 @@
 #include "compiler/clang/contexts.hpp"
 
 #include <clang/AST/ASTContext.h>
+#include <clang/AST/CXXInheritance.h>
 #include <clang/AST/DeclTemplate.h>
 #include <clang/Frontend/CompilerInstance.h>
 #include <clang/Lex/Lexer.h>
@@ -100,6 +101,7 @@ private:
       row.add("inside", Json::number(inside(end)));
       row.add("public", Json::boolean(access_at_end(type) == clang::AS_public));
       row.add("macro", Json::boolean(end.isMacroID()));
+      row.add("given", Json::texts(given_by_templates(type)));
       row.add("only_inline", Json::boolean(type.isDependentContext() || type.isLocalClass() != nullptr));
       out_.classes.try_emplace(place(type.getLocation()), std::move(row));
     }
@@ -114,7 +116,8 @@ private:
       const std::string name = base->getQualifiedNameAsString();
       if (interfaces_.count(name) > 0) {
         interfaces.insert(name);
-      } else if (is_users(base->getLocation()) && bases.insert(name).second) {
+      } else if (is_users(base->getLocation())) {
+        bases.insert(name); // a template may be there again, with other arguments
         look_up(*base, interfaces, bases);
       }
     }
@@ -144,6 +147,23 @@ private:
     }
   }
 
+  /// Bodies that a template gives it, whatever the text of that calls the context: `provide soccer::Walk::Halting`.
+  static std::vector<std::string> given_by_templates(const clang::CXXRecordDecl& type) {
+    std::vector<std::string> out;
+    if (type.isDependentContext() || type.isInvalidDecl()) return out;
+    clang::CXXFinalOverriderMap overriders;
+    type.getFinalOverriders(overriders);
+    for (const auto& [method, by_subobject] : overriders) {
+      for (const auto& [subobject, last] : by_subobject) {
+        const clang::CXXMethodDecl& body = *last.front().Method;
+        if (body.isPureVirtual() || !is_called_like_body(body) || body.getNumParams() != 1) continue;
+        if (llvm::isa<clang::ClassTemplateSpecializationDecl>(body.getParent()))
+          out.push_back(body.getNameAsString() + " " + context_of(*body.getParamDecl(0)));
+      }
+    }
+    return out;
+  }
+
   static clang::AccessSpecifier access_at_end(const clang::CXXRecordDecl& type) {
     clang::AccessSpecifier out = type.isClass() ? clang::AS_private : clang::AS_public;
     for (const clang::Decl* decl : type.decls())
@@ -162,6 +182,7 @@ private:
     const SourceLocation begin = function.getBeginLoc(), at = function.getLocation();
     const clang::ParmVarDecl& parameter = *function.getParamDecl(0);
     const bool known = !parameter.isInvalidDecl();
+    if (known && !may_override(function)) return;
 
     Json row = row_at(sources_, at);
     row.add("class", Json::text(function.getParent()->getQualifiedNameAsString()));
@@ -173,6 +194,7 @@ private:
     row.add("known", Json::boolean(known));
     row.add("within", Json::boolean(within));
     row.add("defines", Json::boolean(body || function.isPureVirtual() || function.isDeleted()));
+    row.add("pure", Json::boolean(function.isPureVirtual()));
     row.add("overrides", Json::boolean(has_override(type.getRParenLoc())));
     row.add("macro", Json::boolean(begin.isMacroID() || at.isMacroID() || end.in_macro));
     row.add("inline", Json::boolean(!within && function.isInlineSpecified()));
@@ -182,6 +204,13 @@ private:
     row.add("qualifier",
             Json::text(within ? std::string{} : one_line(text(function.getQualifierLoc().getBeginLoc(), at))));
     out_.functions.try_emplace(place(at), std::move(row));
+  }
+
+  /// Whether it is declared as interfaces declare theirs: with `const`, or a context by value, it overrides nothing.
+  static bool may_override(const clang::CXXMethodDecl& function) {
+    const clang::QualType context = function.getParamDecl(0)->getType();
+    return !function.isConst() && !function.isVolatile() && function.getRefQualifier() == clang::RQ_None &&
+           context->isLValueReferenceType() && !context->getPointeeType().isConstQualified();
   }
 
   struct End {

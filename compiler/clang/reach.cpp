@@ -88,6 +88,8 @@ public:
   bool TraverseTypeLoc(TypeLoc) { return true; }
   bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr*) { return true; }
   bool TraverseCXXNoexceptExpr(CXXNoexceptExpr*) { return true; }
+  bool TraverseRequiresExpr(RequiresExpr*) { return true; }
+  bool TraverseConceptSpecializationExpr(ConceptSpecializationExpr*) { return true; }
   bool TraverseCXXThrowExpr(CXXThrowExpr*) { return true; }
   bool TraverseVarDecl(VarDecl* variable) {
     return variable->isConstexpr() || RecursiveASTVisitor::TraverseVarDecl(variable);

@@ -24,7 +24,11 @@ const Expr* stripped(const Expr* expr) {
     if (const auto* full = llvm::dyn_cast<FullExpr>(inner)) inner = full->getSubExpr();
     if (const auto* temporary = llvm::dyn_cast<MaterializeTemporaryExpr>(inner)) inner = temporary->getSubExpr();
     if (const auto* bound = llvm::dyn_cast<CXXBindTemporaryExpr>(inner)) inner = bound->getSubExpr();
-    if (const auto* cast = llvm::dyn_cast<CXXFunctionalCastExpr>(inner)) inner = cast->getSubExpr();
+    if (const auto* cast = llvm::dyn_cast<CXXFunctionalCastExpr>(inner)) {
+      const auto* made = cast->getType()->getAsCXXRecordDecl();
+      const bool changes = bare(cast->getType()) != bare(cast->getSubExpr()->getType());
+      if (!changes || (made != nullptr && is_directors(*made))) inner = cast->getSubExpr();
+    }
     if (const auto* substituted = llvm::dyn_cast<SubstNonTypeTemplateParmExpr>(inner))
       inner = substituted->getReplacement();
     if (const auto* made = llvm::dyn_cast<CXXConstructExpr>(inner)) {
@@ -37,47 +41,56 @@ const Expr* stripped(const Expr* expr) {
   }
 }
 
-std::string text(const llvm::APSInt& number, QualType type) {
-  if (const auto* of = type.getCanonicalType()->getAs<EnumType>()) {
-    for (const EnumConstantDecl* each : of->getDecl()->enumerators()) {
-      if (llvm::APSInt::isSameValue(each->getInitVal(), number)) return each->getNameAsString();
+/// `names`: the enum that is the state's; null: a number.
+Values::Names names_of(const llvm::APSInt& number, const EnumDecl* names) {
+  Values::Names out;
+  if (names != nullptr) {
+    for (const EnumConstantDecl* each : names->enumerators()) {
+      if (llvm::APSInt::isSameValue(each->getInitVal(), number)) out.push_back(each->getNameAsString());
     }
   }
+  if (!out.empty()) return out;
   llvm::SmallString<24> digits;
   number.toString(digits, 10);
-  return digits.str().str();
+  return {digits.str().str()};
 }
 
 } // namespace
 
-std::optional<std::set<std::string>> Values::of(const Expr* expr) const { return of(expr, deepest); }
+std::optional<std::set<Values::Names>> Values::of(const Expr* expr) const {
+  if (expr == nullptr) return {};
+  const auto* names = bare(stripped(expr->IgnoreUnlessSpelledInSource())->getType())->getAs<EnumType>();
+  return of(expr, names == nullptr ? nullptr : names->getDecl(), deepest);
+}
 
-std::optional<std::set<std::string>> Values::of(const Expr* expr, int depth) const {
+std::optional<std::set<Values::Names>> Values::of(const Expr* expr, const EnumDecl* names, int depth) const {
   if (expr == nullptr || depth == 0 || expr->isValueDependent()) return {};
   expr = stripped(expr);
   if (const auto* choice = llvm::dyn_cast<ConditionalOperator>(expr)) {
     bool holds = false;
     if (!choice->getCond()->isValueDependent() && choice->getCond()->EvaluateAsBooleanCondition(holds, context_))
-      return of(holds ? choice->getTrueExpr() : choice->getFalseExpr(), depth - 1);
-    auto left = of(choice->getTrueExpr(), depth - 1);
-    const auto right = of(choice->getFalseExpr(), depth - 1);
+      return of(holds ? choice->getTrueExpr() : choice->getFalseExpr(), names, depth - 1);
+    auto left = of(choice->getTrueExpr(), names, depth - 1);
+    const auto right = of(choice->getFalseExpr(), names, depth - 1);
     if (!left || !right) return {};
     left->insert(right->begin(), right->end());
     return left;
   }
   if (const auto* list = llvm::dyn_cast<InitListExpr>(expr))
-    return list->getNumInits() == 1 ? of(list->getInit(0), depth - 1) : std::nullopt;
+    return list->getNumInits() == 1 ? of(list->getInit(0), names, depth - 1) : std::nullopt;
   if (const auto* made = llvm::dyn_cast<CXXConstructExpr>(expr))
-    return made->getNumArgs() >= 1 ? of(made->getArg(0), depth - 1) : std::nullopt;
+    return made->getNumArgs() >= 1 ? of(made->getArg(0), names, depth - 1) : std::nullopt;
   if (const auto* name = llvm::dyn_cast<DeclRefExpr>(expr)) {
     const auto* variable = llvm::dyn_cast<VarDecl>(name->getDecl());
     if (variable != nullptr && variable->getType().isConstQualified() && !variable->getType()->isReferenceType() &&
         variable->getInit() != nullptr && !llvm::isa<ParmVarDecl>(variable) && !variable->getInit()->isValueDependent())
-      return of(variable->getInit(), depth - 1);
+      return of(variable->getInit(), names, depth - 1);
   }
   Expr::EvalResult result;
-  if (!expr->getType()->isIntegralOrEnumerationType() || !expr->EvaluateAsInt(result, context_)) return {};
-  return std::set<std::string>{text(result.Val.getInt(), expr->getType())};
+  if (expr->getType()->isIntegralOrEnumerationType() && expr->EvaluateAsInt(result, context_))
+    return std::set<Names>{names_of(result.Val.getInt(), names)};
+  const auto* cast = llvm::dyn_cast<ExplicitCastExpr>(expr);
+  return cast == nullptr ? std::nullopt : of(cast->getSubExpr(), names, depth - 1);
 }
 
 std::string Values::state_of(const Expr* expr) const {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace director::scanning {
 
@@ -14,14 +15,16 @@ class Values {
 public:
   explicit Values(const clang::ASTContext& context) : context_(context) {}
 
-  /// Enumerators by name, numbers as such; empty: it is computed.
-  std::optional<std::set<std::string>> of(const clang::Expr* expr) const;
+  /// Names of one value: all enumerators that have it, or a number.
+  using Names = std::vector<std::string>;
+  /// Empty: it is computed.
+  std::optional<std::set<Names>> of(const clang::Expr* expr) const;
 
   /// The type of the values: the enum, or the struct that a number is put into; empty: another type.
   std::string state_of(const clang::Expr* expr) const;
 
 private:
-  std::optional<std::set<std::string>> of(const clang::Expr* expr, int depth) const;
+  std::optional<std::set<Names>> of(const clang::Expr* expr, const clang::EnumDecl* names, int depth) const;
 
   const clang::ASTContext& context_;
 };

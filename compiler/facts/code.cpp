@@ -12,16 +12,37 @@ namespace {
 
 class UnitReader {
 public:
-  UnitReader(const Json& unit, CodeFiles& files) : unit_(unit), files_(files) {}
+  UnitReader(const CodeFacts& code, const Json& unit, CodeFiles& files) : unit_(unit), files_(files) {
+    for (const Json& each : unit["functions"].items()) {
+      const CodeFunction* known = code.find(each["key"].as_text());
+      if (known != nullptr) add_other(*known, each);
+    }
+    for (const Json& each : unit["classes"].items()) {
+      const std::string& key = each["key"].as_text();
+      const auto known = std::find_if(code.classes.begin(), code.classes.end(),
+                                      [&](const CodeClass& other) { return other.key == key; });
+      if (known != code.classes.end()) add_other(*known, each);
+    }
+  }
 
   dsl::Span span(const Json& at) const { return files_.span(place_in(at, unit_["paths"])); }
 
+  std::string key(const Json& from) const {
+    const auto at = others_.find(from.as_text());
+    return at == others_.end() ? from.as_text() : at->second;
+  }
+  std::vector<std::string> keys(const Json& from) const {
+    std::vector<std::string> out;
+    for (const Json& each : from.items()) out.push_back(key(each));
+    return out;
+  }
+
   CodeFunction function(const Json& from) const {
     CodeFunction out;
-    out.key = from["key"].as_text();
+    out.key = key(from["key"]);
     out.name = from["name"].as_text();
     out.span = span(from["at"]);
-    out.overrides = from["overrides"].as_texts();
+    out.overrides = keys(from["overrides"]);
     out.context = from["context"].as_text();
     out.class_name = from["class"].as_text();
     if (!from["open_end"].is_null()) out.open_end = span(from["open_end"]);
@@ -29,7 +50,7 @@ public:
     out.doubtful = !unit_["errors"].items().empty();
     for (const Json& each : from["does"].items()) out.words.push_back(word(each));
     for (const Json& each : from["calls"].items()) {
-      out.calls.push_back({each["to"].as_text(), each["name"].as_text(), span(each["at"]),
+      out.calls.push_back({key(each["to"]), each["name"].as_text(), span(each["at"]),
                            place_in(each["declared"], unit_["paths"]).path, each["carries"].as_boolean(),
                            each["maybe"].as_boolean(), each["virtual"].as_boolean()});
     }
@@ -41,15 +62,15 @@ public:
   }
 
   CodeClass record(const Json& from) const {
-    CodeClass out{from["key"].as_text(),
+    CodeClass out{key(from["key"]),
                   from["name"].as_text(),
                   from["module"].as_text(),
                   span(from["at"]),
-                  from["bases"].as_texts(),
+                  keys(from["bases"]),
                   from["missing"].as_texts(),
                   {}};
     for (const Json& each : from["stray"].items())
-      out.stray.push_back({each["key"].as_text(), each["context"].as_text(), each["unlike"].as_text(),
+      out.stray.push_back({key(each["key"]), each["context"].as_text(), each["unlike"].as_text(),
                            each["wrote"].as_text(), span(each["at"])});
     return out;
   }
@@ -67,13 +88,47 @@ private:
     CodeWord out{
         kind, from["context"].as_text(), from["pack"].as_text(), from["tasks"].as_texts(), from["state"].as_text(),
         {},   span(from["at"])};
-    if (from["values"].is_list()) out.values = from["values"].as_texts();
+    if (from["values"].is_list()) {
+      out.values.emplace();
+      for (const Json& names : from["values"].items()) out.values->push_back(names.as_texts());
+    }
     return out;
+  }
+
+  /// Gives it a key of its own, if it is defined at another place.
+  template <typename Known>
+  void add_other(const Known& known, const Json& from) {
+    const CodePlace place = place_in(from["at"], unit_["paths"]);
+    if (known.span == files_.span(place)) return;
+    others_.emplace(known.key, known.key + "@" + place.path + ":" + std::to_string(place.begin));
   }
 
   const Json& unit_;
   CodeFiles& files_;
+  std::map<std::string, std::string, std::less<>> others_; ///< by key: that of what this file means by it
 };
+
+} // namespace
+
+namespace {
+
+template <typename Row>
+void join(std::vector<Row>& to, std::vector<Row> from) {
+  for (Row& each : from) {
+    if (std::find(to.begin(), to.end(), each) == to.end()) to.push_back(std::move(each));
+  }
+}
+
+/// The same function, compiled in another file or with other flags.
+void join(CodeFunction& to, CodeFunction from) {
+  join(to.words, std::move(from.words));
+  join(to.calls, std::move(from.calls));
+  join(to.blocks, std::move(from.blocks));
+  join(to.hidden, std::move(from.hidden));
+  if (!to.open_end) to.open_end = from.open_end;
+  to.unwritten = to.unwritten && from.unwritten;
+  to.doubtful = to.doubtful && from.doubtful;
+}
 
 } // namespace
 
@@ -104,16 +159,21 @@ dsl::FileId CodeFiles::of(const std::string& path) {
 }
 
 void add_unit(CodeFacts& code, const Json& unit, CodeFiles& files) {
-  const UnitReader reader(unit, files);
+  const UnitReader reader(code, unit, files);
   for (const Json& each : unit["functions"].items()) {
-    if (!code.by_key.emplace(each["key"].as_text(), code.functions.size()).second) continue;
-    code.functions.push_back(reader.function(each));
+    const auto [at, is_new] = code.by_key.emplace(reader.key(each["key"]), code.functions.size());
+    if (is_new) {
+      code.functions.push_back(reader.function(each));
+    } else {
+      join(code.functions[at->second], reader.function(each));
+    }
   }
   for (const Json& each : unit["classes"].items()) {
     CodeClass record = reader.record(each);
     const auto known = [&](const CodeClass& other) { return other.key == record.key; };
     if (std::none_of(code.classes.begin(), code.classes.end(), known)) code.classes.push_back(std::move(record));
   }
+  for (const Json& each : unit["continued"].items()) code.continued.insert(reader.key(each));
   code.has_templates = code.has_templates || unit["templates"].as_boolean();
   const Json& aliases = unit["aliases"];
   for (std::size_t i = 0; i < aliases.keys().size(); ++i)

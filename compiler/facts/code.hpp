@@ -11,6 +11,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,11 +22,13 @@ struct CodeWord {
   enum class Kind { request, pack, set, done, fail, keep };
   Kind kind = Kind::keep;
   std::string context;
-  std::string pack;                               ///< of a pack its function
-  std::vector<std::string> tasks;                 ///< of request and pack
-  std::string state;                              ///< of set: the type
-  std::optional<std::vector<std::string>> values; ///< of set: the possible values; empty: computed
+  std::string pack;               ///< of a pack its function
+  std::vector<std::string> tasks; ///< of request and pack
+  std::string state;              ///< of set: the type
+  std::optional<std::vector<std::vector<std::string>>>
+      values; ///< of set: the possible values, each by all its names; empty: computed
   dsl::Span span{};
+  bool operator==(const CodeWord&) const = default;
 };
 
 struct CodeCall {
@@ -36,6 +39,7 @@ struct CodeCall {
   bool carries = false;    ///< it is given a context
   bool maybe = false;      ///< a lambda, or a function that is named: its receiver may call it
   bool is_virtual = false; ///< its overriders may be called
+  bool operator==(const CodeCall&) const = default;
 };
 
 /// A call that may block its caller.
@@ -43,6 +47,7 @@ struct CodeBlock {
   std::string name; ///< `std::this_thread::sleep_for`
   std::string why;  ///< `sleeps`
   dsl::Span span{};
+  bool operator==(const CodeBlock&) const = default;
 };
 
 /// A call whose target is unknown: through a pointer.
@@ -50,10 +55,11 @@ struct CodeHidden {
   std::string what;
   dsl::Span span{};
   bool carries = false; ///< it is given a context
+  bool operator==(const CodeHidden&) const = default;
 };
 
 struct CodeFunction {
-  std::string key; ///< of one function in all files: Clang's USR
+  std::string key; ///< of one function in all files: Clang's USR, and what that leaves out
   std::string name;
   dsl::Span span{};                   ///< of the name, where its body stands
   std::vector<std::string> overrides; ///< keys
@@ -65,7 +71,7 @@ struct CodeFunction {
   std::vector<CodeHidden> hidden;
   std::optional<dsl::Span> open_end; ///< it must return an answer, and its end can be reached without one: its brace
   bool unwritten = false;            ///< it is as `directorc stubs` wrote it
-  bool doubtful = false;             ///< Clang found errors in its file: something may be missing
+  bool doubtful = false;             ///< Clang found errors in each file that has it: something may be missing
 };
 
 /// A class that implements a module.
@@ -97,7 +103,8 @@ struct CodeFacts {
   std::vector<CodeClass> classes;
   std::map<std::string, std::string, std::less<>> aliases; ///< `soccer::Phase` -> `soccer::GamePhase`
   std::vector<GeneratedHeader> headers;
-  bool has_templates = false; ///< a class template implements a module, whatever derives from it
+  std::set<std::string, std::less<>> continued; ///< keys of classes from which a class template derives
+  bool has_templates = false;                   ///< a class template implements a module, whatever derives from it
 
   const CodeFunction* find(std::string_view key) const;
 };
@@ -128,7 +135,9 @@ private:
   std::map<std::string, dsl::FileId> known_;
 };
 
-/// Adds director-clang's answer for a file. A function or class that several files report counts once.
+/// Adds director-clang's answer for a file. A function that several files report, or one file with several flags,
+/// counts once, with all that it does in one of them; one of the same name that is defined elsewhere is another one,
+/// such as a test double: the calls of its file lead there.
 void add_unit(CodeFacts& code, const Json& unit, CodeFiles& files);
 
 } // namespace director::compiler

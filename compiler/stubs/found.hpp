@@ -30,6 +30,7 @@ struct FoundClass {
   bool is_public = false;              ///< the access of declarations there
   bool in_macro = false;               ///< the brace comes out of a macro
   bool only_inline = false;            ///< a template, or local: its functions are defined within it
+  std::vector<std::string> given;      ///< `provide soccer::Walk::Halting`: bodies from templates above it
   bool operator==(const FoundClass&) const = default;
 };
 
@@ -44,13 +45,14 @@ struct FoundFunction {
   Conditional inside = unconditional; ///< at the end
   bool known = true;                  ///< there is such a context
   bool within = false;                ///< it is within its class
-  bool defines = false;               ///< it has a body, or needs none: pure
+  bool defines = false;               ///< it has a body, or needs none
   bool overrides = false;             ///< by its keyword
   bool in_macro = false;              ///< it begins or ends in one
   bool is_inline = false;             ///< by its keyword
   std::string result;                 ///< `Outcome`, as it is written before the name; empty: not to be copied
   std::string qualifier;              ///< `player::Locomotion::`, as it is written outside of the class
   bool for_any = false;               ///< a base of its class is a parameter: it may implement any module
+  bool pure = false;                  ///< a class below must have a body
   bool operator==(const FoundFunction&) const = default;
 };
 

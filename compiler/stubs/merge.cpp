@@ -75,8 +75,11 @@ private:
   }
 
   bool inherited(const WantedFunction& function) const {
-    return std::any_of(type_.bases.begin(), type_.bases.end(),
-                       [&](const std::string& base) { return declared(function, base) != nullptr; });
+    if (contains(type_.given, fmt::format("{} {}", name_of(function.kind), function.context))) return true;
+    return std::any_of(type_.bases.begin(), type_.bases.end(), [&](const std::string& base) {
+      const FoundFunction* found = declared(function, base);
+      return found != nullptr && !found->pure;
+    });
   }
 
   bool fits_declaration(const FoundFunction& row) const {

@@ -33,6 +33,7 @@ FoundClass class_in(const Json& row) {
   out.name = row["name"].as_text();
   out.interfaces = row["interfaces"].as_texts();
   out.bases = row["bases"].as_texts();
+  out.given = row["given"].as_texts();
   out.place = place_in(row);
   out.end = size_in(row["end"]);
   out.inside = row["inside"].as_number();
@@ -54,6 +55,7 @@ FoundFunction function_in(const Json& row) {
   out.known = row["known"].as_boolean();
   out.within = row["within"].as_boolean();
   out.defines = row["defines"].as_boolean();
+  out.pure = row["pure"].as_boolean();
   out.overrides = row["overrides"].as_boolean();
   out.in_macro = row["macro"].as_boolean();
   out.is_inline = row["inline"].as_boolean();

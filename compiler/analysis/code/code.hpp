@@ -80,7 +80,7 @@ std::string declaration_of(const BodyOf& body, const std::string& context);
 /// The states that it may set: `causing` and `sets`.
 std::vector<ConditionUse> declared_by(const Model& model, const BodyOf& body);
 
-/// The value by its name in C++; empty: the state has no such value.
-std::optional<std::int64_t> value_of(const State& state, const std::string& name);
+/// The value by its names in C++; empty: the state has no such value.
+std::optional<std::int64_t> value_of(const State& state, const std::vector<std::string>& names);
 
 } // namespace director::analysis

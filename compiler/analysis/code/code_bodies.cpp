@@ -190,14 +190,17 @@ std::vector<ConditionUse> declared_by(const Model& model, const BodyOf& body) {
   return out;
 }
 
-std::optional<std::int64_t> value_of(const State& state, const std::string& name) {
-  if (state.is_range) {
+std::optional<std::int64_t> value_of(const State& state, const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    if (!state.is_range) {
+      if (const auto value = state.value_of(name)) return value;
+      continue;
+    }
     std::int64_t number = 0;
     const auto [end, fault] = std::from_chars(name.data(), name.data() + name.size(), number);
-    if (fault != std::errc() || end != name.data() + name.size()) return {};
-    return number;
+    if (fault == std::errc() && end == name.data() + name.size()) return number;
   }
-  return state.value_of(name);
+  return {};
 }
 
 } // namespace director::analysis

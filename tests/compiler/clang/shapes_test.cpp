@@ -88,6 +88,30 @@ const Shape promises[] = {
      "return Mine{}.go(run);"},
     {"Operator", "struct Out { Run& run; Out& operator<<(int) { run.set(S::on); return *this; } };",
      "Out out{run}; out << 3; return ask(run);"},
+    {"TwoLambdas", "",
+     "const auto one = [&] { return run.keep(); }; const auto two = [&] { run.set(S::on); return ask(run); }; "
+     "return mode_ ? one() : two();"},
+    {"LambdaArguments", "template <class F> Outcome go(Run& run, F f) { return f(run); }",
+     "return mode_ ? go(run, [](Run& r) { return r.keep(); }) "
+     ": go(run, [](Run& r) { r.set(S::on); return ask(r); });"},
+    {"LocalClasses", "",
+     "if (mode_) { struct Way { Outcome go(Run& r) { return r.keep(); } }; return Way{}.go(run); } "
+     "struct Way { Outcome go(Run& r) { r.set(S::on); return ask(r); } }; return Way{}.go(run);"},
+    {"ObjectArguments",
+     "struct N { int a; }; template <N n> Outcome go(Run& run) { if constexpr (n.a == 2) { run.set(S::on); "
+     "return ask(run); } else { return run.keep(); } }",
+     "return mode_ ? go<N{1}>(run) : go<N{2}>(run);"},
+    {"Aggregate",
+     "inline int put(Run& run) { run.set(S::on); return 1; } struct Plan { Run& run; int done = put(run); };",
+     "mode_ = Plan{run}.done; return ask(run);"},
+    {"Rewritten", "struct Eq { Run& run; bool operator==(const Eq&) const { run.set(S::on); return true; } };",
+     "if (Eq{run} != Eq{run}) return run.keep(); return ask(run);"},
+    {"Deleted",
+     "struct Way { virtual ~Way() = default; }; struct Bold final : Way { Run& run; explicit Bold(Run& r) : run(r) {} "
+     "~Bold() override { run.set(S::on); } };",
+     "Way* way = new Bold(run); delete way; return ask(run);"},
+    {"Braces", "", "constexpr int which = static_cast<int>(S::on); run.try_set(S{which}); return ask(run);"},
+    {"CastNumber", "", "run.try_set(S(static_cast<int>(S::on))); return ask(run);"},
 };
 
 const Shape out_of_sight[] = {
@@ -95,6 +119,10 @@ const Shape out_of_sight[] = {
      "struct Way { virtual ~Way() = default; virtual Outcome act(Run& run) = 0; }; "
      "struct Bold : Way { Outcome act(Run& run) override { run.set(S::on); return ask(run); } }; inline Bold bold;",
      "Way* way = &bold; return way->act(run);"},
+    {"OpaqueData", "extern \"C\" int plan(void* user);", "return plan(&run) ? run.keep() : ask(run);"},
+    {"Pointers", "",
+     "Outcome (*const ways[])(Run&) = {[](Run& r) { return r.keep(); }, [](Run& r) { r.set(S::on); return ask(r); }}; "
+     "return ways[mode_ & 1](run);"},
     {"Bind", "inline Outcome act(int, Run& run) { run.set(S::on); return ask(run); }",
      "return std::bind_front(&act, mode_)(run);"},
 };
@@ -196,6 +224,7 @@ const Shape never[] = {
     {"DeadAnd", "inline bool put(Run& run) { run.set(S::on); return true; }",
      "if (false && put(run)) return run.keep(); return ask(run);"},
     {"DeadValue", "", "run.try_set(sizeof(char) == 2 ? S::on : S::off); return ask(run);"},
+    {"DeadRequires", "", "if constexpr (requires { run.set(S::on); }) return ask(run); return run.keep();"},
     {"BehindReturn", "", "return ask(run); run.set(S::on);"},
     {"BehindLoop", "", "for (;;) { if (mode_ > 3) return ask(run); } run.set(S::on);"},
     {"BehindEnd", "", "if (mode_ > 3) { std::abort(); run.set(S::on); } return ask(run);"},
@@ -246,6 +275,7 @@ const Home homes[] = {
     {"TemplateBase",
      "template <class I> class With : public I { BODY }; class Mine final : public With<deep::Robot> {};", true},
     {"Template", "template <class I> class With : public I { BODY };", false},
+    {"TemplateBelow", "class Any : public deep::Robot {}; template <class T> class Mine : public Any { BODY };", false},
     {"TemplateOfMine", "template <int size> class Mine : public deep::Robot { BODY };", false},
 };
 
@@ -316,6 +346,8 @@ const Call calls[] = {
     {"Behind", "", "return run.done(); std::puts(\"x\");"},
     {"Computed", "",
      "constexpr int size = [] { const int* p = new int(3); const int r = *p; delete p; return r; }(); n = size;"},
+    {"PathCompare", "", "n = here == there ? 1 : 2; std::filesystem::swap(here, there);"},
+    {"Flags", "", "n = static_cast<int>(std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);"},
     {"SharedArena", "uses the heap", "std::pmr::vector<int> v; v.push_back(1);"},
     {"HeapAllocator", "uses the heap", "static std::vector<int, Heap<int>> v; v.push_back(1);"},
     {"SpinLock", "sleeps", "static Patient p; std::scoped_lock l(p);"},
@@ -369,6 +401,10 @@ const Call calls[] = {
     {"ByeWithin", "does input or output", "struct Outer { Noisy x; } outer{}; n = outer.x.i;"},
     {"ByeArray", "sleeps", "Slow x[2]{}; n = x[0].i;"},
     {"ByeDeleted", "sleeps, uses the heap", "delete slow;"},
+    {"SecondLambda", "does input or output",
+     "const auto one = [] { return 1; }; const auto two = [] { return std::puts(\"x\"); }; n = n > 0 ? one() : two();"},
+    {"Unequal", "does input or output", "n = Loud{1} != Loud{2} ? 1 : 2;"},
+    {"LeftOut", "does input or output", "Lazy x{3}; n = x.j;"},
     {"Stream", "does input or output", "out(std::cout);"},
     {"System", "does input or output", "syslog(LOG_INFO, \"x\");"},
     {"Lock", "locks", "std::scoped_lock l(mutex); ++n;"},
@@ -387,6 +423,7 @@ TEST_CASE("what blocks is reported in whatever shape it comes, and what only loo
 #include <condition_variable>
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -442,6 +479,9 @@ static Named named;
 struct Maker { int i; explicit Maker(int x) : i(*std::make_unique<int>(x)) {} };
 struct Heir : Maker { using Maker::Maker; };
 static Slow* slow;
+static std::filesystem::path here, there;
+struct Loud { int i; bool operator==(const Loud&) const { std::puts("same?"); return true; } };
+struct Lazy { int i; int j = std::puts("x"); };
 static void takes(const std::string& s) { n = static_cast<int>(s.size()); }
 static void takes_default(const std::string& s = "what is not given") { n = static_cast<int>(s.size()); }
 static void out(std::ostream& o) { o.put('x'); }

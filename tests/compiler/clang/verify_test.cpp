@@ -145,6 +145,42 @@ TEST_CASE("test doubles can be left out by their file, their folder, or what the
   CHECK(messages(verified(work, {"--exclude=" + work.path("CMakeFiles/doubles.dir")}).out).empty());
 }
 
+TEST_CASE("a test double with the name of a class does not hide what the class does") {
+  const Workshop work = workshop("double");
+  std::string real = wheels(included);
+  const std::string good = "return run.request(cart::Wheel{});";
+  std::string fake = real;
+  fake.replace(fake.find("return run.done();"), 18, good);
+  work.write("body.cpp", real);
+  work.write("fake.cpp", fake);
+  for (const bool first : {true, false}) {
+    const std::string one = work.path(first ? "body.cpp" : "fake.cpp");
+    work.write_commands({one, work.path(first ? "fake.cpp" : "body.cpp")}, flags(work));
+    CHECK(messages(verified(work).out) == std::vector<std::string>{found});
+  }
+}
+
+TEST_CASE("a file that is compiled twice does what it does with the flags of both") {
+  const Workshop work = workshop("twice");
+  std::string body = wheels(included);
+  body.replace(body.find("return run.done();"), 18,
+               "\n#ifdef SIM\nreturn run.done();\n#else\nreturn run.request(cart::Wheel{});\n#endif\n");
+  work.write("body.cpp", body);
+  const auto entry = [&](const std::string& more) {
+    std::string out =
+        "{\"directory\": \"" + work.path() + "\", \"file\": \"" + work.path("body.cpp") + "\", \"arguments\": [\"g++\"";
+    for (const std::string& flag : flags(work)) out += ", \"" + flag + "\"";
+    return out + more + ", \"-c\", \"" + work.path("body.cpp") + "\"]}";
+  };
+  const std::string sim = entry(", \"-DSIM\""), robot = entry("");
+  for (const std::string& both : {sim + ", " + robot, robot + ", " + sim}) {
+    work.write("compile_commands.json", "[" + both + "]");
+    CHECK(messages(verified(work).out) == std::vector<std::string>{});
+  }
+  work.write("compile_commands.json", "[" + sim + "]");
+  CHECK(messages(verified(work).out) == std::vector<std::string>{found});
+}
+
 TEST_CASE("a missing file that is to be left out is reported") {
   const Workshop work = workshop("no-doubles");
   work.write("body.cpp", wheels(included));

@@ -38,8 +38,7 @@ TEST_CASE("a header of the program that changes, also one that another includes,
   write(here / "build/compile_commands.json", R"([{"directory": ")" + path + R"(/build", "file": ")" + path +
                                                   R"(/main.cpp", "command": "g++ -I)" + path + R"(/include -c )" +
                                                   path + R"(/main.cpp"}])");
-  RunningProgram program({"directorc", "check", "--watch", "-p", "build", "bot.yaml"},
-                         here);
+  RunningProgram program({"directorc", "check", "--watch", "-p", "build", "bot.yaml"}, here);
   const std::string clean = next_findings(program);
   write(here / "include/inner.hpp", "namespace bot { enum class Mode { still, rolling }; }\n");
   CHECK(next_findings(program).find("error: `bot::Mode` has no `moving` [enum_drift]\n") != std::string::npos);

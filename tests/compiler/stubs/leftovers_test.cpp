@@ -32,7 +32,7 @@ FoundFunction function(const std::string& of, const std::string& name, const std
 /// Beside a class Legs, which implements b::Legs.
 Said said(const FoundFunction& row) {
   Found found;
-  found.classes = {{"Legs", {"b::Legs"}, {}, {}, 0, unconditional, true, false, false}};
+  found.classes = {{"Legs", {"b::Legs"}, {}, {}, 0, unconditional, true, false, false, {}}};
   found.functions = {row};
   Said out;
   for (const Remark& each : leftovers(two_modules, found)) {

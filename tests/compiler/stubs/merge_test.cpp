@@ -162,7 +162,7 @@ TEST_CASE("a class that implements two modules gets one label for what both miss
   const Texts texts{{"/p/both.hpp", "class Both : public b::Legs, public b::Eyes {\n};\n"}};
   const Merge merge = merged(wanted, texts, [](Found& found) {
     found.classes = {
-        {"Both", {"b::Eyes", "b::Legs"}, {}, {"/p/both.hpp", 1, 7}, 46, unconditional, false, false, false}};
+        {"Both", {"b::Eyes", "b::Legs"}, {}, {"/p/both.hpp", 1, 7}, 46, unconditional, false, false, false, {}}};
   });
   CHECK(merge.fresh.empty());
   const std::string text = after(merge, texts).at("/p/both.hpp");
@@ -180,7 +180,7 @@ TEST_CASE("of classes below one another only the last gets what none of them has
     found.functions.front().defines = true;
     const std::size_t end = text.rfind("};");
     found.classes.push_back(
-        {"Rest", {"b::Legs"}, {"Some"}, {"/p/legs.hpp", 4, 8}, end, unconditional, true, false, false});
+        {"Rest", {"b::Legs"}, {"Some"}, {"/p/legs.hpp", 4, 8}, end, unconditional, true, false, false, {}});
   });
   REQUIRE(merge.insertions.size() == 1);
   CHECK(merge.insertions[0].offset == text.rfind("};"));

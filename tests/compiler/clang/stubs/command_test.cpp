@@ -249,6 +249,41 @@ TEST_CASE("a template with a body whose provider is gone is still a base of clas
                                  "left over: cart has no such provider or handler\n");
 }
 
+TEST_CASE("a body that a template gives for any context is a body") {
+  const Workshop work;
+  work.write("src/wheels.cpp",
+             "#include \"cart.hpp\"\n"
+             "template <class Run, class Base> struct Each : Base {\n"
+             "  director::Outcome provide(Run& run) override { return run.done(); }\n};\n"
+             "class Wheels final : public Each<cart::Drive::Rolling, Each<cart::Drive::Braking, cart::Wheels>> {\n"
+             "  void stop(cart::Drive::Stop&) override {}\n};\n");
+  CHECK(work.stubs("--check") == "");
+}
+
+TEST_CASE("what overrides nothing, or has no body, is no body") {
+  const Workshop work;
+  work.write("src/wheels.cpp", "#include \"cart.hpp\"\n"
+                               "class Wheels : public cart::Wheels {\npublic:\n"
+                               "  director::Outcome provide(cart::Drive::Rolling& run) const { return run.done(); }\n"
+                               "  director::Outcome provide(cart::Drive::Braking& run) override = 0;\n"
+                               "  void stop(const cart::Drive::Stop&);\n};\n"
+                               "class Last final : public Wheels {\npublic:\n};\n");
+  const std::string before = work.text("src/wheels.cpp");
+  CHECK(work.stubs() == "added to: src/wheels.cpp\n");
+  CHECK(work.text("src/wheels.cpp") == before.substr(0, before.size() - 3) +
+                                           "  /// (cart.yaml:9)\n"
+                                           "  void stop(cart::Drive::Stop& run) override {\n"
+                                           "    static_cast<void>(run); // does nothing yet\n  }\n"
+                                           "  /// (cart.yaml:11)\n  /// - sets: Motion == moving\n"
+                                           "  director::Outcome provide(cart::Drive::Rolling& run) override {\n"
+                                           "    return run.keep(); // does nothing yet\n  }\n"
+                                           "  /// Until it stands. (cart.yaml:12)\n"
+                                           "  /// - causing: Motion == still within 2 s\n"
+                                           "  director::Outcome provide(cart::Drive::Braking& run) override {\n"
+                                           "    return run.keep(); // does nothing yet\n  }\n};\n");
+  CHECK(work.stubs("--check") == "");
+}
+
 TEST_CASE("an outdated comment is reported by --check, and not changed") {
   const Workshop shop;
   shop.stubs();
