@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <unordered_map>
 
 namespace director::checks {
@@ -98,9 +99,18 @@ private:
   std::vector<ProviderId> others_;
 };
 
-void look_at(const Input& input, const Together& together, Stakes& stakes, Findings& findings) {
+/// The entries of one edge: tasks of several packs.
+struct Entries {
+  std::size_t all = 0;
+  std::vector<std::pair<const Together*, const Task*>> undisputed; ///< that have a priority
+};
+
+/// A level is a place in the order of its edge, and `keep` continues a task only at the same one. So an edge is
+/// reported as a whole, if it has one level.
+void look_at(const Input& input, const Together& together, Stakes& stakes, std::map<EdgeId, Entries>& entries) {
   const Model& model = input.model;
   const std::vector<Task>& tasks = *together.tasks;
+  for (const Task& task : tasks) ++entries[task.edge].all;
   if (std::none_of(tasks.begin(), tasks.end(), [&](const Task& task) { return has_priority(model, task); })) return;
   std::unordered_map<GroupId, std::size_t> wanted_by;
   for (const Task& task : tasks) {
@@ -119,11 +129,8 @@ void look_at(const Input& input, const Together& together, Stakes& stakes, Findi
     });
   };
   for (const Task& task : tasks) {
-    if (!has_priority(model, task) || is_disputed(task.target)) continue;
-    findings
-        .add(task.span, fmt::format("the priority of {} decides nothing: {} may ever want the same group",
-                                    name_of(model, task.target), beside(model, together)))
-        .help = "remove it, so that the priorities that are written are those that count";
+    if (has_priority(model, task) && !is_disputed(task.target))
+      entries[task.edge].undisputed.emplace_back(&together, &task);
   }
 }
 
@@ -131,7 +138,19 @@ void look_at(const Input& input, const Together& together, Stakes& stakes, Findi
 
 void priority_without_effect(const Input& input, Findings& findings) {
   Stakes stakes(input);
-  for (const Together& together : input.shared.chains().together()) look_at(input, together, stakes, findings);
+  const Model& model = input.model;
+  std::map<EdgeId, Entries> entries;
+  for (const Together& together : input.shared.chains().together()) look_at(input, together, stakes, entries);
+  for (const auto& [edge, found] : entries) {
+    if (found.undisputed.size() != found.all || model.edges[edge].levels.size() != 1) continue;
+    for (const auto& [together, task] : found.undisputed) {
+      findings
+          .add(task->span, fmt::format("the priority of {} decides nothing: {} may ever want the same group",
+                                       name_of(model, task->target), beside(model, *together)))
+          .help = fmt::format("remove it{}, so that the priorities that are written are those that count",
+                              found.all == 1 ? "" : " in each pack");
+    }
+  }
 }
 
 } // namespace director::checks

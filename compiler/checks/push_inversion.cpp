@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -43,10 +44,11 @@ public:
       find_own(causer);
       for (const Use<GroupId>& need : model_.providers[causer].needs) {
         const auto& parts = shared_.indispensable().of(need.id);
-        if (!parts || seen_.count({need.span, want.condition.span}) != 0) continue;
+        if (!parts) continue;
         std::optional<Between> worst;
         for (const GroupId part : *parts) find_between(wanting.task, want, causer, part, worst);
-        if (worst) report(wanting, want, causer, need, *worst);
+        if (worst && seen_.insert({need.span, want.condition.span, worst->holder.group}).second)
+          report(wanting, want, causer, need, *worst);
       }
     }
   }
@@ -200,7 +202,6 @@ private:
 
   void report(const Wanting& wanting, const Want& want, ProviderId causer, const Use<GroupId>& need,
               const Between& found) {
-    seen_.insert({need.span, want.condition.span});
     const auto& [part, holder, below] = found;
     const GroupId pushed = model_.providers[causer].group;
     bool one_side = false;
@@ -244,7 +245,7 @@ private:
   std::set<GroupId> own_;                   ///< of the provider that is pushed
   /// What a group leads to without the waiting task and the pushed one.
   mutable std::map<GroupId, Claims> below_;
-  std::set<std::pair<dsl::Span, dsl::Span>> seen_;
+  std::set<std::tuple<dsl::Span, dsl::Span, GroupId>> seen_; ///< need, condition, and who is between
 };
 
 } // namespace

@@ -13,8 +13,10 @@ namespace director::checks {
 namespace {
 
 /// Whether the second holds wherever the first does.
-bool implies(const Region& first, const Region& second) {
+bool implies(const Model& model, const Region& first, const Region& second) {
   return std::all_of(second.states.begin(), second.states.end(), [&](const auto& entry) {
+    const State& state = model.states[entry.first];
+    if (!state.may_be_unset() && state.domain().subset_of(entry.second)) return true; // it always holds
     const auto at = first.states.find(entry.first);
     return at != first.states.end() && at->second.subset_of(entry.second);
   });
@@ -28,7 +30,7 @@ void stay_adds_nothing(const Input& input, Findings& findings) {
     const Provider& provider = model.providers[id];
     if (provider.stay.empty()) continue;
     const Region stay = region_of(model, provider.stay);
-    if (stay.empty() || !implies(stay, region_of(model, provider.when))) continue;
+    if (stay.empty() || !implies(model, stay, region_of(model, provider.when))) continue;
     dsl::Diagnostic& finding =
         findings.add(provider.stay[0].span,
                      fmt::format("whenever the `stay` of {} holds its `when` does too, so it keeps nothing longer",

@@ -16,11 +16,12 @@
 // loser's. (At rest nothing is stale, so nothing is kept against that order.)
 //
 // soft: by being granted `to` may take itself and what it may need. If `from` can neither request nor need any of that,
-// granting `to` takes nothing from it. Otherwise a latch: `to` waits for a value of a state that is `of: from` and does
-// not begin with that value, that only one causing provider of `from` ever sets, and that the `when` and `stay` of all
-// its other providers exclude. Then from the moment in which the causing provider set it the condition holds at most
-// for as long as `from` lives, and that provider is the active one: a stop of `from` resets the value before anything
-// else is decided.
+// granting `to` takes nothing from it; and if no group above it needs any of that, or requests it in one pack with what
+// leads to `from`, that stops nothing above it either. Otherwise a latch: `to` waits for a value of a state that is
+// `of: from` and does not begin with that value, that only one causing provider of `from` ever sets, and that the
+// `when` and `stay` of all its other providers exclude. Then from the moment in which the causing provider set it the
+// condition holds at most for as long as `from` lives, and that provider is the active one: a stop of `from` resets the
+// value before anything else is decided.
 //
 // can_run: the facts of the checks decide for every provider whether it may ever run; they are an over-approximation.
 #include "compiler/analysis/facts/facts.hpp"
@@ -236,15 +237,44 @@ std::optional<Verdict> can_run(const Assertion& assertion, const Model& model) {
   return out;
 }
 
+/// What a group may lose so that it stops: itself and its needs; and what is requested in one pack with it, for the
+/// tasks of a pack may be one unit.
+void add_stakes(const Model& model, GroupId group, std::vector<GroupId>& to) {
+  to.push_back(group);
+  const std::vector<GroupId> needs = needed_by(model, group);
+  to.insert(to.end(), needs.begin(), needs.end());
+}
+
+/// By what `from`, or a group above it, may stop if another group takes it.
+std::vector<GroupId> stakes_of(const Model& model, GroupId from) {
+  std::vector<GroupId> out = below(model, from), above{from};
+  for (std::size_t i = 0; i < above.size(); ++i) {
+    add_stakes(model, above[i], out);
+    for (const EdgeId edge : model.groups[above[i]].requesters) {
+      const std::optional<GroupId> requester = model.edges[edge].requester;
+      if (!requester) continue;
+      for (const ProviderId id : model.groups[*requester].providers) {
+        for (const Pack& pack : model.providers[id].packs) {
+          const auto leads = [&](const Task& task) { return task.edge == edge; };
+          if (pack.name.empty() || std::none_of(pack.tasks.begin(), pack.tasks.end(), leads)) continue;
+          for (const Task& task : pack.tasks) add_stakes(model, task.target, out);
+        }
+      }
+      if (!has(above, *requester)) above.push_back(*requester);
+    }
+  }
+  return out;
+}
+
 std::optional<Verdict> soft(const Assertion& assertion, const Model& model) {
   const GroupId from = assertion.groups.front().id, to = assertion.groups.back().id;
   std::vector<GroupId> takes = needed_by(model, to);
   takes.push_back(to);
-  const std::vector<GroupId> has_all = below(model, from);
-  const bool apart = std::none_of(takes.begin(), takes.end(), [&](GroupId group) { return has(has_all, group); });
+  const std::vector<GroupId> stakes = stakes_of(model, from);
+  const bool apart = std::none_of(takes.begin(), takes.end(), [&](GroupId group) { return has(stakes, group); });
   if (!apart) return latch(model, from, to);
-  return proven(
-      fmt::format("being granted, {} takes nothing that {} requests or needs", quoted(model, to), quoted(model, from)));
+  return proven(fmt::format("being granted, {} takes nothing that {} requests or needs, or a group above it needs",
+                            quoted(model, to), quoted(model, from)));
 }
 
 } // namespace

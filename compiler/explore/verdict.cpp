@@ -21,7 +21,8 @@ std::string refuted_by(const Assertion& assertion, const Model& model) {
   case Assertion::Kind::beats:
     return fmt::format("a task of {}, or below it, is blocked by a group that the side of {} holds", name(0), name(1));
   case Assertion::Kind::soft:
-    return fmt::format("granting {} takes what {} holds, and none of its causing providers ran since {} was requested",
+    return fmt::format("granting {} stops {} or takes what it holds, and none of its causing providers ran since {} "
+                       "was requested",
                        name(1), name(0), name(1));
   case Assertion::Kind::can_run: break;
   }

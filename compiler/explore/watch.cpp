@@ -141,20 +141,52 @@ bool Watch::keeps_promise(Index provider, const Put& put) const {
   });
 }
 
+namespace {
+
+/// Whether no level of the edge shares a unit with others.
+bool is_apart(const Tables& t, Index edge) {
+  const Range levels = t.edges[edge].levels;
+  for (Index i = levels.begin; i != levels.end; ++i) {
+    if (!t.levels[i].apart) return false;
+  }
+  return true;
+}
+
+} // namespace
+
 /// Whether the second one is granted, and thereby something is taken that the first one, live, held: a request or need
-/// of it. Not if the first one continues to hold it through the second one.
+/// of it; or something that a group above it held, so that it stops. Not if the first one continues to hold it through
+/// the second one.
 bool Watch::hard_cut(const One& one, const Machine& machine) const {
   const Engine& engine = machine.engine();
   const Tables& t = ground_.tables;
   const Index from = one.groups.front(), to = one.groups.back();
   if (!engine.granted(to) || before_[to].granted || before_[from].active == nil) return false;
+  const bool stops = engine.active(from) == nil;
+  std::vector<bool> holders(t.groups.size(), false); // it, and what it was requested for
+  for (Index at = from; at != nil && !holders[at];) {
+    holders[at] = true;
+    const Index edge = before_[at].holder;
+    at = stops && edge < t.edges.size() ? t.edges[edge].requester : nil;
+  }
+  // Whether one of these had it: by need or request, or by a member of its unit, which has it by needs.
+  const auto was_theirs = [&](Index edge) {
+    for (std::size_t steps = 0; edge < t.edges.size() && steps <= t.groups.size(); ++steps) {
+      const Index requester = t.edges[edge].requester;
+      if (requester == nil) return false;
+      if (holders[requester]) return steps == 0 || (engine.active(t.edges[edge].target) == nil && !is_apart(t, edge));
+      if (steps > 0 && t.edges[edge].levels.begin != t.edges[edge].levels.end) return false;
+      edge = before_[requester].holder;
+    }
+    return false;
+  };
   for (Index g = 0; g < t.groups.size(); ++g) {
     const Index was = before_[g].holder, is = engine.holder(g);
-    if (was >= t.edges.size() || t.edges[was].requester != from || is == was || is >= t.edges.size()) continue;
+    if (is == was || is >= t.edges.size() || !was_theirs(was)) continue;
     if ((g == to || under(engine, is, to)) && !under(engine, is, from)) return true;
   }
   const Index is = engine.holder(from);
-  return before_[from].holder != is && is < t.edges.size() && under(engine, is, to) && engine.active(from) == nil;
+  return before_[from].holder != is && is < t.edges.size() && under(engine, is, to) && stops;
 }
 
 void Watch::note(const Machine& machine) {

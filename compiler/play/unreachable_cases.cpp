@@ -20,14 +20,19 @@ bool same_or_none(const std::optional<Guard>& earlier, const std::optional<Guard
 
 /// Whether `earlier` applies whenever `later` would, and is the first.
 bool hides(const CaseSpec& earlier, const CaseSpec& later) {
+  using State = dsl::UseState;
   const auto is_there = [&](const dsl::UseGuardSpec& guard) {
     return std::any_of(later.uses.begin(), later.uses.end(), [&](const dsl::UseGuardSpec& each) {
-      return each.group.value == guard.group.value && each.state.value == guard.state.value;
+      // What is done or has failed is running.
+      const bool runs =
+          guard.state.value == State::running && (each.state.value == State::done || each.state.value == State::failed);
+      return each.group.value == guard.group.value && (each.state.value == guard.state.value || runs);
     });
   };
-  return same_or_none(earlier.reason, later.reason) && same_or_none(earlier.trigger, later.trigger) &&
-         same_or_none(earlier.data, later.data) && same_or_none(earlier.run, later.run) &&
-         std::all_of(earlier.uses.begin(), earlier.uses.end(), is_there);
+  const bool reason =
+      same_or_none(earlier.reason, later.reason) || (earlier.reason->value == dsl::Reason::trigger && later.trigger);
+  return reason && same_or_none(earlier.trigger, later.trigger) && same_or_none(earlier.data, later.data) &&
+         same_or_none(earlier.run, later.run) && std::all_of(earlier.uses.begin(), earlier.uses.end(), is_there);
 }
 
 bool listens(const Model& model, ProviderId id, const std::string& trigger) {

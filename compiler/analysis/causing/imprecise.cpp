@@ -3,32 +3,42 @@
 #include "compiler/analysis/causing/imprecise.hpp"
 
 #include "compiler/analysis/facts/pushes.hpp"
+#include "compiler/analysis/facts/waiting.hpp"
+
+#include <algorithm>
 
 namespace director::analysis {
 
-std::vector<Imprecise> find_imprecise(const Model& model, const Causers& causers, const Facts& facts) {
+std::vector<Imprecise> find_imprecise(const Model& model, const Causers& causers, const Facts& facts,
+                                      const Chains& chains) {
   IdTable<StateId, std::vector<std::pair<ProviderId, ConditionUse>>> promises(model.states.size());
   for (const ProviderId causer : model.providers.ids()) {
     for (const ConditionUse& use : model.providers[causer].causing)
       promises[model.conditions[use.id].state].emplace_back(causer, use);
   }
   // A task also waits for the conditions of its needs.
-  IdSet<ProviderId> waiters(model.providers.size());
+  Waiting waiting(model, facts);
+  IdTable<ProviderId, std::vector<GroupId>> tasks(model.providers.size());
   for (const GroupId group : model.groups.ids()) {
-    if (!facts.requested.contains(group)) continue;
-    for (const auto& [provider, use] : waited_conditions(model, facts, group)) waiters.add(provider);
+    if (!facts.requested.contains(group) || !waiting.may_wait(group)) continue;
+    for (const auto& [provider, use] : waited_conditions(model, facts, group)) {
+      if (waiting.may_be_first(provider) && (tasks[provider].empty() || tasks[provider].back() != group))
+        tasks[provider].push_back(group);
+    }
   }
   std::vector<Imprecise> out;
   for (const ProviderId waiter : model.providers.ids()) {
     const GroupId group = model.providers[waiter].group;
-    if (!waiters.contains(waiter)) continue;
     for (const ConditionUse& condition : model.providers[waiter].when) {
       const Condition& wanted = model.conditions[condition.id];
-      if (!causers[condition.id].empty()) continue;
+      if (tasks[waiter].empty() || !causers[condition.id].empty()) continue;
       for (const auto& [causer, promise] : promises[wanted.state]) {
-        if (model.providers[causer].group == group) continue;
+        const GroupId other = model.providers[causer].group;
+        if (other == group) continue;
         if (model.conditions[promise.id].accepts.intersected(wanted.accepts).empty()) continue;
-        out.push_back({waiter, condition, causer, promise});
+        const bool may_push = std::any_of(tasks[waiter].begin(), tasks[waiter].end(),
+                                          [&](GroupId task) { return task != other && chains.may_beat(task, other); });
+        if (may_push) out.push_back({waiter, condition, causer, promise});
       }
     }
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Promises that overlap an awaited condition without implying it: they cause no push.
 
+#include "compiler/analysis/chains/meetings.hpp"
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/facts/pushes.hpp"
 
@@ -16,7 +17,9 @@ struct Imprecise {
   ConditionUse promise{};
 };
 
-/// Of conditions in the `when` of requested groups that nothing else serves; in order of waiter, condition, causer.
-std::vector<Imprecise> find_imprecise(const Model& model, const Causers& causers, const Facts& facts);
+/// Of conditions that nothing else serves, and that some task waits for which goes before the promising group; in order
+/// of waiter, condition, causer.
+std::vector<Imprecise> find_imprecise(const Model& model, const Causers& causers, const Facts& facts,
+                                      const Chains& chains);
 
 } // namespace director::analysis

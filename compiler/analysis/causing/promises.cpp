@@ -268,8 +268,10 @@ private:
     }
     std::vector<ProviderId> out;
     for (const std::vector<Node>& cycle : lowest_cycles(idle)) {
-      const ProviderId id{cycle.front()};
-      if (facts_.capable_groups.contains(model_.providers[id].group)) out.push_back(id);
+      const auto at = std::find_if(cycle.begin(), cycle.end(), [&](Node node) {
+        return facts_.capable_groups.contains(model_.providers[ProviderId{node}].group);
+      });
+      if (at != cycle.end()) out.push_back(ProviderId{*at});
     }
     return out;
   }

@@ -63,6 +63,7 @@ public:
     }
     for (const StarvingTask& starving : input.conflicts.starving_tasks()) {
       for (const Refused& place : starving.places) {
+        kept_off_.insert(place.task);
         const Taker& taker = place.refusals.front().taker;
         pairs_.insert({taker.by, taker.over});
         pairs_.insert({taker.over, taker.by});
@@ -88,7 +89,7 @@ private:
   Units& units_;
   const Model& model_;
   std::set<std::pair<const Task*, const Task*>> pairs_;
-  std::set<const Task*> kept_off_; ///< by what the requester holds itself
+  std::set<const Task*> kept_off_; ///< by what the requester holds itself, or by several together
 };
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "compiler/analysis/conflicts/pack_conflicts.hpp"
 
 #include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/conflicts/starving.hpp"
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/shared/shared.hpp"
@@ -103,12 +104,17 @@ std::string propose(const Input& input, const PackConflict& conflict, bool by_gr
   if (!model.providers[conflict.provider].has_packs)
     return "give the provider `packs`, one for each course of action: a flat list says that all may be requested at "
            "once";
+  // A task that never has to wait would always take what an `apart` one wants.
+  const auto always_takes = [&](const Task* task) { return never_waits(input, task->target); };
   if (!conflict.others.empty())
-    return "request them in packs of their own, or make all but one of them `apart`, so that each waits for itself "
-           "alone";
-  // The task that never has to wait would always take what the other one wants.
+    return std::any_of(conflict.members.begin(), conflict.members.end(), always_takes)
+               ? "request them in packs of their own"
+               : "request them in packs of their own, or make all but one of them `apart`, so that each waits for "
+                 "itself alone";
   if (conflict.members.size() == 2 && by_groups &&
-      !input.facts.may_wait.contains(winner_of(model, *conflict.members[0], *conflict.members[1]).target))
+      always_takes(&winner_of(model, *conflict.members[0], *conflict.members[1])))
+    return "request them in two packs";
+  if (conflict.members.size() > 2 && std::any_of(conflict.members.begin(), conflict.members.end(), always_takes))
     return "request them in two packs";
   return conflict.members.size() == 2
              ? fmt::format("request them in two packs, or make {} `apart`, so that it waits for itself alone",

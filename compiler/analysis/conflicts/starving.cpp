@@ -29,11 +29,17 @@ std::vector<StarvingTask> find_starving_tasks(const Input& input) {
     std::stable_partition(starving.places.begin(), starving.places.end(), [](const Refused& refused) {
       return refused.refusals.front().taker.kind == Taker::Kind::before;
     });
-    const Task& task = *starving.places.front().task;
-    starving.optional = input.model.edges[edge].levels[task.levels[0].level].optional;
+    const std::vector<Level>& levels = input.model.edges[edge].levels;
+    starving.optional = std::all_of(levels.begin(), levels.end(), [](const Level& level) { return level.optional; });
     out.push_back(std::move(starving));
   }
   return out;
+}
+
+bool never_waits(const Input& input, GroupId task) {
+  Ways ways(input.model, input.facts, false, [](ProviderId, const ConditionUse&) { return true; });
+  return find_covering(input.model, Region{}, ways.of(task), input.facts.values, input.shared.budget()) ==
+         Covering::covered;
 }
 
 void add_taker(const Input& input, const Refused& refused, const Taker& taker, std::vector<dsl::Note>& notes) {
@@ -53,13 +59,6 @@ void add_taker(const Input& input, const Refused& refused, const Taker& taker, s
 }
 
 namespace {
-
-/// Whether the conditions of some provider of it are true at any time.
-bool never_waits(const Input& input, GroupId task) {
-  Ways ways(input.model, input.facts, false, [](ProviderId, const ConditionUse&) { return true; });
-  return find_covering(input.model, Region{}, ways.of(task), input.facts.values, input.shared.budget()) ==
-         Covering::covered;
-}
 
 /// Help for a mandatory task. A lower rank within one unit does not change that its needs are taken before anything
 /// below is tried.

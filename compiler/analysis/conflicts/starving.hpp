@@ -13,7 +13,7 @@ namespace director::analysis {
 
 struct StarvingTask {
   std::vector<Refused> places; ///< all entries of this requester for it; never empty
-  bool optional = false;       ///< the first of these entries is
+  bool optional = false;       ///< all levels of these entries are
   const Taker& taker() const { return places.front().refusals.front().taker; }
 };
 
@@ -21,6 +21,9 @@ struct StarvingTask {
 std::vector<StarvingTask> find_starving_tasks(const Input& input);
 
 void report_starving_task(const Input& input, const StarvingTask& starving, Findings& findings);
+
+/// Whether the conditions of some provider of it are true at any time.
+bool never_waits(const Input& input, GroupId task);
 
 /// Adds notes that explain why a task never gets what is held before: what takes it, and the chains of both.
 void add_taker(const Input& input, const Refused& refused, const Taker& taker, std::vector<dsl::Note>& notes);

@@ -32,7 +32,7 @@ const Causers& Shared::causers() const {
 }
 
 const std::vector<Imprecise>& Shared::imprecise() const {
-  if (!imprecise_) imprecise_ = find_imprecise(model_, causers(), facts_);
+  if (!imprecise_) imprecise_ = find_imprecise(model_, causers(), facts_, chains());
   return *imprecise_;
 }
 

@@ -60,8 +60,7 @@ TEST_CASE("of a hundred members of a pack that exclude each other one finding is
   CHECK(at->notes[2].message == "`T1` needs `Shared`");
   CHECK(at->notes[3].message == "nor with `T2`");
   CHECK(at->notes[25].message == "nor with `T24`");
-  CHECK(at->help == "request them in packs of their own, or make all but one of them `apart`, so that each waits for "
-                    "itself alone");
+  CHECK(at->help == "request them in packs of their own");
 }
 
 /// In a list of 24 every two want one group and have one priority.

@@ -111,9 +111,24 @@ TEST_CASE("what can run is shown by how it comes to run") {
 }
 
 TEST_CASE("a walk that does not report that it moves is cut off hard") {
-  CHECK(verdict_of(posing_walker, "{soft: {from: Walk, to: Kick}}") ==
-        "refuted: after request Walk; request Kick, granting `Kick` takes what `Walk` holds, and none of its causing "
-        "providers ran since `Kick` was requested");
+  CHECK(
+      verdict_of(posing_walker, "{soft: {from: Walk, to: Kick}}") ==
+      "refuted: after request Walk; request Kick, granting `Kick` stops `Walk` or takes what it holds, and none of its "
+      "causing providers ran since `Kick` was requested");
+}
+
+TEST_CASE("what stops with its requester is cut off hard") {
+  const std::string below = "roots: {Kick: {priority: 20}, Play: {priority: 10}}\ngroups:\n"
+                            "  Kick: {needs: [Legs], tasks: [Legs]}\n  Walk: {stop: true}\n  Legs: {}\n  Arm: {}\n";
+  CHECK(verdict_of(below + "  Play: {needs: [Legs], tasks: [Walk]}\n", "{soft: {from: Walk, to: Kick}}") ==
+        "refuted: after request Play; request Kick, granting `Kick` stops `Walk` or takes what it holds, and none of "
+        "its causing providers ran since `Kick` was requested");
+  CHECK(verdict_of(below + "  Play: {packs: {go: {Walk: {}, Step: {}}}}\n  Step: {needs: [Legs]}\n",
+                   "{soft: {from: Walk, to: Kick}}")
+            .find("refuted: after ") == 0);
+  CHECK(
+      verdict_of(below + "  Play: {packs: {go: {Walk: {}}, stand: {Legs: {}}}}\n", "{soft: {from: Walk, to: Kick}}") ==
+      "proven: being granted, `Kick` takes nothing that `Walk` requests or needs, or a group above it needs");
 }
 
 TEST_CASE("behind a latch a hand-over is soft") {
