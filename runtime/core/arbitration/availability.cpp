@@ -1,13 +1,9 @@
 // docs/semantics.md, section 4.2: which groups are available to an edge: equals never take from each other.
 // SPDX-License-Identifier: MIT
 
-#include "runtime/core/arbitration/availability.hpp"
-
-#include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/pass.hpp"
 #include "runtime/core/arbitration/push.hpp"
 #include "runtime/core/arbitration/trail.hpp"
-#include "runtime/core/base/parts.hpp"
 
 const char director::part::equals = 0;
 

@@ -3,7 +3,6 @@
 
 #include "runtime/core/arbitration/choices.hpp"
 
-#include "runtime/core/arbitration/availability.hpp"
 #include "runtime/core/arbitration/push.hpp"
 #include "runtime/core/arbitration/staleness.hpp"
 

@@ -1,18 +1,28 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A choice is a way to grant a group to an edge: a provider, and a plan for its needs. The current combination has one
-// for each member of a unit. It is in State::member, State::entry (the plans, one behind the other) and State::trial
-// (what it would claim) until leave_combination. docs/semantics.md, sections 4.3 and 4.4, Grant.
+// A choice is a way to grant a group to an edge: a provider, and a plan for its needs, all of whose groups are
+// available. The current combination has one for each member of a unit. It is in State::member, State::entry (the
+// plans, one behind the other) and State::trial (what it would claim) until leave_combination. docs/semantics.md,
+// sections 4.2, 4.3 and 4.4, Grant.
 
-#include "runtime/core/arbitration/context.hpp"
-#include "runtime/core/base/inline.hpp"
-#include "runtime/core/base/parts.hpp"
+#include "runtime/core/arbitration/order.hpp"
 
 namespace director::arbitration {
 
 DIRECTOR_PART bool search_plan(Context& x, Index provider, Index begin, Index& end, bool fresh, bool by_declaration);
 DIRECTOR_PART bool find_plan(Context& x, Index at, bool first, bool as_it_is, bool with_conditions, bool record);
 DIRECTOR_PART Index entries_of(Context& x, Index group, const Assignment& of);
+DIRECTOR_PART bool kept_by_equal(Context& x, Index group, Index edge, bool record);
+DIRECTOR_PART bool denied_in_vain(Context& x);
+
+/// Whether the edge may claim the group. `record`: a denial counts.
+DIRECTOR_ONE_COPY inline bool available(Context& x, Index group, Index edge, bool record) {
+  const Index claimant = holder_now(x, group);
+  if (claimant != nil) return claimant == edge;
+  const Index before = x.s.last[group].holder;
+  return before == nil || before == edge || is_limbo(x, before) || !x.t.groups[group].equals ||
+         !kept_by_equal(x, group, edge, record);
+}
 
 inline void drop_entries(Context& x, Index begin, Index end) {
   for (Index i = end; i-- > begin;) x.s.trial[x.s.entry[i].group] = nil;

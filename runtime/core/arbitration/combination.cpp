@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/arbitration/choices.hpp"
-#include "runtime/core/arbitration/order.hpp"
-#include "runtime/core/base/parts.hpp"
 
 const char director::part::search = 0;
 

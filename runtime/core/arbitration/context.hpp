@@ -6,9 +6,6 @@
 
 #include "runtime/core/base/marks.hpp"
 #include "runtime/core/base/parts.hpp"
-#include "runtime/core/base/state.hpp"
-
-#include <array>
 
 namespace director::arbitration {
 

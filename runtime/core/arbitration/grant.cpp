@@ -3,11 +3,7 @@
 
 #include "runtime/core/arbitration/grant.hpp"
 
-#include "runtime/core/arbitration/availability.hpp"
-#include "runtime/core/arbitration/choices.hpp"
-#include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/push.hpp"
-#include "runtime/core/arbitration/staleness.hpp"
 
 namespace director::arbitration {
 

@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Whether a unit is granted or refused. docs/semantics.md, section 4.4, Grant and Refuse.
 
-#include "runtime/core/arbitration/context.hpp"
-#include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/trail.hpp"
-#include "runtime/core/base/inline.hpp"
 
 namespace director::arbitration {
 

@@ -1,14 +1,8 @@
 // docs/semantics.md, section 4.4, Limbo: unclaimed groups that are kept for a stale group that may still request them.
 // SPDX-License-Identifier: MIT
 
-#include "runtime/core/arbitration/availability.hpp"
-#include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/grant.hpp"
 #include "runtime/core/arbitration/pass.hpp"
-#include "runtime/core/arbitration/staleness.hpp"
-#include "runtime/core/arbitration/trail.hpp"
-#include "runtime/core/arbitration/walk.hpp"
-#include "runtime/core/base/parts.hpp"
 
 const char director::part::limbo = 0;
 

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/arbitration/order.hpp"
-#include "runtime/core/arbitration/walk.hpp"
-#include "runtime/core/base/parts.hpp"
+#include "runtime/core/arbitration/pass.hpp"
 
 const char director::part::optional = 0;
 

@@ -4,8 +4,6 @@
 #include "runtime/core/arbitration/order.hpp"
 
 #include "runtime/core/base/heap_sort.hpp"
-#include "runtime/core/base/inline.hpp"
-#include "runtime/core/base/parts.hpp"
 
 const char director::part::order = 0;
 

@@ -7,7 +7,6 @@
 #include "runtime/core/arbitration/context.hpp"
 #include "runtime/core/base/fault_injection.hpp"
 #include "runtime/core/base/inline.hpp"
-#include "runtime/core/base/parts.hpp"
 
 namespace director::arbitration {
 

@@ -3,12 +3,8 @@
 
 #include "runtime/core/arbitration/pass.hpp"
 
-#include "runtime/core/arbitration/availability.hpp"
 #include "runtime/core/arbitration/grant.hpp"
 #include "runtime/core/arbitration/push.hpp"
-#include "runtime/core/arbitration/staleness.hpp"
-#include "runtime/core/arbitration/trail.hpp"
-#include "runtime/core/arbitration/walk.hpp"
 
 namespace director::arbitration {
 

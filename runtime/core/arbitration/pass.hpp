@@ -12,7 +12,6 @@
 // has to be decided until an input of the component changes.
 
 #include "runtime/core/arbitration/context.hpp"
-#include "runtime/core/base/parts.hpp"
 
 namespace director::arbitration {
 
@@ -29,5 +28,26 @@ DIRECTOR_PART void keep_unclaimed(Context& x);
 
 /// Makes the next pass over each component begin from nothing: the last assignment is not that of its last pass.
 void forget_trail(Context& x);
+
+// The walk along the order: walk.cpp, unit.cpp, optional.cpp.
+
+void sweep(Context& x);
+void sweep_below(Context& x, Index group);
+void visit(Context& x, Index edge, std::uint8_t marks);
+void visit_root(Context& x, Index edge);
+void walk_on(Context& x);
+DIRECTOR_PART void add_candidates(Context& x, Index group);
+DIRECTOR_PART void postpone(Context& x, Index edge);
+DIRECTOR_PART void sweep_optional(Context& x, Index root);
+DIRECTOR_PART void pass_by(Context& x, Index group);
+DIRECTOR_PART void close_extents(Context& x, Index group);
+
+/// Puts a group at this place of the new order.
+inline void put(Context& x, Index group, Index at) {
+  if (at < x.first_moved && (at >= x.s.order_count[x.component] || x.s.order[x.row.order + at] != group))
+    x.first_moved = at;
+  x.s.next_order[x.row.order + at] = group;
+  x.s.place[group] = at;
+}
 
 } // namespace director::arbitration

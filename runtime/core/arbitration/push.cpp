@@ -7,10 +7,7 @@
 
 #include "runtime/core/arbitration/push.hpp"
 
-#include "runtime/core/arbitration/choices.hpp"
-#include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/trail.hpp"
-#include "runtime/core/base/parts.hpp"
 
 const char director::part::pushes = 0;
 

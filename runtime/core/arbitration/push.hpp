@@ -2,11 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Pushes: made, kept, applied and dropped. docs/semantics.md, sections 4.3 and 4.4.
 
-#include "runtime/core/arbitration/context.hpp"
 #include "runtime/core/arbitration/order.hpp"
-#include "runtime/core/base/fault_injection.hpp"
-#include "runtime/core/base/inline.hpp"
-#include "runtime/core/base/parts.hpp"
 
 namespace director::arbitration {
 

@@ -1,13 +1,8 @@
 // docs/semantics.md, sections 4.3 and 4.4, Refuse: the conditions of a provider, and units that wait for one.
 // SPDX-License-Identifier: MIT
 
-#include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/grant.hpp"
-#include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/push.hpp"
-#include "runtime/core/arbitration/staleness.hpp"
-#include "runtime/core/arbitration/trail.hpp"
-#include "runtime/core/base/parts.hpp"
 
 const char director::part::conditions = 0;
 

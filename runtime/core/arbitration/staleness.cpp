@@ -3,12 +3,8 @@
 
 #include "runtime/core/arbitration/staleness.hpp"
 
-#include "runtime/core/arbitration/availability.hpp"
-#include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/grant.hpp"
-#include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/push.hpp"
-#include "runtime/core/base/parts.hpp"
 
 const char director::part::staleness = 0;
 

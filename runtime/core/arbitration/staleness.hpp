@@ -3,7 +3,6 @@
 // Which groups are stale, and which requests have to wait for them. docs/semantics.md, section 4.4, Stale and Defer.
 
 #include "runtime/core/arbitration/context.hpp"
-#include "runtime/core/base/parts.hpp"
 
 namespace director::arbitration {
 

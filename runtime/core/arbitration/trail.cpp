@@ -12,12 +12,8 @@
 #include "runtime/core/arbitration/trail.hpp"
 
 #include "runtime/core/arbitration/grant.hpp"
-#include "runtime/core/arbitration/order.hpp"
+#include "runtime/core/arbitration/pass.hpp"
 #include "runtime/core/arbitration/push.hpp"
-#include "runtime/core/arbitration/staleness.hpp"
-#include "runtime/core/arbitration/walk.hpp"
-#include "runtime/core/base/inline.hpp"
-#include "runtime/core/base/parts.hpp"
 
 const char director::part::trail = 0;
 

@@ -4,12 +4,7 @@
 // something on which their decision depends differs from the last pass (reach.cpp). docs/semantics.md, section 4.4.
 
 #include "runtime/core/arbitration/choices.hpp"
-#include "runtime/core/arbitration/context.hpp"
-#include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/staleness.hpp"
-#include "runtime/core/base/fault_injection.hpp"
-#include "runtime/core/base/inline.hpp"
-#include "runtime/core/base/parts.hpp"
 
 namespace director::arbitration {
 

@@ -1,16 +1,10 @@
 // docs/semantics.md, section 4.4: units. The requests and needs of a claimed group come next in the walk.
 // SPDX-License-Identifier: MIT
 
-#include "runtime/core/arbitration/availability.hpp"
-#include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/grant.hpp"
-#include "runtime/core/arbitration/order.hpp"
+#include "runtime/core/arbitration/pass.hpp"
 #include "runtime/core/arbitration/push.hpp"
-#include "runtime/core/arbitration/staleness.hpp"
-#include "runtime/core/arbitration/trail.hpp"
-#include "runtime/core/arbitration/walk.hpp"
 #include "runtime/core/base/heap_sort.hpp"
-#include "runtime/core/base/parts.hpp"
 
 const char director::part::units = 0;
 

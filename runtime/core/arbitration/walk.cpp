@@ -1,13 +1,9 @@
 // docs/semantics.md, section 4.4: the candidate that is tried next.
 // SPDX-License-Identifier: MIT
 
-#include "runtime/core/arbitration/walk.hpp"
-
 #include "runtime/core/arbitration/grant.hpp"
-#include "runtime/core/arbitration/order.hpp"
+#include "runtime/core/arbitration/pass.hpp"
 #include "runtime/core/arbitration/push.hpp"
-#include "runtime/core/arbitration/staleness.hpp"
-#include "runtime/core/arbitration/trail.hpp"
 
 namespace director::arbitration {
 

@@ -6,7 +6,6 @@
 #include "runtime/core/base/tables.hpp"
 
 #include <concepts>
-#include <cstdint>
 #include <type_traits>
 
 namespace director {

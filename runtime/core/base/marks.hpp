@@ -3,7 +3,6 @@
 // Bits that passes set on edges, groups, conditions and providers.
 
 #include "runtime/core/base/state.hpp"
-#include "runtime/core/base/tables.hpp"
 
 namespace director {
 

@@ -9,8 +9,6 @@
 
 #include <array>
 #include <bit>
-#include <cstddef>
-#include <cstdint>
 
 namespace director {
 

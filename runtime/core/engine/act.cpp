@@ -5,7 +5,6 @@
 // may decide differently on its own result, and those that depend on which groups are stale, when that has changed
 // (pass.hpp). Others keep their assignment, and only groups that got a reason to run are examined.
 
-#include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/engine/notes.hpp"
 
 namespace director {

@@ -3,9 +3,6 @@
 
 #include "runtime/core/engine/engine.hpp"
 
-#include "runtime/core/arbitration/pass.hpp"
-#include "runtime/core/base/marks.hpp"
-
 namespace director {
 
 Engine::Engine(const Tables& tables, const State& memory, const Bodies& bodies, Inbox& inbox)

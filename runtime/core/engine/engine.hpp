@@ -3,13 +3,10 @@
 // The engine: takes micro-steps as semantics.md, section 3, orders them, arbitrates after each (arbitration/pass.hpp)
 // and acts on the difference (section 5). It owns nothing: tables, memory, bodies and inbox are the caller's.
 
-#include "runtime/core/arbitration/order.hpp"
 #include "runtime/core/arbitration/pass.hpp"
 #include "runtime/core/arbitration/trail.hpp"
 #include "runtime/core/base/duration.hpp"
 #include "runtime/core/base/observer.hpp"
-#include "runtime/core/base/parts.hpp"
-#include "runtime/core/base/state.hpp"
 #include "runtime/core/engine/inbox.hpp"
 #include "runtime/core/engine/run.hpp"
 #include "runtime/core/engine/run_queue.hpp"

@@ -10,10 +10,7 @@
 
 #include "runtime/core/base/parts.hpp"
 
-#include <array>
 #include <atomic>
-#include <cstdint>
-#include <span>
 
 namespace director {
 

@@ -3,9 +3,6 @@
 // What a micro-step notes: components to be decided again, and groups with a new reason to run. These functions are
 // small and called from all of the engine, so they are inline. Only sources of the engine include this header.
 
-#include "runtime/core/base/fault_injection.hpp"
-#include "runtime/core/base/inline.hpp"
-#include "runtime/core/base/marks.hpp"
 #include "runtime/core/engine/engine.hpp"
 
 namespace director {

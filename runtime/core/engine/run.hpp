@@ -4,7 +4,6 @@
 // layers over these. Requests and values of a body are staged and take effect together when it returns.
 
 #include "runtime/core/base/state.hpp"
-#include "runtime/core/base/words.hpp"
 
 namespace director {
 

@@ -4,8 +4,6 @@
 #include "runtime/core/base/heap_sort.hpp"
 #include "runtime/core/engine/notes.hpp"
 
-#include <utility>
-
 namespace director {
 
 const char part::several = 0;

@@ -7,7 +7,6 @@
 #include "runtime/core/base/tables.hpp"
 
 #include <atomic>
-#include <cstdint>
 
 namespace director {
 

@@ -8,7 +8,6 @@
 
 #include "runtime/core/engine/timers.hpp"
 
-#include <bit>
 #include <type_traits>
 
 namespace director {

@@ -3,9 +3,7 @@
 
 #include "runtime/core/saved/saved_state.hpp"
 
-#include "runtime/core/base/duration.hpp"
 #include "runtime/core/engine/engine.hpp"
-#include "runtime/core/saved/saved_rows.hpp"
 
 namespace director {
 
