@@ -21,6 +21,12 @@ inline int compare_parted(const Context& x, const Parting& at, Index length_a, I
   return at.a.edge == nil ? compare_heights(length_a, length_b).order : compare_siblings(x, at.a, at.b, in_order);
 }
 
+/// Whether the holder of group `a` goes before that of `b`, in order.
+bool before_in_order(const Context& x, Index a, Index b, Chains along) {
+  const Assignment& held = along == Chains::current ? x.s.now : x.s.last;
+  return compare(x, {held[a].holder, along}, {held[b].holder, along}, true) < 0;
+}
+
 } // namespace
 
 Chain chain(const Context& x, Place place) {

@@ -176,15 +176,6 @@ DIRECTOR_ONE_COPY inline int compare(const Context& x, Place a, Place b, bool in
 
 inline bool before(const Context& x, Place a, Place b) { return compare(x, a, b, false) < 0; }
 
-/// Whether the holder of group `a` goes before that of `b`, in order.
-inline bool before_in_order(const Context& x, Index a, Index b, Chains along) {
-  const Assignment& held = along == Chains::current ? x.s.now : x.s.last;
-  if (requester(x, held[b].holder) == a && !is_limbo(x, held[b].holder))
-    return true; // `a` is the requester of the holder of `b`
-  if (requester(x, held[a].holder) == b && !is_limbo(x, held[a].holder)) return false;
-  return compare(x, {held[a].holder, along}, {held[b].holder, along}, true) < 0;
-}
-
 /// Compares two candidates.
 inline bool goes_first(const Context& x, Index a, Index b) {
   return compare(x, {a, Chains::current}, {b, Chains::current}, true) < 0;
