@@ -10,18 +10,6 @@ const char director::part::units = 0;
 
 namespace director::arbitration {
 
-namespace {
-
-/// Puts the edge on the stack of the walk. False: it does not go before the sibling that was put there last.
-bool add_candidate(Context& x, Index edge, Index base) {
-  const bool in_order =
-      x.ahead == base || compare_siblings(x, {edge, false}, {x.s.candidate[x.ahead - 1], false}, true) < 0;
-  x.s.candidate[x.ahead++] = edge;
-  return in_order;
-}
-
-} // namespace
-
 /// Puts the edges of a placed group on the stack of the walk; requests of one that is only needed, while it is stale.
 void add_candidates(Context& x, Index group) {
   const Index source = stale_source(x, group);
@@ -34,7 +22,7 @@ void add_candidates(Context& x, Index group) {
   x.s.group_trail[group] |= known;
   const Index base = x.ahead;
   Index together = 0, member = nil;
-  bool in_order = true, stale_matters = false;
+  bool stale_matters = false;
   const Range edges = x.t.groups[group].edges;
   for (Index e = edges.end; e != edges.begin;) {
     --e;
@@ -55,7 +43,7 @@ void add_candidates(Context& x, Index group) {
         continue;
       }
       if (level == nil) {
-        in_order = add_candidate(x, e, base) && in_order;
+        x.s.candidate[x.ahead++] = e;
         continue;
       }
     }
@@ -72,12 +60,11 @@ void add_candidates(Context& x, Index group) {
     if (row.optional) {
       postpone(x, e);
     } else {
-      in_order = add_candidate(x, e, base) && in_order;
+      x.s.candidate[x.ahead++] = e;
     }
   }
   if (together == 1) x.s.edge_marks[member] |= mark::alone;
   if (stale_matters && is_stale && source != nil) x.s.run_queue[source].stale_matters = 1;
-  if (in_order) return;
   heap_sort({x.s.candidate + base, static_cast<std::size_t>(x.ahead - base)}, [&](Index a, Index b) {
     return compare_siblings(x, {b, false}, {a, false}, true) < 0;
   });
