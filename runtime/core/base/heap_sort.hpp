@@ -9,10 +9,18 @@
 
 namespace director {
 
-namespace detail {
-
+/// `goes_first(a, b)`: a strict order of rows.
 template <class GoesFirst>
-void sort_by_heap(std::span<Index> rows, GoesFirst&& goes_first) {
+void heap_sort(std::span<Index> rows, GoesFirst&& goes_first) {
+  std::size_t moves = 0;
+  for (std::size_t i = 1; i < rows.size() && moves <= 4 * rows.size(); ++i) {
+    const Index row = rows[i];
+    std::size_t at = i;
+    for (; at > 0 && goes_first(row, rows[at - 1]); --at) rows[at] = rows[at - 1];
+    rows[at] = row;
+    moves += i - at;
+  }
+  if (moves <= 4 * rows.size()) return;
   const auto sink = [&](std::size_t at, std::size_t end) {
     for (std::size_t child = 2 * at + 1; child < end; child = 2 * at + 1) {
       if (child + 1 < end && goes_first(rows[child], rows[child + 1])) ++child;
@@ -25,22 +33,6 @@ void sort_by_heap(std::span<Index> rows, GoesFirst&& goes_first) {
   for (std::size_t end = rows.size(); end-- > 1;) {
     std::swap(rows[0], rows[end]);
     sink(0, end);
-  }
-}
-
-} // namespace detail
-
-/// `goes_first(a, b)`: a strict order of rows.
-template <class GoesFirst>
-void heap_sort(std::span<Index> rows, GoesFirst&& goes_first) {
-  std::size_t moves = 0;
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    const Index row = rows[i];
-    std::size_t at = i;
-    for (; at > 0 && goes_first(row, rows[at - 1]); --at) rows[at] = rows[at - 1];
-    rows[at] = row;
-    moves += i - at;
-    if (moves > 4 * rows.size()) return detail::sort_by_heap(rows, goes_first);
   }
 }
 
