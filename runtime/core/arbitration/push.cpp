@@ -185,11 +185,11 @@ bool is_requested(const Context& x, Index group) {
 /// As preferred(), for a group with a push.
 Index preferred_by_push(const Context& x, Index group, Index place, Index edge) {
   const Index begin = x.t.groups[group].providers.begin;
-  const Index first = pushed_first(x, group, edge);
-  if (first == nil) return static_cast<Index>(begin + place);
-  if (place == 0) return first;
+  const Push& push = x.s.now[group].push;
+  if (injected(Fault::pushes_move_nothing) || !applies(x, push, edge)) return static_cast<Index>(begin + place);
+  if (place == 0) return push.provider;
   const auto usual = static_cast<Index>(begin + place - 1);
-  return usual < first ? usual : static_cast<Index>(usual + 1);
+  return usual < push.provider ? usual : static_cast<Index>(usual + 1);
 }
 
 /// Keeps the pushes of a unit that is granted.

@@ -39,11 +39,4 @@ DIRECTOR_ONE_COPY inline bool applies(const Context& x, const Push& push, Index 
          !in_chain(x, push.edge, {edge, Chains::current});
 }
 
-/// The provider that a push puts first for an edge that controls the group, or nil.
-inline Index pushed_first(const Context& x, Index group, Index edge) {
-  const Push& push = x.s.now[group].push;
-  if (injected(Fault::pushes_move_nothing)) return nil;
-  return push.edge != nil && applies(x, push, edge) ? push.provider : nil;
-}
-
 } // namespace director::arbitration
