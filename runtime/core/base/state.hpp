@@ -114,12 +114,7 @@ struct GroupAssignment {
   constexpr bool needed() const { return (flags & flag::needed) != 0; }
   constexpr bool in_force() const { return (flags & flag::in_force) != 0; }
   constexpr bool serving() const { return (flags & flag::serving) != 0; }
-  /// One comparison, because mostly all members are equal.
-  constexpr bool operator==(const GroupAssignment& other) const {
-    return ((holder ^ other.holder) | (active ^ other.active) | (planned ^ other.planned) | (flags ^ other.flags) |
-            (push.edge ^ other.push.edge) | (push.provider ^ other.push.provider) |
-            (push.condition ^ other.push.condition)) == 0;
-  }
+  constexpr bool operator==(const GroupAssignment&) const = default;
   /// Whether it differs in what semantics.md calls a change, after which arbitration is repeated at rest.
   constexpr bool decides_otherwise_than(const GroupAssignment& last) const {
     return holder != last.holder || active != last.active || granted() != last.granted() || push != last.push;
