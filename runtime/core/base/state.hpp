@@ -329,9 +329,7 @@ struct State {
   static constexpr std::size_t decision_bytes(const Shape& shape) { return layout(shape).decision; }
   static constexpr std::size_t bytes(const Shape& shape) { return layout(shape).bytes(); }
 
-  /// The arrays of a block with this layout. Nothing is written.
-  static State in(std::byte* memory, const Layout& layout) { return in(memory, layout.begin); }
-  /// The same; the offsets of a small block are small numbers.
+  /// The arrays of a block with these offsets, of Layout::begin. Nothing is written.
   template <class Offset>
   static State in(std::byte* memory, const std::array<Offset, arrays + 1>& begin);
 

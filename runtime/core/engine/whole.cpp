@@ -13,7 +13,7 @@ namespace {
 } // namespace
 
 Engine::Engine(const Tables& tables, std::byte* memory, const Bodies& bodies, Inbox& inbox, Observer observer)
-    : Engine(tables, State::in(memory, State::layout(Shape::of(tables))), bodies, inbox) {
+    : Engine(tables, State::in(memory, State::layout(Shape::of(tables)).begin), bodies, inbox) {
   observe(observer);
 }
 

@@ -28,7 +28,7 @@ const Shape some{.groups = 5,
 
 TEST_CASE("every array is inside the block, aligned, and behind the one before") {
   std::vector<std::uint64_t> memory(State::bytes(some) / 8);
-  State state = State::in(reinterpret_cast<std::byte*>(memory.data()), State::layout(some));
+  State state = State::in(reinterpret_cast<std::byte*>(memory.data()), State::layout(some).begin);
   const auto* at = reinterpret_cast<const std::byte*>(memory.data());
   std::size_t arrays = 0;
   State::each(
