@@ -64,7 +64,6 @@ void finish(Context& x) {
 
 /// Opens the groups that have to be examined: all of them if the trail of the last pass is not known.
 void begin(Context& x) {
-  x.had_pushes = x.s.pushed_count[x.component] != 0;
   x.whole = x.s.news_count[x.component] == nil;
   x.walking = !x.whole;
   x.disturbed = x.settled = false;
