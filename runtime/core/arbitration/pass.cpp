@@ -97,12 +97,7 @@ void end(Context& x) {
 void forget_trail(Context& x) {
   x.flipped_count = x.rerequested_count = 0;
   for (Index c = 0; c < x.t.components.size(); ++c) x.s.news_count[c] = nil;
-  for (Index g = 0; g < x.t.groups.size(); ++g) {
-    Bits& flags = x.s.run_queue[g].flags;
-    flags.remove(group_flag::followed);
-    if (x.t.components[x.t.groups[g].component].groups.size() > x.most_decided_whole) flags |= group_flag::followed;
-    x.s.now[g] = x.s.last[g];
-  }
+  for (Index g = 0; g < x.t.groups.size(); ++g) x.s.now[g] = x.s.last[g];
   for (Index slot = 0; slot < x.t.plan_groups.size(); ++slot) x.s.now.plan[slot] = x.s.last.plan[slot];
 }
 

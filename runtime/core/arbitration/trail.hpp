@@ -49,8 +49,9 @@ DIRECTOR_ONE_COPY inline void clear(Context& x, Index group) {
   for (const Index slot : x.t.groups[group].slots.rows()) x.s.now.plan[slot] = nil;
 }
 
-/// Whether passes over the component are incremental: in one of few groups, finding what a change reaches costs more.
-inline bool is_followed(const Context& x) { return x.row.groups.size() > x.most_decided_whole; }
+/// Whether passes over a component are incremental: in one of few groups, finding what a change reaches costs more.
+inline bool is_followed(const Context& x, const Component& row) { return row.groups.size() > x.most_decided_whole; }
+inline bool is_followed(const Context& x) { return is_followed(x, x.row); }
 
 /// Whether the last decision about the edge remains: nothing that it depends on differs.
 inline bool stands(const Context& x, Index edge) {
@@ -66,7 +67,9 @@ inline std::span<const TableIndex> opened(const Context& x) {
 }
 
 /// Whether changes of the group are noted for the next pass.
-inline bool is_noted(const Context& x, Index group) { return x.s.run_queue[group].flags.has(group_flag::followed); }
+inline bool is_noted(const Context& x, Index group) {
+  return is_followed(x, x.t.components[x.s.run_queue[group].component]);
+}
 
 /// Notes for the next pass that a condition of a provider flipped, or to decide the group as if one had.
 inline void touch_group(Context& x, Index group) {

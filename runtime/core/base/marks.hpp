@@ -54,12 +54,10 @@ inline constexpr std::uint8_t again = 128;   ///< the next pass has to open it i
 
 /// Bits of RunQueueEntry::flags.
 namespace group_flag {
-inline constexpr std::uint8_t queue = 1;   ///< it is in the run queue
-inline constexpr std::uint8_t touched = 2; ///< it is listed in State::touched
-inline constexpr std::uint8_t waits = 4;   ///< it may have a wait that is pending
-inline constexpr std::uint8_t listens = 8; ///< a provider listens to a trigger
-inline constexpr std::uint8_t followed =
-    32; ///< changes are noted: its component is not decided whole (arbitration/trail.hpp)
+inline constexpr std::uint8_t queue = 1;      ///< it is in the run queue
+inline constexpr std::uint8_t touched = 2;    ///< it is listed in State::touched
+inline constexpr std::uint8_t waits = 4;      ///< it may have a wait that is pending
+inline constexpr std::uint8_t listens = 8;    ///< a provider listens to a trigger
 inline constexpr std::uint8_t lifecycle = 16; ///< it owns states, or has a handler or a period
 } // namespace group_flag
 
