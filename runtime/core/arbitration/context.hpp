@@ -25,10 +25,8 @@ struct Context {
 
   // What remains from pass to pass.
   Index most_decided_whole = director::most_decided_whole;
-  Index flipped_count = 0;     ///< rows of State::flipped in use
-  Index rerequested_count = 0; ///< rows of State::rerequested in use
-  Index before_count = 0;      ///< rows of State::before in use
-  std::uint64_t decided = 0;   ///< units decided so far, again for a repeated pass
+  Index before_count = 0;    ///< rows of State::before in use
+  std::uint64_t decided = 0; ///< units decided so far, again for a repeated pass
   std::uint64_t work =
       0; ///< so far: groups placed, units decided, choices and plans tried, also in searches for pushes
 

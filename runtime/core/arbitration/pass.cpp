@@ -26,7 +26,7 @@ void open_all(Context& x) {
     clear(x, g);
   }
   for (const Index e : x.t.list(x.row.edges)) x.s.edge_marks[e] = x.s.edge_trail[e] = 0;
-  if (is_followed(x)) drop_noted(x);
+  x.s.flipped[x.component] = x.s.rerequested[x.component] = nil;
   if (x.pushed_count != 0) mark_pushers(x);
 }
 
@@ -95,8 +95,7 @@ void end(Context& x) {
 }
 
 void forget_trail(Context& x) {
-  x.flipped_count = x.rerequested_count = 0;
-  for (Index c = 0; c < x.t.components.size(); ++c) x.s.news_count[c] = nil;
+  for (Index c = 0; c < x.t.components.size(); ++c) x.s.news_count[c] = x.s.flipped[c] = x.s.rerequested[c] = nil;
   for (Index g = 0; g < x.t.groups.size(); ++g) x.s.now[g] = x.s.last[g];
   for (Index slot = 0; slot < x.t.plan_groups.size(); ++slot) x.s.now.plan[slot] = x.s.last.plan[slot];
 }

@@ -21,34 +21,6 @@ namespace director::arbitration {
 
 namespace {
 
-/// Takes the rows of this component out of a list for all components.
-template <class ComponentOf, class Take>
-void take_own(Context& x, Index* list, Index& count, ComponentOf&& component_of, Take&& take) {
-  Index left = 0;
-  for (Index i = 0; i < count; ++i) {
-    const Index row = list[i];
-    if (component_of(row) == x.component) {
-      take(row);
-    } else {
-      list[left++] = row;
-    }
-  }
-  count = left;
-}
-
-template <class Take>
-void take_flipped(Context& x, Take&& take) {
-  take_own(
-      x, x.s.flipped, x.flipped_count, [&](Index g) { return x.s.run_queue[g].component; }, take);
-}
-
-template <class Take>
-void take_rerequested(Context& x, Take&& take) {
-  take_own(
-      x, x.s.rerequested, x.rerequested_count, [&](Index e) { return x.s.run_queue[x.s.request[e].target].component; },
-      take);
-}
-
 template <class Is>
 bool any_edge(const Context& x, Index group, const Is& is) {
   return any(x.t.groups[group].edges.rows(), is);
@@ -81,9 +53,7 @@ void open_waiting(Context& x) {
 
 /// Whether the request ended because its requester stopped, but the edge still holds the group as a need.
 bool became_a_need(const Context& x, Index edge) {
-  const Index group = x.s.request[edge].target;
-  if (injected(Fault::ended_requests_are_overlooked)) return false;
-  return x.s.last[group].holder == edge && x.s.run_queue[group].component == x.component;
+  return x.s.last[x.s.request[edge].target].holder == edge && !injected(Fault::ended_requests_are_overlooked);
 }
 
 /// Whether the pass follows only from a change of the assignment by the last one, on which no decision depends.
@@ -91,7 +61,9 @@ bool is_settled(const Context& x) {
   if (x.s.component[x.component].has(work::changed)) return false;
   if (injected(Fault::the_last_result_is_always_settled)) return true;
   if (x.pushed_count != 0 || x.had_limbo || x.reached_count != 0) return false;
-  if (any(std::span(x.s.rerequested, x.rerequested_count), [&](Index e) { return became_a_need(x, e); })) return false;
+  for (Index e = x.s.rerequested[x.component]; e != nil; e = x.s.next_rerequested[e]) {
+    if (became_a_need(x, e)) return false;
+  }
   for (Index e = x.s.first_root[x.component]; e != nil; e = x.s.next_root[e]) {
     if (is_decided_again(x, e)) return false;
   }
@@ -158,15 +130,15 @@ void begin_trail(Context& x) {
   }
   x.kept_count = kept;
   if (x.disturbed) open_waiting(x);
-  take_flipped(x, [&](Index g) {
+  for (Index g = std::exchange(x.s.flipped[x.component], nil); g != nil; g = x.s.next_flipped[g]) {
     x.s.group_trail[g].remove(trail::touched);
     reach(x, g);
-  });
+  }
   Index from = nil;
-  take_rerequested(x, [&](Index e) {
+  for (Index e = std::exchange(x.s.rerequested[x.component], nil); e != nil; e = x.s.next_rerequested[e]) {
     reach_by_request(x, e, x.t.edges[e].requester != from);
     from = x.t.edges[e].requester;
-  });
+  }
   // Groups that may have become stale: those in the run queue, and those requested in this micro-step.
   const Counters& c = *x.s.counters;
   const auto open_if_stale = [&](Index g) {
@@ -205,12 +177,6 @@ void open_with_above(Context& x, Index group) {
     group = requester_of_holder(x, x.s.last[group]);
     if (group == nil || is_opened(x, group)) return;
   }
-}
-
-/// Drops the notes of this component, all of which is decided.
-void drop_noted(Context& x) {
-  take_flipped(x, [](Index) {});
-  take_rerequested(x, [](Index) {});
 }
 
 /// Notes for the next pass what it has to open, and removes the marks of this one.

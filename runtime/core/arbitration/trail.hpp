@@ -6,11 +6,12 @@
 #include "runtime/core/arbitration/choices.hpp"
 #include "runtime/core/arbitration/staleness.hpp"
 
+#include <utility>
+
 namespace director::arbitration {
 
 DIRECTOR_PART void begin_trail(Context& x);
 DIRECTOR_PART void end_trail(Context& x);
-DIRECTOR_PART void drop_noted(Context& x);
 DIRECTOR_PART void open_with_above(Context& x, Index group);
 DIRECTOR_PART void note_dependence(Context& x, Index edge, std::uint8_t bits);
 DIRECTOR_PART void begin_followed(Context& x, Index count);
@@ -75,14 +76,15 @@ inline bool is_noted(const Context& x, Index group) {
 inline void touch_group(Context& x, Index group) {
   if (!is_noted(x, group) || x.s.group_trail[group].has(trail::touched)) return;
   x.s.group_trail[group] |= trail::touched;
-  x.s.flipped[x.flipped_count++] = group;
+  x.s.next_flipped[group] = std::exchange(x.s.flipped[x.s.run_queue[group].component], group);
 }
 
 /// Notes for the next pass that the edge is requested at another level, or no longer.
 inline void note_rerequest(Context& x, Index edge) {
-  if (!is_noted(x, x.s.request[edge].target) || x.s.edge_trail[edge].has(trail::changed)) return;
+  const Index group = x.s.request[edge].target;
+  if (!is_noted(x, group) || x.s.edge_trail[edge].has(trail::changed)) return;
   x.s.edge_trail[edge] |= trail::changed;
-  x.s.rerequested[x.rerequested_count++] = edge;
+  x.s.next_rerequested[edge] = std::exchange(x.s.rerequested[x.s.run_queue[group].component], edge);
 }
 
 /// An edge that the walk did not reach is not queued.
