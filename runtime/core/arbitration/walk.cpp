@@ -17,12 +17,6 @@ inline bool is_granted_again(const Context& x, Index edge) {
          x.s.enabled[x.t.groups[group].providers.begin] != 0;
 }
 
-inline void try_alone(Context& x, Index edge, bool below_stale) {
-  begin_decision(x, 1);
-  decide_alone(x, edge, below_stale);
-  end_decision(x, 1);
-}
-
 /// Puts the group next in the new order; its requests and needs come next in the walk.
 inline void place(Context& x, Index group) {
   ++x.work;
@@ -68,7 +62,9 @@ void visit(Context& x, Index edge, std::uint8_t marks) {
       block_alone(x, edge);
     } else {
       x.s.unit[0] = edge;
-      try_alone(x, edge, (marks & mark::below_stale) != 0);
+      begin_decision(x, 1);
+      decide_alone(x, edge, (marks & mark::below_stale) != 0);
+      end_decision(x, 1);
     }
   }
   if (x.s.now[group].holder == edge && is_opened(x, group)) place(x, group);
