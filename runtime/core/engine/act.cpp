@@ -139,12 +139,12 @@ void Engine::give_reasons(Index group) {
   std::uint8_t bits = reasons(last, now);
   if (x_.s.anew[now.holder] != 0) bits |= reason::new_task;
   if (bits != 0) note_reasons(group, bits);
-  queue().enter(group);
+  enter_queue(group);
 }
 
 /// Adopts the new assignment. A group that is not granted leaves the run queue; its pending reasons stay.
 inline void Engine::adopt(Index group) {
-  if (!x_.s.now[group].granted() && !injected(Fault::lost_groups_stay_queued)) queue().leave(group);
+  if (!x_.s.now[group].granted() && !injected(Fault::lost_groups_stay_queued)) leave_queue(group);
   x_.s.group_marks[group].remove(mark::differs);
   x_.s.last[group] = x_.s.now[group];
   for (const Index slot : x_.t.groups[group].slots.rows()) x_.s.last.plan[slot] = x_.s.now.plan[slot];

@@ -9,7 +9,6 @@
 #include "runtime/core/base/observer.hpp"
 #include "runtime/core/engine/inbox.hpp"
 #include "runtime/core/engine/run.hpp"
-#include "runtime/core/engine/run_queue.hpp"
 #include "runtime/core/engine/timers.hpp"
 
 namespace director {
@@ -180,6 +179,9 @@ private:
   void use_data_of(Index group, Index edge);
   void add_reason(Index group, Reason reason);
   void queue_run(Index group, bool anew);
+  void enter_queue(Index group);
+  Index take_from_queue();
+  void leave_queue(Index group);
   void forget_triggers(Index group);
   void mark_request(Index edge);
   void request(Index edge, Index level);
@@ -216,7 +218,6 @@ private:
   void adopt_order(Index component);
 
   bool answered(Index edge, std::uint8_t answer) const;
-  RunQueue queue() const { return RunQueue(x_.s); }
 
   // reports.cpp: section 6. All but the first only if observed().
   void report(Event::Kind kind, Index group = nil, Index provider = nil, Reasons reasons = {}) const {

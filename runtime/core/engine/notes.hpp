@@ -1,11 +1,48 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What a micro-step notes: components to be decided again, and groups with a new reason to run. These functions are
-// small and called from all of the engine, so they are inline. Only sources of the engine include this header.
+// What a micro-step notes: components to be decided again, groups with a new reason to run, and the queue of runs.
+// These functions are small and called from all of the engine, so they are inline.
 
 #include "runtime/core/engine/engine.hpp"
 
 namespace director {
+
+// The queue of runs: the granted groups that have a reason to run, in the order in which they got it. They are linked
+// in State::run_queue, so that a group can leave without a search.
+
+/// Adds the group if it has a reason to run and is not in the queue yet.
+DIRECTOR_INLINE void Engine::enter_queue(Index group) {
+  Counters& c = *x_.s.counters;
+  RunQueueEntry& entry = x_.s.run_queue[group];
+  if (entry.pending == 0 || entry.flags.has(group_flag::queue)) return;
+  entry.flags |= group_flag::queue;
+  const Index last = c.queue_last;
+  (last == nil ? c.queue_first : x_.s.run_queue[last].runs_before) = group;
+  entry.runs_after = last;
+  c.queue_last = group;
+}
+
+/// Removes and returns the first group; there must be one.
+inline Index Engine::take_from_queue() {
+  Counters& c = *x_.s.counters;
+  const Index group = c.queue_first;
+  RunQueueEntry& entry = x_.s.run_queue[group];
+  const Index before = c.queue_first = std::exchange(entry.runs_before, nil);
+  (before == nil ? c.queue_last : x_.s.run_queue[before].runs_after) = nil;
+  entry.flags.remove(group_flag::queue);
+  return group;
+}
+
+inline void Engine::leave_queue(Index group) {
+  Counters& c = *x_.s.counters;
+  RunQueueEntry& entry = x_.s.run_queue[group];
+  if (!entry.flags.has(group_flag::queue)) return;
+  entry.flags.remove(group_flag::queue);
+  const Index after = entry.runs_after, before = entry.runs_before;
+  (after == nil ? c.queue_first : x_.s.run_queue[after].runs_before) = before;
+  (before == nil ? c.queue_last : x_.s.run_queue[before].runs_after) = after;
+  entry.runs_after = entry.runs_before = nil;
+}
 
 DIRECTOR_ONE_COPY inline void Engine::mark(Index component, std::uint8_t bits) {
   Bits& all = x_.s.component[component];
@@ -59,7 +96,7 @@ DIRECTOR_INLINE void Engine::queue_run(Index group, bool anew) {
     entry.pending |= reason::new_task;
     if (!injected(Fault::done_outlives_a_new_task)) entry.done = 0;
   }
-  queue().enter(group);
+  enter_queue(group);
 }
 
 // Work for the next arbitration.

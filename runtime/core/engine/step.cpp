@@ -35,7 +35,7 @@ DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outc
 DIRECTOR_INLINE Index Engine::run_next() {
   Counters& c = *x_.s.counters;
   ++c.micro_step;
-  const Index group = queue().take_first();
+  const Index group = take_from_queue();
   std::uint8_t reasons = x_.s.run_queue[group].pending;
   x_.s.run_queue[group].pending = 0;
   mark_stale(group);
@@ -66,7 +66,7 @@ DIRECTOR_INLINE Engine::Taken Engine::take_next(Index& ran) {
     }
     if (c.serving && c.next_due <= c.now) return taken(take_timer());
     c.serving = false;
-    if (!queue().empty()) {
+    if (c.queue_first != nil) {
       ran = run_next();
       return Taken::change;
     }
@@ -116,7 +116,7 @@ DIRECTOR_INLINE bool Engine::micro_step() {
   // A call for the same time, because the budget was used up, continues at the time reached, unless there are inputs.
   const bool further = now > c.until;
   if (further) c.until = now;
-  const bool goes_on = c.serving || (!further && (c.handlers_set || !queue().empty() || c.unsettled));
+  const bool goes_on = c.serving || (!further && (c.handlers_set || c.queue_first != nil || c.unsettled));
   if (c.now != c.until && (!goes_on || inbox_.is_open())) {
     c.now = c.until;
     c.serving = false;
@@ -131,7 +131,7 @@ DIRECTOR_INLINE bool Engine::micro_step() {
     if (work_budget_ != 0 && work() - before >= work_budget_) break;
   }
   if (!faulted_) {
-    const bool left = c.handlers_set || !queue().empty() || c.unsettled || inbox_.due() || c.next_due <= c.until;
+    const bool left = c.handlers_set || c.queue_first != nil || c.unsettled || inbox_.due() || c.next_due <= c.until;
     if (!left) return come_to_rest(); // the budget was used up by the last micro-step that was due
     report(Event::Kind::exhausted);
   }

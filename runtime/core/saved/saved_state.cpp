@@ -3,7 +3,7 @@
 
 #include "runtime/core/saved/saved_state.hpp"
 
-#include "runtime/core/engine/engine.hpp"
+#include "runtime/core/engine/notes.hpp"
 
 namespace director {
 
@@ -153,7 +153,7 @@ private:
       s_.touched[s_.reach[g]] = g;
       ++count;
     }
-    for (Index i = 0; i < count; ++i) engine_.queue().enter(s_.touched[i]);
+    for (Index i = 0; i < count; ++i) engine_.enter_queue(s_.touched[i]);
   }
 
   /// Called before `begun` is set, so that no component is marked for a new decision.
