@@ -48,6 +48,42 @@ bool change_last(Context& x, Index begin, Index& end, bool by_declaration) {
   return false;
 }
 
+/// Whether the current plan is the one that the member's target has.
+bool plan_as_it_is(const Context& x, Index at) {
+  const Index owner = target(x, x.s.member[at].edge);
+  return !any(plan_of(x, at), [&](const PlanEntry& entry) {
+    const Index slot = slot_of(x, owner, entry.group);
+    return slot != nil && x.s.last.plan[slot] != entry.provider;
+  });
+}
+
+/// Whether the current plan can be claimed, and its conditions hold. `keep`: how many entries the next plan may share.
+bool plan_fits(Context& x, Index at, bool with_conditions, bool record, Index& keep) {
+  const Index begin = entries_begin(x, at), end = x.s.member[at].entries_end;
+  keep = end;
+  for (Index i = begin; i < end; ++i) {
+    if (x.s.enabled[x.s.entry[i].provider] != 0 && available(x, x.s.entry[i].group, x.s.entry[i].need, record))
+      continue;
+    keep = static_cast<Index>(i + 1);
+    return false;
+  }
+  return !with_conditions || !any(plan_of(x, at), [&](const PlanEntry& entry) {
+    return first_false(x, entry.provider, entry.need) != nil;
+  });
+}
+
+/// Makes entries [begin, end) the plan of `owner` for its provider.
+void plan_for(Context& x, Index owner, Index provider, Index begin, Index end) {
+  const Range slots = x.t.groups[owner].slots;
+  x.s.now[owner].planned = provider;
+  for (const Index slot : slots.rows()) x.s.now.plan[slot] = nil;
+  if (slots.empty()) return;
+  for (Index i = begin; i < end; ++i) {
+    const Index slot = slot_of(x, owner, x.s.entry[i].group);
+    if (slot != nil) x.s.now.plan[slot] = x.s.entry[i].provider;
+  }
+}
+
 } // namespace
 
 /// Finds the first plan (`fresh`) or the next one of a provider whose group is marked in `trial`, as entries [begin,
@@ -73,34 +109,6 @@ bool search_plan(Context& x, Index provider, Index begin, Index& end, bool fresh
   return true;
 }
 
-namespace {
-
-/// Whether the current plan is the one that the member's target has.
-bool plan_as_it_is(const Context& x, Index at) {
-  const Index owner = target(x, x.s.member[at].edge);
-  return !any(plan_of(x, at), [&](const PlanEntry& entry) {
-    const Index slot = slot_of(x, owner, entry.group);
-    return slot != nil && x.s.last.plan[slot] != entry.provider;
-  });
-}
-
-/// Whether the current plan can be claimed, and its conditions hold. `keep`: how many entries the next plan may share.
-bool plan_fits(Context& x, Index at, bool with_conditions, bool record, Index& keep) {
-  const Index begin = entries_begin(x, at), end = x.s.member[at].entries_end;
-  keep = end;
-  for (Index i = begin; i < end; ++i) {
-    if (x.s.enabled[x.s.entry[i].provider] != 0 && available(x, x.s.entry[i].group, x.s.entry[i].need, record))
-      continue;
-    keep = static_cast<Index>(i + 1);
-    return false;
-  }
-  return !with_conditions || !any(plan_of(x, at), [&](const PlanEntry& entry) {
-    return first_false(x, entry.provider, entry.need) != nil;
-  });
-}
-
-} // namespace
-
 /// Finds the first or next plan of the provider that can be claimed, with conditions. `as_it_is`: only the last.
 bool find_plan(Context& x, Index at, bool first, bool as_it_is, bool with_conditions, bool record) {
   const Index provider = x.s.member[at].provider, begin = entries_begin(x, at);
@@ -117,22 +125,6 @@ bool find_plan(Context& x, Index at, bool first, bool as_it_is, bool with_condit
   }
   return false;
 }
-
-namespace {
-
-/// Makes entries [begin, end) the plan of `owner` for its provider.
-void plan_for(Context& x, Index owner, Index provider, Index begin, Index end) {
-  const Range slots = x.t.groups[owner].slots;
-  x.s.now[owner].planned = provider;
-  for (const Index slot : slots.rows()) x.s.now.plan[slot] = nil;
-  if (slots.empty()) return;
-  for (Index i = begin; i < end; ++i) {
-    const Index slot = slot_of(x, owner, x.s.entry[i].group);
-    if (slot != nil) x.s.now.plan[slot] = x.s.entry[i].provider;
-  }
-}
-
-} // namespace
 
 /// As plan_for, and claims every group of the plan as needed. One that is not granted gets its own part of the plan.
 void claim_plan(Context& x, Index owner, Index provider, Index begin, Index end) {

@@ -94,6 +94,15 @@ void clear_marks(Context& x) {
   }
 }
 
+/// Copies `count` groups of the last order, from this place on, to the new one.
+DIRECTOR_INLINE void copy_order(Context& x, Index from, Index count) {
+  if (from != x.placed) {
+    for (Index i = 0; i < count; ++i) put(x, x.s.order[x.row.order + from + i], static_cast<Index>(x.placed + i));
+  }
+  x.placed = static_cast<Index>(x.placed + count);
+  x.inherited = static_cast<Index>(x.inherited + count);
+}
+
 } // namespace
 
 /// Opens the groups that changed since the last pass, and finds the units that this reaches.
@@ -216,19 +225,6 @@ void end_trail(Context& x) {
     x.s.group_marks[g] &= mark::differs | mark::stale;
   }
 }
-
-namespace {
-
-/// Copies `count` groups of the last order, from this place on, to the new one.
-DIRECTOR_INLINE void copy_order(Context& x, Index from, Index count) {
-  if (from != x.placed) {
-    for (Index i = 0; i < count; ++i) put(x, x.s.order[x.row.order + from + i], static_cast<Index>(x.placed + i));
-  }
-  x.placed = static_cast<Index>(x.placed + count);
-  x.inherited = static_cast<Index>(x.inherited + count);
-}
-
-} // namespace
 
 /// Leaves a group that was not opened, with all below it, at its place with its assignment.
 void pass_by(Context& x, Index group) {
