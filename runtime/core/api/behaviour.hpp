@@ -2,14 +2,8 @@
 // SPDX-License-Identifier: MIT
 // All headers of the runtime that generated code needs.
 
-#include "runtime/core/api/body.hpp"
 #include "runtime/core/api/event_names.hpp"
-#include "runtime/core/api/pack.hpp"
 #include "runtime/core/api/program.hpp"
-#include "runtime/core/api/slots.hpp"
-#include "runtime/core/api/task.hpp"
-#include "runtime/core/engine/engine.hpp"
-#include "runtime/core/inspect/why.hpp"
 
 namespace director {
 

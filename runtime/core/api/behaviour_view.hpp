@@ -3,10 +3,7 @@
 // Typed reading of a behaviour, between steps and from other threads. `Facts`: see program.hpp.
 
 #include "runtime/core/inspect/snapshot.hpp"
-#include "runtime/core/inspect/view.hpp"
 #include "runtime/core/inspect/why.hpp"
-
-#include <array>
 
 namespace director {
 

@@ -4,7 +4,6 @@
 // fit the list does not compile. At run time only the numbers of edges and levels are left.
 
 #include "runtime/core/api/slots.hpp"
-#include "runtime/core/api/task.hpp"
 
 namespace director {
 

@@ -8,13 +8,7 @@
 #include "runtime/core/engine/inbox.hpp"
 #include "runtime/core/engine/run.hpp"
 
-#include <array>
-#include <atomic>
-#include <bit>
-#include <cstddef>
-#include <cstdint>
 #include <new>
-#include <utility>
 
 namespace director {
 

@@ -5,7 +5,6 @@
 
 #include "runtime/core/base/tables.hpp"
 
-#include <cstdint>
 #include <type_traits>
 #include <utility>
 

@@ -3,8 +3,6 @@
 
 #include "runtime/core/engine/engine.hpp"
 
-#include <utility>
-
 namespace director {
 
 using Kind = Event::Kind;

@@ -5,8 +5,6 @@
 
 #include "runtime/core/engine/notes.hpp"
 
-#include <utility>
-
 namespace director {
 
 /// Carries out all results of a run together.
