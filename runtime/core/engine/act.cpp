@@ -134,8 +134,8 @@ std::uint8_t Engine::reasons(const GroupAssignment& last, const GroupAssignment&
 /// Adds the reasons of one of these groups, and calls its start handler if it became live.
 void Engine::give_reasons(Index group) {
   const GroupAssignment &now = x_.s.now[group], &last = x_.s.last[group];
-  if (x_.s.run_queue[group].flags.has(group_flag::lifecycle)) begin_lifecycle(group);
   use_data_of(group, now.holder);
+  if (x_.s.run_queue[group].flags.has(group_flag::lifecycle)) begin_lifecycle(group);
   std::uint8_t bits = reasons(last, now);
   if (x_.s.anew[now.holder] != 0) bits |= reason::new_task;
   if (bits != 0) note_reasons(group, bits);

@@ -34,7 +34,6 @@ void Engine::begin_lifecycle(Index group) {
   const GroupAssignment &now = x_.s.now[group], &last = x_.s.last[group];
   if (last.active == now.active || injected(Fault::handlers_are_overlooked)) return;
   if (last.active == nil) {
-    use_data_of(group, now.holder);
     starting_ = group;
     handle(group, Reason::started);
     starting_ = nil;
