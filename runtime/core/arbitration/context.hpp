@@ -44,10 +44,7 @@ struct Context {
   bool depends_on_requester = false;    ///< or when its own requester is stale no longer
   bool depends_on_all_stale = false;    ///< the result depends also on groups without RunQueueEntry::stale_matters
 
-  // Pushes.
-  bool had_pushes = false; ///< there were pushes in the last assignment
-  bool pushing = false;    ///< there are in this one
-  Index pushed_count = 0;  ///< rows of State::pushed in use
+  Index pushed_count = 0; ///< rows of State::pushed in use: groups with a push in the last assignment or in this one
 
   // The walk along the order.
   Index ahead = 0;         ///< candidates on its stack, State::candidate

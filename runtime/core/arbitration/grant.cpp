@@ -33,7 +33,7 @@ void grant(Context& x, Index count) {
     const Index begin = entries_begin(x, at), end = x.s.member[at].entries_end;
     if (begin != end) claim_plan(x, group, x.s.member[at].provider, begin, end);
   }
-  if (x.had_pushes) keep_own_pushes(x, count);
+  if (x.pushed_count != 0) keep_own_pushes(x, count);
   leave_combination(x, count);
 }
 

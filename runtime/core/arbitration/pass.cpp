@@ -14,7 +14,6 @@ void begin_sweep(Context& x) {
   x.ahead = x.postponed = x.placed = x.inherited = x.denied_count = 0;
   x.stale_granted = x.stale_kept;
   x.first_moved = x.top = x.rest = x.undecided = nil;
-  x.pushing = false;
 }
 
 void open_all(Context& x) {
@@ -57,7 +56,7 @@ void finish(Context& x) {
   }
   x.s.next_count[x.component] = x.placed;
   x.s.first_moved[x.component] = x.first_moved;
-  if (x.pushing) finish_pushes(x);
+  if (x.pushed_count != 0) finish_pushes(x);
 }
 
 } // namespace
@@ -69,9 +68,8 @@ void begin(Context& x) {
   x.disturbed = x.settled = false;
   x.opened_count = x.reached_count = x.kept_count = x.stale_kept = x.line_count = x.opened_end = x.placed = 0;
   x.whole ? open_all(x) : begin_trail(x);
-  x.had_pushes = x.pushed_count != 0;
   x.depends_on_all_stale = false;
-  x.depends_on_last = x.had_pushes || x.s.on_last[x.component] != 0;
+  x.depends_on_last = x.pushed_count != 0 || x.s.on_last[x.component] != 0;
 }
 
 void decide(Context& x, Index component) {

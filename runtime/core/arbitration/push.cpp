@@ -34,12 +34,6 @@ bool satisfies_any(const Context& x, Index provider, Range conditions) {
   return any(x.t.list(conditions), [&](Index condition) { return satisfies(x, provider, condition); });
 }
 
-/// The group must be listed (list_push).
-void set_push(Context& x, Index group, const Push& push) {
-  x.s.now[group].push = push;
-  x.pushing = true;
-}
-
 /// Keeps those pushes of a granted unit whose provider satisfies a condition of a choice, or of a push that stays.
 void keep_serving_pushes(Context& x, Index count) {
   const auto is_busy = [&](Index g) { return x.s.group_marks[g].has(mark::busy); };
@@ -63,7 +57,7 @@ void keep_serving_pushes(Context& x, Index count) {
       const Push& push = x.s.last[g].push;
       if (push.edge == nil || is_busy(g) || !in_unit(x, push.edge, count) || !serves(push.provider)) continue;
       x.s.group_marks[g] |= mark::busy;
-      if (x.s.now[g].push.edge == nil) set_push(x, g, push);
+      if (x.s.now[g].push.edge == nil) x.s.now[g].push = push;
       more = true;
     }
   }
@@ -213,7 +207,7 @@ void keep_last_pushes(Context& x, Index count) {
   if (!pushes(x, count)) return;
   for (const Index g : pushed_groups(x)) {
     const Push& push = x.s.last[g].push;
-    if (push.edge != nil && x.s.now[g].push.edge == nil && in_unit(x, push.edge, count)) set_push(x, g, push);
+    if (push.edge != nil && x.s.now[g].push.edge == nil && in_unit(x, push.edge, count)) x.s.now[g].push = push;
   }
 }
 
@@ -258,7 +252,7 @@ void push_for(Context& x, Index count, Index unmet) {
     Push &own = x.s.own[at], &first = x.s.first[at];
     const bool free = !x.s.group_marks[g].has(mark::busy) && theirs(g).edge == nil;
     if (all_served && first.edge != nil && free && own.provider != first.provider) own = first;
-    if (own.edge != nil && theirs(g).edge == nil) set_push(x, g, own);
+    if (own.edge != nil && theirs(g).edge == nil) x.s.now[g].push = own;
   }
 }
 

@@ -17,7 +17,7 @@ DIRECTOR_PART Index preferred_by_push(const Context& x, Index group, Index place
 
 /// Keeps the pushes that the unit made before.
 inline void keep_pushes(Context& x, Index count) {
-  if (x.had_pushes) keep_last_pushes(x, count);
+  if (x.pushed_count != 0) keep_last_pushes(x, count);
 }
 
 /// Reaches the groups that this edge pushes.

@@ -118,14 +118,12 @@ void compare_with_last(Context& x, Index count) {
       static_cast<std::uint8_t>((x.depends_on_last ? trail::on_last : 0) | (x.depends_on_stale ? trail::on_stale : 0) |
                                 (x.depends_on_requester ? trail::on_requester : 0));
   x.depends_on_last = x.depends_on_last || x.on_last;
-  bool pushing = false;
   for (Index at = 0; at < count; ++at) {
     const Index edge = x.s.unit[at];
     note_dependence(x, edge, static_cast<std::uint8_t>(bits | (x.s.edge_trail[edge] & trail::waits)));
-    pushing = pushing || x.s.edge_marks[edge].has(mark::pushes);
     compare_claims(x, edge);
   }
-  if (!pushing && !x.pushing) return;
+  if (x.pushed_count == 0) return;
   const std::span<const Index> unit{x.s.unit, count};
   const auto ours = [&](Index edge) { return any(unit, [&](Index member) { return member == edge; }); };
   bool lost = false;

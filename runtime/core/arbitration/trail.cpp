@@ -244,7 +244,7 @@ bool keeps_waiting(const Context& x, Index edge) {
 
 /// Copies the rest of the order if nothing below this edge of root and those behind it was opened or reached.
 bool copy_unchanged_rest(Context& x, Index root) {
-  if (x.had_pushes || x.postponed != 0 || x.row.groups.size() <= 4 * x.most_decided_whole) {
+  if (x.pushed_count != 0 || x.postponed != 0 || x.row.groups.size() <= 4 * x.most_decided_whole) {
     x.undecided =
         static_cast<Index>(x.t.edges.size()); // no edge: it is not called again, which costs more than it saves
     return false;
