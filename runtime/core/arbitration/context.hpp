@@ -1,8 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The argument of every rule of arbitration: the tables, the memory, and the current pass. From requests, values,
-// enabled flags, pending reasons and the last assignment follows a new assignment of one component, which depends on no
-// other. Each rule is a few functions over a Context, in a file with its name.
+// The argument of every rule of arbitration: the tables, the memory, and the current pass over one component. Each rule
+// is a few functions over a Context, in a file with its name.
 
 #include "runtime/core/base/marks.hpp"
 #include "runtime/core/base/parts.hpp"
@@ -27,8 +26,7 @@ struct Context {
   Index most_decided_whole = director::most_decided_whole;
   Index before_count = 0;    ///< rows of State::before in use
   std::uint64_t decided = 0; ///< units decided so far, again for a repeated pass
-  std::uint64_t work =
-      0; ///< so far: groups placed, units decided, choices and plans tried, also in searches for pushes
+  std::uint64_t work = 0;    ///< groups placed, units decided, choices and plans tried so far
 
   // The current pass.
   Component row;          ///< of the component

@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: MIT
 // The pass of docs/semantics.md, section 4.4, is greedy along the order of edges: the first candidate takes what it
 // needs, and no later one can change that. So one sweep decides, and only the rule that equals never take from each
-// other can require another. A sweep follows the order of the last pass and decides a unit again only if something on
-// which its decision depends differs (reach.cpp); all other groups are passed by, each with all below it (trail.hpp).
-// The result is that of the pass from nothing. Cost: some work for each edge of root and for each edge of a group that
-// is opened; for each unit decided, the providers and plans tried, each compared along its chain of holders.
+// other can require another. Cost: some work for each edge of root and for each edge of a group that is opened; for
+// each unit decided, the providers and plans tried, each compared along its chain of holders.
 //
 // A pass notes what its result may depend on besides requests, values and flags: on the assignment before (then it is
-// repeated on its own result), and on which groups are stale (then it is repeated when that changes). Otherwise nothing
-// has to be decided until an input of the component changes.
+// repeated on its own result), and on which groups are stale (then it is repeated when that changes).
 
 #include "runtime/core/arbitration/context.hpp"
 

@@ -1,13 +1,7 @@
 // docs/semantics.md, section 4.4: the groups that a pass opens; all others keep their last assignment.
 // SPDX-License-Identifier: MIT
 //
-// A unit's decision depends on what units before it claimed, pushed and were denied, on its conditions and requests, on
-// stale groups, and on the last result. So a pass follows the last order, and decides only units that a difference
-// reaches.
-//
-// Between passes State::now equals State::last. A pass opens the groups that it has to examine, each with all above it,
-// and clears only these in `now`. A group that is not opened is passed by in one step, with all below it; from then on,
-// what these hold counts as claimed.
+// runtime/core/README.md, "Decide again", says what is opened and passed by, and why the result is the same.
 
 #include "runtime/core/arbitration/trail.hpp"
 

@@ -20,17 +20,16 @@ inline constexpr bool observable = true;
 struct Event {
   /// What happened.
   enum class Kind : std::uint8_t {
-    input, ///< an input was taken: `input`, and its subject; a cancel of all tasks is one without an edge, then one for
-           ///< each
-    run,   ///< `provider` of `group` is called for `reasons`
-    start, ///< the start handler of `group` is called, if it has one
-    stop,  ///< the stop handler of `group` is called, if it has one
-    done,  ///< `group` answered done
-    failed,    ///< `group` answered fail
-    grant,     ///< `group` goes to `edge`, in `provider`; `other` is the edge that controlled it before, or nil
-    lose,      ///< `group`, controlled by `other` before, has no holder any more
-    queue,     ///< the request on `edge` is queued: `why`, and for waiting the first false `condition`
-    push,      ///< `group` is pushed to `provider` for the request on `edge`, to make `condition` true
+    input,  ///< an input was taken: `input`, and its subject; a cancel of all tasks: without an edge, then one for each
+    run,    ///< `provider` of `group` is called for `reasons`
+    start,  ///< the start handler of `group` is called, if it has one
+    stop,   ///< the stop handler of `group` is called, if it has one
+    done,   ///< `group` answered done
+    failed, ///< `group` answered fail
+    grant,  ///< `group` goes to `edge`, in `provider`; `other` is the edge that controlled it before, or nil
+    lose,   ///< `group`, controlled by `other` before, has no holder any more
+    queue,  ///< the request on `edge` is queued: `why`, and for waiting the first false `condition`
+    push,   ///< `group` is pushed to `provider` for the request on `edge`, to make `condition` true
     release,   ///< the push on `group` is over
     set,       ///< `state` becomes `value` (director::unset: none), by a body, handler, owner or expiry
     refused,   ///< a body tried to set `state` to `value`, which its provider does not declare
@@ -43,10 +42,9 @@ struct Event {
     wait,      ///< the run requested another run of `group` at the time `due`; `never`: none
     lost,      ///< `count` inputs were lost since the step before: refused, as the inbox was full, or replaced
     answer,    ///< the run answered `outcome`; its requests follow, and take effect together
-    assign, ///< the run of `provider` of `group`, or a handler if there is no provider, sets `state` to a `value` that
-            ///< it may set
-    begin,  ///< the first step begins
-    given,  ///< `state` was set to `value` before the first step
+    assign,    ///< a run of `provider` of `group`, or a handler (no provider), sets `state` to a declared `value`
+    begin,     ///< the first step begins
+    given,     ///< `state` was set to `value` before the first step
   };
   /// The kind of the input or timer of an `input`.
   enum class Input : std::uint8_t { none, request, cancel, set, fire, enable, disable, expire, wait, within, every };

@@ -75,12 +75,11 @@ struct Level {
 
 /// From requester to target. Edges of root come first, then those of each group; siblings in order of declaration.
 struct Edge {
-  Index requester = nil;       ///< group, or nil for root
-  TableIndex target = 0;       ///< group
-  Range levels{};              ///< of Tables::levels; empty if it is only needed
-  TableIndex need_urgency = 0; ///< as Level::urgency, for an edge that holds its target without a request
-  TableIndex cluster_offset =
-      0; ///< its cluster begins this many edges before it; edges of different clusters never claim the same group
+  Index requester = nil;         ///< group, or nil for root
+  TableIndex target = 0;         ///< group
+  Range levels{};                ///< of Tables::levels; empty if it is only needed
+  TableIndex need_urgency = 0;   ///< as Level::urgency, for an edge that holds its target without a request
+  TableIndex cluster_offset = 0; ///< to the first edge of its cluster: other clusters never claim the same group
 };
 
 struct Provider {
@@ -91,8 +90,7 @@ struct Provider {
   Range triggers{}; ///< lists: triggers that it listens to
   Range effects{};  ///< lists: conditions that its `causing` serves, ascending
   Range causing{};  ///< lists: states in its `causing`
-  Range aims{}; ///< lists: if it causes, the conditions in `when` or `stay` of it and of every provider in one of its
-                ///< plans
+  Range aims{};     ///< lists: if it causes, the conditions of it and of every provider in one of its plans
   Range promises{}; ///< of Tables::promises
   Time every = 0;   ///< 0: it has no period
 };
@@ -172,8 +170,8 @@ struct Tables {
   std::span<const Promise> promises;
   std::span<const TableIndex> lists;
   std::span<const Component> components;
-  std::span<const TableIndex>
-      plan_groups; ///< group after group: the groups with several providers among all that it needs, transitively
+  /// Group after group: the groups with several providers among all that it needs, transitively.
+  std::span<const TableIndex> plan_groups;
   std::span<const TableIndex> listened; ///< group after group: the triggers that its providers listen to
   Index root_edges = 0;                 ///< the number of edges of root
   Index most_edges = 0;                 ///< the highest number of edges of one group

@@ -1,9 +1,5 @@
 // docs/semantics.md, sections 3 and 5: after every micro-step, arbitrate and act on the difference.
 // SPDX-License-Identifier: MIT
-//
-// Arbitration is a pass over the components whose result may differ: those with a changed input, those whose last pass
-// may decide differently on its own result, and those that depend on which groups are stale, when that has changed
-// (pass.hpp). Others keep their assignment, and only groups that got a reason to run are examined.
 
 #include "runtime/core/engine/notes.hpp"
 

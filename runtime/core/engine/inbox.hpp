@@ -21,10 +21,9 @@ inline constexpr Index waiting_requests = 4;
 struct Input {
   enum class Kind : std::uint8_t { request, cancel, set, fire, enable, disable };
   Kind kind = Kind::set;
-  bool more = false;  ///< the next record belongs to the same input (request and set): see link()
-  Index thing = 0;    ///< root edge, state, trigger or provider; nil: cancel of all root edges
-  Index handle = nil; ///< request: place of its data: below waiting_requests for one in the inbox, from there on for a
-                      ///< place of an overflow slot; nil: no data
+  bool more = false;      ///< the next record belongs to the same input (request and set): see link()
+  Index thing = 0;        ///< root edge, state, trigger or provider; nil: cancel of all root edges
+  Index handle = nil;     ///< request: place of its data, from waiting_requests on in an overflow slot; nil: no data
   std::int32_t value = 0; ///< set: the value; request: the level, of Tables::levels
   Index level() const { return static_cast<Index>(value); }
   void set_level(Index level) { value = static_cast<std::int32_t>(level); }

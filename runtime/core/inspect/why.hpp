@@ -43,13 +43,12 @@ struct Because {
   Index edge = nil;                ///< the request in question; nil: there is none
   Index member = nil;              ///< the member of that request's unit that cannot be granted; often `edge`
   Index group = nil;               ///< the group in the way, or without a provider
-  Index provider =
-      nil; ///< running: the active one; need_held: the one with the need; condition: the one with the condition
-  Index holder = nil;       ///< the edge that holds `group`
-  Index condition = nil;    ///< the first false condition
-  Index causer = nil;       ///< the first enabled provider that promises `condition`
-  Index causer_group = nil; ///< the group of `causer`
-  Rivalry rivalry{};        ///< why `holder` goes before the request
+  Index provider = nil;            ///< the active one, or the one with the need or the condition
+  Index holder = nil;              ///< the edge that holds `group`
+  Index condition = nil;           ///< the first false condition
+  Index causer = nil;              ///< the first enabled provider that promises `condition`
+  Index causer_group = nil;        ///< the group of `causer`
+  Rivalry rivalry{};               ///< why `holder` goes before the request
   /// All members are the same.
   constexpr bool operator==(const Because&) const = default;
 };
