@@ -5,15 +5,44 @@
 #include "runtime/hosted/within_a_day.hpp"
 
 #include <fcntl.h>
+#include <pthread.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <utility>
 
 namespace director {
 
 namespace {
+
 constexpr std::size_t full_buffer = 1 << 20; ///< bytes in the buffer, after which they are written to the file
+
+/// While it lives, a write of this thread to a pipe without a reader, or beyond the limit of a file's size, is an error
+/// only: without it, the kernel also sends a signal that ends the program.
+class NoSignalOfWrites {
+public:
+  NoSignalOfWrites() {
+    sigset_t pending;
+    sigpending(&pending);
+    sigemptyset(&signals_);
+    for (const int each : {SIGPIPE, SIGXFSZ}) {
+      if (sigismember(&pending, each) == 0) sigaddset(&signals_, each); // one that waits already is the program's
+    }
+    pthread_sigmask(SIG_BLOCK, &signals_, &before_);
+  }
+  ~NoSignalOfWrites() {
+    const timespec at_once{};
+    while (sigtimedwait(&signals_, nullptr, &at_once) >= 0 || errno == EINTR) {}
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  NoSignalOfWrites(const NoSignalOfWrites&) = delete;
+  NoSignalOfWrites& operator=(const NoSignalOfWrites&) = delete;
+
+private:
+  sigset_t signals_, before_;
+};
+
 } // namespace
 
 std::unique_ptr<TraceFormat> trace_format_of(const std::string& path, const Names& names, std::string file) {
@@ -97,6 +126,8 @@ void Recorder::write_waiting() {
 }
 
 void Recorder::flush() {
+  if (buffer_.empty()) return;
+  const NoSignalOfWrites guard;
   std::string_view rest = buffer_;
   while (!rest.empty() && good()) {
     const ssize_t written = ::write(file_, rest.data(), rest.size());

@@ -8,11 +8,13 @@
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
+#include <pthread.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <ctime>
 #include <semaphore>
@@ -166,7 +168,6 @@ TEST_CASE("a file that cannot be written does not stop the behaviour") {
 TEST_CASE("a failure of the last write is known when the recorder is closed") {
   const Lamp lamp;
   const TemporaryFolder folder;
-  const auto before = std::signal(SIGXFSZ, SIG_IGN);
   rlimit as_it_was{};
   REQUIRE(getrlimit(RLIMIT_FSIZE, &as_it_was) == 0);
   const rlimit small{header(lamp.names).size() + 10, as_it_was.rlim_max};
@@ -181,9 +182,36 @@ TEST_CASE("a failure of the last write is known when the recorder is closed") {
     recorder.tell(lamp.event(Event::Kind::exhausted, 10)); // it is not recorded, without harm
   }
   setrlimit(RLIMIT_FSIZE, &as_it_was);
-  std::signal(SIGXFSZ, before);
   CHECK(open == 0);
   CHECK(closed == EFBIG);
+}
+
+TEST_CASE("a pipe whose reader has ended is an error of the recorder, and no signal for the program") {
+  const Lamp lamp;
+  std::array<int, 2> ends{};
+  REQUIRE(::pipe(ends.data()) == 0);
+  Recorder recorder{lamp.names, "/proc/self/fd/" + std::to_string(ends[1]), {.interval = std::chrono::milliseconds(1)}};
+  CHECK(recorder.good());
+  ::close(ends[0]);
+  recorder.tell(lamp.event(Event::Kind::exhausted, 0)); // written by its thread
+  for (int tries = 0; tries < 10'000 && recorder.good(); ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  recorder.close();
+  CHECK(recorder.error() == EPIPE);
+
+  // A thread that has a signal of its own pending keeps it.
+  sigset_t pipe, before, pending;
+  sigemptyset(&pipe);
+  sigaddset(&pipe, SIGPIPE);
+  pthread_sigmask(SIG_BLOCK, &pipe, &before);
+  std::raise(SIGPIPE);
+  const Recorder other{lamp.names, "/dev/null"};
+  sigpending(&pending);
+  CHECK(sigismember(&pending, SIGPIPE) == 1);
+  const timespec at_once{};
+  sigtimedwait(&pipe, nullptr, &at_once);
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  ::close(ends[1]);
 }
 
 TEST_CASE("a thread that waits for a place in a queue is released when the queue is closed") {
