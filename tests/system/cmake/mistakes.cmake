@@ -53,6 +53,8 @@ mistake("robot counter.yaml"
         "director_add_behaviour: counter.yaml has no line `behaviour: NAME` that begins in the first column; only a behaviour can be generated, not a module alone")
 mistake("robot kiosk.yaml|robot kiosk.yaml"
         "director_add_behaviour: robot has a behaviour kiosk already; two of one name would be one header and one namespace")
+mistake("robot kiosk.yaml STUBS bodies"
+        "director_add_behaviour: STUBS adds the target robot_stubs, and the project has a target of that name; give that one another name")
 mistake("robot kiosk.yaml VERIFY"
         "director_add_behaviour: VERIFY and STUBS read C++, which director-clang does; install it: the package director-clang, or Director built again where the packages clang-19 libclang-19-dev llvm-19-dev are installed")
 mistake("" "the component clang is not installed: it is the package director-clang." COMPONENTS "clang")
