@@ -77,7 +77,8 @@ function(director_add_behaviour)
     message(FATAL_ERROR "director_add_behaviour: ${file} is a folder; name the behaviour's file in it")
   endif()
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
-  file(STRINGS ${file} keys REGEX "^(behaviour|\"behaviour\"|'behaviour')[ \t]*:")
+  # Without ENCODING, CMake takes what stands behind a character outside of ASCII for a line of its own.
+  file(STRINGS ${file} keys ENCODING UTF-8 REGEX "^(behaviour|\"behaviour\"|'behaviour')[ \t]*:")
   string(REGEX MATCH "^[\"']?behaviour[\"']?[ \t]*:[ \t]*[\"']?([A-Za-z_][A-Za-z0-9_]*)" found "${keys}")
   if(NOT found)
     message(FATAL_ERROR "director_add_behaviour: ${file} has no line `behaviour: NAME` that begins in the first column; only a behaviour can be generated, not a module alone")
@@ -90,13 +91,13 @@ function(director_add_behaviour)
     message(FATAL_ERROR "director_add_behaviour: ${target} has a behaviour ${behaviour} already; two of one name would be one header and one namespace")
   endif()
   set_property(TARGET ${target} APPEND PROPERTY DIRECTOR_BEHAVIOURS ${behaviour})
-
   if(arg_STUBS AND TARGET ${target}_stubs)
     get_target_property(own ${target}_stubs DIRECTOR_STUBS)
     if(NOT own) # to build the project's own target would write into the source tree
       message(FATAL_ERROR "director_add_behaviour: STUBS adds the target ${target}_stubs, and the project has a target of that name; give that one another name")
     endif()
   endif()
+
   if(NOT TARGET Director::directorc)
     message(FATAL_ERROR "director_add_behaviour: there is no directorc; find_package(Director COMPONENTS compiler runtime REQUIRED) finds it")
   endif()
@@ -179,8 +180,8 @@ function(director_add_behaviour)
       USES_TERMINAL VERBATIM)
     if(NOT TARGET ${target}_stubs)
       add_custom_target(${target}_stubs)
-    endif()
       set_property(TARGET ${target}_stubs PROPERTY DIRECTOR_STUBS TRUE) # several behaviours of a target share it
+    endif()
     add_dependencies(${target}_stubs ${target}_${behaviour}_stubs)
   endif()
 endfunction()
@@ -238,6 +239,7 @@ std::string_view @behaviour@();
   cmake_path(RELATIVE_PATH file BASE_DIRECTORY ${CMAKE_SOURCE_DIR}) # findings and links on the page contain this path
   set(linked "")
   if(link)
+    string(REPLACE ";" "$<SEMICOLON>" link "${link}") # else the command would have an argument for each part
     set(linked "--link=${link}")
   endif()
   add_custom_command(

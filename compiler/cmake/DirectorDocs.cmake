@@ -50,7 +50,7 @@ function(director_add_docs)
   cmake_path(ABSOLUTE_PATH arg_OUTPUT BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} NORMALIZE OUTPUT_VARIABLE folder)
   set(link "")
   if(arg_LINK)
-    set(link "--link=${arg_LINK}")
+    string(REPLACE ";" "$<SEMICOLON>" link "--link=${arg_LINK}") # else the command would have an argument for each part
   endif()
   set(build "")
   if(arg_BUILD)
