@@ -7,17 +7,17 @@ namespace director::compiler {
 std::vector<std::string> level_names(const Model& model, const Lowered& lowered) {
   const Tables tables = lowered.view();
   std::vector<std::string> out(tables.levels.size());
-  const auto add = [&](const std::vector<Task>& tasks) {
+  const auto add = [&](const std::vector<Task>& tasks, bool with_first) {
     for (const Task& task : tasks) {
       for (const Task::NamedLevel& each : task.levels) {
         std::string& name = out[tables.edges[task.edge.value].levels.begin + each.level];
-        if (each.level != task.levels.front().level && name.empty()) name = each.name;
+        if ((with_first || each.level != task.levels.front().level) && name.empty()) name = each.name;
       }
     }
   };
-  add(model.roots);
+  add(model.roots, true);
   for (const Provider& provider : model.providers) {
-    for (const Pack& pack : provider.packs) add(pack.tasks);
+    for (const Pack& pack : provider.packs) add(pack.tasks, false);
   }
   return out;
 }

@@ -10,8 +10,8 @@
 
 namespace director::compiler {
 
-/// For the rows of all edges, one after another; empty for the first of a task. Packs may name one level differently:
-/// the first name is used.
+/// For the rows of all edges, one after another; empty for the first of a task in a pack. The first of a root task has
+/// its name, as a program may be asked for it by name. Packs may name one level differently: the first name is used.
 std::vector<std::string> level_names(const Model& model, const Lowered& lowered);
 
 } // namespace director::compiler

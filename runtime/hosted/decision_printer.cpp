@@ -133,7 +133,8 @@ private:
 
   /// The first level, that of a request without a level, is not printed.
   void request() {
-    const char* const level = n_.level == nullptr || e_.level == nil ? "" : n_.level(n_.self, e_.level);
+    const bool is_first = n_.tables != nullptr && e_.level != nil && n_.tables->edges[e_.edge].levels.begin == e_.level;
+    const char* const level = n_.level == nullptr || e_.level == nil || is_first ? "" : n_.level(n_.self, e_.level);
     line_ << "> request ";
     if (*level == '\0')
       line_ << n_.group(n_.self, e_.group);

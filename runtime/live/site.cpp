@@ -193,15 +193,21 @@ Reply Site::request_task(const Request& request) const {
   const std::optional<Index> edge = root_edge(request, problem);
   if (!edge) return problem;
   const Range levels = names_.tables->edges[*edge].levels;
+  std::vector<std::string_view> names;
+  for (Index row = levels.begin; row < levels.end && names_.level != nullptr; ++row)
+    names.emplace_back(names_.level(names_.self, row));
   Index level = levels.begin;
   const std::optional<std::string> wanted = parameter(request, "level");
-  const auto name = [&](Index row) {
-    return names_.level == nullptr ? "" : names_.level(names_.self, static_cast<Index>(levels.begin + row));
-  };
-  while (wanted && level != levels.end && *wanted != name(static_cast<Index>(level - levels.begin))) ++level;
-  if (level == levels.end)
-    return text_reply(404, "\"" + wanted.value_or("") +
-                               "\" is no level of this root task; the first one is requested without `level`.");
+  if (wanted) {
+    const auto found = wanted->empty() ? names.end() : std::find(names.begin(), names.end(), *wanted);
+    const std::string task = *parameter(request, "task");
+    if (found == names.end() && (names.empty() || names.front().empty()))
+      return text_reply(404, task + " has no named levels: it is requested without `level`.");
+    if (found == names.end())
+      return text_reply(404, "\"" + *wanted + "\" is not a level of " + task +
+                                 "; there are: " + list_of(names.size(), [&](Index row) { return names[row]; }) + ".");
+    level = static_cast<Index>(levels.begin + (found - names.begin()));
+  }
   if (!commands_.request(*edge, level))
     return text_reply(409, "not posted: the task carries data, which only the program can give");
   return text_reply(202, "posted: request " + *parameter(request, "task") + (wanted ? " at " + *wanted : ""));

@@ -69,7 +69,7 @@ struct Names {
   const char* (*state)(const void* self, Index row) = nullptr;     ///< `Stability`
   const char* (*value)(const void* self, Index state, std::int32_t number) = nullptr; ///< empty for a number of a range
   const char* (*trigger)(const void* self, Index row) = nullptr;                      ///< `Sensors`
-  const char* (*level)(const void* self, Index row) = nullptr; ///< empty for the first level of a task; may be null
+  const char* (*level)(const void* self, Index row) = nullptr; ///< empty for the first of a task in a pack; may be null
   const Tables* tables = nullptr;                              ///< the tables of these rows; only for recorders
   const char* behaviour = nullptr;                             ///< its name; only for recorders
 };

@@ -2,6 +2,7 @@
 // Tests runtime/hosted/decision_printer.hpp: compares it with `simulate --decisions` in every scenario of
 // tests/conformance; tests/docs/rover does so with a program.
 #include "compiler/lower/lower.hpp"
+#include "compiler/lower/row_names.hpp"
 #include "compiler/pipeline.hpp"
 #include "compiler/play/play.hpp"
 #include "compiler/play/resolve_scenario.hpp"
@@ -22,54 +23,14 @@ using namespace director;
 
 namespace {
 
-/// The names of the rows of a model, as in generated code.
-struct ModelNames {
-  const compiler::Model& model;
-  const compiler::Lowered& lowered;
-
-  static const ModelNames& of(const void* self) { return *static_cast<const ModelNames*>(self); }
-  const char* keep(std::string text) const {
-    static std::string last[4]; // the names of one line
-    static std::size_t next = 0;
-    last[next % 4] = std::move(text);
-    return last[next++ % 4].c_str();
+/// Removes the first level of a root task, which a scenario may name.
+std::string without_first_level(const std::string& line, const compiler::Model& model) {
+  for (const compiler::Task& task : model.roots) {
+    const std::string& group = model.groups[task.target].name.value;
+    if (line == "> request {" + group + ": {level: " + task.levels.front().name + "}}") return "> request " + group;
   }
-  /// The name of a level of a root task, except the first one.
-  const char* level(Index row) const {
-    for (const compiler::Task& task : model.roots) {
-      for (const auto& each : task.levels) {
-        if (lowered.edges[task.edge.value].levels.begin + each.level == row)
-          return each.level == task.levels.front().level ? "" : each.name.c_str();
-      }
-    }
-    return "";
-  }
-  /// Removes the first level, which a scenario may name.
-  std::string without_first_level(const std::string& line) const {
-    for (const compiler::Task& task : model.roots) {
-      const std::string& group = model.groups[task.target].name.value;
-      if (line == "> request {" + group + ": {level: " + task.levels.front().name + "}}") return "> request " + group;
-    }
-    return line;
-  }
-  Names names() const {
-    return {
-        .self = this,
-        .group = [](const void* s, Index i) { return of(s).model.groups[compiler::GroupId{i}].name.value.c_str(); },
-        .provider = [](const void* s, Index i) { return of(s).model.providers[compiler::ProviderId{i}].name.c_str(); },
-        .edge = [](const void* s, Index i) { return of(s).keep(of(s).model.edge_name(compiler::EdgeId{i})); },
-        .condition = [](const void* s,
-                        Index i) { return of(s).model.conditions[of(s).lowered.condition_ids[i]].text.c_str(); },
-        .state = [](const void* s, Index i) { return of(s).model.states[compiler::StateId{i}].name.value.c_str(); },
-        .value =
-            [](const void* s, Index i, std::int32_t value) {
-              const compiler::State& state = of(s).model.states[compiler::StateId{i}];
-              return state.is_range ? "" : of(s).keep(state.value_text(value));
-            },
-        .trigger = [](const void* s, Index i) { return of(s).model.triggers[compiler::TriggerId{i}].name.c_str(); },
-        .level = [](const void* s, Index i) { return of(s).level(i); }};
-  }
-};
+  return line;
+}
 
 /// The lines of both; inputs separately, because a scenario prints all inputs of a step before the engine takes any.
 struct Traces {
@@ -96,7 +57,7 @@ Traces play_both(const std::string& path) {
   const auto resolved = compiler::resolve_scenario(read.scenario, checked.model);
   const compiler::Lowered lowered = compiler::lower(checked.model);
   Traces out;
-  const ModelNames names{checked.model, lowered};
+  const compiler::RowNames names(checked.model, lowered); // as in generated code
   Printing printing{names.names(), &out.printed, &out.taken};
   compiler::play(resolved.scenario, checked.model, lowered, {.decisions = true, .events = {Printing::tell, &printing}},
                  [&](const compiler::Happening& happening) {
@@ -104,7 +65,7 @@ Traces play_both(const std::string& path) {
                    if (happening.kind != compiler::Happening::Kind::input)
                      out.simulated.push_back(line);
                    else if (!line.starts_with("> advance"))
-                     out.given.push_back(names.without_first_level(line));
+                     out.given.push_back(without_first_level(line, checked.model));
                  });
   return out;
 }

@@ -169,7 +169,15 @@ TEST_CASE("a command that cannot be carried out is answered with the reason") {
   CHECK(post("request", {{"task", "Deliver"}}) ==
         "409 not posted: the task carries data, which only the program can give\n");
   CHECK(post("request", {{"task", "Deliver"}, {"level", "soon"}}) ==
-        "404 \"soon\" is no level of this root task; the first one is requested without `level`.\n");
+        "404 \"soon\" is not a level of Deliver; there are: normal, urgent.\n");
+  CHECK(post("request", {{"task", "Deliver"}, {"level", ""}}) ==
+        "404 \"\" is not a level of Deliver; there are: normal, urgent.\n");
+  for (const char* level : {"normal", "urgent"}) // both are found
+    CHECK(post("request", {{"task", "Deliver"}, {"level", level}}) ==
+          "409 not posted: the task carries data, which only the program can give\n");
+  for (const char* level : {"", "normal"})
+    CHECK(post("request", {{"task", "Rest"}, {"level", level}}) ==
+          "404 Rest has no named levels: it is requested without `level`.\n");
   CHECK(post("set", {{"state", "Mood"}}) == "400 A state and a value are needed: set?state=NAME&value=VALUE.\n");
   CHECK(post("set", {{"state", "Moot"}, {"value", "calm"}}) == "404 There is no state \"Moot\".\n");
   CHECK(post("set", {{"state", "Door"}, {"value", "open"}}) ==
