@@ -57,7 +57,9 @@ Feed::Feed(EventQueue& queue, Moments& moments, const Names& names, std::size_t 
 
 void Feed::take() {
   moment_ = &moments_.look(); // before the events, so that these include all events before the moment
-  if (moment_->view.micro_step != standing_of_ || moment_->events != standing_after_) standing_ = nullptr;
+  if (moment_->view.micro_step != standing_of_ || moment_->view.passes != standing_passes_ ||
+      moment_->events != standing_after_)
+    standing_ = nullptr;
   const std::uint64_t cut = moment_->events;
   queue_.take([&](const EventQueue::Entry& entry) {
     const std::uint64_t number = taken_ + entry.dropped;
@@ -83,6 +85,7 @@ const Feed::Text& Feed::standing() {
   std::string text;
   append_standing(moment_->view, names_, text);
   standing_of_ = moment_->view.micro_step;
+  standing_passes_ = moment_->view.passes;
   standing_after_ = moment_->events;
   return standing_ = standing_message(text);
 }

@@ -43,6 +43,8 @@ public:
 
   /// The newest moment, valid until the next take(); without tables in its view there is none yet.
   const Moment& moment() const { return *moment_; }
+  /// The engine's time.
+  Time now() const { return moments_.now(); }
 
 private:
   void finish_block(std::uint64_t end);
@@ -62,12 +64,13 @@ private:
   std::uint64_t taken_ = 0; ///< from the queue, so far
 
   // Messages of standing groups.
-  Text standing_;                    ///< of the newest moment; null: not needed yet
-  std::uint64_t standing_of_ = 0;    ///< the micro-step of its moment
-  std::uint64_t standing_after_ = 0; ///< the events before that moment
-  Text shown_;                       ///< the last one for viewers
-  std::uint64_t shown_before_ = 0;   ///< the event behind it
-  std::uint64_t shown_count_ = 0;    ///< the number of such messages so far
+  Text standing_;                     ///< of the newest moment; null: not needed yet
+  std::uint64_t standing_of_ = 0;     ///< the micro-step of its moment
+  std::uint64_t standing_passes_ = 0; ///< the passes before that moment
+  std::uint64_t standing_after_ = 0;  ///< the events before that moment
+  Text shown_;                        ///< the last one for viewers
+  std::uint64_t shown_before_ = 0;    ///< the event behind it
+  std::uint64_t shown_count_ = 0;     ///< the number of such messages so far
   bool may_mislead_ = false; ///< since then there was an event after which a reader may wrongly take a group to run
 };
 

@@ -19,7 +19,9 @@ namespace {
 std::optional<std::string> text_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) return std::nullopt;
+  if (!file) return std::nullopt;
+  const bool is_empty = file.peek() == std::ifstream::traits_type::eof(); // then << has nothing to write, and fails
+  if (file.bad() || (!is_empty && !(text << file.rdbuf()))) return std::nullopt;
   return std::move(text).str();
 }
 

@@ -28,13 +28,12 @@ public:
   Moments(const Moments&) = delete;
   Moments& operator=(const Moments&) = delete;
 
-  /// For the thread that steps. Copies only if something happened since the last call. After a load, the number of the
-  /// micro-step may be the same again: then there were other events, or time went back.
+  /// For the thread that steps. Copies only if something happened since the last call, which may be a load.
   void show(const View& view, std::uint64_t events) {
-    const bool went_back = view.now < now_.load(std::memory_order_relaxed);
     now_.store(view.now, std::memory_order_relaxed);
-    if (view.micro_step == shown_ && events == events_ && !went_back) return;
+    if (view.micro_step == shown_ && view.passes == passes_ && events == events_) return;
     shown_ = view.micro_step;
+    passes_ = view.passes;
     events_ = events;
     Buffer& buffer = buffers_[written_];
     buffer.moment = {view.copy(reinterpret_cast<std::byte*>(buffer.bytes.data())), events};
@@ -63,7 +62,7 @@ private:
   std::array<Buffer, 3> buffers_;
   std::uint64_t shown_ =
       ~std::uint64_t{0}; ///< the micro-step of the last moment; this and the next two are used by the thread that steps
-  std::uint64_t events_ = 0; ///< the events before it
+  std::uint64_t passes_ = 0, events_ = 0; ///< before it
   std::uint8_t written_ = 0;
   std::uint8_t read_ = 1; ///< used by the thread that shows
   std::atomic<std::uint8_t> between_{2};

@@ -24,15 +24,15 @@ public:
   /// `names`: those of this computer.
   Site(const Names& names, std::optional<Page> page, std::string token, std::vector<std::string> own_names);
 
-  /// `moment`: the newest one.
-  Reply answer(const Request& request, const Moment& moment) const;
+  /// `moment`: the newest one; `now`: the engine's time, which may be later.
+  Reply answer(const Request& request, const Moment& moment, Time now) const;
 
   /// May be called from any thread.
   void allow(Commands commands);
 
 private:
-  Reply look(std::string_view what, const Request& request, const Moment& moment) const;
-  Reply why(const Request& request, const Moment& moment) const;
+  Reply look(std::string_view what, const Request& request, const Moment& moment, Time now) const;
+  Reply why(const Request& request, const Moment& moment, Time now) const;
   Reply command(std::string_view what, const Request& request) const;
   Reply request_task(const Request& request) const;
   Reply cancel_task(const Request& request) const;

@@ -12,6 +12,7 @@ View view_of(const Engine& engine) {
   return {.tables = &engine.tables(),
           .now = engine.now(),
           .micro_step = engine.micro_steps(),
+          .passes = engine.passes(),
           .lost = engine.lost(),
           .request = memory.request,
           .values = memory.values,

@@ -28,6 +28,7 @@ struct View {
   const Tables* tables = nullptr;
   Time now = 0;                 ///< the engine's time
   std::uint64_t micro_step = 0; ///< micro-steps taken
+  std::uint64_t passes = 0;     ///< passes so far, and loads: these may restore the number of an earlier micro-step
   std::uint32_t lost = 0; ///< inputs that were refused so far, because the inbox was full, or replaced by a later one
 
   // One row for each group, edge, provider or state; see State.

@@ -112,7 +112,7 @@ public:
         now_(now > last_time ? last_time : now) {
     const std::uint64_t passes = engine_.passes_; // not reset, like all counters of what the engine did
     engine_.reset();
-    engine_.passes_ = passes;
+    engine_.passes_ = passes + 1; // so that a reader of both numbers sees that the state is another (View::passes)
     const Shape n = Shape::of(t_);
     const saved::Layout at(n);
     saved::Layout::each_kind(n, [&]<class Row>(std::size_t saved::Layout::*kind, std::size_t count) {

@@ -356,6 +356,11 @@ TEST_CASE("an error of a view is a sentence, and the behaviour continues") {
         other + " is not one that `directorc docs` wrote, in HTML: it has no policy of its own");
   CHECK(error({.html = "text"}) ==
         "the page is not one that `directorc docs` wrote, in HTML: it has no policy of its own");
+  std::ofstream{other}; // empties it
+  CHECK(error({.page = other}) ==
+        other + " is not one that `directorc docs` wrote, in HTML: it has no policy of its own");
+  CHECK(error({.page = folder.path().string()}) ==
+        "cannot read the page " + folder.path().string() + ": Is a directory; `directorc docs` writes one");
   const LiveView first{soccer::names::all()};
   const std::string port = authority_of(first.url()).substr(10);
   CHECK(error({.port = static_cast<std::uint16_t>(std::stoi(port))}) ==

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The numbers of a saved state that are refused. That a state is continued correctly: tests/property/saved_test.cpp.
+#include "runtime/core/inspect/view.hpp"
 #include "runtime/core/saved/saved_rows.hpp"
 #include "runtime/core/saved/saved_state.hpp"
 #include "tests/runtime/core/machine.hpp"
@@ -94,6 +95,15 @@ TEST_CASE("a loaded state is equal to the saved one, and leads to the same expla
   for (Machine* each : {&saved.machine, &other}) each->set("Wind", "storm");
   CHECK(other.step(2'000'009) == saved.machine.step(2'000'009));
   CHECK(other.step(2'000'010) == saved.machine.step(2'000'010)); // the promise is broken
+}
+
+TEST_CASE("a load is seen in the number of passes, though the number of the micro-step may be the same") {
+  Saved saved;
+  const View before = view_of(saved.machine.engine());
+  REQUIRE(saved.load() == LoadResult::loaded);
+  const View after = view_of(saved.machine.engine());
+  CHECK(after.micro_step == before.micro_step);
+  CHECK(after.passes > before.passes);
 }
 
 TEST_CASE("a number of a row that does not exist, or is not allowed there, is refused") {
