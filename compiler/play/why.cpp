@@ -5,6 +5,7 @@
 #include "compiler/lower/row_names.hpp"
 #include "dsl/colours.hpp"
 #include "dsl/harmless.hpp"
+#include "runtime/hosted/trace/event_text.hpp"
 #include "runtime/hosted/why_notes.hpp"
 
 #include <fmt/format.h>
@@ -63,11 +64,10 @@ Reasoning reason_why(const View& view, GroupId group, const Model& model, const 
 
 Reasoning reason_why(const View& view, const Because& because, const Model& model, const Lowered& lowered,
                      const director::Names& names) {
-  std::string buffer(4096, '\0');
   Reasoning out;
   out.group = model.groups[GroupId{because.asked}].name.value;
   out.kind = name_of(because.kind);
-  out.text = to_text(because, names, buffer);
+  out.text = director::to_text(because, names);
   const Places places(because, model, lowered, *view.tables);
   for (WhyNote& note : why_notes(view, because, names)) {
     const Span span = places.of(note);

@@ -9,23 +9,36 @@
 #include <cinttypes>
 #include <cstring>
 #include <string_view>
+#include <utility>
 
 namespace director {
 
 namespace {
 
 constexpr std::int64_t per_second = 1'000'000;
-constexpr std::size_t longest_line = 1000; ///< a line may have several names from the YAML file
+constexpr std::size_t written_at_once = 1000; ///< most lines are shorter
 
 class Line {
 public:
+  /// Cut off if it does not fit.
   explicit Line(std::span<char> buffer) : buffer_(buffer) { buffer_[0] = '\0'; }
+  /// Written to `out` whenever the buffer is full. `beginning` comes first, unless nothing follows.
+  Line(std::span<char> buffer, std::FILE* out, std::string_view beginning) : Line(buffer) {
+    out_ = out;
+    beginning_ = beginning;
+  }
 
   Line& operator<<(std::string_view text) {
-    const std::size_t size = std::min(text.size(), buffer_.size() - 1 - size_);
-    std::copy_n(text.data(), size, buffer_.data() + size_);
-    size_ += size;
-    buffer_[size_] = '\0';
+    if (!text.empty() && !beginning_.empty()) *this << std::exchange(beginning_, {});
+    while (!text.empty()) {
+      const std::size_t size = std::min(text.size(), buffer_.size() - 1 - size_);
+      std::copy_n(text.data(), size, buffer_.data() + size_);
+      size_ += size;
+      buffer_[size_] = '\0';
+      text.remove_prefix(size);
+      if (!text.empty() && out_ == nullptr) break;
+      if (!text.empty()) write();
+    }
     return *this;
   }
   Line& operator<<(std::int32_t number) {
@@ -34,14 +47,22 @@ public:
     return *this << std::string_view(text.data());
   }
 
+  void write() {
+    std::fwrite(buffer_.data(), 1, size_, out_);
+    size_ = 0;
+  }
+  bool is_empty() const { return size_ == 0; }
+
 private:
   std::span<char> buffer_;
   std::size_t size_ = 0;
+  std::FILE* out_ = nullptr;
+  std::string_view beginning_{};
 };
 
 class EventText {
 public:
-  EventText(const Event& event, const Names& names, std::span<char> buffer) : e_(event), n_(names), line_(buffer) {}
+  EventText(const Event& event, const Names& names, Line& line) : e_(event), n_(names), line_(line) {}
 
   void write() {
     switch (e_.kind) {
@@ -170,13 +191,14 @@ private:
 
   const Event& e_;
   const Names& n_;
-  Line line_;
+  Line& line_;
 };
 
 } // namespace
 
 const char* to_text(const Event& event, const Names& names, std::span<char> buffer) {
-  EventText(event, names, buffer).write();
+  Line line(buffer);
+  EventText(event, names, line).write();
   return buffer.data();
 }
 
@@ -194,10 +216,13 @@ Observer DecisionPrinter::observer() {
 }
 
 void DecisionPrinter::tell(const Event& event) {
-  std::array<char, longest_line> line{};
-  if (*to_text(event, names_, line) == '\0') return;
   std::array<char, 40> time{};
-  std::fprintf(out_, "%s%s\n", times_ == Times::yes ? time_text(event.time, time) : "", line.data());
+  std::array<char, written_at_once> buffer{};
+  Line line(buffer, out_, times_ == Times::yes ? time_text(event.time, time) : "");
+  EventText(event, names_, line).write();
+  if (line.is_empty()) return;
+  line << "\n";
+  line.write();
 }
 
 } // namespace director

@@ -4,11 +4,10 @@
 
 #include "runtime/core/api/event_names.hpp"
 #include "runtime/core/inspect/why.hpp"
+#include "runtime/hosted/trace/event_text.hpp"
 #include "runtime/hosted/trace/json_lines.hpp"
 #include "runtime/hosted/trace/json_text.hpp"
 #include "runtime/hosted/why_notes.hpp"
-
-#include <array>
 
 namespace director::live {
 
@@ -139,10 +138,9 @@ void append_standing(const View& view, const Names& names, std::string& out) {
 
 void append_why(const View& view, Index group, const Names& names, std::string& out) {
   const Because because = why(view, group);
-  std::array<char, 2000> text{};
   json::Members answer(out);
   answer.text("group", names.group(names.self, group)).text("kind", name_of(because.kind));
-  answer.text("text", to_text(because, names, text));
+  answer.text("text", to_text(because, names));
   if (is_blocked(because)) {
     answer.key("held");
     json::Members held(out);

@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The text of an event, never cut off, for programs that have a heap. Test: tests/compiler/trace/event_words_test.cpp.
+// The text of an event or a reason, never cut off, for programs that have a heap. Test:
+// tests/compiler/trace/event_words_test.cpp, tests/runtime/live/moment_lines_test.cpp.
 
 #include "runtime/hosted/decision_printer.hpp"
 
@@ -9,11 +10,12 @@
 
 namespace director {
 
-/// As to_text() of decision_printer.hpp, in a buffer that is large enough.
-inline std::string to_text(const Event& event, const Names& names) {
+/// As to_text() of decision_printer.hpp (an Event) and why.hpp (a Because), in a buffer that is large enough.
+template <class What>
+std::string to_text(const What& what, const Names& names) {
   std::string out(256, '\0');
   for (;;) {
-    const std::size_t size = std::string_view(to_text(event, names, out)).size();
+    const std::size_t size = std::string_view(to_text(what, names, out)).size();
     if (size + 1 < out.size()) {
       out.resize(size);
       return out;

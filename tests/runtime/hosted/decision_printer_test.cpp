@@ -9,11 +9,13 @@
 #include "dsl/read_scenario.hpp"
 #include "runtime/core/api/event_names.hpp"
 #include "runtime/hosted/decision_printer.hpp"
+#include "tests/support/command.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <array>
+#include <cstdio>
 #include <filesystem>
 #include <limits>
 #include <string>
@@ -145,6 +147,25 @@ TEST_CASE("a line that does not fit is cut off") {
   CHECK(std::string(to_text(event, names, buffer)) == "don");
   std::array<char, 1> none{'?'};
   CHECK(std::string(to_text(event, names, none)).empty());
+}
+
+TEST_CASE("a line of any length is printed whole") {
+  static const std::string name(2500, 'x');
+  Names names;
+  names.group = [](const void*, Index) { return name.c_str(); };
+  const tests::TemporaryFolder folder;
+  const std::string path = (folder.path() / "out").string();
+  std::FILE* const out = std::fopen(path.c_str(), "w");
+  REQUIRE(out != nullptr);
+  DecisionPrinter printer{names, out, DecisionPrinter::Times::yes};
+  Event event;
+  event.group = 0;
+  for (const auto kind : {Event::Kind::grant, Event::Kind::done, Event::Kind::stop}) { // a grant is not printed
+    event.kind = kind;
+    printer.tell(event);
+  }
+  std::fclose(out);
+  CHECK(tests::read_file(path) == "[    0.000000] done " + name + "\n[    0.000000] stop " + name + "\n");
 }
 
 TEST_CASE("the time before a line is in seconds") {

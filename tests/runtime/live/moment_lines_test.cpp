@@ -86,6 +86,18 @@ TEST_CASE("the answer of why also has the held group that a group needs") {
       R"json({"group":"Sing","kind":"lost","text":"Sing waits (Rest>Sing): it comes with Rest>Walk, and Walk is held by Deliver>Walk, and root>Deliver (priority 10) goes before root>Rest (priority 1)","held":{"group":"Walk","by":"Deliver>Walk"},"notes":["it is held for Deliver, priority 1, that for the program, priority 10"]})json");
 }
 
+TEST_CASE("the answer of why is whole, however long a name is") {
+  const Shut waiting;
+  static const std::string condition(5000, 'x');
+  Names names = courier::names::all();
+  names.condition = [](const void*, Index) { return condition.c_str(); };
+  Index row = 0;
+  while (courier::names::group(row) != std::string_view("Open")) ++row;
+  std::string out;
+  live::append_why(waiting.behaviour.seen().view(), row, names, out);
+  CHECK(out.find("until " + condition + ", which no enabled provider promises\"") != std::string::npos);
+}
+
 TEST_CASE("the answer of why has the value of the state in a false condition, and the providers that could cause it") {
   const Shut waiting;
   const auto why = [&](std::string_view group) {
