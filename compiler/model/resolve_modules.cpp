@@ -35,7 +35,8 @@ struct ModuleNames {
 
   bool is_free(const std::string& name) const {
     const auto at = by_cpp_name.find(capitalised(name));
-    return r.cpp_names.count(capitalised(name)) == 0 && (at == by_cpp_name.end() || at->second == name);
+    if (at != by_cpp_name.end()) return at->second == name; // a module of that name, which files may share
+    return r.cpp_names.count(capitalised(name)) == 0;
   }
 
   void claim(const Word& word) {

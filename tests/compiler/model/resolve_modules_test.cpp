@@ -44,6 +44,8 @@ TEST_CASE("a file's name that is taken or reserved gets a tail") {
 
 TEST_CASE("groups of several files share a module by its name") {
   CHECK(modules("a.yaml", "groups: {Walk: {module: legs}, Run: {}, Jump: {module: legs}}") == "legs a ");
+  CHECK(modules("legs.yaml", "groups: {Walk: {module: legs}, Run: {}}") == "legs ");
+  CHECK(modules("legs.yaml", "groups: {Walk: {module: Legs}, Run: {}}") == "Legs legs_module ");
 }
 
 TEST_CASE("a module cannot be called like a group") {
