@@ -5,6 +5,7 @@
 // edge that leads to it and that of its group: a byte that says whether it is full, then the bytes of the value.
 // `Facts`: see program.hpp; and fingerprint(), a number that differs between behaviours.
 
+#include "runtime/core/api/body.hpp"
 #include "runtime/core/api/slots.hpp"
 #include "runtime/core/engine/engine.hpp"
 #include "runtime/core/saved/saved_state.hpp"
