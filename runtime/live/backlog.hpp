@@ -22,6 +22,9 @@ public:
   /// Adds a block, which begins where the last one ends, or later if events were dropped between.
   void add(Block block);
 
+  /// Events before this one were dropped, up to the last block.
+  void skip_to(std::uint64_t event) { end_ = event; }
+
   /// The block that begins there; null: none does.
   const Block* at(std::uint64_t event) const;
   /// The first block that begins there or later; null: none does.

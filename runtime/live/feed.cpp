@@ -78,6 +78,10 @@ void Feed::take() {
   });
   see_standing();
   if (!text_.empty()) finish_block(last_ + 1);
+  // The queue had all events before the moment that were not dropped.
+  if (moment_->view.tables == nullptr || moment_->events <= begin_) return;
+  backlog_.skip_to(begin_ = moment_->events);
+  see_standing();
 }
 
 const Feed::Text& Feed::standing() {

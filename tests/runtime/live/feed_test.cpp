@@ -105,6 +105,32 @@ TEST_CASE("a viewer that is too slow misses events, and gets their number and th
   CHECK(slow.follower.missed() == 500); // none of these events was kept
 }
 
+TEST_CASE("after a burst that the queue does not hold and then rest, viewers get the number of missing events and the "
+          "state") {
+  CourierMoments source{16};
+  Feed feed(source.queue, source.moments, source.names, 1 << 20);
+  Viewer early{feed, {}, {}}, late{feed, {}, {}};
+  feed.take();
+  CHECK(early.look(source.happened).empty());
+  source.add_events(30);
+  source.show();
+  feed.take();
+  for (Viewer* viewer : {&early, &late}) {
+    CHECK(viewer->look(source.happened).empty());
+    CHECK(viewer->follower.at() == 30);
+    CHECK(viewer->follower.begun());
+  }
+  CHECK(early.follower.missed() == 14);
+  CHECK(late.follower.missed() == 30);
+  source.add_events(3);
+  source.show();
+  feed.take();
+  for (Viewer* viewer : {&early, &late}) {
+    CHECK(viewer->look(source.happened).empty());
+    CHECK(viewer->follower.at() == 33);
+  }
+}
+
 TEST_CASE(
     "groups that do not simply run are sent behind the events of their moment, and again when that may be in doubt") {
   CourierMoments source{1024};
