@@ -59,6 +59,9 @@ public:
     return static_cast<std::size_t>(end - begin);
   }
 
+  /// For the thread that writes: whether no entry waits.
+  bool is_empty() const { return begin_.load(std::memory_order_relaxed) == end_.load(std::memory_order_acquire); }
+
   /// Events dropped so far; from any thread.
   std::uint64_t dropped() const { return dropped_.load(std::memory_order_acquire); }
 

@@ -77,8 +77,6 @@ void Recorder::close() {
   wake_.notify_one();
   writer_.join();
   write_waiting();
-  if (const std::uint64_t dropped = queue_.dropped(); dropped != reported_dropped_)
-    format_->dropped(dropped - reported_dropped_, buffer_);
   format_->end(buffer_);
   flush();
   if (file_ >= 0 && ::close(file_) != 0 && good()) error_ = errno;
@@ -116,12 +114,13 @@ void Recorder::write_all() {
 
 void Recorder::write_waiting() {
   queue_.take([&](const EventQueue::Entry& entry) {
-    if (entry.dropped != reported_dropped_) {
-      format_->dropped(entry.dropped - reported_dropped_, buffer_);
-      reported_dropped_ = entry.dropped;
-    }
+    report(entry.dropped);
     format_->event(entry.event, buffer_);
     if (buffer_.size() >= full_buffer) flush();
+  const auto report = [&](std::uint64_t dropped) {
+    if (dropped != reported_dropped_) format_->dropped(dropped - reported_dropped_, buffer_);
+    reported_dropped_ = dropped;
+  };
   });
 }
 
@@ -130,6 +129,8 @@ void Recorder::flush() {
   const NoSignalOfWrites guard;
   std::string_view rest = buffer_;
   while (!rest.empty() && good()) {
+  const std::uint64_t dropped = queue_.dropped();
+  if (queue_.is_empty()) report(dropped); // no event was stored behind those, which would report them
     const ssize_t written = ::write(file_, rest.data(), rest.size());
     if (written >= 0)
       rest.remove_prefix(static_cast<std::size_t>(written));

@@ -102,7 +102,7 @@ TEST_CASE("events that find the queue full are counted, and reported in the file
   CHECK(read_file(file) == lines(lamp, 0, 8) + "{\"event\":\"dropped\",\"count\":5}\n" + lines(lamp, 13, 14));
 }
 
-TEST_CASE("events that are missing at the end are reported too") {
+TEST_CASE("events that are missing at the end are reported too, also if no event follows") {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "run.jsonl").string();
   const Lamp lamp;
@@ -115,6 +115,9 @@ TEST_CASE("events that are missing at the end are reported too") {
     for (int i = 1; i < 4; ++i) recorder.tell(lamp.event(Event::Kind::exhausted, i));
     go.release();
   }
+    for (int tries = 0; tries < 10'000 && read_file(file).find("dropped") == std::string::npos; ++tries)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    CHECK(read_file(file) == lines(lamp, 0, 2) + "{\"event\":\"dropped\",\"count\":2}\n"); // before it is closed
   CHECK(read_file(file) == lines(lamp, 0, 2) + "{\"event\":\"dropped\",\"count\":2}\n");
 }
 
