@@ -67,11 +67,17 @@ LiveView::LiveView(const Names& names, const Options& options) : queue_(options.
   std::vector<std::string> own_names = live::own_names();
   url_ = "http://" + name_of(std::move(listener.authority), own_names) + "/" + *token + "/";
   own_names.push_back(options.address);
-  server_ = std::make_unique<live::Server>(
-      listener.socket, std::make_unique<live::Feed>(queue_, moments_, names, options.memory),
-      std::make_unique<live::Site>(names, std::move(page), *token, std::move(own_names)),
-      live::Server::Options{
-          .connections = options.connections, .interval = options.interval, .patience = options.patience});
+  try {
+    server_ = std::make_unique<live::Server>(
+        listener.socket, std::make_unique<live::Feed>(queue_, moments_, names, options.memory),
+        std::make_unique<live::Site>(names, std::move(page), *token, std::move(own_names)),
+        live::Server::Options{
+            .connections = options.connections, .interval = options.interval, .patience = options.patience});
+  } catch (const std::system_error& problem) {
+    error_ = "cannot start the thread that serves viewers: " + problem.code().message() +
+             "; the limits of threads and memory of the program leave no place for it";
+    url_.clear();
+  }
 }
 
 LiveView::~LiveView() = default;

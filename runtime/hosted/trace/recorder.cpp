@@ -10,6 +10,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <system_error>
 #include <utility>
 
 namespace director {
@@ -64,7 +65,13 @@ Recorder::Recorder(std::unique_ptr<TraceFormat> format, const std::string& path,
   options_.interval = within_a_day(options.interval);
   format_->begin(buffer_);
   flush();
-  writer_ = std::thread([this] { write_all(); });
+  try {
+    writer_ = std::thread([this] { write_all(); });
+  } catch (const std::system_error& problem) {
+    if (good()) error_ = problem.code().value();
+    stop_ = true;
+    ::close(std::exchange(file_, -1));
+  }
 }
 
 Recorder::~Recorder() { close(); }
@@ -113,15 +120,17 @@ void Recorder::write_all() {
 }
 
 void Recorder::write_waiting() {
-  queue_.take([&](const EventQueue::Entry& entry) {
-    report(entry.dropped);
-    format_->event(entry.event, buffer_);
-    if (buffer_.size() >= full_buffer) flush();
   const auto report = [&](std::uint64_t dropped) {
     if (dropped != reported_dropped_) format_->dropped(dropped - reported_dropped_, buffer_);
     reported_dropped_ = dropped;
   };
+  queue_.take([&](const EventQueue::Entry& entry) {
+    report(entry.dropped);
+    format_->event(entry.event, buffer_);
+    if (buffer_.size() >= full_buffer) flush();
   });
+  const std::uint64_t dropped = queue_.dropped();
+  if (queue_.is_empty()) report(dropped); // no event was stored behind those, which would report them
 }
 
 void Recorder::flush() {
@@ -129,8 +138,6 @@ void Recorder::flush() {
   const NoSignalOfWrites guard;
   std::string_view rest = buffer_;
   while (!rest.empty() && good()) {
-  const std::uint64_t dropped = queue_.dropped();
-  if (queue_.is_empty()) report(dropped); // no event was stored behind those, which would report them
     const ssize_t written = ::write(file_, rest.data(), rest.size());
     if (written >= 0)
       rest.remove_prefix(static_cast<std::size_t>(written));

@@ -55,7 +55,7 @@ public:
   /// events: before, those of the last `interval` may still fail. The behaviour must not step meanwhile.
   void close();
 
-  /// Whether the file could be opened, and all events so far could be written. From any thread.
+  /// Whether the file could be opened, its thread started, and all events so far written. From any thread.
   bool good() const { return error_.load(std::memory_order_relaxed) == 0; }
   /// The error, as in `errno`; 0: none.
   int error() const { return error_.load(std::memory_order_relaxed); }

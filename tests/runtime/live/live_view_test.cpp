@@ -5,12 +5,15 @@
 #include "tests/runtime/live/soccer_game.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/golden.hpp"
+#include "tests/support/no_new_threads.hpp"
 
 #include <catch2/catch.hpp>
 #include <malloc.h>
 #include <poll.h>
+#include <pthread.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <ctime>
 #include <deque>
@@ -335,6 +338,21 @@ TEST_CASE("an IPv6 address is in brackets") {
     CHECK(view.url().starts_with("http://[::1]:"));
   else
     CHECK(view.error().starts_with("cannot listen at [::1]:0: ")); // on a system without IPv6
+}
+
+TEST_CASE("a view whose thread cannot be started says so, and leaves the signals of the program as they were") {
+  sigset_t before, after;
+  pthread_sigmask(SIG_SETMASK, nullptr, &before);
+  {
+    const NoNewThreads limit;
+    const LiveView view{soccer::names::all()};
+    CHECK(view.error() ==
+          "cannot start the thread that serves viewers: Resource temporarily unavailable; the limits of "
+          "threads and memory of the program leave no place for it");
+    CHECK(view.url().empty());
+  }
+  pthread_sigmask(SIG_SETMASK, nullptr, &after);
+  for (const int each : {SIGINT, SIGTERM, SIGHUP}) CHECK(sigismember(&after, each) == sigismember(&before, each));
 }
 
 TEST_CASE("an error of a view is a sentence, and the behaviour continues") {

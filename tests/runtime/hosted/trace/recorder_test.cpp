@@ -6,6 +6,7 @@
 #include "tests/runtime/hosted/trace/lamp.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/golden.hpp"
+#include "tests/support/no_new_threads.hpp"
 
 #include <catch2/catch.hpp>
 #include <pthread.h>
@@ -114,10 +115,10 @@ TEST_CASE("events that are missing at the end are reported too, also if no event
     begun.acquire();
     for (int i = 1; i < 4; ++i) recorder.tell(lamp.event(Event::Kind::exhausted, i));
     go.release();
-  }
     for (int tries = 0; tries < 10'000 && read_file(file).find("dropped") == std::string::npos; ++tries)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     CHECK(read_file(file) == lines(lamp, 0, 2) + "{\"event\":\"dropped\",\"count\":2}\n"); // before it is closed
+  }
   CHECK(read_file(file) == lines(lamp, 0, 2) + "{\"event\":\"dropped\",\"count\":2}\n");
 }
 
@@ -166,6 +167,16 @@ TEST_CASE("a file that cannot be written does not stop the behaviour") {
   for (int i = 0; i < 10; ++i) nowhere.tell(lamp.event(Event::Kind::exhausted, i));
   Recorder full{lamp.names, "/dev/full"};
   CHECK(full.error() == ENOSPC);
+}
+
+TEST_CASE("a recorder whose thread cannot be started has an error, and does not stop the behaviour") {
+  const Lamp lamp;
+  const TemporaryFolder folder;
+  const NoNewThreads limit;
+  Recorder recorder{lamp.names, (folder.path() / "run.jsonl").string(), {.queue = 4, .waits = true}};
+  CHECK(recorder.error() == EAGAIN);
+  for (int i = 0; i < 10; ++i) recorder.tell(lamp.event(Event::Kind::exhausted, i));
+  CHECK(recorder.dropped() > 0);
 }
 
 TEST_CASE("a failure of the last write is known when the recorder is closed") {
