@@ -4,6 +4,7 @@
 
 #include "compiler/cli/load.hpp"
 #include "compiler/cli/named_file.hpp"
+#include "runtime/hosted/trace/json_lines.hpp"
 
 #include <fmt/format.h>
 
@@ -44,6 +45,15 @@ LoadedTrace load_trace(const std::string& file, Console& console) {
                      ".perfetto-trace is opened on https://ui.perfetto.dev\n";
     out.status = found;
   }
+  return out;
+}
+
+Lookup::Found event_of(const TraceLine& line, const Lookup& lookup, const director::Names& names) {
+  Lookup::Found out = lookup.event(line.json);
+  if (!out.problem.empty()) return out;
+  std::string written;
+  append_event(out.event, names, written);
+  if (written != line.text) out.problem = "a recorder would have written it as " + written;
   return out;
 }
 

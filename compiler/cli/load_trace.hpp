@@ -4,6 +4,7 @@
 
 #include "compiler/cli/commands.hpp"
 #include "compiler/pipeline.hpp"
+#include "compiler/trace/lookup.hpp"
 #include "compiler/trace/recorded_names.hpp"
 #include "compiler/trace/trace_lines.hpp"
 
@@ -28,6 +29,10 @@ struct RecordedBehaviour {
 RecordedBehaviour load_behaviour(const RecordedNames& recorded, const std::string& trace, const std::string& named,
                                  const CheckOptions& options, dsl::Sources& sources, Console& console,
                                  const CppSource& cpp);
+
+/// The event; or the fault of a line that no recorder writes, such as a time that is a text: such damage would
+/// otherwise be shown as an event.
+Lookup::Found event_of(const TraceLine& line, const Lookup& lookup, const director::Names& names);
 
 /// Prints on the error stream why the lines of the trace ended early, or that the last one was left out. False: it is
 /// no trace from that line on.

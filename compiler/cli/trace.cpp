@@ -9,7 +9,6 @@
 #include "dsl/harmless.hpp"
 #include "runtime/hosted/decision_printer.hpp"
 #include "runtime/hosted/trace/event_text.hpp"
-#include "runtime/hosted/trace/json_lines.hpp"
 #include "runtime/hosted/trace/trace_format.hpp"
 
 #include <fmt/format.h>
@@ -37,17 +36,6 @@ public:
 private:
   const director::Names names_;
 };
-
-/// The event; or the fault of a line that no recorder writes, such as a time that is a text: such damage would
-/// otherwise be shown as an event.
-Lookup::Found event_of(const TraceLine& line, const Lookup& lookup, const director::Names& names) {
-  Lookup::Found out = lookup.event(line.json);
-  if (!out.problem.empty()) return out;
-  std::string written;
-  append_event(out.event, names, written);
-  if (written != line.text) out.problem = "a recorder would have written it as " + written;
-  return out;
-}
 
 std::unique_ptr<TraceFormat> format_of(const std::string& word, const director::Names& names) {
   if (word == "perfetto") return perfetto(names);

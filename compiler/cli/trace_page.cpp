@@ -58,7 +58,7 @@ public:
         add(recording_.ends(), counted_are(line->dropped, "event") + " missing");
         continue;
       }
-      const Lookup::Found event = lookup_.event(line->json);
+      const Lookup::Found event = event_of(*line, lookup_, names_);
       if (!event.problem.empty()) {
         print_unreadable(file, line->number, event.problem, console);
         return false;

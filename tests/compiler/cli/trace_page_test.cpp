@@ -115,6 +115,18 @@ TEST_CASE("of a trace with events missing, cut off or with a wrong line, the pag
                      "  help: expected is one JSON object a line, an event each, as a recorder writes them; the lines "
                      "before are good: `head -n 8 runs/bad.jsonl` prints them\n");
   CHECK(world.outputs.files.count("bad.html") == 1);
+
+  std::string damaged = whole; // behind missing events it is not played
+  const std::size_t number = damaged.find("\"t\":1000000");
+  damaged.replace(number, 11, "\"t\":\"1\"");
+  damaged.insert(third, "{\"event\":\"dropped\",\"count\":1}\n");
+  world.files.add("runs/damaged.jsonl", damaged);
+  CHECK(world.directorc({"trace", "runs/damaged.jsonl", "--to=html", "-o", "damaged.html"}) == 1);
+  const std::string of_page = world.err;
+  CHECK(world.directorc({"trace", "runs/damaged.jsonl"}) == 1);
+  CHECK(of_page == world.err);
+  CHECK(of_page.find("error: this line cannot be read: a recorder would have written it as {\"t\":0,") !=
+        std::string::npos);
 }
 
 TEST_CASE("if a replay differs the page reports it, and is written") {
