@@ -84,7 +84,7 @@ function(director_add_behaviour)
     message(FATAL_ERROR "director_add_behaviour: ${file} has no line `behaviour: NAME` that begins in the first column; only a behaviour can be generated, not a module alone")
   endif()
   set(behaviour ${CMAKE_MATCH_1})
-  set(page "")
+  set(page_stamp "")
 
   get_target_property(others ${target} DIRECTOR_BEHAVIOURS)
   if(others AND behaviour IN_LIST others)
@@ -127,15 +127,15 @@ function(director_add_behaviour)
     COMMENT "Generating the behaviour ${behaviour}"
     VERBATIM)
   if(arg_PAGE)
-    director_write_page_(${behaviour} ${file} ${folder} ${stamp} ${flags} "${arg_LINK}" page)
+    director_write_page_(${behaviour} ${file} ${folder} ${stamp} ${flags} "${arg_LINK}" page page_stamp)
     list(APPEND outputs ${page})
   endif()
   get_target_property(home ${target} SOURCE_DIR)
   if(home STREQUAL CMAKE_CURRENT_SOURCE_DIR)
-    target_sources(${target} PRIVATE ${outputs} ${stamp})
+    target_sources(${target} PRIVATE ${outputs} ${stamp} ${page_stamp})
   else()
     # The output of a custom command can be a source only of a target in the same directory, so this target needs a custom target to depend on.
-    add_custom_target(${target}_${behaviour}_generated DEPENDS ${stamp} ${page})
+    add_custom_target(${target}_${behaviour}_generated DEPENDS ${stamp} ${page_stamp})
     add_dependencies(${target} ${target}_${behaviour}_generated)
     target_sources(${target} PRIVATE ${outputs})
     set_source_files_properties(${outputs} TARGET_DIRECTORY ${target} PROPERTIES GENERATED TRUE)
@@ -222,9 +222,9 @@ function(director_write_flags_ target file)
   file(GENERATE OUTPUT "${file}.$<COMPILE_LANGUAGE>" CONTENT "${content}" TARGET ${target})
 endfunction()
 
-# director_write_page_(<behaviour> <file> <folder> <stamp> <flags> <link> <out>): sets <out> to a source that contains the page about the behaviour. It is
-# written again whenever the C++ is generated again.
-function(director_write_page_ behaviour file folder stamp flags link out)
+# director_write_page_(<behaviour> <file> <folder> <stamp> <flags> <link> <out> <out stamp>): sets <out> to a source that contains the page about the
+# behaviour, and <out stamp> to a file that is written after it whenever the C++ is generated again. The source itself stays as it is if the page does.
+function(director_write_page_ behaviour file folder stamp flags link out out_stamp)
   set(page ${folder}/${behaviour}.html)
   set(source ${folder}/${behaviour}_page.cpp)
   set(header ${behaviour}_page.hpp)
@@ -242,17 +242,21 @@ std::string_view @behaviour@();
     string(REPLACE ";" "$<SEMICOLON>" link "${link}") # else the command would have an argument for each part
     set(linked "--link=${link}")
   endif()
+  set(written ${folder}/page_written)
   add_custom_command(
-    OUTPUT ${source}
-    BYPRODUCTS ${page}
+    OUTPUT ${written}
+    BYPRODUCTS ${page} ${source}
     COMMAND Director::directorc docs ${file} -o ${folder} --flags ${flags} ${linked}
-    COMMAND ${CMAKE_COMMAND} -D PAGE=${page} -D HEADER=${header} -D FUNCTION=director::pages::${behaviour} -D OUT=${source}
+    COMMAND ${CMAKE_COMMAND} -D PAGE=${page} -D HEADER=${header} -D FUNCTION=director::pages::${behaviour} -D OUT=${source}.new
             -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/embed_page.cmake
+    COMMAND ${CMAKE_COMMAND} -E copy_if_different ${source}.new ${source}
+    COMMAND ${CMAKE_COMMAND} -E touch ${written}
     DEPENDS ${stamp} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/embed_page.cmake
     WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
     COMMENT "Writing the page about the behaviour ${behaviour}"
     VERBATIM)
   set(${out} ${source} PARENT_SCOPE)
+  set(${out_stamp} ${written} PARENT_SCOPE)
 endfunction()
 
 # director_excluded_(<what> <out>): sets <out> to the folder of the object files if <what> is a target, and else to the absolute path of the file or
