@@ -3,21 +3,27 @@
 # Compares the error messages for wrong calls of director_add_behaviour, director_add_docs and find_package(Director). Whole messages are compared,
 # after each sequence of white space, where CMake breaks lines, was replaced by one space.
 file(REMOVE_RECURSE ${WORK})
+foreach(component runtime compiler live)
+  execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/whole --component ${component} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
 foreach(component runtime compiler)
   execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix --component ${component} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
 set(wrong "")
 
 function(mistake calls expected)
-  cmake_parse_arguments(PARSE_ARGV 2 it "" "COMPONENTS;FUNCTION" "")
+  cmake_parse_arguments(PARSE_ARGV 2 it "" "COMPONENTS;FUNCTION;PREFIX" "OPTIONS")
   if(NOT it_FUNCTION)
     set(it_FUNCTION director_add_behaviour)
+  endif()
+  if(NOT it_PREFIX)
+    set(it_PREFIX prefix)
   endif()
   if(NOT it_COMPONENTS)
     set(it_COMPONENTS runtime compiler)
   endif()
-  execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${WORK}/prefix
-                          -D "CALLS=${calls}" "-DCOMPONENTS=${it_COMPONENTS}" -D FUNCTION=${it_FUNCTION} --no-warn-unused-cli
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build_${it_PREFIX} -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${WORK}/${it_PREFIX}
+                          -D "CALLS=${calls}" "-DCOMPONENTS=${it_COMPONENTS}" -D FUNCTION=${it_FUNCTION} ${it_OPTIONS} --no-warn-unused-cli
                   RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE said)
   string(REGEX REPLACE "[ \n]+" " " said "${said}")
   string(REPLACE "${SOURCE}/" "" said "${said}")
@@ -60,6 +66,10 @@ mistake("robot kiosk.yaml VERIFY"
 mistake("" "the component clang is not installed: it is the package director-clang." COMPONENTS "clang")
 mistake("" "there is no component robots; there are runtime, compiler, clang, live and dds." COMPONENTS "runtime;robots")
 mistake("" "the component live needs cpp-httplib and pkg-config (libcpp-httplib-dev and pkgconf), and a Director that was built with them." COMPONENTS "live")
+if(EXISTS ${WORK}/whole/lib/cmake/Director/DirectorLiveTargets.cmake)
+  mistake("" "the component live comes only with the installed runtime: not for another machine than that is for, nor with DIRECTOR_NO_OBSERVER or DIRECTOR_SMALL_INDEX."
+          COMPONENTS "runtime;compiler;live" PREFIX whole OPTIONS -D CMAKE_SYSTEM_NAME=Linux -D CMAKE_SYSTEM_PROCESSOR=other)
+endif()
 mistake("robot kiosk.yaml WERROR" "nothing")
 mistake("robot kiosk.yaml PAGE LINK a" "nothing")
 set(usage "director_add_docs(<target> <file.yaml>... [FORMAT html|markdown] [OUTPUT <folder>] [LINK <address>] [BUILD <folder>])")
