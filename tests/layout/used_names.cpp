@@ -97,7 +97,7 @@ const std::map<std::string, Providers, std::less<>>& standard_names() {
              {"stdexcept", "logic_error runtime_error"},
              {"string", "string to_string stoul stoll getline"},
              {"string_view string", "string_view string_view_literals"},
-             {"system_error filesystem", "error_code generic_category"},
+             {"system_error filesystem", "error_code generic_category system_error"},
              {"system_error charconv", "errc"},
              {"thread", "thread this_thread"},
              {"tuple", "tuple tie ignore"},
