@@ -108,7 +108,9 @@ void Listener::receive_state(const State& sample, const dds_sample_info_t& info)
   for (const Taken& taken : found->second) {
     if (info.valid_data) post_value(sample, taken);
     // A disposed state has its value after `expires` immediately.
-    if (info.instance_state != DDS_IST_ALIVE && taken.silent != unset) post(taken, taken.silent, sample.robot);
+    // One of a process that is not heard any more keeps its value until `expires`.
+    if (info.instance_state == DDS_IST_NOT_ALIVE_DISPOSED && taken.silent != unset)
+      post(taken, taken.silent, sample.robot);
   }
 }
 

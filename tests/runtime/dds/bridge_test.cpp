@@ -2,6 +2,7 @@
 // Two robots and an observer in one process, each with a participant of its own.
 #include "runtime/dds/entity.hpp"
 #include "runtime/dds/plan.hpp"
+#include "tests/runtime/dds/keeper_module.hpp"
 #include "tests/runtime/dds/robot.hpp"
 
 #include <arpa/inet.h>
@@ -39,6 +40,16 @@ public:
                             .name = const_cast<char*>(name),
                             .stamp = {}};
     REQUIRE(dds::write(states_, sample));
+  }
+  void says_goodbye(const char* state) {
+    const dds::State sample{.robot = const_cast<char*>("one"),
+                            .behaviour = const_cast<char*>("courier"),
+                            .state = const_cast<char*>(state),
+                            .kind = 0,
+                            .number = 0,
+                            .name = nullptr,
+                            .stamp = {}};
+    dds_dispose(states_.get(), &sample);
   }
   void is_member(const char* robot, std::uint64_t session, const char* specification) {
     const dds::Member sample{.robot = const_cast<char*>(robot),
@@ -275,6 +286,49 @@ TEST_CASE("robots that join, leave, restart or run another specification are rep
     return two.was_told(
         "other three: the behaviour courier decides otherwise there: its specification is 0123, here it is " + mine);
   }));
+}
+
+TEST_CASE("a robot whose predecessor of the same name ends after it has started is there again") {
+  Robot two(hears);
+  auto before = std::make_unique<Robot>(speaks);
+  CHECK(two.comes_true([&] { return two.was_told("joined one: the behaviour courier is there"); }));
+  Robot after(speaks);
+  CHECK(two.comes_true([&] { return two.was_told("restarted one: the behaviour courier was started again"); }));
+  before.reset();
+  CHECK(two.comes_true([&] { return two.was_told("gone one: the behaviour courier said goodbye"); }));
+  CHECK(two.comes_true([&] { return two.was_told("joined one: the behaviour courier is heard again"); }));
+}
+
+TEST_CASE("the state of a process that is gone lasts until it expires, that of one that said goodbye ends at once") {
+  KeeperModule module;
+  dds::Outbox outbox{64};
+  keeper::Behaviour behaviour{module, outbox.observer()};
+  std::atomic<bool> lost{false};
+  Settings settings{.robot = "hall",
+                    .domain = loopback_domain(),
+                    .take_in = {{.robot = "one", .state = "Mood", .into = "Door", .behaviour = "courier"}}};
+  settings.notice = [&](const dds::Notice& notice) { lost = lost || notice.kind == dds::Notice::Kind::lost; };
+  dds::Bridge bridge{plug(behaviour), outbox, settings};
+  const auto door = [&](std::int32_t value) {
+    return comes_true([&] {
+      behaviour.step(0s);
+      return behaviour.engine().value(1) == value;
+    });
+  };
+  constexpr std::int32_t unknown = 0, open = 1;
+  auto killed = std::make_unique<Stranger>();
+  killed->is_member("one", 9, "0123");
+  killed->publish("Mood", 1, 0, "open");
+  CHECK(door(open));
+  killed.reset(); // without a goodbye
+  CHECK(comes_true([&] { return lost.load(); }));
+  std::this_thread::sleep_for(100ms); // the state's instance has ended as well
+  behaviour.step(0s);
+  CHECK(behaviour.engine().value(1) == open);
+  Stranger polite;
+  polite.publish("Mood", 1, 0, "open");
+  polite.says_goodbye("Mood");
+  CHECK(door(unknown));
 }
 
 TEST_CASE("two processes with one name are reported") {
