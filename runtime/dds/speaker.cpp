@@ -76,6 +76,7 @@ void Speaker::run() {
     const bool again = due && steps != steps_before; // a step was taken since
     if (due) {
       steps_before = steps;
+      publish_member(); // again: another process of this name may have disposed it when it ended
       next = Clock::now() + settings_.say_again;
     }
     if (steps != 0) publish_states(again);
