@@ -70,13 +70,33 @@ std::optional<Kept> Promises::observe(const Event& event) {
       promised += (promised.empty() ? "" : ", ") + std::string(plug_.names.condition(t.promises[row].condition));
     return ended(event.provider, false, promised);
   } else if (event.kind == Event::Kind::set && running_ != nil && event.micro_step == micro_step_) {
-    for (const Index row : t.list(t.providers[running_].effects)) {
-      const Condition& condition = t.conditions[row];
-      if (condition.state == event.state && t.accepts(condition, event.value))
-        return ended(running_, true, plug_.names.condition(row));
-    }
+    const Index row = kept_by(event);
+    if (row != nil) return ended(running_, true, plug_.names.condition(row));
   }
   return {};
+}
+
+/// The condition that the running provider promised and this value satisfies; nil: none. The tables have promised
+/// conditions with a time; of one without they have the conditions that it serves, which are all true if it is. One
+/// alone may be true by a value that the provider does not promise.
+Index Promises::kept_by(const Event& event) const {
+  const Tables& t = plug_.tables();
+  const Provider& provider = t.providers[running_];
+  bool has_time = false;
+  for (Index row = provider.promises.begin; row != provider.promises.end; ++row) {
+    const Index promised = t.promises[row].condition;
+    if (t.conditions[promised].state != event.state) continue;
+    if (t.accepts(t.conditions[promised], event.value)) return promised;
+    has_time = true;
+  }
+  Index first = nil;
+  for (const Index row : t.list(provider.effects)) {
+    const Condition& condition = t.conditions[row];
+    if (condition.state != event.state) continue;
+    if (has_time || !t.accepts(condition, event.value)) return nil;
+    if (first == nil) first = row;
+  }
+  return first;
 }
 
 Kept Promises::ended(Index provider, bool kept, std::string condition) const {

@@ -37,6 +37,7 @@ public:
   std::optional<Kept> observe(const Event& event);
 
 private:
+  Index kept_by(const Event& event) const;
   Kept ended(Index provider, bool kept, std::string condition) const;
 
   const Plug& plug_;

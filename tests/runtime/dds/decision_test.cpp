@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/dds/decision.hpp"
+#include "tests/runtime/dds/keeper_module.hpp"
 #include "tests/runtime/dds/robot.hpp"
 
 #include <catch2/catch.hpp>
@@ -74,4 +75,24 @@ TEST_CASE("a promise is kept by the run of its provider, and broken when its tim
   observe({.kind = Event::Kind::set, .state = door, .value = 1, .micro_step = 5});
   observe({.kind = Event::Kind::broken, .group = open, .provider = unlocking, .micro_step = 9});
   CHECK(observed.recorded.ended == std::vector<std::string>{"kept Door == open", "broken Door == open"});
+}
+
+TEST_CASE("a promise is not kept by a value that only others wait for") {
+  KeeperModule module;
+  keeper::Behaviour behaviour{module};
+  const dds::Plug plugged = plug(behaviour);
+  dds::Promises promises{plugged};
+  const auto kept = [&](std::string_view provider, std::int32_t value) {
+    Index row = 0;
+    while (keeper::names::provider(row) != provider) ++row;
+    promises.observe({.kind = Event::Kind::run, .provider = row, .micro_step = 5});
+    const auto ended = promises.observe({.kind = Event::Kind::set, .state = 0, .value = value, .micro_step = 5});
+    return ended ? ended->condition : std::string("not kept");
+  };
+  constexpr std::int32_t close = 2, near = 3;
+  CHECK(kept("approaching", close) == "not kept");
+  CHECK(kept("approaching", near) == "Ball == near");
+  CHECK(kept("walking", close) == "not kept"); // which has no time
+  CHECK(kept("walking", near) != "not kept");
+  CHECK(kept("looking", near) == "not kept"); // which promises nothing
 }
