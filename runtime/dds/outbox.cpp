@@ -21,7 +21,8 @@ void Outbox::observe(void* self, const Event& event) {
   case Event::Kind::assign:
   case Event::Kind::begin:
   case Event::Kind::given: return;
-  case Event::Kind::set: return out.put(event, 0); // for the promises
+  case Event::Kind::set: // for the promises, which are no decisions
+  case Event::Kind::broken: return out.put(event, 0);
   default: return out.put(event, ++out.number_);
   }
 }

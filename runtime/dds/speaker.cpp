@@ -151,7 +151,7 @@ void Speaker::publish_decisions() {
   Outbox::Entry entry;
   while (outbox_.take(entry)) {
     if (!settings_.decisions) continue;
-    if (entry.number != 0 && entry.event.kind != Event::Kind::broken) publish_decision(entry);
+    if (entry.number != 0) publish_decision(entry);
     publish_promise(entry.event);
   }
   const std::uint64_t lost = outbox_.lost();

@@ -21,6 +21,7 @@ TEST_CASE("decisions come out in order and numbered, requests of bodies do not")
   notify(outbox.observer(), Event::Kind::run, 1);
   notify(outbox.observer(), Event::Kind::ask);
   notify(outbox.observer(), Event::Kind::set);
+  notify(outbox.observer(), Event::Kind::broken); // has a topic of its own
   notify(outbox.observer(), Event::Kind::done, 1);
   Outbox::Entry entry;
   CHECK(outbox.anything_new());
@@ -29,6 +30,9 @@ TEST_CASE("decisions come out in order and numbered, requests of bodies do not")
   CHECK(entry.number == 1);
   REQUIRE(outbox.take(entry));
   CHECK(entry.event.kind == Event::Kind::set);
+  CHECK(entry.number == 0);
+  REQUIRE(outbox.take(entry));
+  CHECK(entry.event.kind == Event::Kind::broken);
   CHECK(entry.number == 0);
   REQUIRE(outbox.take(entry));
   CHECK(entry.event.kind == Event::Kind::done);
