@@ -20,9 +20,9 @@ public:
 
   Plan plan() {
     if (settings_.robot.empty()) mistake("the robot needs a name");
-    if (settings_.robot.size() > longest_name)
-      mistake("the robot's name is longer than " + std::to_string(longest_name) + " bytes, so nobody would hear it");
+    check_length("the robot's name", settings_.robot);
     if (plug_.behaviour.empty()) mistake("the behaviour needs a name");
+    check_length("the behaviour's name", plug_.behaviour);
     if (settings_.say_again.count() <= 0) mistake("say_again must be above 0");
     if (settings_.say_again > longest_say_again) mistake("say_again must be a day at most");
     for (const std::string& name : settings_.publish) {
@@ -35,7 +35,19 @@ public:
   }
 
 private:
+  void check_length(const std::string& what, const std::string& name) {
+    if (name.size() > longest_name)
+      mistake(what + " is longer than " + std::to_string(longest_name) + " bytes, so nobody would hear it");
+  }
+
   void take_in(const TakeIn& entry) {
+    if (entry.robot.empty() || entry.state.empty())
+      return mistake("what is taken into the state " + entry.into + " needs the name of a robot and of its state");
+    for (const std::string* const name : {&entry.robot, &entry.behaviour, &entry.state}) {
+      if (name->size() > longest_name)
+        return mistake("what is taken into the state " + entry.into + " has a name of more than " +
+                       std::to_string(longest_name) + " bytes, under which nobody is heard");
+    }
     const Index row = state(entry.into);
     if (row == nil) return;
     if (!plug_.domains[row].external)
@@ -131,6 +143,7 @@ std::optional<std::int32_t> number_of(const Taken& taken, std::int32_t number) {
 std::string specification_of(const Plug& plug) {
   const Tables& t = plug.tables();
   Hash hash;
+  hash.add(plug.fingerprint);
   hash.add(count(t.groups));
   for (Index row = 0; row < t.groups.size(); ++row) {
     const Group& group = t.groups[row];

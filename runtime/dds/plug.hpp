@@ -27,6 +27,7 @@ struct Plug {
   std::string behaviour; ///< its name in the YAML file
   Names names;
   const Engine* engine = nullptr;
+  std::uint64_t fingerprint = 0;                ///< of its tables and all names
   std::span<const Domain> domains;              ///< of the states
   std::function<bool(Index root_edge)> bare;    ///< its task carries no data
   std::function<bool(Index, std::int32_t)> set; ///< these three from any thread
@@ -44,6 +45,7 @@ Plug plug(std::string name, Program<Facts>& behaviour, const Names& names) {
   return {.behaviour = std::move(name),
           .names = names,
           .engine = &behaviour.engine(),
+          .fingerprint = Facts::fingerprint(),
           .domains = Facts::States::domains,
           .bare = [](Index edge) { return Facts::Roots::bare_at(edge); },
           .set = [post](Index state, std::int32_t value) { return post.set_row(state, value); },

@@ -58,6 +58,13 @@ TEST_CASE("every mistake in the settings is reported") {
         "dds: say_again must be a day at most");
   CHECK(failure({.robot = std::string(256, 'r')}) ==
         "dds: the robot's name is longer than 255 bytes, so nobody would hear it");
+  CHECK(failure({.robot = "one",
+                 .take_in = {{.robot = "", .state = "Mood", .into = "Mood"},
+                             {.robot = "two", .state = "", .into = "Mood"},
+                             {.robot = "two", .state = std::string(256, 's'), .into = "Mood"}}}) ==
+        "dds: what is taken into the state Mood needs the name of a robot and of its state\n"
+        "dds: what is taken into the state Mood needs the name of a robot and of its state\n"
+        "dds: what is taken into the state Mood has a name of more than 255 bytes, under which nobody is heard");
   CHECK(failure({.robot = "one", .offer = {{.task = "Rest"}, {.task = "Rest"}}}) ==
         "dds: the task Rest is offered twice");
 }
@@ -75,6 +82,9 @@ TEST_CASE("a specification is identified by its decisions and its names") {
     return std::string(name) == "calm" ? "quiet" : name;
   };
   CHECK(dds::specification_of(renamed) != specification);
+  dds::Plug other_level = as_it_is; // names of levels and triggers are only in the fingerprint
+  ++other_level.fingerprint;
+  CHECK(dds::specification_of(other_level) != specification);
   dds::Plug wider = as_it_is;
   std::vector<Domain> domains(as_it_is.domains.begin(), as_it_is.domains.end());
   domains[state_row("Battery")].high = 101;
