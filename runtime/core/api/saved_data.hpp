@@ -62,9 +62,11 @@ public:
     return all;
   }();
 
-  /// The behaviour's fingerprint, with the sizes of its data.
+  /// The behaviour's fingerprint, with the ranges of its states and the sizes of its data.
   static std::uint64_t fingerprint() {
     std::uint64_t all = Facts::fingerprint();
+    for (const Domain& domain : Facts::States::domains)
+      all = mix(mix(all, static_cast<std::uint32_t>(domain.low)), static_cast<std::uint32_t>(domain.high));
     each_task(Groups(),
               [&]<class Task, Index row>() { all = mix(mix(all, sizeof(DataOf<Task>)), alignof(DataOf<Task>)); });
     return all;

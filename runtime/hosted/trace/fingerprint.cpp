@@ -76,6 +76,10 @@ std::uint64_t fingerprint(const Names& names) {
   words(names.group, t.groups.size());
   words(names.provider, t.providers.size());
   words(names.state, t.states.size());
+  for (Index state = 0; state < t.states.size(); ++state) {
+    std::string_view value = "-";
+    for (std::int32_t number = 0; !value.empty(); ++number) hash(value = names.value(names.self, state, number));
+  }
   words(names.trigger, t.triggers.size());
   words(names.condition, t.conditions.size());
   words(names.level, t.levels.size());

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -142,6 +143,22 @@ TEST_CASE("a span that is too small, or bytes of another behaviour, are refused,
   page[2] ^= std::byte{3};
   saved::seal(std::span(page).first(bytes.size()));
   CHECK(second.load(page, 0s) == LoadResult::loaded);
+}
+
+/// The night watch with a range of its own.
+struct Ranged {
+  using Data = watch::detail::Whole::Data;
+  using Groups = watch::detail::Whole::Groups;
+  struct States {
+    static inline std::array<Domain, 1> domains{{{.low = 0, .high = 9}}};
+  };
+  static std::uint64_t fingerprint() { return 1; }
+};
+
+TEST_CASE("a behaviour whose state has another range is another one") {
+  const std::uint64_t before = saved::Data<Ranged>::fingerprint();
+  Ranged::States::domains[0].high = 5;
+  CHECK(saved::Data<Ranged>::fingerprint() != before);
 }
 
 TEST_CASE("a value that its state does not declare is refused, even with a valid check sum") {

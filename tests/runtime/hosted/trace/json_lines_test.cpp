@@ -85,6 +85,13 @@ TEST_CASE("behaviours that differ have different fingerprints, and equal ones th
   Names renamed = other.names;
   renamed.trigger = [](const void*, Index) { return "Bell"; };
   CHECK(fingerprint(renamed) != fingerprint(one.names));
+  Names reordered = other.names; // a value of a state with another number
+  reordered.value = [](const void*, Index, std::int32_t number) {
+    return number == 0 ? "on" : number == 1 ? "off" : "";
+  };
+  Names ordered = other.names;
+  ordered.value = [](const void*, Index, std::int32_t number) { return number == 0 ? "off" : number == 1 ? "on" : ""; };
+  CHECK(fingerprint(reordered) != fingerprint(ordered));
   Tables tables = *other.names.tables;
   std::vector<Level> levels(tables.levels.begin(), tables.levels.end());
   levels.front().optional = true;
