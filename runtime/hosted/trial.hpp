@@ -166,7 +166,7 @@ public:
   template <class Value>
   bool sets(Value value) const {
     const Setting setting = declared(value);
-    return value_of(setting.state) == setting.value;
+    return setting.value != unset && value_of(setting.state) == setting.value;
   }
   /// Whether the state was set, to any value.
   template <class Value>
@@ -237,6 +237,12 @@ class Trial {
 
 public:
   Trial() requires(!has_data<Task>) {}
+  // A copy would share what it is given.
+  Trial(const Trial&) = delete;
+  Trial& operator=(const Trial&) = delete;
+  Trial(Trial&&) noexcept = default;
+  Trial& operator=(Trial&&) noexcept = default;
+  ~Trial() = default;
   /// With the data of the task.
   template <class Given = Data>
   requires has_data<Task>

@@ -5,7 +5,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstdint>
+#include <limits>
 #include <stdexcept>
+#include <type_traits>
 
 namespace {
 
@@ -104,6 +107,8 @@ TEST_CASE("a body alone: states that it sets, and values that are refused") {
   CHECK(!answer.refuses(courier::Battery{49}));
   skills.walk = [](Walk::Default& run) { return run.keep(); };
   CHECK(!walk.run(skills).sets<courier::Battery>());
+  CHECK(!walk.run(skills).sets(courier::Battery{std::numeric_limits<std::int32_t>::min()})); // it cannot be set to that
+  static_assert(!std::is_copy_constructible_v<decltype(walk)>);
 }
 
 TEST_CASE("a handler alone") {
