@@ -16,11 +16,18 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <utility>
 
 namespace director::compiler::cli {
 
 namespace {
+
+/// At most the longest duration.
+Time between(Time from, Time to) {
+  Time out = 0;
+  return __builtin_sub_overflow(to, from, &out) ? std::numeric_limits<Time>::max() : out;
+}
 
 constexpr std::size_t first_events = 40; ///< that are in the page as text
 
@@ -116,7 +123,7 @@ std::pair<std::string, int> trace_page(const Trace& request, const LoadedTrace& 
     whole = false;
   }
   page.about = fmt::format("{} in {}, from {}{}.", many_counted(recording.events(), "event"),
-                           as_duration(recording.ends() - recording.begins()), shown_path(request.file),
+                           as_duration(between(recording.begins(), recording.ends())), shown_path(request.file),
                            lines.cut_off() ? ", whose last line is cut off" : "");
   page.data = base64(packed(recording.bytes(header->json)));
   PageWish wish;

@@ -86,6 +86,8 @@ public:
   }
 
   void event(const Event& e, std::string& out) override {
+    if (!begun_ && e.time < 0) begin_ = now_ = e.time;
+    begun_ = true;
     now_ = std::max(now_, e.time); // timers due earlier than an input are served after it
     switch (e.kind) {
     case Event::Kind::input: input(e, out); break;
@@ -169,10 +171,11 @@ private:
   }
 
   void append(const Message& event, std::string& out) const {
-    constexpr Time nanoseconds = 1000, last = std::numeric_limits<Time>::max() / nanoseconds; // Perfetto has 292 years
+    constexpr std::uint64_t nanoseconds = 1000;
+    constexpr std::uint64_t last = std::numeric_limits<Time>::max() / nanoseconds; // Perfetto has 292 years
+    const std::uint64_t since = static_cast<std::uint64_t>(now_) - static_cast<std::uint64_t>(begin_);
     Message packet;
-    packet.number(packet_timestamp, static_cast<std::uint64_t>(std::min(now_, last) * nanoseconds))
-        .message(packet_track_event, event);
+    packet.number(packet_timestamp, std::min(since, last) * nanoseconds).message(packet_track_event, event);
     write(packet, out);
   }
 
@@ -283,6 +286,8 @@ private:
   std::vector<std::optional<std::int32_t>> values_; ///< by state; nothing: unknown
   std::vector<std::uint64_t> queued_at_; ///< by edge: the micro-step in which it was queued last; 0: not queued
   std::uint64_t queued_ = 0, lost_ = 0, flows_ = 0;
+  bool begun_ = false;
+  Time begin_ = 0; ///< the first time if it is negative: Perfetto has no times before 0
   Time now_ = 0;
 };
 

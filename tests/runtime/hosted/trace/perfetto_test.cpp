@@ -326,3 +326,20 @@ TEST_CASE("a run of the rover, as Perfetto reads it", "[golden]") {
   }
   check_golden("tests/runtime/hosted/trace/golden/rover.perfetto.txt", out);
 }
+
+TEST_CASE("a trace that begins before 0 begins at 0 in Perfetto, and keeps its distances") {
+  const Lamp lamp;
+  const auto format = director::perfetto(lamp.names);
+  std::string bytes, times;
+  format->begin(bytes);
+  for (const director::Time time : {-100'000'000, -99'000'000, 3'000'000}) {
+    director::Event event = lamp.event(director::Event::Kind::exhausted, 0);
+    event.time = time;
+    format->event(event, bytes);
+  }
+  format->end(bytes);
+  for (const Packet& packet : packets_in(bytes)) {
+    if (packet["name"] == "\"budget_exhausted\"") times += packet["timestamp"] + " ";
+  }
+  CHECK(times == "0 1000000000 103000000000 ");
+}
