@@ -130,6 +130,11 @@ private:
         add("the program may", About::edge, edge);
       } else {
         const bool lives = v_.assignment[requester].active != nil;
+        if (t_.edges[edge].levels.empty()) { // a need, which requests nothing
+          add(group(requester) + (lives ? " may need it, and does not now" : " may need it, and does not run"),
+              About::edge, edge);
+          continue;
+        }
         add(group(requester) + (lives ? " may, and does not request it now" : " may, and does not run"), About::edge,
             edge);
       }

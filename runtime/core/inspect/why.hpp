@@ -35,7 +35,7 @@ struct Because {
     condition,     ///< `condition` is false; `causer` promises it (nil: no enabled provider does)
     outdated,      ///< its requester, or a group above, is stale, or in limbo
     deferred,      ///< a stronger stale group is about to run, and may request what it needs
-    reserved,      ///< it is held as a need, by `holder`, and was not requested yet
+    reserved,      ///< it is held as a need, by `holder`, and is not requested
     limbo,         ///< it is kept for a stale group that may still request it
   };
   Kind kind = Kind::not_requested; ///< the other members that count depend on it

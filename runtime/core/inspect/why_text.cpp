@@ -35,7 +35,7 @@ public:
     case Kind::running: *this << asked << " runs (" << edge(b.edge) << ") in " << provider(b.provider); return;
     case Kind::not_requested: *this << "nothing requests " << asked; return;
     case Kind::reserved:
-      *this << asked << " is held for a need (" << edge(b.holder) << "), and was not requested yet";
+      *this << asked << " is held for a need (" << edge(b.holder) << "), and is not requested";
       return;
     case Kind::limbo:
       *this << asked << " goes on without a request: it is kept for what is about to request it";

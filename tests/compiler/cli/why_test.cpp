@@ -45,6 +45,18 @@ steps:
   return world;
 }
 
+TEST_CASE("a group that only needs another one may not request it") {
+  World world;
+  world.files.add("head.yaml",
+                  "behaviour: head\nlanguage: 1\nroots: [Look]\ngroups:\n  Look: {needs: [Servo]}\n  Servo: {}\n");
+  world.files.add("s.yaml", "scenario: a look\nbehaviour: head.yaml\nsteps:\n  - advance: 1 s\n  - request: Look\n");
+  CHECK(world.directorc({"why", "s.yaml", "Servo", "--step=1"}) == 0);
+  CHECK(world.out == "nothing requests Servo\n  Look may need it, and does not run (head.yaml:5)\n");
+  CHECK(world.directorc({"why", "s.yaml", "Servo"}) == 0);
+  CHECK(world.out == "Servo is held for a need (Look>Servo), and is not requested\n  it is held for Look, priority 0, "
+                     "that for the program, priority 0 (head.yaml:5)\n");
+}
+
 TEST_CASE("why a group runs, and for which requester") {
   World world = rover();
   CHECK(world.directorc({"why", "s.yaml", "Drive", "--step=1"}) == 0);

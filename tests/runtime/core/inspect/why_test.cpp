@@ -154,7 +154,7 @@ TEST_CASE("a group that is needed and was not requested is reserved") {
   machine.body("Recover", [](Run& run) { return run.keep(); });
   machine.request("Recover");
   machine.step();
-  CHECK(why(machine, "Legs") == "Legs is held for a need (Recover>Legs), and was not requested yet");
+  CHECK(why(machine, "Legs") == "Legs is held for a need (Recover>Legs), and is not requested");
   const Holding holding = view_of(machine.engine()).holding(machine.group("Legs"));
   CHECK(holding == Holding{Holding::By::group, machine.group("Recover"), machine.edge("Recover>Legs"), false});
   CHECK(view_of(machine.engine()).holding(machine.group("Recover")).by == Holding::By::program);
