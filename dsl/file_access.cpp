@@ -53,7 +53,11 @@ Result<std::string, FileError> DiskFiles::fetch(const std::string& path, std::si
   // A pipe is opened without waiting for a writer: there may never be one.
   const Descriptor file{open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)};
   if (file.number < 0) return error(errno);
-  // Read to its end instead of asking for its size: only a regular file has one.
+  struct stat about {};
+  if (fstat(file.number, &about) == 0 && S_ISREG(about.st_mode) && about.st_size > 0 &&
+      static_cast<std::size_t>(about.st_size) > most)
+    return FileError{FileError::Kind::too_large, "file too large"};
+  // Read to its end: only a regular file has a size, and that may change.
   std::string text;
   std::array<char, 1 << 16> part{};
   const std::chrono::milliseconds patience = waits ? patience_ : std::chrono::milliseconds(0);

@@ -13,6 +13,10 @@
 
 namespace director::compiler::cli {
 
+namespace {
+constexpr std::size_t most_bytes = std::numeric_limits<std::int32_t>::max(); ///< that are held in memory
+} // namespace
+
 void print_unreadable(const std::string& file, std::size_t line, const std::string& problem, Console& console) {
   print_message(console,
                 fmt::format("{0}:{1}: error: this line cannot be read: {2}\n"
@@ -23,10 +27,14 @@ void print_unreadable(const std::string& file, std::size_t line, const std::stri
 
 LoadedTrace load_trace(const std::string& file, Console& console) {
   LoadedTrace out;
-  auto read = console.files.read(file, std::numeric_limits<std::int32_t>::max());
+  auto read = console.files.read(file, most_bytes);
   if (!read) {
     print_message(console, fmt::format("directorc: cannot read `{}`: {}{}\n", shown_path(file), read.error().message,
                                        file_instead(shown_path(file), is_called_trace, console)));
+    if (read.error().kind == dsl::FileError::Kind::too_large)
+      console.err << fmt::format("  help: a trace has at most 2 GB; `(head -n 1 {0}; tail -n 1000000 {0}) > end.jsonl` "
+                                 "writes its end with the header, which `directorc trace` reads\n",
+                                 shown_path(file));
     out.status = misused;
     return out;
   }
@@ -79,8 +87,11 @@ RecordedBehaviour load_behaviour(const RecordedNames& recorded, const std::strin
   std::optional<Checked> checked = load(out.file, options, sources, console, cpp);
   if (!checked) {
     if (named.empty())
-      console.err << "  help: the trace names this behaviour; where it is neither there nor beside the trace, say "
-                     "where it is with --behaviour FILE\n";
+      console.err << fmt::format("  help: {}; where it is neither there nor beside the trace, say where it is with "
+                                 "--behaviour FILE\n",
+                                 recorded.file.empty()
+                                     ? "the trace has the behaviour's name, and no file: that of the name is taken"
+                                     : "the trace names this behaviour");
     out.status = misused;
   } else if (checked->lowerable) {
     out.checked = std::move(*checked);

@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 #include <unistd.h>
 
+#include <cstdint>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 
@@ -33,6 +35,18 @@ TEST_CASE("A file on the disk is read byte by byte") {
   const auto read = files.read(folder.file("a.yaml", text), 7);
   REQUIRE(read);
   CHECK(read.value() == text);
+}
+
+TEST_CASE("a file that is larger than the limit is refused before it is read") {
+  const Folder folder;
+  const std::string path = folder.file("large", "");
+  fs::resize_file(path, std::uintmax_t{3} << 30); // without a block on the disk
+  DiskFiles files;
+  const std::clock_t before = std::clock();
+  const auto read = files.read(path, std::size_t{2} << 30);
+  CHECK(std::clock() - before < CLOCKS_PER_SEC / 5);
+  REQUIRE(!read);
+  CHECK(read.error().kind == FileError::Kind::too_large);
 }
 
 TEST_CASE("What cannot be read has a reason") {

@@ -450,6 +450,15 @@ TEST_CASE("where the behaviour is found that a trace names") {
   CHECK(nowhere.err == "directorc: cannot read `rover.yaml`: No such file or directory\n"
                        "  help: the trace names this behaviour; where it is neither there nor beside the trace, say "
                        "where it is with --behaviour FILE\n");
+  std::string of_program = trace_in(world);
+  const std::size_t file = of_program.find("\"file\":");
+  of_program.erase(file, of_program.find(',', file) + 1 - file);
+  nowhere.files.add("run.jsonl", of_program);
+  CHECK(nowhere.directorc({"replay", "run.jsonl"}) == 2);
+  CHECK(nowhere.err ==
+        "directorc: cannot read `rover.yaml`: No such file or directory\n"
+        "  help: the trace has the behaviour's name, and no file: that of the name is taken; where it is "
+        "neither there nor beside the trace, say where it is with --behaviour FILE\n");
 }
 
 } // namespace
