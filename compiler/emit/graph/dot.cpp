@@ -11,6 +11,7 @@
 #include "compiler/emit/graph/formats.hpp"
 #include "compiler/emit/graph/legend.hpp"
 #include "compiler/emit/graph/palette.hpp"
+#include "dsl/shortened.hpp"
 
 #include <fmt/format.h>
 
@@ -73,8 +74,10 @@ private:
     return fmt::format("{}:{}", in_quotes(box.name), in_quotes(end.pack ? port(row, row.packs[*end.pack]) : port(row)));
   }
 
+  /// Graphviz reads strings of up to 16 KiB, and more than a page is not read in a tooltip.
   static std::string tooltip(const PictureText& text) {
-    return text.file.empty() ? text.words : fmt::format("{}\n{}:{}", text.words, text.file, text.line);
+    const std::string words = dsl::shortened(text.words);
+    return text.file.empty() ? words : fmt::format("{}\n{}:{}", words, text.file, text.line);
   }
 
   /// The tooltip of a cell or a table.

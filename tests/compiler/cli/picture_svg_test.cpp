@@ -2,6 +2,7 @@
 // Measures the output of Graphviz for pictures. Without it, the tests do nothing.
 #include "dsl/file_access.hpp"
 #include "tests/compiler/cli/world.hpp"
+#include "tests/support/command.hpp"
 #include "tests/support/golden.hpp"
 #include "tests/support/own_folder.hpp"
 #include "tests/support/svg.hpp"
@@ -9,6 +10,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <fstream>
 #include <map>
 #include <regex>
 
@@ -82,6 +84,20 @@ const Svg& svg_of(const Measured& picture) {
   REQUIRE(out.err.empty());
   REQUIRE(out.status == 0);
   return known[{picture.file, picture.options}] = read_svg(out.out);
+}
+
+TEST_CASE("a description of any length is no obstacle for a picture") {
+  if (!has_graphviz()) return;
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "long.yaml").string();
+  std::string words;
+  while (words.size() < 40'000) words += "\\\"viele Wörter & mehr\\\" ";
+  std::ofstream(file) << "behaviour: talk\nlanguage: 1\nroots: {A: {doc: \"" << words
+                      << "\"}}\ngroups:\n  A:\n    doc: \"" << words << "\"\n    tasks: [B]\n  B: {doc: \"" << words
+                      << "\"}\n";
+  const Drawn out = drawn({file});
+  CHECK(out.status == 0);
+  CHECK(out.err.empty());
 }
 
 TEST_CASE("a behaviour is drawn whatever characters its texts have") {
