@@ -24,10 +24,11 @@ foreach(text IN LISTS texts)
 endforeach()
 file(COPY ${SOURCE}/ DESTINATION "${WORK}/a project")
 set(tree "${WORK}/its build")
+set(ENV{CXX} "${COMPILER} -DMINE") # a compiler may have an argument
 
 # build_and_run(<expected> <option>...): configures with these options, builds, and compares the output of the program.
 function(build_and_run expected)
-  execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/a\ project -B ${tree} -G "Unix Makefiles" -D CMAKE_CXX_COMPILER=${COMPILER}
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/a\ project -B ${tree} -G "Unix Makefiles"
                           -D "CMAKE_CXX_FLAGS=${FLAGS} -Wall -Wextra -Wconversion -Wshadow -Werror" "-DCMAKE_PREFIX_PATH=${prefix}" ${ARGN}
                   OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
   build()
@@ -61,6 +62,14 @@ endfunction()
 build_and_run("events are told")
 build()
 expect("nothing" DOES_NOT "Generating the" "Building" "Linking")
+# directorc reads headers with the flags with which the compiler reads them.
+file(STRINGS "${tree}/director/watch/buoy/flags.CXX" flags)
+foreach(flag -DMINE -std=gnu++20 "-I${WORK}/a project" "-I${tree}")
+  list(FIND flags "${flag}" found)
+  if(found EQUAL -1)
+    message(FATAL_ERROR "directorc reads headers without ${flag}: ${flags}")
+  endif()
+endforeach()
 # A file that was touched but not changed is read again, but nothing is compiled again.
 file(TOUCH "${WORK}/a project/behaviours/its lamp.yaml")
 build()
