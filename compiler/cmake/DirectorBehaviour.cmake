@@ -236,7 +236,8 @@ endfunction()
 # director_write_page_(<behaviour> <file> <folder> <stamp> <flags> <link> <out> <out stamp>): sets <out> to a source that contains the page about the
 # behaviour, and <out stamp> to a file that is written after it whenever the C++ is generated again. The source itself stays as it is if the page does.
 function(director_write_page_ behaviour file folder stamp flags link out out_stamp)
-  set(page ${folder}/${behaviour}.html)
+  cmake_path(GET file STEM LAST_ONLY stem) # directorc calls a page like the behaviour's file
+  set(page ${folder}/${stem}.html)
   set(source ${folder}/${behaviour}_page.cpp)
   set(header ${behaviour}_page.hpp)
   file(CONFIGURE OUTPUT ${folder}/${header} @ONLY CONTENT "#pragma once
