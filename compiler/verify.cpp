@@ -127,7 +127,9 @@ private:
   }
 
   static fs::path whole(const fs::path& path) {
-    const fs::path out = absolute_path(path).lexically_normal();
+    std::error_code fault; // one folder may have two names, by a symbolic link
+    const fs::path canonical = fs::weakly_canonical(absolute_path(path), fault);
+    const fs::path out = fault ? absolute_path(path).lexically_normal() : canonical;
     return out.has_filename() ? out : out.parent_path(); // "tests/" is tests
   }
 
@@ -139,9 +141,10 @@ private:
   static bool is_excluded(const CompileCommand& command, const std::vector<fs::path>& excluded,
                           std::vector<bool>& met) {
     const fs::path output = command.output.empty() ? fs::path{} : whole(fs::path(command.directory) / command.output);
+    const fs::path file = excluded.empty() ? fs::path{} : whole(command.file);
     bool out = false;
     for (std::size_t i = 0; i < excluded.size(); ++i) {
-      const bool here = lies_in(command.file, excluded[i]) || (!output.empty() && lies_in(output, excluded[i]));
+      const bool here = lies_in(file, excluded[i]) || (!output.empty() && lies_in(output, excluded[i]));
       met[i] = met[i] || here;
       out = out || here;
     }
@@ -269,6 +272,12 @@ private:
     out_.seen = seen.size();
     // If there are classes, the build is the right one, and findings report what is missing.
     if (seen.empty() && code_.classes.empty() && !code_.has_templates) {
+      if (out_.files == 0) {
+        fail(fmt::format("no file that `{}` lists includes the generated `{}`: is the target with the bodies in it? "
+                         "With CMake, set `CMAKE_EXPORT_COMPILE_COMMANDS` for all targets",
+                         build, header_name(checked_.model.name)));
+        return;
+      }
       fail(fmt::format("no body of `{}` was found in the {} of `{}` that could have one", checked_.model.name,
                        out_.files == 1 ? "file" : fmt::format("{} files", out_.files), build));
       return;

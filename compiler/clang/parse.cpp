@@ -121,14 +121,40 @@ private:
   const Callbacks& callbacks_;
 };
 
+/// CMake marks what a precompiled header includes as headers of the system; they are the user's.
+constexpr llvm::StringRef marks[] = {"#pragma GCC system_header", "#pragma clang system_header"};
+
+using Memory = llvm::IntrusiveRefCntPtr<llvm::vfs::InMemoryFileSystem>;
+
+/// Adds files that are included before the source without that mark: `-include FILE`, also behind `-Xclang`.
+void add_unmarked(const Unit& unit, const std::vector<std::string>& arguments, Memory& to) {
+  bool included = false;
+  for (const std::string& word : arguments) {
+    if (word == "-Xclang") continue;
+    if (std::exchange(included, word == "-include")) {
+      const std::string path = absolute(word, unit.directory);
+      const auto file = llvm::MemoryBuffer::getFile(path);
+      if (!file) continue;
+      std::string text = (*file)->getBuffer().str();
+      bool marked = false;
+      for (const llvm::StringRef mark : marks) {
+        const std::size_t at = text.find(mark.str());
+        if (at == std::string::npos) continue;
+        text.replace(at, mark.size(), mark.size(), ' ');
+        marked = true;
+      }
+      if (marked) to->addFile(path, 0, llvm::MemoryBuffer::getMemBufferCopy(text));
+    }
+  }
+}
+
 Reading parse_once(const Unit& unit, const std::vector<std::string>& arguments, const Callbacks& callbacks) {
   Reading reading;
   llvm::IntrusiveRefCntPtr<llvm::vfs::OverlayFileSystem> disk(new llvm::vfs::OverlayFileSystem(ordinary_files()));
-  if (!unit.text.empty()) {
-    llvm::IntrusiveRefCntPtr<llvm::vfs::InMemoryFileSystem> memory(new llvm::vfs::InMemoryFileSystem);
-    memory->addFile(unit.file, 0, llvm::MemoryBuffer::getMemBufferCopy(unit.text));
-    disk->pushOverlay(memory);
-  }
+  Memory memory(new llvm::vfs::InMemoryFileSystem);
+  if (!unit.text.empty()) memory->addFile(unit.file, 0, llvm::MemoryBuffer::getMemBufferCopy(unit.text));
+  add_unmarked(unit, arguments, memory);
+  disk->pushOverlay(memory);
   Errors errors(unit, reading.errors);
   Action action(unit, reading, callbacks);
   Frontend().run({unit.file, unit.directory, arguments}, disk, action, errors);

@@ -42,6 +42,10 @@ Source write_source(const Json& request) {
     out.text += dsl::include_line(header.as_text()) + "\n";
     ++line;
   }
+  // The generated header includes the runtime, and what that includes.
+  const std::string runtime = "\"runtime/core/behaviour.hpp\"";
+  out.text += "#if __has_include(" + runtime + ")\n#include " + runtime + "\n#endif\n";
+  line += 3;
   out.text += "namespace " + request["namespace"].as_text() + " {\n";
   out.first_line = line + 1;
   std::size_t number = 0;

@@ -29,6 +29,15 @@ CppType type_of(const Json& from, const Json& paths) {
   return out;
 }
 
+/// Whether it compiles another language than C++.
+bool is_of_c(const CompileCommand& command) {
+  const std::string extension = fs::path(command.file).extension().string();
+  if (extension == ".c" || extension == ".s" || extension == ".S") return true;
+  return std::any_of(command.words.begin(), command.words.end(), [](const std::string& word) {
+    return word.starts_with("-std=") && word.find("++") == std::string::npos;
+  });
+}
+
 /// Whether Clang found a fault outside of the requested names: in a header.
 bool fails_elsewhere(const Json& answer, const std::string& file) {
   const std::vector<Json>& errors = answer["errors"].items();
@@ -65,11 +74,18 @@ std::vector<std::string> ScannedTypes::missing_in(const CompileCommand& command,
   return missing.empty() ? missing : without(compilers_.complete(flags), missing);
 }
 
+/// Rather one of a program with the runtime: other programs may have other macros.
 const CompileCommand* ScannedTypes::choose(const std::vector<std::string>& headers, std::vector<std::string>& missing) {
   std::optional<std::vector<std::string>> nowhere;
+  const CompileCommand* out = nullptr;
   for (const CompileCommand& command : flags_.commands) {
+    if (is_of_c(command)) continue;
     std::vector<std::string> here = missing_in(command, headers);
-    if (here.empty()) return &command;
+    if (here.empty()) {
+      if (missing_in(command, {"runtime/core/behaviour.hpp"}).empty()) return &command;
+      if (out == nullptr) out = &command;
+      continue;
+    }
     missing = here;
     if (!nowhere) {
       nowhere = std::move(here);
@@ -79,8 +95,8 @@ const CompileCommand* ScannedTypes::choose(const std::vector<std::string>& heade
       });
     }
   }
-  if (nowhere) missing_everywhere_ = *nowhere;
-  return nullptr;
+  if (nowhere && out == nullptr) missing_everywhere_ = *nowhere;
+  return out;
 }
 
 Types ScannedTypes::read(const TypeReader::Question& question) {
@@ -90,7 +106,6 @@ Types ScannedTypes::read(const TypeReader::Question& question) {
     return out;
   };
   if (!flags_.fault.empty()) return fail(flags_.fault);
-  if (question.headers.empty()) return fail("no header is named under `cpp: headers`");
   std::vector<std::string> missing;
   const CompileCommand* command = choose(question.headers, missing);
   if (command == nullptr) {

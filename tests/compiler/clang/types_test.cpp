@@ -56,6 +56,17 @@ TEST_CASE("a state's values are those that the flags of the program make") {
   CHECK(arm.status == 0);
 }
 
+TEST_CASE("what the generated code includes by itself counts for types too, and headers are not needed to check them") {
+  const Workshop work("types-std");
+  work.write("flags", "g++\n-std=c++20\n-I" + source_folder() + "\n");
+  const auto checked = [&](const std::string& data) {
+    work.write("cart.yaml", "behaviour: cart\nlanguage: 1\nroots: [Drive]\ngroups:\n  Drive: {data: '" + data + "'}\n");
+    return work.directorc({"check", work.path("cart.yaml"), "--flags", work.path("flags")});
+  };
+  CHECK(checked("std::array<int, 3>").out == "");
+  CHECK(checked("nowhere::Way").out.find("there is no type `nowhere::Way` in the C++") != std::string::npos);
+}
+
 /// Detects whether a file is opened during its lifetime.
 class Guarded {
 public:

@@ -41,6 +41,23 @@ struct World {
 const TypeFlags good{
     {{"/u/other.cpp", "/b", {"g++", "-I/nowhere"}}, {"/u/main.cpp", "/b", {"g++", "-I/u", "-DX"}}}, {}, "`build`"};
 
+TEST_CASE("of several files that find the headers one of C++ that finds the runtime is taken") {
+  World world;
+  world.files.add("/r/runtime/core/behaviour.hpp", "");
+  const auto asked = [&](std::vector<CompileCommand> commands) {
+    world.child.asked.clear();
+    const Types types = world.read({std::move(commands), {}, "`build`"});
+    return world.child.asked.empty() ? types.fault : world.child.asked[0];
+  };
+  const CompileCommand of_c{"/u/tool.c", "/b", {"gcc", "-I/u", "-DC"}};
+  const CompileCommand by_standard{"/u/tool", "/b", {"gcc", "-std=gnu11", "-I/u", "-DC"}};
+  const CompileCommand sim{"/u/sim.cpp", "/b", {"g++", "-I/u", "-DSIM"}};
+  const CompileCommand robot{"/u/robot.cpp", "/b", {"g++", "-I/u", "-I/r", "-DROBOT"}};
+  CHECK(asked({of_c, by_standard, sim, robot}).find("-DROBOT") != std::string::npos);
+  CHECK(asked({of_c, by_standard, sim}).find("-DSIM") != std::string::npos);
+  CHECK(asked({of_c, by_standard}) == "`build` compiles no C++");
+}
+
 TEST_CASE("types are read with the flags of a file that finds the headers, and the second time not at all") {
   World world;
   const Types types = world.read(good);
