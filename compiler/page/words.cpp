@@ -26,7 +26,7 @@ const std::vector<CellKind>& cell_kinds() {
       {"waits", "W", "the second is queued, or not requested yet, and runs when the first one is done"},
       {"never", "N", "the second does not run, nor when the first one is done"},
       {"replaced", "R", "their requester withdraws the first one for the second"},
-      {"condition lost", "L", "what the second wants from outside ends the first one"},
+      {"condition lost", "L", "what the second wants from outside ends the first one, or what that one loses"},
       {"both", "B", "they run beside each other"},
       {"same chain", "C", "one leads to the other, or they are the same"},
       {"unreachable", "U", "one of them cannot be brought to run at all"},

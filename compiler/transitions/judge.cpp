@@ -17,10 +17,13 @@ void Judge::judge(const Beginning& row, const Beginning& column, const Play& now
   const Parting parting = part(model_, row.way, column.way);
   const bool ended = !runs(now.trial.rest, row.way);
   context.withdrawer = parting.link ? model_.groups[row.way.group(*parting.link)].name.value : "The program";
-  if (player_.ends_by(row, change, all)) {
+  if ((ended || !all.empty()) && player_.ends_by(row, change, all)) {
     out.kind = Kind::condition_lost;
+    context.row_runs_on = !ended;
   } else if (parting.replaced && ended) {
     out.kind = Kind::replaced;
+    context.withdrawn = row.way.links[*parting.link].next->target;
+    context.replacement = column.way.links[*parting.link].next->target;
   } else if (all.empty()) {
     out.kind = Kind::both;
   } else {

@@ -141,7 +141,7 @@ private:
     Transition out;
     const TransitionMatrix::Row &first = out_.rows[i], &second = out_.rows[j];
     const Beginning &row = beginnings_[i], &column = beginnings_[j];
-    CellContext context{model_, first, second, {}, {}, true, {}, false};
+    CellContext context{model_, first, second};
     if (first.reached && second.reached) {
       const bool same = i == j || row.way.passes(second.group) || column.way.passes(first.group) ||
                         row.rest.is_under(model_, second.group, row.way.last().edge);
@@ -165,7 +165,7 @@ private:
         return;
       const Play later = player_.play(script, now.steps + done_step(), 2, column.way);
       const bool runs_later = later.trial.good && runs_at_all(later.trial.rest, column.way);
-      const bool ends = runs_later && player_.ends_by(row, change, {});
+      const bool ends = runs_later && !runs(now.trial.rest, row.way) && player_.ends_by(row, change, {});
       out.kind = ends ? Kind::condition_lost : runs_later ? Kind::waits : Kind::never;
       out.states = words_of(change, model_);
       out.pushes = judge_.pushes_of(now.trial, row);

@@ -49,10 +49,14 @@ std::string names_of(const std::vector<GroupId>& groups, const Model& model) {
   return and_list(names);
 }
 
+bool contains(const std::vector<GroupId>& groups, GroupId id) {
+  return std::find(groups.begin(), groups.end(), id) != groups.end();
+}
+
 /// For whom the taken groups ran: the group of the row, or its requester where it is taken itself.
 std::string_view former(const Transition& cell, const CellContext& context) {
   const TransitionMatrix::Row& row = context.row;
-  const bool itself = std::find(cell.taken.begin(), cell.taken.end(), row.group) != cell.taken.end();
+  const bool itself = contains(cell.taken, row.group);
   if (itself && row.chain.empty()) return "the program";
   return context.model.groups[itself ? row.chain.back() : row.group].name.value;
 }
@@ -100,6 +104,31 @@ std::string pushes(const Transition& cell, const Model& model) {
 
 std::string outside(const std::vector<std::string>& states) {
   return states.empty() ? std::string{} : fmt::format(" The outside says {}.", and_list(states));
+}
+
+/// `FieldPlayer, which leads to Kick,`
+std::string leading(GroupId requested, GroupId target, const Model& model) {
+  const std::string& name = model.groups[requested].name.value;
+  return requested == target ? name : fmt::format("{}, which leads to {},", name, model.groups[target].name.value);
+}
+
+std::string replaces(const CellContext& context) {
+  std::string out = fmt::format("{} requests {} instead of {}", context.withdrawer,
+                                leading(context.replacement, context.column.group, context.model),
+                                leading(context.withdrawn, context.row.group, context.model));
+  if (out.ends_with(',')) out.pop_back();
+  return out + ".";
+}
+
+/// What ends by the values alone, and what goes on without the first one.
+std::string ends(const Transition& cell, const CellContext& context) {
+  const std::string& first = context.model.groups[context.row.group].name.value;
+  const std::string wants =
+      fmt::format("hat {} wants from outside", context.model.groups[context.column.group].name.value);
+  if (context.row_runs_on)
+    return fmt::format("W{} ends groups below {}, which runs on.{}", wants, first, stops(cell, context));
+  if (contains(cell.taken, context.row.group)) return fmt::format("By w{},{}", wants, stops(cell, context));
+  return fmt::format("W{} ends {}.{}", wants, first, cell.taken.empty() ? "" : stops(cell, context));
 }
 
 } // namespace
@@ -154,10 +183,9 @@ std::string words_of(const Transition& cell, const CellContext& context) {
                ? "It is the same group."
                : fmt::format("One of {} and {} leads to the other.", first, second);
   case Kind::replaced:
-    return fmt::format("{} requests {} instead of {}.{}{}{}", context.withdrawer, second, first,
-                       pushes(cell, context.model), stops(cell, context), outside(cell.states));
-  case Kind::condition_lost:
-    return fmt::format("What {} wants from outside ends {}.{}", second, first, outside(cell.states));
+    return fmt::format("{}{}{}{}", replaces(context), pushes(cell, context.model), stops(cell, context),
+                       outside(cell.states));
+  case Kind::condition_lost: return ends(cell, context) + outside(cell.states);
   case Kind::unreachable: break;
   }
   return fmt::format("{} cannot be brought to run.", context.row.reached ? second : first);

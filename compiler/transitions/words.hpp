@@ -11,11 +11,14 @@ struct CellContext {
   const Model& model;
   const TransitionMatrix::Row& row;
   const TransitionMatrix::Row& column;
-  std::string why;             ///< why the second does not run, from the engine
-  std::string withdrawer;      ///< the requester of both; empty: the program
-  bool is_requested = true;    ///< the second, while the first one runs, or what leads to it
-  std::vector<GroupId> takers; ///< soft, hard: what is requested with the second and takes over in its place
-  bool runs_at_once = false;   ///< then: the second does not wait
+  std::string why{};             ///< why the second does not run, from the engine
+  std::string withdrawer{};      ///< the requester of both; empty: the program
+  GroupId withdrawn{};           ///< replaced: what that one no longer requests, and leads to the first
+  GroupId replacement{};         ///< likewise what it requests instead, and leads to the second
+  bool row_runs_on = false;      ///< condition lost: only groups below the first one are lost
+  bool is_requested = true;      ///< the second, while the first one runs, or what leads to it
+  std::vector<GroupId> takers{}; ///< soft, hard: what is requested with the second and takes over in its place
+  bool runs_at_once = false;     ///< then: the second does not wait
 };
 
 std::string words_of(const Transition& cell, const CellContext& context);

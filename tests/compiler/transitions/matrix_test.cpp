@@ -243,6 +243,60 @@ steps:
 )");
 }
 
+TEST_CASE("replaced: the tasks are named between which the requester changes, and where they lead") {
+  const std::string behaviour = R"(roots: [Play]
+groups:
+  Play: {packs: {attack: {Attack: {}}, defend: {Defend: {}}}}
+  Attack: {tasks: [Kick]}
+  Defend: {tasks: [Walk]}
+  Kick: {needs: [Legs]}
+  Walk: {needs: [Legs]}
+  Legs: {}
+)";
+  const auto words = [&](const std::string& from, const std::string& to) {
+    const std::string all = cell(behaviour, from, to);
+    return all.substr(0, all.find('\n'));
+  };
+  CHECK(words("Walk", "Kick") ==
+        "replaced: Play requests Attack, which leads to Kick, instead of Defend, which leads to "
+        "Walk. Walk stops.");
+  CHECK(words("Defend", "Kick") ==
+        "replaced: Play requests Attack, which leads to Kick, instead of Defend. Defend and Walk stop.");
+  CHECK(words("Walk", "Attack") ==
+        "replaced: Play requests Attack instead of Defend, which leads to Walk. Walk stops.");
+}
+
+TEST_CASE("condition lost: the first one runs on without what it loses, or for another requester") {
+  const auto words = [&](const std::string& behaviour, const std::string& from, const std::string& to) {
+    const std::string all = cell(behaviour, from, to);
+    return all.substr(0, all.find('\n'));
+  };
+  const std::string person = "states: {Person: {values: [near, none], initial: near, external: true}}\n";
+  CHECK(words(person + R"(roots: {Safety: {priority: 20}, Drive: {priority: 10}}
+groups:
+  Safety:
+    providers:
+      - {name: stopping, when: [Person == near], tasks: [Freeze]}
+      - {name: watching}
+  Freeze: {needs: [Wheels], tasks: [Wheels]}
+  Drive: {when: [Person == none], needs: [Wheels], tasks: [Wheels]}
+  Wheels: {}
+)",
+              "Safety", "Drive") == "condition lost: What Drive wants from outside ends groups below Safety, which "
+                                    "runs on. Freeze stops. Wheels runs "
+                                    "on, but not for Safety any more. The outside says Person == none.");
+  CHECK(words(person + R"(roots: [Stay, Go]
+groups:
+  Stay: {when: [Person == near], tasks: [Walk]}
+  Go: {when: [Person == none], tasks: [Walk]}
+  Walk: {needs: [Legs]}
+  Legs: {}
+)",
+              "Walk", "Go") ==
+        "condition lost: By what Go wants from outside, Walk runs on, but not for Stay any more. "
+        "The outside says Person == none.");
+}
+
 TEST_CASE("condition lost: what the second wants from outside ends the first one") {
   const char* const phases = R"(states: {Phase: {values: [ready, playing], initial: ready, external: true}}
 roots: [Wait, Play]
