@@ -326,6 +326,10 @@ private:
     });
   }
 
+  bool may_be(const Task& task, const Standing& standing) const {
+    return may_be(task, standing, true) || may_be(task, standing, false);
+  }
+
   Company company(const Decision& decision) const {
     if (!decision.requester) return {true, false};
     Company out;
@@ -339,7 +343,9 @@ private:
       for (const Pack& pack : provider.packs) {
         const Task* const first = entry_of(pack, decision.first_sibling);
         const Task* const second = entry_of(pack, decision.second_sibling);
-        out.at_once = out.at_once || ((first != nullptr || first_needed) && (second != nullptr || second_needed));
+        const bool has_first = first_needed || (first != nullptr && may_be(*first, decision.first)),
+                   has_second = second_needed || (second != nullptr && may_be(*second, decision.second));
+        out.at_once = out.at_once || (has_first && has_second);
         if (first != nullptr && second != nullptr) {
           out.unit = out.unit || (may_be(*first, decision.first, true) && may_be(*second, decision.second, true));
           const bool loose = may_be(*first, decision.first, false) || may_be(*second, decision.second, false);

@@ -86,6 +86,17 @@ groups:
                 "Walk", "Kick") == "second, Play: Kick (priority 2) before Walk (priority 1), never both at once\n");
 }
 
+TEST_CASE("a task of two packs is never requested beside what is in one of them at the priority of the other") {
+  CHECK(told_of(R"(roots: [Play]
+groups:
+  Play: {packs: {attack: {Kick: {priority: 1}, Walk: {priority: 2, apart: true}}, defend: {Kick: {priority: 3}}}}
+  Kick: {}
+  Walk: {}
+)",
+                "Walk", "Kick") == "first, Play: Walk (priority 2) before Kick (priority 1)\n"
+                                   "second, Play: Kick (priority 3) before Walk (priority 2), never both at once\n");
+}
+
 TEST_CASE("what is optional gives way, itself or below the task that is compared") {
   CHECK(told_of(R"(roots: {Play: {priority: 9}, Idle: {priority: 1}}
 groups:
