@@ -36,6 +36,16 @@ bool is_seen(View view, ArrowKind kind) {
   return kind == ArrowKind::take;
 }
 
+/// Adds the lines that are not there yet.
+void add_lines(std::string& all, const std::string& more) {
+  for (std::size_t at = 0; at <= more.size();) {
+    const std::size_t end = std::min(more.find('\n', at), more.size());
+    const std::string line = more.substr(at, end - at);
+    if (("\n" + all + "\n").find("\n" + line + "\n") == std::string::npos) all += "\n" + line;
+    at = end + 1;
+  }
+}
+
 class Painter {
 public:
   Painter(const Model& model, const Graph& graph, const dsl::Sources& sources, const PictureOptions& options)
@@ -241,7 +251,7 @@ private:
       known.optional = known.optional && arrow.optional;
       known.apart = known.apart && arrow.apart;
       known.hidden = known.hidden && arrow.hidden;
-      if (folded && pushes && known.label.find(arrow.label) == std::string::npos) known.label += "\n" + arrow.label;
+      if (folded && pushes) add_lines(known.label, arrow.label);
       known.about.words += "\n" + arrow.about.words;
     }
   }
