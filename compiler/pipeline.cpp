@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <utility>
 
 namespace director::compiler {
@@ -124,6 +125,7 @@ Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sou
     const std::vector<Verdict> verdicts = decide_assertions(Ground(out.model), states_of_check);
     append(out.findings, refuted_assertions(out.model, verdicts));
     out.undecided = undecided_assertions(out.model, verdicts);
+    out.verdicts = std::make_shared<const std::vector<Verdict>>(verdicts);
   }
 
   // Explore for what never runs.

@@ -12,12 +12,14 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace director::compiler {
 
 struct SearchProgress;
+struct Verdict;
 
 struct CheckOptions {
   checks::Selection selection;
@@ -35,14 +37,15 @@ inline CheckOptions only_errors() {
 }
 
 struct Checked {
-  dsl::Spec spec;                        ///< empty: the path itself cannot be read
-  Model model;                           ///< valid only if `resolved`
-  Graph graph;                           ///< likewise
-  bool resolved = false;                 ///< no errors of "Reading" and "Names and domains"
-  bool lowerable = false;                ///< resolved, and nothing prevents running it in the engine
-  std::vector<dsl::Diagnostic> findings; ///< sorted by place
-  std::vector<std::string> headers;      ///< the user's, that were read for their types
-  std::vector<std::string> undecided;    ///< assertions, and what exploring left open, each in a line
+  dsl::Spec spec;                                       ///< empty: the path itself cannot be read
+  Model model;                                          ///< valid only if `resolved`
+  Graph graph;                                          ///< likewise
+  bool resolved = false;                                ///< no errors of "Reading" and "Names and domains"
+  bool lowerable = false;                               ///< resolved, and nothing prevents running it in the engine
+  std::vector<dsl::Diagnostic> findings;                ///< sorted by place
+  std::vector<std::string> headers;                     ///< the user's, that were read for their types
+  std::shared_ptr<const std::vector<Verdict>> verdicts; ///< of the assertions of the Model; null: not decided
+  std::vector<std::string> undecided;                   ///< assertions, and what exploring left open, each in a line
 };
 
 Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sources, const CheckOptions& options = {});

@@ -16,21 +16,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The page, and the exit status.
+/// With errors there is a page if the names could be resolved. Errors are printed, and what was not decided.
 std::pair<std::optional<std::string>, int> page_of(const std::string& file, const Docs& request, Console& console) {
   dsl::Sources sources;
-  const std::optional<Checked> checked = load(file, {}, sources, console, request.cpp);
+  CheckOptions options;
+  options.decide = true;
+  const std::optional<Checked> checked = load(file, options, sources, console, request.cpp);
   if (!checked) return {{}, misused};
-  if (!checked->resolved) {
-    print_findings(errors_of(checked->findings), sources, console.err, console.err_colours, console.err_width);
-    return {{}, found};
-  }
+  const std::vector<dsl::Diagnostic> errors = errors_of(checked->findings);
+  print_findings(errors, sources, console.err, console.err_colours, console.err_width);
+  const bool is_open = print_undecided(checked->undecided, console);
+  if (!checked->resolved) return {{}, found};
   PageWish wish;
   wish.markdown = request.format == Format::markdown;
   wish.link = request.link;
   wish.transitions = request.transitions;
   std::optional<std::string> page = make_page(file, *checked, sources, wish, console);
-  const int status = page ? clean : misused;
+  const int status = !page ? misused : !errors.empty() ? found : is_open ? undecided : clean;
   return {std::move(page), status};
 }
 
@@ -50,7 +52,8 @@ int run(const Docs& request, Console& console) {
     }
     auto [page, result] = page_of(file, request, console);
     if (result == misused) return misused;
-    status = std::max(status, result);
+    if (status != found) status = std::max(status, result);
+    if (result == found) status = found;
     if (page) outputs.push_back({path, std::move(*page), has_notice});
   }
   return write(outputs, console) ? status : misused;

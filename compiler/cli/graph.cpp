@@ -37,6 +37,7 @@ struct Subject {
   const Graph& drawn; ///< only with pushes that are possible
   bool lowerable = false;
   const std::vector<dsl::Diagnostic>* findings = nullptr; ///< null: they were not requested
+  const std::vector<Verdict>* verdicts = nullptr;         ///< of the assertions; null: not decided
 };
 
 /// Empty, and prints why, if a named group does not exist.
@@ -73,7 +74,7 @@ std::optional<std::string> drawn(const Subject& subject, const dsl::Sources& sou
     const std::optional<std::vector<GroupId>> transitions =
         named_groups(request.transitions, "--transitions", subject.model, console);
     if (!transitions) return {};
-    if (request.page) add_page_facts(data, subject.model, subject.graph, name, *transitions);
+    if (request.page) add_page_facts(data, subject.model, subject.graph, name, *transitions, subject.verdicts);
     return to_lines(data);
   }
   case Format::svg: {
@@ -181,25 +182,30 @@ int run(const DrawGraph& request, Console& console) {
   if (request.step != 0 || request.time || request.frames) return draw_moments(request, console);
   dsl::Sources sources;
   const bool wants_all = request.findings || request.page;
-  const std::optional<Checked> checked =
-      load(request.file, wants_all ? CheckOptions{} : only_errors(), sources, console, request.cpp);
+  CheckOptions checks = wants_all ? CheckOptions{} : only_errors();
+  checks.decide = wants_all;
+  const std::optional<Checked> checked = load(request.file, checks, sources, console, request.cpp);
   if (!checked) return misused;
   const bool whole = checked->resolved;
   const std::vector<dsl::Diagnostic> errors = errors_of(checked->findings);
-  if (!whole) print_findings(errors, sources, console.err, console.err_colours, console.err_width);
+  print_findings(errors, sources, console.err, console.err_colours, console.err_width);
   if (!whole && checked->model.groups.empty()) return found;
   const Graph graph = whole ? Graph{} : make_graph(checked->model);
   const Graph& all = whole ? checked->graph : graph;
   const Graph drawable = checked->lowerable ? with_possible_pushes(checked->model, all) : all;
-  const Subject subject{checked->model, all, drawable, checked->lowerable, wants_all ? &checked->findings : nullptr};
+  const Subject subject{
+      checked->model,         all, drawable, checked->lowerable, wants_all ? &checked->findings : nullptr,
+      checked->verdicts.get()};
   std::optional<PictureOptions> options = options_of(request, subject, console);
   if (!options) return misused;
   if (!whole) options->flaws = find_missing(checked->spec, checked->model, sources, errors);
   if (request.findings) add_findings(options->flaws, checked->spec, checked->model, sources, checked->findings);
   const std::optional<std::string> text = drawn(subject, sources, request, *options, console);
   if (!text) return misused;
+  const bool is_open = print_undecided(checked->undecided, console);
   const int status = hand_over(*text, request.output, console);
-  return status == clean && !whole ? found : status;
+  if (status != clean || (errors.empty() && !is_open)) return status;
+  return errors.empty() ? undecided : found;
 }
 
 } // namespace director::compiler::cli

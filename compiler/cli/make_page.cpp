@@ -57,7 +57,7 @@ std::optional<std::string> make_page(const std::string& file, const Checked& che
   if (!transitions) return {};
   const PictureFlaws none;
   Json data = graph_json({checked.model, checked.graph, sources, none, nullptr, &checked.findings});
-  if (checked.lowerable) add_page_facts(data, checked.model, checked.graph, name, *transitions);
+  if (checked.lowerable) add_page_facts(data, checked.model, checked.graph, name, *transitions, checked.verdicts.get());
   std::optional<std::vector<PagePicture>> pictures = pictures_of(checked, sources, wish, console);
   if (!pictures) return {};
   const PageInput input{data, std::move(*pictures), wish.link, name, wish.recording};

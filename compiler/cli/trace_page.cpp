@@ -94,8 +94,10 @@ private:
 
 std::pair<std::string, int> trace_page(const Trace& request, const LoadedTrace& trace, Console& console) {
   dsl::Sources sources;
+  CheckOptions checks;
+  checks.decide = true;
   const RecordedBehaviour of =
-      load_behaviour(*trace.recorded, request.file, request.behaviour, {}, sources, console, request.cpp);
+      load_behaviour(*trace.recorded, request.file, request.behaviour, checks, sources, console, request.cpp);
   if (of.status != clean) return {{}, of.status};
   const Lowered lowered = lower(of.checked.model);
   const RowNames rows(of.checked.model, lowered);

@@ -62,6 +62,18 @@ Json take_json(const PossibleTake& take, const Model& model) {
   return out;
 }
 
+Json verdicts_json(const std::vector<Verdict>& verdicts, const Model& model) {
+  Json out = Json::list({});
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    Json row = Json::object({{"assertion", Json::text(words_of(model.assertions[i], model))},
+                             {"verdict", Json::text(name_of(verdicts[i].kind))},
+                             {"why", Json::text(verdicts[i].why)}});
+    if (verdicts[i].scenario) row.add("scenario", Json::text(*verdicts[i].scenario));
+    out.add(std::move(row));
+  }
+  return out;
+}
+
 } // namespace
 
 std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph) {
@@ -89,7 +101,7 @@ Graph with_possible_pushes(const Model& model, Graph graph) {
 }
 
 void add_page_facts(Json& data, const Model& model, const Graph& graph, const std::string& file,
-                    const std::vector<GroupId>& transitions) {
+                    const std::vector<GroupId>& transitions, const std::vector<Verdict>* verdicts) {
   const Lowered lowered = lower(model);
   Json pushes = Json::list({});
   for (const Graph::Causing& row : with_possible_pushes(model, graph).causing) {
@@ -102,18 +114,10 @@ void add_page_facts(Json& data, const Model& model, const Graph& graph, const st
   for (const PossibleTake& take : possible_takes(model, graph)) takes.add(take_json(take, model));
   data.add("takes", std::move(takes));
   data.add("ranks", ranks_json(model));
-  Json verdicts = Json::list({});
-  if (!model.assertions.empty()) {
-    const std::vector<Verdict> decided = decide_assertions(Ground(model, lowered), states_of_check);
-    for (std::size_t i = 0; i < decided.size(); ++i) {
-      Json row = Json::object({{"assertion", Json::text(words_of(model.assertions[i], model))},
-                               {"verdict", Json::text(name_of(decided[i].kind))},
-                               {"why", Json::text(decided[i].why)}});
-      if (decided[i].scenario) row.add("scenario", Json::text(*decided[i].scenario));
-      verdicts.add(std::move(row));
-    }
-  }
-  data.add("verdicts", std::move(verdicts));
+  std::vector<Verdict> decided;
+  if (verdicts == nullptr && !model.assertions.empty())
+    decided = decide_assertions(Ground(model, lowered), states_of_check);
+  data.add("verdicts", verdicts_json(verdicts == nullptr ? decided : *verdicts, model));
   data.add("transitions", transitions_json(find_transitions(model, lowered, file, transitions), model));
 }
 

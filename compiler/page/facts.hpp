@@ -14,6 +14,8 @@
 
 namespace director::compiler {
 
+struct Verdict;
+
 /// The possible take-overs; both edges are of one requester.
 std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph);
 
@@ -22,8 +24,9 @@ std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph);
 Graph with_possible_pushes(const Model& model, Graph graph);
 
 /// Adds `pushes`, `takes`, `ranks`, `verdicts` and `transitions` to the result of graph_json(). The behaviour must be
-/// able to run. `file`: its path in scenarios. `transitions`: only of these groups; empty: of all.
+/// able to run. `file`: its path in scenarios. `transitions`: only of these groups; empty: of all. `verdicts`: of the
+/// assertions; null: they are decided here.
 void add_page_facts(Json& data, const Model& model, const Graph& graph, const std::string& file,
-                    const std::vector<GroupId>& transitions = {});
+                    const std::vector<GroupId>& transitions = {}, const std::vector<Verdict>* verdicts = nullptr);
 
 } // namespace director::compiler

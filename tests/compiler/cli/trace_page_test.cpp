@@ -70,6 +70,17 @@ TEST_CASE("a trace as a page is that of docs with what was recorded") {
   CHECK(world.out == page);
 }
 
+TEST_CASE("the page of a trace has refuted assertions among its findings") {
+  World world;
+  world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: [Shine, Blink]\ngroups: {Shine: {}, Blink: {}}\n"
+                               "assertions:\n  - never_together: [Shine, Blink]\n");
+  world.files.add("s.yaml", "scenario: a lamp\nbehaviour: lamp.yaml\nsteps:\n  - request: Shine\n");
+  REQUIRE(world.directorc({"simulate", "s.yaml", "--trace", "run.jsonl"}) == 0);
+  world.files.add("run.jsonl", trace_of(world));
+  CHECK(world.directorc({"trace", "run.jsonl", "--to=html"}) == 0);
+  CHECK(world.out.find("<code>assertion_failed</code>") != std::string::npos);
+}
+
 TEST_CASE("a page that directorc has not written is not overwritten") {
   World world = with_recording();
   world.outputs.files["run.html"] = "mine";
