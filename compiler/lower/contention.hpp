@@ -22,6 +22,12 @@ struct Standing {
   auto operator<=>(const Standing&) const = default;
 };
 
+/// The ranks of two tasks by which the first goes before the second.
+struct Winning {
+  Standing first, second;
+  auto operator<=>(const Winning&) const = default;
+};
+
 /// The decision at one common requester, for one pair of its edges and one level of each.
 struct Decision {
   std::optional<GroupId> requester; ///< nothing: root

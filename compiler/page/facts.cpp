@@ -4,6 +4,7 @@
 
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/facts/pushes.hpp"
+#include "compiler/emit/graph/take_ranks.hpp"
 #include "compiler/explore/verdict.hpp"
 #include "compiler/graph/algorithms.hpp"
 #include "compiler/lower/lower.hpp"
@@ -11,7 +12,11 @@
 #include "compiler/play/coverage.hpp"
 #include "compiler/transitions/transitions_json.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <cstdint>
 #include <set>
 #include <utility>
 
@@ -19,22 +24,38 @@ namespace director::compiler {
 
 namespace {
 
-Json priorities(const Edge& edge) {
+/// Of the ranks by which the one may take from the other: each priority once.
+Json priorities(const std::set<Winning>& ranks, Standing Winning::*side) {
+  std::set<std::int32_t> all;
+  for (const Winning& each : ranks) all.insert((each.*side).priority);
   Json out = Json::list({});
-  for (const Level& level : edge.levels) out.add(Json::number(level.priority));
+  for (const std::int32_t priority : all) out.add(Json::number(priority));
   return out;
 }
 
-bool is_optional(const Edge& edge) {
-  return std::all_of(edge.levels.begin(), edge.levels.end(), [](const Level& level) { return level.optional; });
+bool by_optional(const Winning& ranks) { return ranks.second.optional && !ranks.first.optional; }
+
+bool is_optional_at(const Edge& edge, std::int32_t priority) {
+  return std::any_of(edge.levels.begin(), edge.levels.end(),
+                     [&](const Level& level) { return level.optional && level.priority == priority; });
 }
 
-std::string_view decided_by(const Edge& taker, const Edge& loser) {
-  if (is_optional(loser) != is_optional(taker)) return "optional";
-  const auto less = [](const Level& a, const Level& b) { return a.priority < b.priority; };
-  const bool higher = std::max_element(taker.levels.begin(), taker.levels.end(), less)->priority >
-                      std::min_element(loser.levels.begin(), loser.levels.end(), less)->priority;
-  return higher ? "priority" : "optional";
+/// `priority 80 before 20`, `where the second is optional`
+std::string words_of(const PossibleTake& take, const Model& model, const std::set<Winning>& by_priority) {
+  const Edge &taker = model.edges[take.taker], &loser = model.edges[take.loser];
+  std::vector<std::string> out;
+  if (!by_priority.empty()) {
+    const std::vector<std::string> all = ranks_words(taker, loser, by_priority, "before");
+    out.push_back(fmt::format("priority {}", fmt::join(all, ", or ")));
+  }
+  bool itself = false, below = false;
+  for (const Winning& each : take.ranks) {
+    if (!by_optional(each)) continue;
+    (is_optional_at(loser, each.second.priority) ? itself : below) = true;
+  }
+  if (itself) out.emplace_back("where the second is optional");
+  if (below) out.emplace_back("where something below the second is optional");
+  return fmt::format("{}", fmt::join(out, ", or "));
 }
 
 /// The groups that none of the others leads to; all of a cycle.
@@ -53,9 +74,13 @@ Json take_json(const PossibleTake& take, const Model& model) {
   if (taker.requester) out.add("requester", Json::text(model.groups[*taker.requester].name.value));
   out.add("winner", Json::text(model.groups[taker.target].name.value));
   out.add("loser", Json::text(model.groups[loser.target].name.value));
-  out.add("by", Json::text(decided_by(taker, loser)));
-  out.add("winner_priorities", priorities(taker));
-  out.add("loser_priorities", priorities(loser));
+  std::set<Winning> by_priority = take.ranks;
+  std::erase_if(by_priority, by_optional);
+  const bool is_ranked = !by_priority.empty();
+  out.add("by", Json::text(is_ranked ? "priority" : "optional"));
+  out.add("winner_priorities", priorities(is_ranked ? by_priority : take.ranks, &Winning::first));
+  out.add("loser_priorities", priorities(is_ranked ? by_priority : take.ranks, &Winning::second));
+  out.add("words", Json::text(words_of(take, model, by_priority)));
   Json over = Json::list({});
   for (const GroupId id : topmost(model, take.groups)) over.add(Json::text(model.groups[id].name.value));
   out.add("over", std::move(over));
@@ -78,7 +103,7 @@ Json verdicts_json(const std::vector<Verdict>& verdicts, const Model& model) {
 
 std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph) {
   std::vector<TakeOver> out;
-  for (const PossibleTake& take : possible_takes(model, graph)) out.push_back({take.taker, take.loser});
+  for (const PossibleTake& take : possible_takes(model, graph)) out.push_back({take.taker, take.loser, take.ranks});
   return out;
 }
 

@@ -87,16 +87,8 @@ std::string state_words(const Json& state) {
 }
 
 std::string take_words(const Json& take) {
-  const auto numbers = [&](std::string_view key) {
-    std::vector<std::int64_t> out;
-    for (const Json& each : take[key].items()) {
-      if (std::find(out.begin(), out.end(), each.as_number()) == out.end()) out.push_back(each.as_number());
-    }
-    return fmt::format("{}", fmt::join(out, " or "));
-  };
   const std::string requester = take["requester"].is_null() ? "the program" : take["requester"].as_text();
-  if (take["by"].as_text() == "optional") return fmt::format("{}, where the second is optional", requester);
-  return fmt::format("{}, priority {} before {}", requester, numbers("winner_priorities"), numbers("loser_priorities"));
+  return fmt::format("{}, {}", requester, take["words"].as_text());
 }
 
 std::vector<Rivals> rivals_in(const Json& ranks) {

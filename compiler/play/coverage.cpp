@@ -51,10 +51,11 @@ public:
     std::map<std::pair<EdgeId, EdgeId>, std::size_t> places;
     for (const analysis::Together& together : analysis::find_together(model_, counts_)) {
       for_each_pair(together, [&](const Task& taker, const Task& loser) {
-        takes_some(together, taker, loser, [&](GroupId group) {
+        takes_some(together, taker, loser, [&](GroupId group, const Winning& ranks) {
           const auto [at, fresh] = places.try_emplace({taker.edge, loser.edge}, out.size());
-          if (fresh) out.push_back({taker.edge, loser.edge, std::vector<bool>(model_.groups.size())});
+          if (fresh) out.push_back({taker.edge, loser.edge, std::vector<bool>(model_.groups.size()), {}});
           out[at->second].groups[group.value] = true;
+          out[at->second].ranks.insert(ranks);
           return false;
         });
       });
@@ -135,7 +136,7 @@ private:
 
   void plan_take_overs(const analysis::Together& together) {
     for_each_pair(together, [&](const Task& taker, const Task& loser) {
-      if (takes_some(together, taker, loser, [](GroupId) { return true; }))
+      if (takes_some(together, taker, loser, [](GroupId, const Winning&) { return true; }))
         add({Kind::take_over, taker.edge.value, loser.edge.value}, taker.span);
     });
   }
@@ -149,31 +150,34 @@ private:
     }
   }
 
-  /// Whether some group that it may take was `enough`.
+  /// Whether some group that it may take, with the ranks by which it may, was `enough`.
   template <class Enough>
   bool takes_some(const analysis::Together& together, const Task& taker, const Task& loser, Enough enough) {
     const analysis::Claims &of_taker = claims(taker.target), &of_loser = claims(loser.target);
     const std::vector<GroupId>& groups = of_taker.groups();
     return std::any_of(groups.begin(), groups.end(), [&](GroupId group) {
-      return may_take(together, taker, of_taker, loser, of_loser, group) && enough(group);
+      return may_take(together, taker, of_taker, loser, of_loser, group,
+                      [&](const Winning& ranks) { return enough(group, ranks); });
     });
   }
 
+  template <class Enough>
   bool may_take(const analysis::Together& together, const Task& taker, const analysis::Claims& of_taker,
-                const Task& loser, const analysis::Claims& of_loser, GroupId group) const {
+                const Task& loser, const analysis::Claims& of_loser, GroupId group, Enough enough) const {
     for (const analysis::Reach takes : analysis::all_reaches) {
       for (const analysis::Reach loses : analysis::all_reaches) {
         const analysis::Claim *first = of_taker.find(group, takes), *second = of_loser.find(group, loses);
         if (first == nullptr || second == nullptr || !analysis::compatible(first->region, second->region)) continue;
-        if (goes_before(together, taker, takes, loser, loses)) return true;
+        if (goes_before(together, taker, takes, loser, loses, enough)) return true;
       }
     }
     return false;
   }
 
-  /// Whether it does at some of their levels. In a unit nothing is taken from what is granted with it.
+  /// Whether it does at levels that were `enough`. In a unit nothing is taken from what is granted with it.
+  template <class Enough>
   bool goes_before(const analysis::Together& together, const Task& taker, analysis::Reach takes, const Task& loser,
-                   analysis::Reach loses) const {
+                   analysis::Reach loses, Enough enough) const {
     using analysis::Reach;
     for (const Task::NamedLevel& a : taker.levels) {
       for (const Task::NamedLevel& b : loser.levels) {
@@ -183,7 +187,8 @@ private:
         if (together_granted && (takes == Reach::own || loses == Reach::own)) continue;
         const bool first_optional = first.optional || takes == Reach::optional;
         const bool second_optional = second.optional || loses == Reach::optional;
-        if (first_optional != second_optional ? second_optional : first.priority > second.priority) return true;
+        const bool wins = first_optional != second_optional ? second_optional : first.priority > second.priority;
+        if (wins && enough(Winning{{first.priority, first_optional}, {second.priority, second_optional}})) return true;
       }
     }
     return false;

@@ -4,11 +4,13 @@
 // prove impossible does not count. Source: the scenario page of docs/language.md, "Coverage".
 
 #include "compiler/graph/graph.hpp"
+#include "compiler/lower/contention.hpp"
 #include "compiler/model/model.hpp"
 
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -59,6 +61,7 @@ Coverage coverage_of(const Model& model, const Graph& graph);
 struct PossibleTake {
   EdgeId taker{}, loser{};
   std::vector<bool> groups; ///< by number
+  std::set<Winning> ranks;  ///< by which it may
 };
 std::vector<PossibleTake> possible_takes(const Model& model, const Graph& graph);
 

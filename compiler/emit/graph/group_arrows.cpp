@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/graph/group_arrows.hpp"
 
+#include "compiler/emit/graph/take_ranks.hpp"
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -247,20 +250,16 @@ std::vector<GroupArrow> find_takes(const Model& model, const std::vector<TakeOve
   for (const TakeOver& take : take_overs) {
     const Edge &taker = model.edges[take.taker], &loser = model.edges[take.loser];
     const std::string common = taker.requester ? model.groups[*taker.requester].name.value : "the program";
-    const auto rank = [](const Edge& edge) {
-      const Level& level = edge.levels.front();
-      return fmt::format("{}{}", level.priority, level.optional ? " optional" : "");
-    };
+    const std::vector<std::string> ranks = ranks_words(taker, loser, take.ranks, "over");
     GroupArrow& arrow = pairs[{taker.target, loser.target}];
     arrow.from = taker.target;
     arrow.to = loser.target;
     arrow.kind = ArrowKind::take;
     if (arrow.words.empty()) arrow.span = taker.span;
-    join(arrow.label, fmt::format("{}: {} over {}", common, rank(taker), rank(loser)), "\n");
+    join(arrow.label, fmt::format("{}: {}", common, fmt::join(ranks, "; ")), "\n");
     join(arrow.words,
-         fmt::format("{} may take something from {}, as {} ranks them {} over {}",
-                     model.groups[taker.target].name.value, model.groups[loser.target].name.value, common, rank(taker),
-                     rank(loser)),
+         fmt::format("{} may take something from {}, as {} ranks them {}", model.groups[taker.target].name.value,
+                     model.groups[loser.target].name.value, common, fmt::join(ranks, "; ")),
          "\n");
   }
   std::vector<GroupArrow> out;

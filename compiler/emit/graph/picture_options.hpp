@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 // The options of a picture: which groups, which arrows, and what is folded.
 
+#include "compiler/lower/contention.hpp"
 #include "compiler/model/ids.hpp"
 #include "dsl/span.hpp"
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,7 @@ namespace director::compiler {
 /// The task of one edge may take something by rank from that of another; both of one requester.
 struct TakeOver {
   EdgeId taker{}, loser{};
+  std::set<Winning> ranks; ///< by which it may
 };
 
 /// What holds at some moment of a scenario.

@@ -180,7 +180,7 @@ TEST_CASE("a view shows its own arrows only, and a focus what has to do with som
   options.view = PictureOptions::View::pushes;
   CHECK(drawn(options) == "Kick -> Walk.halting push (Pose == standing) up\n");
   options.view = PictureOptions::View::takes;
-  options.take_overs = {{from.edge("root>Player"), from.edge("root>Cheer")}};
+  options.take_overs = {{from.edge("root>Player"), from.edge("root>Cheer"), {{{10, false}, {0, true}}}}};
   CHECK(drawn(options) == "Player -> Cheer take (the program: 10 over 0 optional)\n");
   options = {};
   options.focus = {from.group("Cheer")};

@@ -89,6 +89,7 @@ groups: {GetUp: {needs: [Legs]}, Walk: {needs: [Legs], tasks: [Legs]}, Legs: {ne
     "loser_priorities": [
       10
     ],
+    "words": "priority 20 before 10",
     "over": [
       "Legs"
     ]
@@ -107,7 +108,7 @@ groups:
   Knee: {}
   Foot: {}
 )")["takes"]) ==
-      R"([{"requester":"Play","winner":"Walk","loser":"Legs","by":"priority","winner_priorities":[9],"loser_priorities":[2],"over":["Foot"]}])");
+      R"([{"requester":"Play","winner":"Walk","loser":"Legs","by":"priority","winner_priorities":[9],"loser_priorities":[2],"words":"priority 9 before 2","over":["Foot"]}])");
 }
 
 TEST_CASE("what is optional gives way at its requester, whatever its priority") {
@@ -121,7 +122,25 @@ groups:
   Look: {needs: [Head]}
   Head: {}
 )")["takes"]) ==
-      R"([{"requester":"Play","winner":"Kick","loser":"Look","by":"optional","winner_priorities":[0],"loser_priorities":[5],"over":["Head"]}])");
+      R"([{"requester":"Play","winner":"Kick","loser":"Look","by":"optional","winner_priorities":[0],"loser_priorities":[5],"words":"where the second is optional","over":["Head"]}])");
+}
+
+TEST_CASE("of two tasks the table names only the ranks by which one goes before the other") {
+  const auto words = [](const std::string& behaviour) {
+    const compiler::Json all = facts(behaviour);
+    std::string out;
+    for (const compiler::Json& take : all["takes"].items())
+      out += take["winner"].as_text() + " before " + take["loser"].as_text() + ": " + take["words"].as_text() + "\n";
+    return out;
+  };
+  CHECK(words(R"(roots: {Kick: {priority: {normal: 10, firm: 30, urgent: 80}}, Walk: {priority: 20}}
+groups: {Kick: {needs: [Legs]}, Walk: {needs: [Legs]}, Legs: {}}
+)") == "Kick before Walk: priority 30 or 80 before 20\nWalk before Kick: priority 20 before 10\n");
+  CHECK(words(R"(roots: {Play: {priority: 5}, Cheer: {priority: 50, optional: true}, Rest: {priority: -3}}
+groups: {Play: {tasks: {Look: {optional: true}}}, Look: {needs: [Head]}, Cheer: {needs: [Head]}, Rest: {needs: [Head]}, Head: {}}
+)") == "Cheer before Play: priority 50 optional before 5 (something below it optional)\n"
+       "Rest before Play: where something below the second is optional\n"
+       "Rest before Cheer: where the second is optional\n");
 }
 
 TEST_CASE("each assertion has its verdict and why, one that is refuted a scenario") {
