@@ -106,6 +106,7 @@ std::string states_html(const HtmlInput& input) {
       add_mentions(facts, "set by", at->second.sets);
       add_mentions(facts, "promised by", at->second.causes);
       add_mentions(facts, "waited for by", at->second.waits);
+      add_mentions(facts, "lets go on", at->second.stays);
     }
     if (!facts.empty()) out += fmt::format("<dl>\n{}</dl>\n", facts);
     out += "</article>\n";

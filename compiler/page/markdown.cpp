@@ -210,6 +210,7 @@ private:
       add_mentions("set by", relations.sets);
       add_mentions("promised by", relations.causes);
       add_mentions("waited for by", relations.waits);
+      add_mentions("lets go on", relations.stays);
       if (out_.size() != before) out_ += "\n";
     }
   }

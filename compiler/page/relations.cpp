@@ -26,13 +26,16 @@ public:
         for (const Json& set : group[std::string(handler) + "_sets"].items())
           mention(set, &StateRelations::sets, fmt::format("{}, when it {}s", group["name"].as_text(), handler), group);
       }
+      several_[group["name"].as_text()] = group["providers"].items().size() > 1;
       for (const Json& provider : group["providers"].items()) look_at(group, provider);
     }
     for (const Json& row : data_[data_["pushes"].is_null() ? "causing" : "pushes"].items()) {
       const std::string& waiter = row["waiter"].as_text();
-      const std::string pushed = group_of(row["causer"].as_text());
-      if (pushed != group_of(waiter))
-        out_.groups[pushed].pushes.push_back({waiter, group_of(waiter), row["condition"].as_text()});
+      const std::string& causer = row["causer"].as_text();
+      const std::string pushed = group_of(causer);
+      if (pushed == group_of(waiter)) continue;
+      const std::string to = several_[pushed] ? ", to " + causer.substr(pushed.size() + 1) : "";
+      out_.groups[pushed].pushes.push_back({waiter, group_of(waiter), row["condition"].as_text() + to});
     }
     return std::move(out_);
   }
@@ -64,12 +67,12 @@ private:
       out_.states[state_of(condition.as_text())].causes.push_back(
           {by, group["name"].as_text(), condition.as_text() + time});
     }
-    for (const std::string_view key : {"when", "stay"}) {
-      for (const Json& condition : provider[key].items()) mention(condition, &StateRelations::waits, by, group);
-    }
+    for (const Json& condition : provider["when"].items()) mention(condition, &StateRelations::waits, by, group);
+    for (const Json& condition : provider["stay"].items()) mention(condition, &StateRelations::stays, by, group);
   }
 
   const Json& data_;
+  std::map<std::string, bool> several_; ///< by group: it has several providers
   Relations out_;
 };
 

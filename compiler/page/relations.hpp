@@ -20,11 +20,12 @@ struct Mention {
 
 struct GroupRelations {
   std::vector<Mention> requests, needs; ///< of it
-  std::vector<Mention> pushes;          ///< what may push it: for what, `how`
+  std::vector<Mention> pushes;          ///< what may push it: for what, and to which of several providers, `how`
 };
 
 struct StateRelations {
   std::vector<Mention> sets, causes, waits;
+  std::vector<Mention> stays; ///< providers that go on while it has such values
 };
 
 struct Relations {
