@@ -19,6 +19,24 @@
 
 namespace director::compiler {
 
+namespace {
+
+/// With what has a meaning of its own in addresses or in Markdown as `%20`.
+std::string in_address(std::string_view path) {
+  constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
+  std::string out;
+  for (const char letter : path) {
+    if (plain.find(letter) != std::string_view::npos) {
+      out += letter;
+    } else {
+      out += fmt::format("%{:02X}", static_cast<unsigned char>(letter));
+    }
+  }
+  return out;
+}
+
+} // namespace
+
 std::string PictureLinks::to(const PictureText& text) const {
   if (pattern.empty() || text.file.empty()) return {};
   std::string out = pattern;
@@ -27,7 +45,7 @@ std::string PictureLinks::to(const PictureText& text) const {
       out.replace(at, name.size(), value);
   };
   put("{line}", std::to_string(text.line));
-  put("{file}", text.file);
+  put("{file}", in_address(text.file));
   return out;
 }
 

@@ -20,13 +20,18 @@ export function button(label: string, act: () => void, attributes: Attributes = 
   return out;
 }
 
+/** With what has a meaning of its own in addresses as `%20`, like the compiler. */
+function inAddress(path: string): string {
+  return encodeURIComponent(path).replace(/[!'()*]/g, (letter) => `%${letter.charCodeAt(0).toString(16).toUpperCase()}`).split('%2F').join('/');
+}
+
 /** Makes a place at the end of a text, `(robot.yaml:12)`, a link, if the page has links to places. */
 export function withPlace(text: string): (Node | string)[] {
   const pattern = document.body.dataset.link;
   const found = /^(.* \()([^()]+):(\d+)\)$/.exec(text);
   if (!pattern || !found) return [text];
   const [, before, file, line] = found;
-  const href = pattern.split('{line}').join(line).split('{file}').join(file);
+  const href = pattern.split('{line}').join(line).split('{file}').join(inAddress(file));
   return [before, make('a', { href }, `${file}:${line}`), ')'];
 }
 
