@@ -92,10 +92,21 @@ private:
     return fmt::format("{}:{}", in_quotes(box.name), in_quotes(end.pack ? port(row, row.packs[*end.pack]) : port(row)));
   }
 
-  /// Graphviz reads strings of up to 16 KiB, and more than a page is not read in a tooltip.
+  /// Graphviz reads strings of up to 16 KiB, and more than a page is not read in a tooltip. It also replaces `\N` and
+  /// the like by names.
   static std::string tooltip(const PictureText& text) {
     const std::string words = dsl::shortened(text.words);
-    return text.file.empty() ? words : fmt::format("{}\n{}:{}", words, text.file, text.line);
+    std::string out;
+    for (const char letter : text.file.empty() ? words : fmt::format("{}\n{}:{}", words, text.file, text.line))
+      out += letter == '\\' ? "\\\\" : std::string(1, letter);
+    return out;
+  }
+
+  /// Not of a cell: Graphviz replaces `&amp;` there.
+  static std::string quoted_tooltip(const PictureText& text) {
+    std::string out;
+    for (const char letter : tooltip(text)) out += letter == '&' ? "&amp;" : std::string(1, letter);
+    return in_quotes(out);
   }
 
   /// The tooltip of a cell or a table.
@@ -304,7 +315,7 @@ private:
     const bool alike = box.kind == PictureBox::Kind::alike;
     const Frame frame = alike ? frame_around(box) : frame_of(box);
     const std::string url = links_.to(box.about);
-    code_.open(fmt::format("{} [tooltip={}{}, label=<", in_quotes(box.name), in_quotes(tooltip(box.about)),
+    code_.open(fmt::format("{} [tooltip={}{}, label=<", in_quotes(box.name), quoted_tooltip(box.about),
                            url.empty() ? "" : ", URL=" + in_quotes(url)));
     code_.line(fmt::format("<TABLE BORDER=\"{}\" CELLBORDER=\"0\" CELLSPACING=\"{}\" CELLPADDING=\"4\" COLOR=\"{}\" "
                            "BGCOLOR=\"{}\" STYLE=\"{}\">",
@@ -367,7 +378,7 @@ private:
     const std::string apart = arrow.apart && !arrow.optional ? (arrow.label.empty() ? "apart" : ", apart") : "";
     if (const std::string label = arrow.label + apart; !label.empty()) text += ", label=<" + label_of(label) + ">";
     if (!arrow.ranks) text += ", constraint=false";
-    const std::string words = in_quotes(tooltip(arrow.about));
+    const std::string words = quoted_tooltip(arrow.about);
     text += fmt::format(", tooltip={0}, edgetooltip={0}, labeltooltip={0}", words);
     if (const std::string url = links_.to(arrow.about); !url.empty()) text += ", URL=" + in_quotes(url);
     code_.line(fmt::format("{} -> {} [{}]", end(arrow.from), end(arrow.to), text));

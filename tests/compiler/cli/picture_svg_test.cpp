@@ -110,6 +110,23 @@ TEST_CASE("a behaviour is drawn whatever characters its texts have") {
   CHECK(picture.status == 0);
 }
 
+TEST_CASE("a tooltip has the letters of the text, also those that Graphviz would replace") {
+  if (!has_graphviz()) return;
+  const OwnFolder folder("picture-tooltips");
+  folder.write("bot.yaml", R"(behaviour: bot
+language: 1
+roots: [Go]
+groups:
+  Go: {tasks: {Walk: {doc: 'arrow \E \T \H \n end'}}}
+  Walk: {doc: 'box \N \G \L &amp; end', providers: [{name: fast, doc: 'row \N \\ &lt; end'}, {name: slow}]}
+)");
+  const std::string svg = drawn({folder.at("bot.yaml"), "--link=https://example.org/{file}"}).out;
+  const auto has = [&](const std::string& piece) { return svg.find(piece) != std::string::npos; };
+  CHECK(has(R"(="Walk: box \N \G \L &amp;amp; end&#10;)"));
+  CHECK(has(R"(requests Walk: arrow \E \T \H \n end&#10;)"));
+  CHECK(has(R"(="Walk.fast: row \N \\ &amp;lt; end&#10;)"));
+}
+
 TEST_CASE("boxes and labels do not overlap, and nothing sticks out of the paper") {
   if (!has_graphviz()) return;
   for (const Measured& picture : pictures()) {
@@ -313,7 +330,7 @@ TEST_CASE("titles and tooltips are names and words, and no numbers of the progra
     const Svg& svg = svg_of(picture);
     CAPTURE(picture.file, picture.options);
     CHECK_FALSE(svg.title.empty());
-    CHECK(std::regex_search(svg.description, std::regex("[0-9]+ groups?.*; [0-9]+ request")));
+    CHECK(std::regex_search(svg.description, std::regex("[0-9]+ groups?.*; arrows: [0-9]+ for ")));
     for (const SvgThing& thing : svg.things) {
       CAPTURE(thing.title);
       CHECK_FALSE(std::regex_search(thing.title, number));
