@@ -32,6 +32,7 @@ PictureBox BoxMaker::group(GroupId id) const {
   if (root != nullptr) box.requested = words_.manner(manner_of(model_, *root, has_priorities(model_, model_.roots)));
   box.lines = words_.handler_lines(group);
   for (const ProviderId provider : group.providers) box.rows.push_back(words_.row(provider));
+  if (group.providers.empty()) box.lines.push_back({PictureLine::Kind::outer, "extern", {}});
   box.in_focus = is_focused(id);
   box.about = words_.group(id);
   if (root != nullptr && !root->doc.empty()) box.about.words += "\n" + with_doc("requested by the program", root->doc);

@@ -124,7 +124,8 @@ private:
     case PictureLine::Kind::wrong: return palette::queued;
     case PictureLine::Kind::doubtful: return palette::when;
     case PictureLine::Kind::sets:
-    case PictureLine::Kind::runs: break;
+    case PictureLine::Kind::runs:
+    case PictureLine::Kind::outer: break;
     }
     return palette::grey;
   }

@@ -148,6 +148,7 @@ private:
     if (row.layer) out.add("layer", Json::text(model_.layers[row.layer->id].name.value));
     out.add("module", Json::text(model_.modules[row.module].name));
     if (!row.data.empty()) out.add("data", Json::text(row.data));
+    if (row.providers.empty()) out.add("extern", Json::boolean(true));
     out.add("realtime", Json::boolean(row.realtime));
     out.add("start", Json::boolean(row.start.has_value()));
     if (row.start) out.add("start_sets", conditions(row.start->sets));

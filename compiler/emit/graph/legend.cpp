@@ -162,6 +162,7 @@ std::vector<std::string> legend_table(const Picture& picture) {
   for (const std::string& wrong : picture.wrong)
     line(
         fmt::format("<FONT COLOR=\"{}\">{}</FONT>", palette::queued, palette::wrapped(wrong) + "<BR ALIGN=\"LEFT\"/>"));
+  add_sign(has_line(picture, PictureLine::Kind::outer), "extern", "whoever imports this file must provide it");
   for (const LegendEntry& entry : legend_of(picture)) out.push_back(table_row(entry));
   out.emplace_back("</TABLE>");
   return out;

@@ -60,7 +60,8 @@ public:
 private:
   static std::string lines(const std::vector<PictureLine>& all) {
     std::string out;
-    for (const PictureLine& line : all) out += fmt::format("<br/>{} {}", line.key, escaped(line.text));
+    for (const PictureLine& line : all)
+      out += fmt::format("<br/>{}{}{}", line.key, line.text.empty() ? "" : " ", escaped(line.text));
     return out;
   }
 

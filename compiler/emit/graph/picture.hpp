@@ -26,9 +26,9 @@ struct PictureText {
 
 /// `when Stability == standing`.
 struct PictureLine {
-  enum class Kind { when, stay, causing, sets, runs, wrong, doubtful };
+  enum class Kind { when, stay, causing, sets, runs, outer, wrong, doubtful };
   Kind kind = Kind::when;
-  std::string key; ///< as it is written: when, stay, causing, sets, on, every, start, stop
+  std::string key; ///< as it is written: when, stay, causing, sets, on, every, start, stop, extern
   std::string text;
   bool operator==(const PictureLine&) const = default;
 };
