@@ -52,6 +52,7 @@ PictureBox BoxMaker::alike(const std::vector<GroupId>& set) const {
   box.groups = set;
   box.members = members(set);
   box.about = words_.group(set.front());
+  box.data = model_.groups[set.front()].data;
   box.about.words = fmt::format("{}: requested alike", box.name);
   return box;
 }

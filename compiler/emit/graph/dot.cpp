@@ -301,7 +301,8 @@ private:
             "<TR><TD BORDER=\"{}\" STYLE=\"{}\" COLOR=\"{}\" BGCOLOR=\"{}\"{}{}><B>{}</B></TD></TR>",
             box.mark ? frame.width : 1, frame.style, frame.colour, palette::paper,
             box.frames.empty() ? "" : room((member.name.size() + 2) * letter_width + padding, line_height + padding),
-            cell_words(member.about), name_of(is_grey(box), (runs(box) ? "\u25B6 " : "") + member.name)));
+            cell_words(member.about), name_of(is_grey(box), (runs(box) ? "\u25B6 " : "") + member.name),
+            box.data.empty() ? "" : "<BR/>" + small(palette::grey, box.data)));
       } else {
         code_.line(fmt::format("<TR><TD ALIGN=\"LEFT\"{}>{}</TD></TR>", cell_words(member.about),
                                small(palette::ink, member.name)));

@@ -170,7 +170,8 @@ private:
     if (!plain) return alone;
     const auto is_queued = [&](const Moment* moment) { return standing(id, *moment).mark == Moment::Mark::queued; };
     if (std::any_of(moments_.begin(), moments_.end(), is_queued)) return alone;
-    std::string key = fmt::format("layer {}", group.layer ? std::to_string(group.layer->id.value) : "");
+    std::string key =
+        fmt::format("layer {} data {}", group.layer ? std::to_string(group.layer->id.value) : "", group.data);
     for (const Moment* moment : moments_)
       key += fmt::format(" {} {}", static_cast<int>(standing(id, *moment).mark), standing(id, *moment).note);
     bool requested = false;

@@ -62,7 +62,7 @@ struct PictureBox {
   std::string name; ///< no two boxes have the same
   std::vector<GroupId> groups;
   std::vector<PictureMember> members;   ///< not of a group
-  std::string data;                     ///< C++ type; empty: none
+  std::string data;                     ///< C++ type, of groups that are alike that of each; empty: none
   std::optional<std::string> requested; ///< the program requests it, with this priority
   std::vector<PictureLine> lines;       ///< of its handlers
   std::vector<PictureRow> rows;         ///< of a group
