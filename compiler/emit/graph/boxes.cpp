@@ -29,10 +29,11 @@ PictureBox BoxMaker::group(GroupId id) const {
   box.groups = {id};
   box.data = group.data;
   const Task* root = root_of(id);
+  if (root != nullptr) box.roots = {box.name};
   if (root != nullptr) box.requested = words_.manner(manner_of(model_, *root, has_priorities(model_, model_.roots)));
   box.lines = words_.handler_lines(group);
-  for (const ProviderId provider : group.providers) box.rows.push_back(words_.row(provider));
   if (group.providers.empty()) box.lines.push_back({PictureLine::Kind::outer, "extern", {}});
+  for (const ProviderId provider : group.providers) box.rows.push_back(words_.row(provider));
   box.in_focus = is_focused(id);
   box.about = words_.group(id);
   if (root != nullptr && !root->doc.empty()) box.about.words += "\n" + with_doc("requested by the program", root->doc);
@@ -51,8 +52,8 @@ PictureBox BoxMaker::alike(const std::vector<GroupId>& set) const {
   for (const GroupId id : set) box.name += (box.name.empty() ? "" : ", ") + model_.groups[id].name.value;
   box.groups = set;
   box.members = members(set);
-  box.about = words_.group(set.front());
   box.data = model_.groups[set.front()].data;
+  box.about = words_.group(set.front());
   box.about.words = fmt::format("{}: requested alike", box.name);
   return box;
 }
@@ -70,6 +71,7 @@ PictureBox BoxMaker::folded(const std::vector<GroupId>& set) const {
   for (const GroupId id : set) {
     const Task* root = root_of(id);
     if (root == nullptr) continue;
+    box.roots.push_back(model_.groups[id].name.value);
     if (!box.requested) box.requested.emplace();
     const std::string how = words_.manner(manner_of(model_, *root, has_priorities(model_, model_.roots)));
     *box.requested += fmt::format("{}{}{}", box.requested->empty() ? "" : ", ", model_.groups[id].name.value,

@@ -238,14 +238,15 @@ private:
   }
 
   static Frame mark_frame(const PictureBox& box, std::string_view solid) {
-    const int width = box.in_focus ? 4 : box.requested ? 2 : 1;
+    const auto at_least = [&](int width) { return box.in_focus ? 4 : width; };
+    const int width = at_least(box.requested ? 2 : 1);
     if (box.kind == PictureBox::Kind::missing) return {palette::queued, "ROUNDED,DASHED", 2};
     if (!box.mark) return {box.in_focus || box.requested ? palette::ink : palette::frame, solid, width};
     switch (*box.mark) {
-    case Moment::Mark::running: return {palette::need, solid, 3};
-    case Moment::Mark::pushed: return {palette::push, solid, 3};
-    case Moment::Mark::queued: return {palette::queued, "ROUNDED,DASHED", 2};
-    case Moment::Mark::held: return {palette::need, "ROUNDED,DOTTED", 2};
+    case Moment::Mark::running: return {palette::need, solid, at_least(3)};
+    case Moment::Mark::pushed: return {palette::push, solid, at_least(3)};
+    case Moment::Mark::queued: return {palette::queued, "ROUNDED,DASHED", at_least(2)};
+    case Moment::Mark::held: return {palette::need, "ROUNDED,DOTTED", at_least(2)};
     case Moment::Mark::inactive: break;
     }
     return {palette::faint, solid, width};
@@ -298,7 +299,7 @@ private:
       if (box.kind == PictureBox::Kind::alike) {
         const Frame frame = frame_of(box);
         code_.line(fmt::format(
-            "<TR><TD BORDER=\"{}\" STYLE=\"{}\" COLOR=\"{}\" BGCOLOR=\"{}\"{}{}><B>{}</B></TD></TR>",
+            "<TR><TD BORDER=\"{}\" STYLE=\"{}\" COLOR=\"{}\" BGCOLOR=\"{}\"{}{}><B>{}</B>{}</TD></TR>",
             box.mark ? frame.width : 1, frame.style, frame.colour, palette::paper,
             box.frames.empty() ? "" : room((member.name.size() + 2) * letter_width + padding, line_height + padding),
             cell_words(member.about), name_of(is_grey(box), (runs(box) ? "\u25B6 " : "") + member.name),

@@ -55,10 +55,11 @@ std::string stroke(std::string_view colour, std::string_view style, int width) {
 }
 
 /// A request and a need side by side, as in the arrow.
-std::string two_strokes() {
+std::string two_strokes(bool is_grey) {
   return fmt::format("<TD ALIGN=\"RIGHT\"><TABLE BORDER=\"0\" CELLBORDER=\"0\" CELLSPACING=\"1\" CELLPADDING=\"0\">"
                      "<TR>{}</TR><TR>{}</TR></TABLE></TD>",
-                     stroke(palette::task, "SOLID", 1), stroke(palette::need, "SOLID", 1));
+                     stroke(is_grey ? palette::grey : palette::task, "SOLID", 1),
+                     stroke(is_grey ? palette::grey : palette::need, "SOLID", 1));
 }
 
 std::string table_row(const LegendEntry& entry) {
@@ -66,8 +67,10 @@ std::string table_row(const LegendEntry& entry) {
   if (entry.sample == Sample::text)
     return fmt::format("<TR><TD COLSPAN=\"2\" ALIGN=\"LEFT\">{}&#160;&#160;</TD>{}</TR>", html_attribute(entry.sign),
                        words);
-  const Line line = line_of(entry.sample);
-  const std::string drawn = entry.sample == Sample::both ? two_strokes() : stroke(line.colour, line.style, line.width);
+  Line line = line_of(entry.sample);
+  if (entry.is_grey) line.colour = palette::grey;
+  const std::string drawn =
+      entry.sample == Sample::both ? two_strokes(entry.is_grey) : stroke(line.colour, line.style, line.width);
   return fmt::format("<TR>{}<TD ALIGN=\"LEFT\"><FONT COLOR=\"{}\">{}</FONT></TD>{}</TR>", drawn, line.colour, line.head,
                      words);
 }
@@ -79,11 +82,13 @@ std::vector<LegendEntry> legend_of(const Picture& picture) {
   std::vector<LegendEntry> out;
   const auto draws = [&](auto is_one) { return any(picture.arrows, is_one); };
   const auto asks = [](const PictureArrow& arrow) { return arrow.kind == Kind::task || arrow.kind == Kind::both; };
+  const bool marked = any(picture.boxes, [](const PictureBox& box) { return box.mark.has_value(); });
   const auto add = [&](bool is_drawn, Sample sample, std::string words) {
-    if (is_drawn) out.push_back({sample, {}, std::move(words)});
+    if (is_drawn)
+      out.push_back({sample, {}, std::move(words), marked && sample != Sample::push && sample != Sample::take});
   };
   const auto add_sign = [&](bool is_drawn, std::string sign, std::string words) {
-    if (is_drawn) out.push_back({Sample::text, std::move(sign), std::move(words)});
+    if (is_drawn) out.push_back({Sample::text, std::move(sign), std::move(words), false});
   };
   const auto has_number = [](const std::string& text) {
     return any(text, [](unsigned char letter) { return std::isdigit(letter) != 0; });
@@ -100,6 +105,18 @@ std::vector<LegendEntry> legend_of(const Picture& picture) {
   marks(Moment::Mark::pushed, "green frame", "runs, and is pushed by what waits");
   marks(Moment::Mark::held, "dotted blue frame", "held, and not requested yet");
   marks(Moment::Mark::inactive, "grey", "nothing requests it");
+  const bool has_frames = any(picture.boxes, [](const PictureBox& box) { return !box.frames.empty(); });
+  const auto lines = [&](Moment::Mark mark, std::string sign, std::string words) {
+    const auto is_one = [&](const PictureArrow& arrow) {
+      return arrow.kind != Kind::push && arrow.kind != Kind::take && (has_frames || arrow.mark == mark);
+    };
+    add_sign(draws(is_one), std::move(sign), std::move(words));
+  };
+  if (marked) {
+    lines(Moment::Mark::running, std::string(blue_line), "is requested or needed, and has it");
+    lines(Moment::Mark::queued, std::string(red_line), "is requested, and waits");
+    lines(Moment::Mark::inactive, std::string(grey_line), "is not requested now");
+  }
   const auto plain = [](const PictureArrow& arrow) {
     return arrow.kind == Kind::task && !arrow.optional && !arrow.apart && !arrow.missing;
   };
@@ -119,7 +136,8 @@ std::vector<LegendEntry> legend_of(const Picture& picture) {
            "priority among all that the same one requests: the higher one wins");
   const bool ranked =
       any(picture.boxes, [&](const PictureBox& box) { return box.requested && has_number(*box.requested); });
-  add_sign(any(picture.boxes, [](const PictureBox& box) { return box.requested.has_value(); }), "thick frame",
+  add_sign(any(picture.boxes, [](const PictureBox& box) { return box.requested.has_value(); }),
+           marked ? "\u25BC program" : "thick frame",
            fmt::format("the program itself requests it{}", ranked ? ", with that priority" : ""));
   add_sign(any(picture.boxes, [](const PictureBox& box) { return box.in_focus; }), "thickest", "what was asked about");
   const bool from_rows = draws([](const PictureArrow& arrow) { return arrow.from.row.has_value(); });
@@ -144,6 +162,7 @@ std::vector<LegendEntry> legend_of(const Picture& picture) {
   add_sign(has_line(picture, PictureLine::Kind::causing), "causing", "makes that true when it is pushed");
   add_sign(has_line(picture, PictureLine::Kind::sets), "sets", "may set that, and promises nothing");
   add_sign(has_line(picture, PictureLine::Kind::runs), "on, every", "runs again then");
+  add_sign(has_line(picture, PictureLine::Kind::outer), "extern", "whoever imports this file must provide it");
   return out;
 }
 
@@ -162,7 +181,6 @@ std::vector<std::string> legend_table(const Picture& picture) {
   for (const std::string& wrong : picture.wrong)
     line(
         fmt::format("<FONT COLOR=\"{}\">{}</FONT>", palette::queued, palette::wrapped(wrong) + "<BR ALIGN=\"LEFT\"/>"));
-  add_sign(has_line(picture, PictureLine::Kind::outer), "extern", "whoever imports this file must provide it");
   for (const LegendEntry& entry : legend_of(picture)) out.push_back(table_row(entry));
   out.emplace_back("</TABLE>");
   return out;

@@ -5,6 +5,7 @@
 #include "compiler/emit/graph/picture.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace director::compiler {
@@ -14,8 +15,12 @@ struct LegendEntry {
   Sample sample = Sample::text;
   std::string sign; ///< of a text: how it looks
   std::string words;
+  bool is_grey = false; ///< a line whose colour tells something else: the status at a moment
   bool operator==(const LegendEntry&) const = default;
 };
+
+/// Signs of lines at a moment, which only Graphviz colours.
+inline constexpr std::string_view blue_line = "blue line", red_line = "dashed red line", grey_line = "grey line";
 
 std::vector<LegendEntry> legend_of(const Picture& picture);
 

@@ -51,6 +51,7 @@ public:
     for (const PictureArrow& arrow : picture_.arrows) draw_arrow(arrow);
     draw_roots();
     draw_marks();
+    draw_class("focus", "stroke-width:5px", [](const PictureBox& box) { return box.in_focus; });
     draw_legend();
     if (!links_.pattern.empty()) draw_links();
     code_.close("");
@@ -83,16 +84,20 @@ private:
                                                      "stroke:#00704F,stroke-width:3px",
                                                      "stroke:#00629B,stroke-dasharray:2 2"};
     constexpr std::array<std::string_view, 5> names{"inactive", "running", "queued", "pushed", "held"};
-    for (std::size_t mark = 0; mark < styles.size(); ++mark) {
-      std::string boxes;
-      for (std::size_t i = 0; i < picture_.boxes.size(); ++i) {
-        if (picture_.boxes[i].mark == static_cast<Moment::Mark>(mark))
-          boxes += fmt::format("{}g{}", boxes.empty() ? "" : ",", i);
-      }
-      if (boxes.empty()) continue;
-      code_.line(fmt::format("classDef {} {}", names[mark], styles[mark]));
-      code_.line(fmt::format("class {} {}", boxes, names[mark]));
+    for (std::size_t mark = 0; mark < styles.size(); ++mark)
+      draw_class(names[mark], styles[mark],
+                 [&](const PictureBox& box) { return box.mark == static_cast<Moment::Mark>(mark); });
+  }
+
+  template <class Predicate>
+  void draw_class(std::string_view name, std::string_view style, Predicate has_it) {
+    std::string boxes;
+    for (std::size_t i = 0; i < picture_.boxes.size(); ++i) {
+      if (has_it(picture_.boxes[i])) boxes += fmt::format("{}g{}", boxes.empty() ? "" : ",", i);
     }
+    if (boxes.empty()) return;
+    code_.line(fmt::format("classDef {} {}", name, style));
+    code_.line(fmt::format("class {} {}", boxes, name));
   }
 
   void draw_box(std::size_t at) {
@@ -112,7 +117,8 @@ private:
     for (std::size_t row = 0; row < box.rows.size(); ++row) {
       const PictureRow& shown = box.rows[row];
       if (!shown.name.empty())
-        code_.line(fmt::format("g{}p{}[\"{}{}\"]", at, row, (shown.is_active ? "\u25B6 " : "") + escaped(shown.name),
+        code_.line(fmt::format("g{}p{}[\"{}{}{}{}\"]", at, row, shown.is_active ? "\u25B6 " : "",
+                               box.rows.size() > 1 ? fmt::format("{} ", row + 1) : "", escaped(shown.name),
                                lines(shown.lines)));
       for (std::size_t pack = 0; pack < shown.packs.size(); ++pack) {
         const std::string owner = shown.name.empty() ? "" : shown.name + ", ";
@@ -154,14 +160,9 @@ private:
                            label.empty() ? "" : fmt::format("|\"{}\"|", escaped(label)), end(arrow.to)));
   }
 
+  /// At a moment thick is what runs.
   void draw_roots() {
-    std::string roots;
-    for (std::size_t i = 0; i < picture_.boxes.size(); ++i) {
-      if (picture_.boxes[i].requested) roots += fmt::format("{}g{}", roots.empty() ? "" : ",", i);
-    }
-    if (roots.empty()) return;
-    code_.line("classDef root stroke-width:3px");
-    code_.line(fmt::format("class {} root", roots));
+    draw_class("root", "stroke-width:3px", [](const PictureBox& box) { return box.requested && !box.mark; });
   }
 
   static std::string_view sign_of(LegendEntry::Sample sample) {
@@ -178,15 +179,32 @@ private:
     return "arrow";
   }
 
+  static std::string sign_in_boxes(const std::string& sign) {
+    if (sign == "\u25C7") return "round box";
+    if (sign == "\u25BC program") return "program";
+    return sign == "rows" ? "1, 2" : sign;
+  }
+
+  /// Providers are boxes, which the viewer places in any order.
+  static std::string words_in_boxes(const LegendEntry& entry) {
+    if (entry.sign != "rows") return entry.words;
+    std::string out = entry.words;
+    const auto put = [&](std::string_view old, std::string_view with) {
+      if (const std::size_t at = out.find(old); at != std::string::npos) out.replace(at, old.size(), with);
+    };
+    put("the preferred one first", "the preferred one is 1");
+    put("one row", "one of them");
+    return out;
+  }
+
   void draw_legend() {
     std::string text;
     for (const LegendEntry& entry : legend_of(picture_)) {
       const bool is_text = entry.sample == LegendEntry::Sample::text;
       if (entry.sign == "dashed box") continue; // the names of such a box show it
-      const std::string sign = !is_text                 ? std::string(sign_of(entry.sample))
-                               : entry.sign == "\u25C7" ? "round box"
-                                                        : entry.sign;
-      text += fmt::format("{}{}: {}", text.empty() ? "" : "<br/>", escaped(sign), escaped(entry.words));
+      if (entry.sign == blue_line || entry.sign == red_line || entry.sign == grey_line) continue;
+      const std::string sign = !is_text ? std::string(sign_of(entry.sample)) : sign_in_boxes(entry.sign);
+      text += fmt::format("{}{}: {}", text.empty() ? "" : "<br/>", escaped(sign), escaped(words_in_boxes(entry)));
     }
     if (!text.empty()) code_.line(fmt::format("legend[\"{}\"]", text));
     if (!text.empty()) code_.line("style legend fill:none,stroke:none,text-align:left");

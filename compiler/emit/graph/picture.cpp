@@ -59,6 +59,10 @@ public:
   Picture paint() {
     picture_.title = model_.name;
     picture_.doc = model_.doc;
+    picture_.all_groups = model_.groups.size();
+    for (const ArrowKind kind : {ArrowKind::task, ArrowKind::need, ArrowKind::push, ArrowKind::take}) {
+      if (is_seen(options_.view, kind)) picture_.kinds.push_back(kind);
+    }
     if (options_.moment) picture_.moment = options_.moment->title;
     if (options_.moment) picture_.values = options_.moment->values;
     for (const Moment& frame : options_.frames) {

@@ -64,6 +64,7 @@ struct PictureBox {
   std::vector<PictureMember> members;   ///< not of a group
   std::string data;                     ///< C++ type, of groups that are alike that of each; empty: none
   std::optional<std::string> requested; ///< the program requests it, with this priority
+  std::vector<std::string> roots;       ///< the groups that the program requests
   std::vector<PictureLine> lines;       ///< of its handlers
   std::vector<PictureRow> rows;         ///< of a group
   bool in_focus = false;
@@ -132,7 +133,9 @@ struct Picture {
   bool packs_left_out = false;      ///< there are so many boxes that an arrow represents all providers and packs
   std::vector<PictureLayer> layers; ///< in the order declared; boxes in none are first if they lead there, else last
   std::vector<PictureBox> boxes;
-  std::vector<PictureArrow> arrows; ///< by box
+  std::vector<PictureArrow> arrows;      ///< by box
+  std::size_t all_groups = 0;            ///< of the behaviour, whether they are drawn or not
+  std::vector<PictureArrow::Kind> kinds; ///< that the view shows
 };
 
 Picture make_picture(const Model& model, const Graph& graph, const dsl::Sources& sources,

@@ -135,6 +135,11 @@ void add_words(const Picture& picture, std::string& svg) {
   svg.insert(tag + 5, "role=\"graphics-document document\" ");
 }
 
+std::string_view words_for(PictureArrow::Kind kind) {
+  using Kind = PictureArrow::Kind;
+  return kind == Kind::task ? "requests" : kind == Kind::need ? "needs" : kind == Kind::push ? "pushes" : "take-overs";
+}
+
 } // namespace
 
 std::string summary(const Picture& picture) {
@@ -144,23 +149,28 @@ std::string summary(const Picture& picture) {
   for (const PictureBox& box : picture.boxes) {
     groups += box.groups.size();
     folded += box.kind == PictureBox::Kind::folded ? 1 : 0;
-    if (box.requested) roots += (roots.empty() ? "" : ", ") + box.name;
+    for (const std::string& root : box.roots) roots += (roots.empty() ? "" : ", ") + root;
   }
   const auto count = [&](auto... kinds) {
     return static_cast<std::size_t>(std::count_if(picture.arrows.begin(), picture.arrows.end(), [&](const auto& arrow) {
       return !arrow.hidden && ((arrow.kind == kinds) || ...);
     }));
   };
-  std::string out = counted(groups, "group");
+  std::string out = groups < picture.all_groups ? fmt::format("{} of {}", groups, counted(picture.all_groups, "group"))
+                                                : counted(groups, "group");
   if (folded != 0) out += fmt::format(" in {}", counted(folded, "part"));
   std::string layers;
   for (const PictureLayer& layer : picture.layers) {
     if (!layer.name.empty()) layers += (layers.empty() ? "" : ", ") + layer.name;
   }
   if (!layers.empty()) out += ", in the layers " + layers;
-  out += fmt::format("; {}, {}, {}", counted(count(Kind::task, Kind::both), "request"),
-                     counted(count(Kind::need, Kind::both), "need"), counted(count(Kind::push), "push"));
-  if (const std::size_t takes = count(Kind::take); takes != 0) out += fmt::format(", {}", counted(takes, "take-over"));
+  std::string arrows;
+  for (const Kind kind : picture.kinds) {
+    const bool may_be_both = kind == Kind::task || kind == Kind::need;
+    arrows += fmt::format("{}{} for {}", arrows.empty() ? "" : ", ",
+                          may_be_both ? count(kind, Kind::both) : count(kind), words_for(kind));
+  }
+  if (!arrows.empty()) out += fmt::format("; arrows: {}", arrows);
   out += ".";
   if (!roots.empty()) out += fmt::format(" The program requests {}.", roots);
   if (!picture.moment.empty()) {

@@ -206,6 +206,98 @@ TEST_CASE("modules and layers are folded into a box each, and arrows within them
   CHECK(boxes_of(picture_of(walker, options)) == "purpose: [module test]\n");
 }
 
+TEST_CASE("a collapsed picture has each condition of a push, also one that begins like another") {
+  PictureOptions options;
+  options.fold = PictureOptions::Fold::modules;
+  CHECK(arrows_of(picture_of(R"(behaviour: bot
+language: 1
+roots: {A: {priority: 2}, B: {priority: 2}, Drive: {priority: 1}}
+states: {Motion: {values: [off_road, off, on], initial: on}}
+groups:
+  A: {module: tall, when: [Motion == off_road], needs: [Wheels]}
+  B: {module: tall, when: [Motion == off], needs: [Wheels]}
+  Drive:
+    module: deep
+    providers:
+      - {name: rolling, needs: [Wheels], sets: [Motion == on]}
+      - {name: offing, needs: [Wheels], causing: [Motion == off]}
+      - {name: roading, needs: [Wheels], causing: [Motion == off_road]}
+  Wheels: {module: deep}
+)",
+                             options)) == "module tall -> module deep need up\n"
+                                          "module tall -> module deep push (Motion == off_road/Motion == off) up\n");
+}
+
+TEST_CASE("an arrow of what may be taken has only the ranks by which it may") {
+  const tests::Compiled from = tests::compile(std::string(walker));
+  PictureOptions options;
+  options.view = PictureOptions::View::takes;
+  const EdgeId player = from.edge("root>Player"), cheer = from.edge("root>Cheer");
+  options.take_overs = {{player, cheer, {{{10, false}, {0, true}}, {{80, false}, {0, true}}}},
+                        {cheer, player, {{{0, false}, {10, true}}}}};
+  CHECK(arrows_of(make_picture(from.model, make_graph(from.model), from.sources, options)) ==
+        "Player -> Cheer take (the program: 10 or 80 over 0 optional)\n"
+        "Cheer -> Player take (the program: 0 over 10 (something below it optional)) up\n");
+}
+
+TEST_CASE("the legend of a moment says what colours of lines mean, and no thickness of frames") {
+  PictureOptions options;
+  options.moment.emplace();
+  options.moment->groups = {{Moment::Mark::running, {}, {}}, {Moment::Mark::queued, {}, {}}};
+  options.moment->edges = {Moment::Mark::running, Moment::Mark::queued};
+  const Picture picture =
+      picture_of("behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups: {Lamp: {tasks: [Bulb]}, Bulb: {}}\n", options);
+  std::string out;
+  for (const LegendEntry& entry : legend_of(picture))
+    out += (entry.sign.empty() ? "" : entry.sign + ": ") + entry.words + (entry.is_grey ? " (grey)" : "") + "\n";
+  CHECK(out == "blue frame, \u25B6: runs, in that provider\n"
+               "dashed red frame: queued: it is requested, and waits\n"
+               "grey line: is not requested now\n"
+               "requests (grey)\n"
+               "\u25BC program: the program itself requests it\n");
+}
+
+TEST_CASE("Mermaid has the preferred provider first by its number, and marks what was asked about") {
+  PictureOptions options;
+  const std::string lamp =
+      "behaviour: lamp\nlanguage: 1\nstates: {Night: {values: [no, yes], initial: no, external: true}}\n"
+      "roots: [Lamp]\ngroups:\n  Lamp:\n    providers:\n      - {name: lit, when: [Night == yes]}\n"
+      "      - {name: dark}\n";
+  options.focus = {GroupId{0}};
+  const std::string text = mermaid(picture_of(lamp, options), {"https://example.org/{file}#L{line}"});
+  const auto has = [&](const std::string& piece) { return text.find(piece) != std::string::npos; };
+  CHECK(has("g0p0[\"1 lit<br/>when Night == yes\"]"));
+  CHECK(has("g0p1[\"2 dark\"]"));
+  CHECK(has("<br/>1, 2: providers, the preferred one is 1<br/>"));
+  CHECK(has("classDef root stroke-width:3px"));
+  CHECK(text.find("classDef focus stroke-width:5px") > text.find("class g0 root"));
+  CHECK(has("class g0 focus"));
+}
+
+TEST_CASE("a link has what is no letter or digit of the path in hexadecimal digits") {
+  CHECK(PictureLinks{"https://example.org/{file}#L{line}"}.to({{}, "my (1) \u00E4#b%/a-b_c.yaml", 5}) ==
+        "https://example.org/my%20%281%29%20%C3%A4%23b%25/a-b_c.yaml#L5");
+}
+
+TEST_CASE("groups that share a box have one type of data, which is in it") {
+  const Picture picture =
+      picture_of("behaviour: arms\nlanguage: 1\nroots: [Wave]\ngroups:\n  Wave: {tasks: [A, B, C]}\n"
+                 "  A: {data: int}\n  B: {}\n  C: {data: int}\n");
+  REQUIRE(picture.boxes.size() == 3);
+  CHECK(picture.boxes[1].name == "A, C");
+  CHECK(picture.boxes[1].data == "int");
+  CHECK(picture.boxes[2].data == "");
+}
+
+TEST_CASE("a group that others must provide is marked as such") {
+  const Picture picture = picture_of("behaviour: part\nlanguage: 1\nextern: [Legs]\ngroups: {Kick: {needs: [Legs]}}\n");
+  REQUIRE(picture.boxes.size() == 2);
+  REQUIRE(picture.boxes[1].lines.size() == 1);
+  CHECK(picture.boxes[1].lines.front() == PictureLine{PictureLine::Kind::outer, "extern", ""});
+  CHECK(picture.boxes[0].lines.empty());
+  CHECK(legend_of(picture).back().words == "whoever imports this file must provide it");
+}
+
 TEST_CASE("with more than 40 boxes an arrow represents all providers and packs of its group") {
   std::string text = "behaviour: large\nlanguage: 1\nroots: [Head]\ngroups:\n  Head:\n    packs:\n"
                      "      one: {A0: {priority: 1}, A1: {}}\n      two: {A0: {priority: 2}}\n";
@@ -342,9 +434,17 @@ extend:
 }
 
 TEST_CASE("a picture as text has its purpose and the number of things of each kind") {
-  CHECK(
-      summary(picture_of(walker)) ==
-      "9 groups, in the layers purpose, skill, limb; 8 requests, 4 needs, 1 push. The program requests Player, Cheer.");
+  CHECK(summary(picture_of(walker)) ==
+        "9 groups, in the layers purpose, skill, limb; arrows: 8 for requests, 4 for needs, 1 for pushes. The program "
+        "requests Player, Cheer.");
+  PictureOptions options;
+  options.view = PictureOptions::View::pushes;
+  CHECK(summary(picture_of(walker, options)) == "2 of 9 groups, in the layers skill; arrows: 1 for pushes.");
+  options = {};
+  options.fold = PictureOptions::Fold::layers;
+  CHECK(summary(picture_of(walker, options)) ==
+        "9 groups in 3 parts; arrows: 3 for requests, 2 for needs, 0 for pushes. "
+        "The program requests Player, Cheer.");
 }
 
 } // namespace
