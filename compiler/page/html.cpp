@@ -78,11 +78,16 @@ std::string place_html(const Json& thing, const HtmlInput& input) {
 }
 
 std::string doc_html(const Json& thing) {
-  std::string out, rest = trimmed(thing["doc"].as_text());
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find("\n\n"), rest.size());
-    out += fmt::format("<p class=\"doc\">{}</p>\n", html(rest.substr(0, end)));
-    rest.erase(0, std::min(end + 2, rest.size()));
+  std::string out;
+  for (const DocBlock& block : doc_blocks(thing)) {
+    if (block.kind == DocBlock::Kind::paragraph) {
+      out += fmt::format("<p class=\"doc\">{}</p>\n", html(block.items.front()));
+      continue;
+    }
+    const std::string_view tag = block.kind == DocBlock::Kind::bullets ? "ul" : "ol";
+    out += fmt::format("<{} class=\"doc\">\n", tag);
+    for (const std::string& item : block.items) out += fmt::format("<li>{}</li>\n", html(item));
+    out += fmt::format("</{}>\n", tag);
   }
   return out;
 }

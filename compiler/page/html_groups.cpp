@@ -52,6 +52,9 @@ std::string provider_html(const Json& group, const Json& provider, const HtmlInp
                                    promise["within_us"].is_null() ? "" : " within " + time_text(promise["within_us"])));
   add_fact(facts, "promises", fmt::format("{}", fmt::join(promises, ", ")));
   add_fact(facts, "sets", code_list(provider["sets"]));
+  std::vector<std::string> uses;
+  for (const std::string& use : provider["uses"].as_texts()) uses.push_back(group_link(use));
+  add_fact(facts, "reads whether these run", fmt::format("{}", fmt::join(uses, ", ")));
   add_fact(facts, "triggered by", code_list(provider["triggers"]));
   if (!provider["every_us"].is_null()) add_fact(facts, "runs every", time_text(provider["every_us"]));
   if (!provider["tasks"].items().empty()) add_fact(facts, "requests", tasks_html(provider["tasks"]));
@@ -71,8 +74,7 @@ std::string groups_html(const HtmlInput& input) {
   std::string out;
   for (const Json& group : input.page.data["groups"].items()) {
     const std::string& name = group["name"].as_text();
-    std::string about = "module " + html(group["module"].as_text());
-    if (!group["layer"].is_null()) about = fmt::format("layer {}, {}", html(group["layer"].as_text()), about);
+    std::string about = html(fmt::format("{}", fmt::join(group_words(group), ", ")));
     if (!group["data"].is_null()) about += fmt::format(", data <code>{}</code>", html(group["data"].as_text()));
     out += fmt::format(
         "<article class=\"group\" id=\"group-{0}\" data-group=\"{0}\" tabindex=\"-1\">\n<h3>{0} {1}</h3>\n{2}"

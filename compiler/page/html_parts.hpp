@@ -21,7 +21,7 @@ struct HtmlInput {
 
 /// The place of a declaration, as a link if links are wanted.
 std::string place_html(const Json& thing, const HtmlInput& input);
-/// A paragraph for each part between empty lines; empty if there is no text.
+/// A paragraph or a list for each block; empty if there is no text.
 std::string doc_html(const Json& thing);
 /// A group's name as a link to its section.
 std::string group_link(const std::string& name);

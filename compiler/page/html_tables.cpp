@@ -169,8 +169,7 @@ std::string pictures_html(const HtmlInput& input) {
 std::string takes_html(const HtmlInput& input) {
   const Json &takes = input.page.data["takes"], &ranks = input.page.data["ranks"];
   if (ranks["decisions"].items().empty()) return {};
-  std::string out = "<p>Two tasks that want the same are compared at the closest requester of both.</p>\n"
-                    "<div id=\"pair\" hidden></div>\n";
+  std::string out = fmt::format("<p>{}</p>\n<div id=\"pair\" hidden></div>\n", takes_intro);
   if (!ranks["left_out"].is_null()) out += fmt::format("<p>{}</p>\n", html(ranks["left_out"].as_text()));
   if (!takes.items().empty()) out += take_table_html(takes);
   const std::vector<Rivals> rivals = rivals_in(ranks);

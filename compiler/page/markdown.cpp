@@ -19,11 +19,16 @@ namespace {
 
 using namespace page;
 
+bool is_letter(char letter) { return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z'); }
+
 /// Text between tags and in cells of tables.
 std::string escaped(std::string_view text) {
   std::string out;
-  for (const char letter : text) {
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char letter = text[at];
+    const char next = at + 1 < text.size() ? text[at + 1] : ' ';
     switch (letter) {
+    case '&': out += next == '#' || is_letter(next) ? "&amp;" : "&"; break;
     case '<': out += "&lt;"; break;
     case '>': out += "&gt;"; break;
     case '|': out += "\\|"; break;
@@ -32,11 +37,22 @@ std::string escaped(std::string_view text) {
     case '[':
     case ']':
     case '`':
+    case '\\':
+    case '~':
     case '#': out += std::string("\\") + letter; break;
     case '\n': out += ' '; break;
     default: out += letter;
     }
   }
+  return out;
+}
+
+/// Text at the beginning of a line, where a dash or a number would begin a list.
+std::string escaped_line(std::string_view text) {
+  std::string out = escaped(text);
+  const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
+  const char mark = digits < text.size() ? text[digits] : ' ';
+  if (digits == 0 ? mark == '-' || mark == '+' || mark == '=' : mark == '.' || mark == ')') out.insert(digits, "\\");
   return out;
 }
 
@@ -105,13 +121,13 @@ private:
   static std::string own_anchor(const std::string& group) { return "group-" + group; }
 
   void add_doc(const Json& thing) {
-    if (thing["doc"].is_null()) return;
-    const std::string text = trimmed(thing["doc"].as_text());
-    std::string_view rest = text;
-    while (!rest.empty()) { // a paragraph each
-      const std::size_t end = std::min(rest.find("\n\n"), rest.size());
-      out_ += escaped(rest.substr(0, end)) + "\n\n";
-      rest.remove_prefix(std::min(end + 2, rest.size()));
+    for (const DocBlock& block : doc_blocks(thing)) {
+      for (std::size_t i = 0; i < block.items.size(); ++i) {
+        if (block.kind == DocBlock::Kind::bullets) out_ += "- ";
+        if (block.kind == DocBlock::Kind::numbers) out_ += fmt::format("{}. ", i + 1);
+        out_ += escaped_line(block.items[i]) + "\n";
+      }
+      out_ += "\n";
     }
   }
 
@@ -170,6 +186,9 @@ private:
                          (promise["within_us"].is_null() ? "" : " within " + time_text(promise["within_us"])));
     line("promises", fmt::format("{}", fmt::join(promises, ", ")));
     line("sets", conditions(provider["sets"]));
+    std::vector<std::string> uses;
+    for (const std::string& use : provider["uses"].as_texts()) uses.push_back(mention({use, use, {}}));
+    line("reads whether these run", fmt::format("{}", fmt::join(uses, ", ")));
     line("triggered by", conditions(provider["triggers"]));
     if (!provider["every_us"].is_null()) line("runs every", time_text(provider["every_us"]));
     if (!provider["tasks"].items().empty()) line("requests", tasks(provider["tasks"]));
@@ -185,8 +204,9 @@ private:
       out_ += fmt::format("### {}\n\n", escaped(name));
       add_doc(group);
       std::string where = place(group);
-      if (!group["layer"].is_null()) where += fmt::format(", layer {}", escaped(group["layer"].as_text()));
-      out_ += fmt::format("{}, module {}\n\n", where, escaped(group["module"].as_text()));
+      for (const std::string& each : group_words(group)) where += ", " + escaped(each);
+      if (!group["data"].is_null()) where += ", data " + code(group["data"].as_text());
+      out_ += where + "\n\n";
       const std::size_t before = out_.size();
       for (const Json& provider : group["providers"].items()) add_provider(group, provider);
       const GroupRelations& relations = relations_.groups[name];
@@ -219,7 +239,8 @@ private:
     const Json &takes = data_["takes"], &ranks = data_["ranks"];
     const std::vector<Rivals> rivals = rivals_in(ranks);
     if (takes.items().empty() && rivals.empty()) return;
-    out_ += "## Who goes first\n\n";
+    out_ += fmt::format("## Who goes first\n\n{}\n\n", takes_intro);
+    if (!ranks["left_out"].is_null()) out_ += escaped(ranks["left_out"].as_text()) + "\n\n";
     if (!takes.items().empty()) out_ += "| goes first | before | decided by | over |\n| --- | --- | --- | --- |\n";
     for (const Json& take : takes.items())
       out_ +=
@@ -272,31 +293,42 @@ private:
   void add_row(const Json& rows, const Json& row) {
     out_ += fmt::format("### From {}\n\n{}\n\n", escaped(row["group"].as_text()), escaped(row["words"].as_text()));
     const std::size_t before = out_.size();
+    std::map<std::string_view, std::vector<std::string>> others;
     for (std::size_t i = 0; i < rows.items().size(); ++i) {
       const Json& cell = row["cells"].items()[i];
-      if (!needs_explanation(cell)) continue;
+      if (!needs_explanation(cell)) {
+        others[cell_kind(cell).kind].push_back(escaped(rows.items()[i]["group"].as_text()));
+        continue;
+      }
       out_ += fmt::format("- to {}, {}: {}\n", escaped(rows.items()[i]["group"].as_text()), cell_kind(cell).kind,
                           escaped(cell["words"].as_text()));
     }
     if (out_.size() != before) out_ += "\n";
+    for (const auto& [kind, names] : others) out_ += fmt::format("To {}: {}.\n\n", fmt::join(names, ", "), kind);
   }
 
   void add_assertions() {
     if (data_["verdicts"].items().empty()) return;
     out_ += "## Assertions\n\n";
-    for (const Json& verdict : data_["verdicts"].items())
-      out_ += fmt::format("- {}: **{}**, {}\n", code(verdict["assertion"].as_text()), verdict["verdict"].as_text(),
-                          message(verdict["why"].as_text()));
+    const std::vector<Json>& assertions = data_["assertions"].items();
+    for (std::size_t i = 0; i < data_["verdicts"].items().size(); ++i) {
+      const Json& verdict = data_["verdicts"].items()[i];
+      const std::string at = i < assertions.size() ? " at " + place(assertions[i]) : "";
+      out_ += fmt::format("- {}{}: **{}**, {}\n", code(verdict["assertion"].as_text()), at,
+                          verdict["verdict"].as_text(), message(verdict["why"].as_text()));
+    }
     out_ += "\n";
   }
 
   void add_findings() {
     out_ += "## Findings\n\n";
     if (data_["findings"].items().empty()) out_ += "None.\n";
-    for (const Json& finding : data_["findings"].items())
-      out_ +=
-          fmt::format("- {} at {}: {} ({})\n", finding["level"].as_text(), place(Json::object({{"place", finding}})),
-                      message(finding["message"].as_text()), code(finding["id"].as_text()));
+    for (const Json& finding : data_["findings"].items()) {
+      out_ += fmt::format("- {} at {}: {} ({})", finding["level"].as_text(), place(Json::object({{"place", finding}})),
+                          message(finding["message"].as_text()), code(finding["id"].as_text()));
+      if (!finding["help"].is_null()) out_ += "; " + message(finding["help"].as_text());
+      out_ += "\n";
+    }
   }
 
   const PageInput& input_;

@@ -74,6 +74,9 @@ std::string state_words(const Json& state) {
   } else {
     out = fmt::format("{}", fmt::join(state["values"].as_texts(), ", "));
   }
+  if (const Json& unordered = state["unordered"]; unordered.is_list())
+    out += fmt::format("; without an order to the others: {}", fmt::join(unordered.as_texts(), ", "));
+  if (!state["type"].is_null()) out += fmt::format("; in C++ {}", state["type"].as_text());
   const std::string& initial = state["initial"].as_text();
   out += initial.empty() ? "; unset at the beginning" : fmt::format("; {} at the beginning", initial);
   if (state["external"].as_boolean()) out += "; told by the outside";
@@ -82,6 +85,58 @@ std::string state_words(const Json& state) {
     const std::string& to = expires["to"].as_text();
     out += fmt::format("; {} when nobody has said anything for {}", to.empty() ? "unset" : to,
                        time_text(expires["after_us"]));
+  }
+  return out;
+}
+
+std::vector<std::string> group_words(const Json& group) {
+  std::vector<std::string> out;
+  if (!group["layer"].is_null()) out.push_back("layer " + group["layer"].as_text());
+  out.push_back(group["extern"].as_boolean() ? "extern: whoever imports this file must provide it"
+                                             : "module " + group["module"].as_text());
+  if (group["realtime"].as_boolean()) out.emplace_back("realtime");
+  if (group["start"].as_boolean()) out.emplace_back("a start handler");
+  if (group["stop"].as_boolean()) out.emplace_back("a stop handler");
+  return out;
+}
+
+namespace {
+
+/// How many letters of the line belong to the mark of an item; 0: it begins none.
+std::size_t mark_of(std::string_view line, DocBlock::Kind& kind) {
+  const std::size_t digits = std::min(line.find_first_not_of("0123456789"), line.size());
+  const bool is_number = digits > 0 && digits < 4 && line.substr(digits).starts_with(". ");
+  if (!is_number && !line.starts_with("- ")) return 0;
+  kind = is_number ? DocBlock::Kind::numbers : DocBlock::Kind::bullets;
+  return is_number ? digits + 2 : 2;
+}
+
+} // namespace
+
+std::vector<DocBlock> doc_blocks(const Json& thing) {
+  std::vector<DocBlock> out;
+  bool is_open = false; // the last one
+  const std::string text = trimmed(thing["doc"].as_text());
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    std::string_view line = std::string_view(text).substr(at, end - at);
+    at = end + 1;
+    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+    if (line.empty()) {
+      is_open = false;
+      continue;
+    }
+    DocBlock::Kind kind = DocBlock::Kind::paragraph;
+    const std::size_t mark = mark_of(line, kind);
+    const bool is_like_last = !out.empty() && out.back().kind == kind;
+    if (mark != 0 && is_like_last) {
+      out.back().items.emplace_back(line.substr(mark));
+    } else if (mark != 0 || !is_open) {
+      out.push_back({kind, {std::string(line.substr(mark))}});
+    } else {
+      out.back().items.back() += "\n" + std::string(line);
+    }
+    is_open = true;
   }
   return out;
 }

@@ -26,6 +26,19 @@ std::string place_link(const Json& place, const std::string& pattern);
 /// `values lost, far, near; lost at the beginning; from outside; lost after 1 s`
 std::string state_words(const Json& state);
 
+/// Where a group is from, and what else it has: `layer skill`, `module legs`, `realtime`, `a start handler`. Without
+/// the type of its data.
+std::vector<std::string> group_words(const Json& group);
+
+/// A paragraph, or a list.
+struct DocBlock {
+  enum class Kind { paragraph, bullets, numbers };
+  Kind kind = Kind::paragraph;
+  std::vector<std::string> items; ///< of a paragraph one, with its line breaks
+};
+/// Of a `doc`: an empty line ends a block, and a line that begins with `- ` or `1. ` begins an item.
+std::vector<DocBlock> doc_blocks(const Json& thing);
+
 /// How the order is decided: `Striker, priority 20 before 10`
 std::string take_words(const Json& take);
 
@@ -41,6 +54,10 @@ std::vector<Rivals> rivals_in(const Json& ranks);
 inline constexpr std::string_view rivals_intro =
     "Two that request the same, and what decides between them: the closest requester of both, with the two tasks by "
     "which it leads there. Those that it never requests at once meet only while it changes from one to the other.";
+
+/// The introduction of both tables.
+inline constexpr std::string_view takes_intro =
+    "Two tasks that want the same are compared at the closest requester of both.";
 
 /// Of a matrix of some groups.
 inline constexpr std::string_view limited_intro = "Rows and columns are only the groups that were named.";

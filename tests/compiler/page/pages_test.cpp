@@ -101,6 +101,61 @@ TEST_CASE("a text of several paragraphs has them on both pages") {
   CHECK(pages.html.find("<p class=\"doc\">One\nleg.</p>\n<p class=\"doc\">The other.</p>\n") != std::string::npos);
 }
 
+TEST_CASE("a text keeps its lists on both pages, and no letter of it becomes a mark of Markdown or HTML") {
+  const Pages pages =
+      pages_of("roots: [Walk]\ngroups:\n  Walk:\n    doc: |\n      Legs:\n      - left\n        one\n      - right\n\n"
+               "      1. first\n      2. second\n\n      - a\n\n      -> a \\* b ~~c~~ &lt; d & e\n\n          code\n\n"
+               "      12) no list\n",
+               "");
+  CHECK(pages.markdown.find("\n\nLegs:\n\n- left one\n- right\n\n1. first\n2. second\n\n- a\n\n"
+                            "\\-&gt; a \\\\\\* b \\~\\~c\\~\\~ &amp;lt; d & e\n\ncode\n\n12\\) no list\n\n") !=
+        std::string::npos);
+  CHECK(pages.html.find(
+            "<p class=\"doc\">Legs:</p>\n<ul class=\"doc\">\n<li>left\none</li>\n<li>right</li>\n</ul>\n"
+            "<ol class=\"doc\">\n<li>first</li>\n<li>second</li>\n</ol>\n<ul class=\"doc\">\n<li>a</li>\n</ul>\n"
+            "<p class=\"doc\">-&gt; a \\* b ~~c~~ &amp;lt; d &amp; e</p>\n") != std::string::npos);
+}
+
+TEST_CASE("a condition of `stay` is none that anything waits for") {
+  const Pages pages = pages_of("states: {Ball: {values: [far, near], initial: near, external: true}}\nroots: [Kick]\n"
+                               "groups: {Kick: {when: [Ball == near], stay: [Ball == far]}}\n",
+                               "");
+  CHECK(pages.markdown.find(
+            "- waited for by: [Kick](#kick) (Ball == near)\n- lets go on: [Kick](#kick) (Ball == far)\n") !=
+        std::string::npos);
+  CHECK(between(pages.html, "<dt>waited for by</dt><dd>", "</dd>") ==
+        "<a href=\"#group-Kick\">Kick</a> (Ball == near)");
+  CHECK(between(pages.html, "<dt>lets go on</dt><dd>", "</dd>") == "<a href=\"#group-Kick\">Kick</a> (Ball == far)");
+}
+
+TEST_CASE("where a group has several providers, it is said which of them may be pushed") {
+  const Pages pages = pages_of(robot, "");
+  CHECK(pages.markdown.find("- may be pushed by: [Kick](#kick) (Pose == still, to halting)\n") != std::string::npos);
+  CHECK(between(pages.html, "<dt>may be pushed by</dt><dd>", "</dd>") ==
+        "<a href=\"#group-Kick\">Kick</a> (Pose == still, to halting)");
+}
+
+TEST_CASE("both pages have what states and groups declare besides conditions and requests") {
+  const Pages pages =
+      pages_of("states: {Ball: {values: [lost, far, near], unordered: [lost], external: true}}\nroots: [Kick]\n"
+               "groups:\n  Kick: {data: int, start: true, stop: true, tasks: [Leg], uses: [Leg]}\n  Leg: {}\n",
+               "");
+  CHECK(pages.markdown.find("lost, far, near; without an order to the others: lost; unset") != std::string::npos);
+  CHECK(pages.html.find("lost, far, near; without an order to the others: lost; unset") != std::string::npos);
+  CHECK(pages.markdown.find(", a start handler, a stop handler, data `int`\n") != std::string::npos);
+  CHECK(pages.html.find(", a start handler, a stop handler, data <code>int</code></p>") != std::string::npos);
+  CHECK(pages.markdown.find("- reads whether these run: [Leg](#leg)\n") != std::string::npos);
+  CHECK(pages.html.find("<dt>reads whether these run</dt><dd><a href=\"#group-Leg\">Leg</a></dd>") !=
+        std::string::npos);
+}
+
+TEST_CASE("a group that others must provide is in no module") {
+  const Pages pages = pages_of("extern: [Legs]\ngroups: {Kick: {needs: [Legs]}}\n", "");
+  const std::string words = "extern: whoever imports this file must provide it";
+  CHECK(pages.markdown.find("`, " + words + "\n") != std::string::npos);
+  CHECK(pages.html.find("<p class=\"about\">" + words + "</p>") != std::string::npos);
+}
+
 TEST_CASE("the `doc` of a root, a task and `extend` is on both pages") {
   const Pages pages = pages_of("roots: {A: {priority: 3, doc: At times.}}\n"
                                "groups: {A: {tasks: {B: {optional: true, doc: If <light>.}}}, B: {doc: It is.}}\n"
