@@ -124,7 +124,7 @@ await situation('what waits says for which state, what that is worth, and who co
   await shot(page, 'waits');
 });
 
-await situation('a click on a box says why, and so does a choice by keyboard', [live], {}, async ({ page }) => {
+await situation('a click on a box says why, also where it is a link, and so does a choice by keyboard', [live], {}, async ({ page }) => {
   await node(page, 'Open').click();
   await sees(page, '#why-answer', /^Open waits \(Deliver>Open\): until Door == open, .*\(asked at .*\)\n+Door is shut\nOpen\.unlocking could cause it, and is disabled$/s);
   await page.locator('#why-group').focus();

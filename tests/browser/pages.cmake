@@ -13,6 +13,7 @@ foreach(i RANGE 1 59)
   string(APPEND wide "  HaveALookAtThing${i}: {needs: [Head]}\n")
 endforeach()
 file(WRITE ${into}/wide.yaml "${wide}")
+file(WRITE ${into}/exact.yaml "behaviour: exact\nlanguage: 1\nroots: [KickTo, Kick, kicks]\ngroups: {KickTo: {}, Kick: {}, kicks: {}}\n")
 file(WRITE ${into}/alone.yaml "behaviour: alone\nlanguage: 1\nroots: [Only]\ngroups:\n  Only: {}\n")
 file(WRITE ${into}/alike.yaml "behaviour: alike\nlanguage: 1\nroots: {Walkto: {priority: 10}, WalkTo: {priority: 30}, Sit: {priority: 20}}
 groups: {Walkto: {needs: [Legs]}, WalkTo: {needs: [Legs]}, Sit: {needs: [Legs]}, Legs: {}}\n")
@@ -37,9 +38,14 @@ roots: [${name}]
 groups:
   ${name}: {providers: [{name: ${way}, when: [${name}State == ${way}], tasks: [${name}Below]}, {name: else_${way}, tasks: [${name}Below]}]}
   ${name}Below: {}\n")
-execute_process(COMMAND ${DIRECTORC} docs behaviours/soccer/soccer.yaml behaviours/robocup/robocup.yaml tests/docs/explore/photo.yaml ${into}/wide.yaml ${into}/aside.yaml ${into}/flat.yaml ${into}/alone.yaml ${into}/alike.yaml ${into}/long_names.yaml -o ${into}/out
+file(WRITE ${into}/long_takes.yaml "behaviour: takes\nlanguage: 1\nroots: {${name}First: {priority: 20}, ${name}Second: {priority: 10}}
+groups: {${name}First: {needs: [${name}Below]}, ${name}Second: {needs: [${name}Below]}, ${name}Below: {}}\n")
+execute_process(COMMAND ${DIRECTORC} docs behaviours/soccer/soccer.yaml behaviours/robocup/robocup.yaml ${into}/wide.yaml ${into}/aside.yaml ${into}/flat.yaml ${into}/alone.yaml ${into}/alike.yaml ${into}/exact.yaml ${into}/long_names.yaml ${into}/long_takes.yaml -o ${into}/out
                         "--link=https://git.example.org/{file}#L{line}"
                 WORKING_DIRECTORY ${ROOT} COMMAND_ERROR_IS_FATAL ANY)
+# An assertion of it is refuted, so this ends with 1.
+execute_process(COMMAND ${DIRECTORC} docs tests/docs/explore/photo.yaml -o ${into}/out "--link=https://git.example.org/{file}#L{line}"
+                WORKING_DIRECTORY ${ROOT} OUTPUT_QUIET ERROR_QUIET)
 execute_process(COMMAND ${NODE} pages.mjs ${CHROMIUM} ${into}/out WORKING_DIRECTORY ${into} RESULT_VARIABLE failed)
 if(failed)
   message(FATAL_ERROR "a page is not as it should be; pictures of the situations that failed are in ${into}/out")

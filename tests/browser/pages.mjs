@@ -52,6 +52,39 @@ await situation('a search finds by name, then by what is said; Enter goes there'
   assert.equal(await page.locator('#status').textContent(), '0 found');
 });
 
+await situation('the whole name is found first, so that Enter goes to it', 'exact', {}, async (page) => {
+  for (const [typed, group] of [['Kick', 'Kick'], ['kick', 'Kick'], ['KICKS', 'kicks'], ['kickt', 'KickTo']]) {
+    await page.fill('#search', typed);
+    await page.locator('#search').press('Enter');
+    assert.equal(await focused(page), `group-${group}`);
+  }
+});
+
+await situation('in the search field the first Escape clears it, and the second ends the focus, which is named until then', 'soccer', {}, async (page) => {
+  const words = () => page.locator('#status').textContent();
+  await page.fill('#search', 'kick');
+  await page.locator('#search').press('Enter');
+  assert.match(await words(), /^Focus on Kick: /);
+  await page.locator('#search').press('Escape');
+  assert.equal(await page.locator('#search').inputValue(), '');
+  assert.match(await words(), /^Focus on Kick: /);
+  assert.notDeepEqual(await near(page), []);
+  await page.locator('#search').press('Escape');
+  assert.equal(await words(), '');
+  assert.deepEqual(await near(page), []);
+});
+
+await situation('after a way back to the page the chosen picture is the one that is shown', 'soccer', {}, async (page, said) => {
+  await page.getByLabel('By module', { exact: true }).check();
+  const address = page.url();
+  await page.goto('about:blank');
+  await page.goBack();
+  assert.equal(page.url(), address);
+  const shown = await page.locator('.picture:visible').evaluateAll((all) => all.map((each) => each.dataset.picture));
+  assert.deepEqual(shown, await page.locator('.views input:checked + label').allTextContents());
+  said.length = 0; // leaving and returning are requests
+});
+
 await situation('a focus greys out what has nothing to do with the group, Escape ends it', 'soccer', {}, async (page) => {
   await click(page.locator('#group-KickTo button.focus'));
   assert.deepEqual((await near(page)).sort(), ['Kick', 'KickTo', 'KickToGoal', 'LookAt', 'Walk']);
@@ -251,6 +284,8 @@ await situation('on paper there are no buttons, and it fits', 'soccer', {}, asyn
   const size = (where) => page.locator(where).first().evaluate((each) => parseFloat(getComputedStyle(each).fontSize));
   assert.ok((await size('#group-Kick .place')) < (await size('#group-Kick dd')));
   assert.deepEqual(await beyond(page), []);
+  assert.equal(await page.locator('.rivals td').first().isVisible(), true);
+  assert.equal(await page.locator('.rows pre').first().isVisible(), false);
   if (isLong) await page.pdf({ path: join(folder, 'soccer.pdf'), format: 'A4' });
 });
 
@@ -261,6 +296,12 @@ await situation('on paper nothing of seventy groups is cut off at the side', 'ro
   assert.deepEqual(await beyond(page), []);
   await page.locator('.matrix').evaluate((matrix) => matrix.scrollIntoView());
   await shot(page, 'robocup_paper');
+});
+
+await situation('on paper a table with long names is no wider than the page', 'long_takes', { viewport: { width: 718, height: 1047 } }, async (page) => {
+  await page.emulateMedia({ media: 'print' });
+  assert.equal(await page.locator('.wide table').count(), 2);
+  for (const right of await page.locator('.wide table').evaluateAll((all) => all.map((each) => each.getBoundingClientRect().right))) assert.ok(right <= 718, `${right} points in 718`);
 });
 
 await situation('on paper a matrix of sixty columns stands in bands, each with the names of its rows, and none is cut off', 'wide', { viewport: { width: 718, height: 1047 } }, async (page) => {

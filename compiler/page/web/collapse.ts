@@ -25,7 +25,7 @@ export function choosePicture(section: HTMLElement): Picture[] {
   if (pictures.length > 1) {
     const choice = make('fieldset', { class: 'views' }, make('legend', {}, 'Collapse'));
     pictures.forEach((picture, i) => {
-      const radio = make('input', { type: 'radio', name: 'view', id: `view-${i}` });
+      const radio = make('input', { type: 'radio', name: 'view', id: `view-${i}`, autocomplete: 'off' });
       radio.checked = i === 0;
       radio.addEventListener('change', () => show(i));
       picture.reveal = () => {

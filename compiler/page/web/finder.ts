@@ -14,6 +14,7 @@ export class Finder {
   private readonly input = make('input', { type: 'search', id: 'search', autocomplete: 'off', spellcheck: 'false', 'aria-controls': 'found' });
   private readonly list = make('ul', { id: 'found', 'aria-label': 'Found' });
   private readonly status = make('p', { id: 'status', role: 'status' });
+  private focused = ''; // the words of the current focus; empty: there is none
   private readonly clear = button('Show everything', () => this.focus(undefined), { hidden: '' });
 
   /** `chosen`: called for a click on a group in a picture; undefined: the click focuses the group. */
@@ -25,7 +26,8 @@ export class Finder {
     this.input.addEventListener('input', () => this.search());
     this.input.addEventListener('keydown', (event) => {
       if (event.key === 'Enter') this.list.querySelector('button')?.click();
-      if (event.key === 'Escape') this.reset();
+      if (event.key === 'Escape' && this.input.value === '') this.focus(undefined);
+      else if (event.key === 'Escape') this.reset();
     });
     document.addEventListener('keydown', (event) => {
       const typing = event.target instanceof HTMLTextAreaElement || (event.target instanceof HTMLInputElement && !textless.includes(event.target.type));
@@ -45,7 +47,9 @@ export class Finder {
         if (names.length === 0) continue;
         node.classList.add('choosable');
         node.addEventListener('click', (event) => {
-          if (event.target instanceof Element && event.target.closest('a[*|href]')) return;
+          const isLink = event.target instanceof Element && event.target.closest('a[*|href]') !== null;
+          if (isLink && (!chosen || event.ctrlKey || event.metaKey || event.shiftKey)) return;
+          if (isLink) event.preventDefault();
           const text = event.target instanceof Element ? event.target.textContent?.trim() : undefined;
           const name = names.find((each) => text === each || text?.endsWith(` ${each}`)) ?? names[0]; // `▶ LeftArm`
           if (chosen) chosen(name);
@@ -61,7 +65,8 @@ export class Finder {
     }
     for (const picture of this.pictures) picture.focus(group);
     this.clear.hidden = group === undefined;
-    this.status.textContent = group === undefined ? '' : `Focus on ${group}: who requests, needs or pushes it, and what it requests, needs and pushes.`;
+    this.focused = group === undefined ? '' : `Focus on ${group}: who requests, needs or pushes it, and what it requests, needs and pushes.`;
+    this.status.textContent = this.focused;
     if (group !== undefined) byId('picture')?.scrollIntoView({ block: 'start' });
   }
 
@@ -76,15 +81,19 @@ export class Finder {
 
   private search(): void {
     const wanted = this.input.value.trim().toLowerCase();
-    const hits = wanted === '' ? [] : this.find(wanted);
+    const hits = wanted === '' ? [] : this.find(wanted, this.input.value.trim());
     this.list.replaceChildren(...hits.slice(0, most).map((hit) => make('li', {}, button(hit.label, () => this.open(hit)))));
-    this.status.textContent = wanted === '' ? '' : `${hits.length} found${hits.length > most ? `, the first ${most} of them` : ''}`;
+    this.status.textContent = wanted === '' ? this.focused : `${hits.length} found${hits.length > most ? `, the first ${most} of them` : ''}`;
     const names = new Set(hits.map((hit) => hit.group).filter((name): name is string => name !== undefined));
     for (const picture of this.pictures) picture.mark(names);
   }
 
-  private find(wanted: string): { label: string; id: string; group?: string }[] {
-    const rank = (name: string): number => (name.toLowerCase().startsWith(wanted) ? 0 : name.toLowerCase().includes(wanted) ? 1 : 2);
+  /** `typed`: the same in the letters that were typed. The whole name comes first, then the same in other letters. */
+  private find(wanted: string, typed: string): { label: string; id: string; group?: string }[] {
+    const rank = (name: string): number => {
+      const small = name.toLowerCase();
+      return name === typed ? -2 : small === wanted ? -1 : small.startsWith(wanted) ? 0 : small.includes(wanted) ? 1 : 2;
+    };
     const all = [
       ...this.data.groups.map((each) => ({ each, label: each.name, id: `group-${each.name}`, group: each.name as string | undefined })),
       ...this.data.states.map((each) => ({ each, label: `state ${each.name}`, id: `state-${each.name}`, group: undefined })),
