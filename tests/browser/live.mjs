@@ -89,7 +89,12 @@ await situation('who looks back stays there, while more happens, until the end i
 await situation('who chooses an event or a place in the overview, or plays, leaves the end too', game, {}, async ({ page }) => {
   const first = await time(page);
   await until(page, (from) => Number.parseFloat(document.querySelector('.where').innerText) > from + 2, first);
-  const clickEvent = () => page.evaluate(() => document.querySelector('#events button').click()); // at once: the list is made anew all the time
+  // At once: the list is made anew all the time, and has no event at times.
+  const clickEvent = () => until(page, () => {
+    const event = document.querySelector('#events button');
+    event?.click();
+    return event !== null;
+  });
   for (const choose of [clickEvent, () => page.locator('.overview').click({ position: { x: 5, y: 5 } })]) {
     await page.check('#follow');
     await choose();
