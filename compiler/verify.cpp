@@ -91,12 +91,19 @@ private:
         each.header = header;
         break;
       }
-      const bool is_other = !only.empty() && each.header != only;
-      const bool is_output = fs::path(command.file).parent_path() == fs::path(each.header).parent_path();
-      if (is_other || is_output) each.header.clear();
-      any = any || !each.header.empty();
       std::vector<std::string> begun = forced_includes(each.flags.words, command.directory);
       begun.push_back(command.file);
+      for (const std::string& file : begun) {
+        if (!each.header.empty()) break;
+        for (std::string& header : includes_.named(file, folders, name)) {
+          if (each.header.empty() && is_generated(header)) each.header = std::move(header);
+        }
+      }
+      const bool is_other = !only.empty() && each.header != only;
+      const bool is_output =
+          fs::path(command.file).parent_path() == fs::path(each.header).parent_path() && is_generated(command.file);
+      if (is_other || is_output) each.header.clear();
+      any = any || !each.header.empty();
       const bool may = std::any_of(begun.begin(), begun.end(), [&](const std::string& file) {
         return !each.header.empty() && includes_.may_include(file, folders, each.header);
       });
@@ -112,7 +119,8 @@ private:
     }
     if (any) return true;
     return fail(
-        fmt::format("no file of `{}`{} has the generated `{}` in its include folders: has the program been built?",
+        fmt::format("no file of `{}`{} includes the generated `{}`, or has it in its include folders: has the program "
+                    "been built?",
                     scope.build, excluded.empty() ? "" : " that is not excluded", name));
   }
 

@@ -110,10 +110,13 @@ Json report_types(const Json& request) {
       const auto row = row_of(found->getName(), alias, count);
       if (!row) return;
       const clang::QualType type = found->getUnderlyingType().getCanonicalType();
-      Json answer = Json::object({{"complete", Json::boolean(is_complete(type))}});
-      if (const clang::TagDecl* tag = type->getAsTagDecl()) {
-        if (const auto* definition = llvm::dyn_cast_or_null<clang::EnumDecl>(tag->getDefinition()))
-          answer.add("enum", describe(*definition, places));
+      const clang::TagDecl* tag = type->getAsTagDecl();
+      const auto* named = llvm::dyn_cast_or_null<clang::EnumDecl>(tag);
+      // With its size an enum is complete before its values are known.
+      const bool complete = is_complete(type) && (named == nullptr || named->getDefinition() != nullptr);
+      Json answer = Json::object({{"complete", Json::boolean(complete)}});
+      if (tag != nullptr) {
+        if (named != nullptr) answer.add("enum", describe(complete ? *named->getDefinition() : *named, places));
         answer.add("at", places.of(tag->getLocation(), tag->getLocation()));
       }
       types[*row] = std::move(answer);

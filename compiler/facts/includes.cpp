@@ -48,24 +48,46 @@ const Includes::File& Includes::file(const std::string& path) {
   return known_.emplace(path, std::move(out)).first->second;
 }
 
+/// The file that the line includes; empty: there is none.
+std::string Includes::find(const std::string& from, const std::vector<std::string>& folders, const Line& line) {
+  if (line.quoted) {
+    std::string beside = (fs::path(from).parent_path() / line.name).lexically_normal().string();
+    if (file(beside).exists) return beside;
+  }
+  for (const std::string& folder : folders) {
+    std::string there = (fs::path(folder) / line.name).lexically_normal().string();
+    if (file(there).exists) return there;
+  }
+  return {};
+}
+
 bool Includes::look(const std::string& path, const std::vector<std::string>& folders, const std::string& header,
                     std::set<std::string>& seen) {
   if (path == header) return true;
   if (!seen.insert(path).second) return false;
   for (const Line& line : file(path).lines) {
     if (line.name.empty()) return true;
-    std::string found;
-    if (line.quoted) {
-      const std::string beside = (fs::path(path).parent_path() / line.name).lexically_normal().string();
-      if (file(beside).exists) found = beside;
-    }
-    for (auto folder = folders.begin(); found.empty() && folder != folders.end(); ++folder) {
-      const std::string there = (fs::path(*folder) / line.name).lexically_normal().string();
-      if (file(there).exists) found = there;
-    }
+    const std::string found = find(path, folders, line);
     if (!found.empty() && look(found, folders, header, seen)) return true;
   }
   return false;
+}
+
+std::vector<std::string> Includes::named(const std::string& path, const std::vector<std::string>& folders,
+                                         const std::string& name) {
+  std::vector<std::string> out, open{path};
+  std::set<std::string> seen{path};
+  while (!open.empty()) {
+    const std::string from = std::move(open.back());
+    open.pop_back();
+    for (const Line& line : file(from).lines) {
+      std::string found = line.name.empty() ? std::string{} : find(from, folders, line);
+      if (found.empty() || !seen.insert(found).second) continue;
+      if (fs::path(found).filename() == name) out.push_back(found);
+      open.push_back(std::move(found));
+    }
+  }
+  return out;
 }
 
 bool Includes::may_include(const std::string& path, const std::vector<std::string>& folders,

@@ -18,6 +18,10 @@ public:
   /// `header`: a path made of one of `folders` and a name.
   bool may_include(const std::string& file, const std::vector<std::string>& folders, const std::string& header);
 
+  /// The paths of this name that it may include, beside the file that does, or by a longer name: `"gen/walker.hpp"`.
+  std::vector<std::string> named(const std::string& file, const std::vector<std::string>& folders,
+                                 const std::string& name);
+
 private:
   struct Line {
     std::string name; ///< empty: a macro
@@ -28,6 +32,7 @@ private:
     std::vector<Line> lines;
   };
   const File& file(const std::string& path);
+  std::string find(const std::string& from, const std::vector<std::string>& folders, const Line& line);
   bool look(const std::string& path, const std::vector<std::string>& folders, const std::string& header,
             std::set<std::string>& seen);
 

@@ -139,11 +139,14 @@ Types ScannedTypes::read(const TypeReader::Question& question) {
   }
   const bool uncertain = fails_elsewhere(*answer, file);
   const std::vector<Json>& types = (*answer)["types"].items();
-  bool any = false;
+  bool any = false, unknown = false;
   for (std::size_t i = 0; i < types.size() && i < question.names.size(); ++i) {
     if (!types[i].is_object()) continue;
     // If a header does not compile, a missing type may only not have been read.
-    if (uncertain && !types[i]["wrong"].as_text().empty()) continue;
+    if (uncertain && !types[i]["wrong"].as_text().empty()) {
+      unknown = true;
+      continue;
+    }
     any = true;
     out.by_name.emplace(question.names[i], type_of(types[i], (*answer)["paths"]));
   }
@@ -152,8 +155,13 @@ Types ScannedTypes::read(const TypeReader::Question& question) {
     if (!system && each.items()[0].as_text() != file) out.files.push_back(each.items()[0].as_text());
   }
   const std::vector<Json>& errors = (*answer)["errors"].items();
-  if (!any && !errors.empty())
-    out.fault = fmt::format("Clang does not understand the headers: {}", errors.front()["message"].as_text());
+  if ((!any || unknown) && !errors.empty()) {
+    const Json& first = errors.front();
+    const std::string& path = first["file"].as_text();
+    const std::string place =
+        path.empty() || path == file ? std::string{} : fmt::format("{}:{}: ", path, first["line"].as_number());
+    out.fault = fmt::format("Clang does not understand the headers: {}{}", place, first["message"].as_text());
+  }
   return out;
 }
 

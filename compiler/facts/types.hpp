@@ -25,10 +25,10 @@ struct CppType {
 };
 
 struct Types {
-  std::string fault;                                          ///< why nothing is known of any; otherwise empty
-  std::map<std::string, CppType, std::less<>> by_name;        ///< as the behaviour writes it; unknown ones are missing
-  std::vector<std::string> files;                             ///< the user's headers that were read
-  std::vector<std::string> missing;                           ///< headers that no file of the program could include
+  std::string fault;                                   ///< why nothing is known of some, or of any; otherwise empty
+  std::map<std::string, CppType, std::less<>> by_name; ///< as the behaviour writes it; unknown ones are missing
+  std::vector<std::string> files;                      ///< the user's headers that were read
+  std::vector<std::string> missing;                    ///< headers that no file of the program could include
   std::map<std::string, std::string, std::less<>> unreadable; ///< existing headers that cannot be read, and why
   const CppType* find(std::string_view name) const;
 };

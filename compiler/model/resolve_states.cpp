@@ -43,15 +43,26 @@ void declare_values(Resolver& r, State& state, const dsl::StateSpec& spec) {
   state.high = static_cast<std::int64_t>(state.values.size()) - 1;
 }
 
+/// Whether two names are of one enum: the same, or one is an alias of the other.
+bool is_one_type(const Resolver& r, const std::string& first, const std::string& second) {
+  if (first == second) return true;
+  const CppType* a = r.options.types != nullptr ? r.options.types->find(first) : nullptr;
+  const CppType* b = a != nullptr ? r.options.types->find(second) : nullptr;
+  return b != nullptr && a->is_enum && b->is_enum && !a->place.path.empty() && a->place.path == b->place.path &&
+         a->place.begin == b->place.begin;
+}
+
 void declare_type(Resolver& r, State& state, const dsl::StateSpec& spec) {
   if (!spec.type) return;
   state.type = spec.type->value;
   for (const dsl::StateSpec* other : r.state_sources) {
-    if (!other->type || other->type->value != *state.type) continue;
-    r.error(
-         "redefined_name", spec.type->span,
-         fmt::format("the states `{}` and `{}` have one type, `{}`", other->name.value, state.name.value, *state.type),
-         "make an enum for each: by its type a body says which state it sets")
+    if (!other->type || !is_one_type(r, other->type->value, *state.type)) continue;
+    const std::string same =
+        other->type->value == *state.type ? std::string{} : fmt::format(", which `{}` names too", other->type->value);
+    r.error("redefined_name", spec.type->span,
+            fmt::format("the states `{}` and `{}` have one type, `{}`{}", other->name.value, state.name.value,
+                        *state.type, same),
+            "make an enum for each: by its type a body says which state it sets")
         .notes.push_back({other->type->span, fmt::format("`{}` has it first", other->name.value)});
     break;
   }

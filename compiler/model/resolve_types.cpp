@@ -25,6 +25,13 @@ bool is_usable(Resolver& r, const Word& name, const CppType& type) {
             "name the header that declares it under `cpp: {headers: [...]}`, and the type with its namespace");
     return false;
   }
+  if (type.is_enum && type.complete && type.enumerators.empty()) {
+    note_place(r,
+               r.error("unknown_type", name.span, fmt::format("`{}` is an enum without values", name.value),
+                       "name an enum with values, or leave out `type` and list the `values`"),
+               type.place, "it is here");
+    return false;
+  }
   if (type.is_enum && type.complete) return true;
   note_place(r,
              r.error("unknown_type", name.span,

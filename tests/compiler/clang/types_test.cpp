@@ -67,6 +67,32 @@ TEST_CASE("what the generated code includes by itself counts for types too, and 
   CHECK(checked("nowhere::Way").out.find("there is no type `nowhere::Way` in the C++") != std::string::npos);
 }
 
+TEST_CASE("an enum without values, or one that two states name, is no type of a state") {
+  const Workshop work("types-odd");
+  work.write("flags", "g++\n-std=c++20\n-I" + work.path("include") + "\n");
+  const auto checked = [&](const std::string& states) {
+    work.write("odd.yaml", "behaviour: odd\nlanguage: 1\ncpp: {headers: [odd.hpp]}\nstates:\n" + states +
+                               "roots: [Play]\ngroups:\n  Play: {}\n");
+    return work.directorc({"check", work.path("odd.yaml"), "--flags", work.path("flags")}).out;
+  };
+  work.write("include/odd.hpp", "#pragma once\nnamespace odd_types {\nenum class Empty {};\nenum class Later : int;\n"
+                                "enum class Phase { one, two };\nusing Other = Phase;\n}\n");
+  CHECK(checked("  S: {type: odd_types::Empty, external: true}\n")
+            .find("`odd_types::Empty` is an enum without values "
+                  "[unknown_type]") != std::string::npos);
+  CHECK(checked("  S: {type: odd_types::Later, external: true}\n")
+            .find("`odd_types::Later` is declared and not defined, so its values are not known [unknown_type]") !=
+        std::string::npos);
+  CHECK(checked("  S: {type: odd_types::Phase, external: true}\n  T: {type: odd_types::Other, external: true}\n")
+            .find("the states `S` and `T` have one type, `odd_types::Other`, which `odd_types::Phase` names too "
+                  "[redefined_name]") != std::string::npos);
+  work.write("include/odd.hpp", "#pragma once\n#include \"enum.hpp\"\n");
+  const std::string lacking = checked("  S: {type: odd_types::Phase, external: true}\n");
+  CHECK(lacking.find("the values of `odd_types::Phase` are not known here: Clang does not understand the headers: ") !=
+        std::string::npos);
+  CHECK(lacking.find("include/odd.hpp:2: 'enum.hpp' file not found") != std::string::npos);
+}
+
 /// Detects whether a file is opened during its lifetime.
 class Guarded {
 public:

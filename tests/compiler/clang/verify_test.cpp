@@ -167,6 +167,17 @@ TEST_CASE("a test double with the name of a class does not hide what the class d
   }
 }
 
+TEST_CASE("a source that gets the generated header beside it, or by a path, is read") {
+  const Workshop work = workshop("beside");
+  const std::vector<std::string> without{"-std=c++20", "-I" + work.path(), "-I" + source_folder()};
+  work.write("generated/body.cpp", wheels(included));
+  work.write_commands({work.path("generated/body.cpp"), work.path("generated/cart.cpp")}, without);
+  CHECK(messages(verified(work).out) == std::vector<std::string>{found});
+  work.write("body.cpp", wheels("#include \"generated/cart.hpp\"\n"));
+  work.write_commands({work.path("body.cpp")}, without);
+  CHECK(messages(verified(work).out) == std::vector<std::string>{found});
+}
+
 TEST_CASE("bodies in what CMake precompiles are read") {
   const Workshop work = workshop("precompiled");
   work.write("wheels.hpp", "#pragma once\n" + wheels(included));
@@ -229,8 +240,8 @@ TEST_CASE("a missing file that is to be left out is reported") {
   const Worked all = work.directorc({"verify", work.path("cart.yaml"), "-p", work.path(), "--exclude", work.path()});
   CHECK(all.err ==
         "directorc: no file of `" + work.path() +
-            "` that is not excluded has the generated `cart.hpp` in its include folders: has the program been "
-            "built?\n");
+            "` that is not excluded includes the generated `cart.hpp`, or has it in its include folders: has the "
+            "program been built?\n");
   CHECK(all.status == 2);
 }
 
