@@ -105,9 +105,10 @@ std::string propose_mandatory(const Model& model, const Obstacle& obstacle) {
 
 std::string propose(const Model& model, const Obstacles& obstacles) {
   if (obstacles.meet && (obstacles.none_waits || obstacles.all.empty()))
-    return "let those that wait for it have no other way, or leave the promise out";
+    return "let those that wait for it have no other way, or leave out the promise and the conditions on it";
   if (obstacles.all.empty())
-    return "request the two side by side: a task pushes nothing below itself, and nothing above";
+    return fmt::format("request the two side by side{}: a task pushes nothing below itself, and nothing above",
+                       obstacles.none_waits ? ", and let those that wait for it have no other way" : "");
   const Obstacle& obstacle = obstacles.all.front();
   if (obstacle.need != nullptr)
     return fmt::format("do not need {} here, only request it", name_of(model, obstacle.need->id));
