@@ -61,6 +61,7 @@ public:
       wanted = helpers(analysis::look_below(checked_.model, code_));
     }
     judge(scope.build);
+    out_.depends.assign(depends_.begin(), depends_.end());
     return std::move(out_);
   }
 
@@ -74,6 +75,7 @@ private:
     LoadedCommands loaded = load_compile_commands(scope.build, world_.files);
     if (!loaded.fault.empty()) return fail(std::move(loaded.fault));
     commands_ = std::move(loaded.commands);
+    depends_.insert(absolute_path(loaded.path).lexically_normal().string());
     const std::string name = header_name(checked_.model.name);
     const std::string only =
         scope.generated.empty() ? std::string{} : (absolute_path(scope.generated) / name).lexically_normal().string();
@@ -103,6 +105,7 @@ private:
       const bool is_output =
           fs::path(command.file).parent_path() == fs::path(each.header).parent_path() && is_generated(command.file);
       if (is_other || is_output) each.header.clear();
+      if (!each.header.empty()) depends_.insert(command.file); // it may include the header some day
       any = any || !each.header.empty();
       const bool may = std::any_of(begun.begin(), begun.end(), [&](const std::string& file) {
         return !each.header.empty() && includes_.may_include(file, folders, each.header);
@@ -222,6 +225,10 @@ private:
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       ++out_.files;
       add_unit(code_, answers[i], code_files_);
+      for (const Json& file : answers[i]["files"].items()) {
+        const bool system = file.items().size() == 2 && file.items()[1].as_boolean();
+        if (!system) depends_.insert(fs::path(file.items()[0].as_text()).lexically_normal().string());
+      }
       note_errors(*wanted[i], answers[i]);
     }
     return true;
@@ -323,7 +330,7 @@ private:
   std::vector<CompileCommand> commands_;
   std::vector<Candidate> candidates_;
   std::map<std::string, std::string> headers_; ///< path -> text; empty: it is not generated
-  std::set<std::string> unreadable_;
+  std::set<std::string> unreadable_, depends_;
   CodeFacts code_;
   Verified out_;
 };

@@ -27,6 +27,7 @@ struct Verified {
   std::vector<std::string> remarks;      ///< on the scope, each in a line
   std::vector<std::string> unwritten;    ///< bodies that are as `directorc stubs` wrote them: `Walk.halting`
   std::size_t files = 0;                 ///< that were read
+  std::vector<std::string> depends;      ///< files on which the result depends, absolute: each once, in order
   std::size_t bodies = 0, seen = 0;      ///< of providers and handlers
 };
 

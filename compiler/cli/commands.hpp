@@ -170,6 +170,7 @@ struct Verify {
   std::string build;     ///< folder with compile_commands.json
   std::string generated; ///< folder of the generated header; empty: any
   std::vector<std::string> excluded;
+  std::string depfile, target; ///< empty: none is written; the target of its rule
   Format format = Format::text;
   checks::Selection selection;
 };

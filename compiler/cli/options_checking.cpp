@@ -73,10 +73,16 @@ Make verify_options(CLI::App& app) {
   app.add_option("--exclude", request->excluded,
                  "leave out a source, all sources below a folder, or all compiled into it; may be given several times")
       ->type_name("PATH");
+  CLI::Option* depfile = app.add_option("--depfile", request->depfile, "also write what was read, for Make and Ninja");
+  depfile->type_name("FILE");
+  app.add_option("--depfile-target", request->target, "the target of its rule")->type_name("FILE")->needs(depfile);
   add_format(app, request->format, {"text", "json", "sarif"});
   add_selection(app, *words);
   return [=]() -> Request {
     if (const std::optional<Message> wrong = unknown_id(*words)) return *wrong;
+    if (const std::optional<Message> wrong = wrong_place("--depfile", "a file", request->depfile)) return *wrong;
+    if (!request->depfile.empty() && request->target.empty())
+      return Message{"directorc: --depfile needs --depfile-target, the file that the build makes after it\n", true};
     request->selection = selection_of(*words);
     return *request;
   };

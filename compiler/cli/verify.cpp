@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/verify.hpp"
 
+#include "compiler/cli/change.hpp"
 #include "compiler/cli/fact_store.hpp"
 #include "compiler/cli/load.hpp"
 #include "compiler/cli/sarif_rules.hpp"
+#include "compiler/emit/depfile.hpp"
 #include "compiler/emit/findings_json.hpp"
 #include "compiler/emit/findings_sarif.hpp"
 
@@ -73,6 +75,9 @@ int run(const Verify& request, Console& console) {
   verified.findings = checks::apply_allowances(checked->model, std::move(verified.findings), false);
   verified.findings = checks::apply_selection(request.selection, std::move(verified.findings));
   print(request, verified, sources, console);
+  if (!request.depfile.empty() &&
+      !write({{request.depfile, depfile({request.target}, sources, verified.depends), is_depfile, true}}, console, ""))
+    return misused;
   return dsl::has_errors(verified.findings) ? found : clean;
 }
 

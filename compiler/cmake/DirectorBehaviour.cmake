@@ -153,7 +153,7 @@ function(director_add_behaviour)
     director_need_clang_(${target})
   endif()
   if(arg_VERIFY)
-    # The command depends on the object files, so it runs again whenever a body or a header that a body includes changes.
+    # It runs again whenever a body or what that includes changes, also in other targets of the build: what it read.
     set(verified ${folder}/verified)
     set(excluded "")
     foreach(each IN LISTS arg_EXCLUDE)
@@ -163,8 +163,10 @@ function(director_add_behaviour)
     add_custom_command(
       OUTPUT ${verified}
       COMMAND Director::directorc verify ${file} -p ${CMAKE_BINARY_DIR} --generated ${folder} ${excluded} ${werror}
+              --depfile ${verified}.d --depfile-target ${verified}
       COMMAND ${CMAKE_COMMAND} -E touch ${verified}
       DEPENDS ${file} ${stamp} $<TARGET_OBJECTS:${target}> $<TARGET_FILE:Director::directorc> $<TARGET_FILE:Director::director-clang>
+      DEPFILE ${verified}.d
       COMMENT "Verifying the bodies of the behaviour ${behaviour}"
       VERBATIM COMMAND_EXPAND_LISTS)
     add_custom_target(${target}_${behaviour}_verified ALL DEPENDS ${verified})

@@ -49,9 +49,15 @@ build_with("return run.request(walker::Step{})" "${path_without}" fails "return-
 build_with("" "" builds)
 configure(-D PRECOMPILED=OFF)
 
+file(READ ${WORK}/project/doubles/legs_double.cpp double)
 file(REMOVE ${WORK}/project/doubles/legs_double.cpp)
 file(TOUCH ${WORK}/project/doubles/legs_double.cpp) # empty: nothing is excluded below, so the double would give a finding in every build
 configure(-D EXCLUDED= -D STRICT=ON)
 string(REPLACE "warning:" "error:" error "${warning}")
 build_with("request(walker::Step{})" "done()" fails "${error}")
 build_with("" "" builds)
+# What another target compiles is read again too.
+file(WRITE ${WORK}/project/doubles/legs_double.cpp "${double}")
+judge_build("a body of another target" fails "doubles/legs_double.cpp:6:9: error: `Walk` sets `Pose` to `fallen`")
+file(WRITE ${WORK}/project/doubles/legs_double.cpp "")
+judge_build("no body of another target" builds "")
