@@ -202,6 +202,7 @@ private:
       Json unit = unit_of(*wanted[i]);
       questions.push_back(to_line(Json::object({{"unit", unit},
                                                 {"namespace", Json::text(checked_.model.name_space)},
+                                                {"format", Json::number(facts_format)},
                                                 {"director", Json::text(compiler::version())},
                                                 {"clang", version.value()["clang"]}})));
       if (std::optional<Json> known = cache_.recall(questions.back())) {

@@ -89,8 +89,13 @@ std::optional<std::set<Values::Names>> Values::of(const Expr* expr, const EnumDe
   Expr::EvalResult result;
   if (expr->getType()->isIntegralOrEnumerationType() && expr->EvaluateAsInt(result, context_))
     return std::set<Names>{names_of(result.Val.getInt(), names)};
+  // A cast to a smaller type may change the value.
   const auto* cast = llvm::dyn_cast<ExplicitCastExpr>(expr);
-  return cast == nullptr ? std::nullopt : of(cast->getSubExpr(), names, depth - 1);
+  const auto width = [&](QualType type) {
+    return type->isIntegralOrEnumerationType() && !type->isBooleanType() ? context_.getIntWidth(type) : 0;
+  };
+  if (cast == nullptr || width(cast->getType()) < width(cast->getSubExpr()->getType())) return {};
+  return of(cast->getSubExpr(), names, depth - 1);
 }
 
 std::string Values::state_of(const Expr* expr) const {

@@ -163,11 +163,13 @@ bool Watch::hard_cut(const One& one, const Machine& machine) const {
   const Index from = one.groups.front(), to = one.groups.back();
   if (!engine.granted(to) || before_[to].granted || before_[from].active == nil) return false;
   const bool stops = engine.active(from) == nil;
-  std::vector<bool> holders(t.groups.size(), false); // it, and what it was requested for
+  // It, and what it was requested for: not if that goes on and requests it no more.
+  std::vector<bool> holders(t.groups.size(), false);
   for (Index at = from; at != nil && !holders[at];) {
     holders[at] = true;
     const Index edge = before_[at].holder;
-    at = stops && edge < t.edges.size() ? t.edges[edge].requester : nil;
+    const Index above = stops && edge < t.edges.size() ? t.edges[edge].requester : nil;
+    at = above == nil || engine.active(above) == nil || engine.state(edge) != RunState::none ? above : nil;
   }
   // Whether one of these had it: by need or request, or by a member of its unit, which has it by needs.
   const auto was_theirs = [&](Index edge) {

@@ -8,6 +8,7 @@
 #include "compiler/base/json.hpp"
 #include "dsl/file_access.hpp"
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -26,6 +27,10 @@ public:
 protected:
   ~FactStore() = default;
 };
+
+/// Part of every question: raised whenever director-clang reads something else, or says it in another way, so that
+/// answers from before are not used.
+inline constexpr std::int64_t facts_format = 2;
 
 class FactCache {
 public:

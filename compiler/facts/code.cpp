@@ -90,7 +90,9 @@ private:
         {},   span(from["at"])};
     if (from["values"].is_list()) {
       out.values.emplace();
-      for (const Json& names : from["values"].items()) out.values->push_back(names.as_texts());
+      for (const Json& names : from["values"].items()) {
+        if (!names.items().empty()) out.values->push_back(names.as_texts());
+      }
     }
     return out;
   }
@@ -125,7 +127,9 @@ void join(CodeFunction& to, CodeFunction from) {
   join(to.calls, std::move(from.calls));
   join(to.blocks, std::move(from.blocks));
   join(to.hidden, std::move(from.hidden));
-  if (!to.open_end) to.open_end = from.open_end;
+  // An end that is open where Clang found errors may be none.
+  if (to.doubtful && !from.doubtful) to.open_end.reset();
+  if (!to.open_end && (to.doubtful || !from.doubtful)) to.open_end = from.open_end;
   to.unwritten = to.unwritten && from.unwritten;
   to.doubtful = to.doubtful && from.doubtful;
 }

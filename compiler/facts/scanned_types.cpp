@@ -128,6 +128,7 @@ Types ScannedTypes::read(const TypeReader::Question& question) {
                                {"namespace", Json::text(question.name_space)},
                                {"names", Json::texts(question.names)}});
   Json versioned = request;
+  versioned.add("format", Json::number(facts_format));
   versioned.add("director", Json::text(version.value()["director"].as_text())).add("clang", version.value()["clang"]);
   std::optional<Json> answer = cache_.recall(to_line(versioned));
   if (!answer) {

@@ -140,7 +140,7 @@ const char* state(director::Index row);
 const char* value(director::Index state, std::int32_t number); ///< `unset` too; empty for a number of a range
 const char* trigger(director::Index row);
 const char* condition(director::Index row); ///< `Stability == standing`
-const char* level(director::Index row);     ///< empty for the first of a task, which a request that names none takes
+const char* level(director::Index row);     ///< of other than root tasks empty for the first one
 using director::name_of;                    // of kinds of events and inputs, of reasons, and why something does not run
 
 /// All of them, for what prints the events of any behaviour.

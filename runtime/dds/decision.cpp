@@ -19,6 +19,14 @@ std::string reasons_of(Reasons reasons) {
   return out;
 }
 
+/// Whether a value satisfies both.
+bool overlap(const Tables& t, const Condition& a, const Condition& b) {
+  return any(t.intervals.subspan(a.accepts.begin, a.accepts.size()), [&](const Interval& one) {
+    return any(t.intervals.subspan(b.accepts.begin, b.accepts.size()),
+               [&](const Interval& other) { return one.low <= other.high && other.low <= one.high; });
+  });
+}
+
 } // namespace
 
 Decision decision_of(const Event& event, const Plug& plug) {
@@ -78,25 +86,27 @@ std::optional<Kept> Promises::observe(const Event& event) {
 
 /// The condition that the running provider promised and this value satisfies; nil: none. The tables have promised
 /// conditions with a time; of one without they have the conditions that it serves, which are all true if it is. One
-/// alone may be true by a value that the provider does not promise.
+/// alone may be true by a value that the provider does not promise: another one that is false, and that the same
+/// promise may serve, says so. A promise serves no two conditions that exclude each other.
 Index Promises::kept_by(const Event& event) const {
   const Tables& t = plug_.tables();
   const Provider& provider = t.providers[running_];
-  bool has_time = false;
   for (Index row = provider.promises.begin; row != provider.promises.end; ++row) {
-    const Index promised = t.promises[row].condition;
-    if (t.conditions[promised].state != event.state) continue;
-    if (t.accepts(t.conditions[promised], event.value)) return promised;
-    has_time = true;
+    const Condition& promised = t.conditions[t.promises[row].condition];
+    if (promised.state == event.state && t.accepts(promised, event.value)) return t.promises[row].condition;
   }
-  Index first = nil;
-  for (const Index row : t.list(provider.effects)) {
-    const Condition& condition = t.conditions[row];
-    if (condition.state != event.state) continue;
-    if (has_time || !t.accepts(condition, event.value)) return nil;
-    if (first == nil) first = row;
+  const std::span<const TableIndex> effects = t.list(provider.effects);
+  const auto served = [&](Index row, bool is_true) {
+    return t.conditions[row].state == event.state && t.accepts(t.conditions[row], event.value) == is_true;
+  };
+  for (const Index row : effects) {
+    if (!served(row, true)) continue;
+    const bool contradicted = any(effects, [&](Index other) {
+      return served(other, false) && overlap(t, t.conditions[row], t.conditions[other]);
+    });
+    if (!contradicted) return row;
   }
-  return first;
+  return nil;
 }
 
 Kept Promises::ended(Index provider, bool kept, std::string condition) const {

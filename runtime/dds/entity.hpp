@@ -9,6 +9,8 @@
 
 #include <array>
 #include <string>
+#include <system_error>
+#include <thread>
 #include <utility>
 
 namespace director::dds {
@@ -20,6 +22,16 @@ using PromiseSample = director_msgs_msg_dds__Promise_;
 using Request = director_msgs_msg_dds__Request_;
 using Answer = director_msgs_msg_dds__Answer_;
 using Stamp = builtin_interfaces_msg_dds__Time_;
+
+/// A thread of the bridge.
+template <class Work>
+std::thread started(Work work) {
+  try {
+    return std::thread(std::move(work));
+  } catch (const std::system_error& problem) {
+    throw Failure("dds: a thread cannot be started: " + problem.code().message());
+  }
+}
 
 /// A handle of the library. Its owner deletes it, with all that belongs to it.
 class Entity {

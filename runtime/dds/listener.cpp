@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/dds/listener.hpp"
 
+#include <algorithm>
+
 namespace director::dds {
 
 namespace {
 
 // Far more than a team has, so that invented names cannot fill the memory.
 constexpr std::size_t most_members = 256;
+constexpr std::size_t most_sessions = 16; // of one member
 
 bool is_name(const char* text) {
   const std::string_view name(text);
@@ -32,7 +35,7 @@ Listener::Listener(const Entity& participant, const Settings& settings, const Pl
       stop_(dds_create_guardcondition(participant.get()), "a guard condition") {
   for (const Entity* one : {&members_, &states_, &requests_, &stop_})
     check(dds_waitset_attach(waiting_.get(), one->get(), 0), "the waitset");
-  thread_ = std::thread(&Listener::listen, this);
+  thread_ = started([this] { listen(); });
 }
 
 Listener::~Listener() {
@@ -76,22 +79,26 @@ void Listener::receive_member(const Member& sample, const dds_sample_info_t& inf
   Known& known = known_[key];
   const std::string what = "the behaviour " + shown(sample.behaviour);
   if (info.valid_data) {
-    if (plug_.behaviour == sample.behaviour && settings_.robot == sample.robot && sample.session != session_)
+    // Members are repeated, also by two processes with one name in turn: only what is new is reported.
+    const bool first = known.sessions.empty();
+    const bool is_new = std::ranges::find(known.sessions, sample.session) == known.sessions.end();
+    if (is_new) known.sessions.push_back(sample.session);
+    if (known.sessions.size() > most_sessions) known.sessions.pop_front();
+    if (is_new && plug_.behaviour == sample.behaviour && settings_.robot == sample.robot && sample.session != session_)
       notes_.report(Notice::Kind::twin, sample.robot,
                     "another process says that it is this robot with " + what + "; both are heard as one");
-    if (known.session == 0) {
+    if (first) {
       notes_.report(Notice::Kind::joined, sample.robot, what + " is there");
-    } else if (known.session != sample.session) {
+    } else if (is_new) {
       notes_.report(Notice::Kind::restarted, sample.robot, what + " was started again");
     } else if (!known.there) {
       notes_.report(Notice::Kind::joined, sample.robot, what + " is heard again");
     }
-    if (plug_.behaviour == sample.behaviour && specification_ != sample.specification &&
-        known.session != sample.session)
+    if (is_new && plug_.behaviour == sample.behaviour && specification_ != sample.specification)
       notes_.report(Notice::Kind::other_specification, sample.robot,
                     what + " decides otherwise there: its specification is " + shown(sample.specification) +
                         ", here it is " + specification_);
-    known = {.session = sample.session, .there = true};
+    known.there = true;
   }
   if (info.instance_state == DDS_IST_ALIVE || !known.there) return;
   known.there = false;

@@ -10,6 +10,7 @@
 #include "runtime/dds/reply.hpp"
 
 #include <atomic>
+#include <deque>
 #include <thread>
 
 namespace director::dds {
@@ -33,7 +34,7 @@ private:
   void report_bad(std::string_view robot, const std::string& what);
 
   struct Known {
-    std::uint64_t session = 0;
+    std::deque<std::uint64_t> sessions; ///< heard so far, the latest that came new last
     bool there = false;
   };
 

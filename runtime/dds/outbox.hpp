@@ -16,7 +16,8 @@ class Outbox {
 public:
   struct Entry {
     Event event;
-    std::uint64_t number = 0; ///< the number of the decision, from 1, including those dropped; 0: a state was set
+    std::uint64_t number = 0; ///< the number of the decision, from 1, including those dropped; 0: no decision, such as
+                              ///< a state that was set
   };
 
   /// `room`: how many events can wait; rounded up to a power of two. `next` is called as well.

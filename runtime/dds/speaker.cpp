@@ -24,7 +24,7 @@ Speaker::Speaker(const Entity& participant, const Settings& settings, const Plug
       values_(plan.published.size()) {
   for (const Index state : plan.published) published_.push_back({.state = state, .name = plug.names.state(state)});
   sem_init(&semaphore_, 0, 0);
-  thread_ = std::thread(&Speaker::run, this);
+  thread_ = started([this] { run(); });
 }
 
 Speaker::~Speaker() {

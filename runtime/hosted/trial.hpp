@@ -240,7 +240,9 @@ public:
   // A copy would share what it is given.
   Trial(const Trial&) = delete;
   Trial& operator=(const Trial&) = delete;
+  /// A trial can be moved; the one that is left may only be destroyed, or assigned to.
   Trial(Trial&&) noexcept = default;
+  /// The same.
   Trial& operator=(Trial&&) noexcept = default;
   ~Trial() = default;
   /// With the data of the task.

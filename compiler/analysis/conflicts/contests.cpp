@@ -116,31 +116,37 @@ std::vector<Contest> Contests::find_candidates(const Meeting& meeting) const {
   return out;
 }
 
-/// The first one with chains that do not meet before the end. All are tried: for two that lead to each other the
-/// nearest hundreds may have none.
+/// The first one with chains that do not meet before the end, and rather one whose conditions can hold at once. All are
+/// tried: for two that lead to each other the nearest hundreds may have none.
 std::optional<Contest> Contests::find(const Meeting& meeting, const std::vector<Contest>& candidates) {
   Lookups lookups;
+  std::optional<Contest> out;
   for (const Contest& candidate : candidates) {
     if (effort_ > most_effort) {
       leave_open(meeting);
-      return std::nullopt;
+      return out;
     }
+    if (out && candidate.unpushed) continue;
     Contest contest = candidate;
-    if (find_paths(meeting, contest, lookups)) return contest;
+    if (!find_paths(meeting, contest, lookups)) continue;
+    if (!contest.unpushed) return contest;
+    if (!out) out = std::move(contest);
   }
-  return std::nullopt;
+  return out;
 }
 
 /// For a contest that was found.
 std::optional<MutualWait> Contests::find_mutual_wait(const Meeting& meeting, const std::vector<Contest>& candidates,
                                                      const Contest& contest) {
   const std::set<GroupId> held = held_before(contest.first_path);
-  if (held.empty()) return std::nullopt;
+  if (held.empty() || contest.unpushed) return std::nullopt;
   Lookups lookups;
   for (Contest other : candidates) {
     if (effort_ > most_effort) return std::nullopt;
     // A group has one holder: nothing waits for a group that both hold.
-    if (other.group == contest.group || held.count(other.group) == 0 || !find_paths(meeting, other, lookups)) continue;
+    if (other.group == contest.group || held.count(other.group) == 0 || other.unpushed ||
+        !find_paths(meeting, other, lookups) || other.unpushed)
+      continue;
     if (held_before(other.second_path).count(contest.group) != 0)
       return MutualWait{other.group, std::move(other.first_path), std::move(other.second_path)};
   }

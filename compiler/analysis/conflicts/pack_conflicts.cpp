@@ -107,7 +107,8 @@ std::string propose(const Input& input, const PackConflict& conflict, bool by_gr
   // A task that never has to wait would always take what an `apart` one wants.
   const auto always_takes = [&](const Task* task) { return never_waits(input, task->target); };
   if (!conflict.others.empty())
-    return std::any_of(conflict.members.begin(), conflict.members.end(), always_takes)
+    return std::any_of(conflict.members.begin(), conflict.members.end(), always_takes) ||
+                   std::any_of(conflict.others.begin(), conflict.others.end(), always_takes)
                ? "request them in packs of their own"
                : "request them in packs of their own, or make all but one of them `apart`, so that each waits for "
                  "itself alone";

@@ -97,7 +97,7 @@ public:
   Queued queued(Index edge) const { return x_.s.queued[edge]; } ///< why it is queued
   Time now() const { return x_.s.counters->now; }
   std::uint64_t micro_steps() const { return x_.s.counters->micro_step; } ///< micro-steps so far
-  std::uint64_t passes() const { return passes_; }                        ///< passes over a component so far
+  std::uint64_t passes() const { return passes_; } ///< passes over a component, and loads, so far
   bool inside() const { return inside_; } ///< a body, handler or observer is running; for the thread that calls step()
   bool inputs_wait() const { return inbox_.waits(); }  ///< for that thread as well
   std::uint32_t lost() const { return inbox_.lost(); } ///< inputs lost so far; from any thread

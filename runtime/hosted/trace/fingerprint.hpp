@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A number that differs between behaviours: a hash of all rows of the tables and of their names.
+// A number that differs between behaviours: a hash of all rows of the tables, of their names and of those of values.
 
 #include "runtime/core/inspect/why.hpp"
 

@@ -25,6 +25,32 @@ TEST_CASE("a warning is no error unless that is requested") {
   CHECK(check_text(kick_and_walk, asked(selection)).checked.findings.at(0).level == dsl::Level::error);
 }
 
+TEST_CASE("what two tasks want at once is reported before what only one of them can want at a time") {
+  const auto reported = [](const std::string& first, const std::string& second) {
+    const std::string text =
+        "states:\n  S: {values: [a, b], initial: a}\n  E: {values: [x, z], initial: x, external: true}\n"
+        "roots: {T1: {priority: 2}, T2: {priority: 2}, C: {priority: 1}}\ngroups:\n" +
+        first + second +
+        "  C:\n    providers:\n      - {name: one, when: [E == x], causing: [S == a]}\n"
+        "      - {name: two, sets: [S == b]}\n  Z: {}\n  G: {}\n  X: {}\n  M: {needs: [X]}\n";
+    const std::string all = check_text(text).findings();
+    const std::size_t end = all.find(" [equal_priority]");
+    REQUIRE(end != std::string::npos);
+    const std::size_t begin = all.rfind(": ", all.rfind("`T1` and", end)) + 2;
+    return all.substr(begin, end - begin);
+  };
+  CHECK(reported("  T1: {when: [S == a], needs: [X, Z], tasks: [G]}\n",
+                 "  T2:\n    providers:\n      - {name: p, when: [S == b], needs: [Z, G]}\n"
+                 "      - {name: q, when: [E == x], needs: [G], tasks: [X]}\n") ==
+        "`T1` and `T2` have equal rank: `T1` may hold `X` and want `G` while `T2` holds `G` and wants `X`, and then "
+        "each waits for the other");
+  CHECK(reported("  T1: {when: [S == a], needs: [X], tasks: [G]}\n",
+                 "  T2:\n    providers:\n      - {name: p, when: [S == b], needs: [G], tasks: [M]}\n"
+                 "      - {name: q, when: [E == x], needs: [G]}\n") ==
+        "`T1` and `T2` have equal rank and may both want `G`: whichever takes it first keeps it, and if both want it "
+        "at once `T1` takes it");
+}
+
 TEST_CASE("lints are reported on request") {
   const std::string text = "roots: [Walk]\ngroups:\n  Walk: {}\n  Kick: {}\n";
   checks::Selection selection;

@@ -131,6 +131,13 @@ TEST_CASE("what stops with its requester is cut off hard") {
       "proven: being granted, `Kick` takes nothing that `Walk` requests or needs, or a group above it needs");
 }
 
+TEST_CASE("what its requester gives up is not cut off") {
+  CHECK(verdict_of("triggers: [Tick]\nroots: [U]\ngroups:\n  From: {}\n  To: {needs: [G]}\n  G: {}\n"
+                   "  U: {triggers: [Tick], packs: {work: {From: {apart: true}, G: {apart: true}}, go: {To: {}}}}\n",
+                   "{soft: {from: From, to: To}}")
+            .find("proven: ") == 0);
+}
+
 TEST_CASE("behind a latch a hand-over is soft") {
   CHECK(verdict_of(latched, "{soft: {from: Walk, to: Kick}}") ==
         "proven: `Kick` waits for what only `Walk.halting` sets, and only while that runs");

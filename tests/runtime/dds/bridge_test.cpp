@@ -331,13 +331,22 @@ TEST_CASE("the state of a process that is gone lasts until it expires, that of o
   CHECK(door(unknown));
 }
 
-TEST_CASE("two processes with one name are reported") {
+TEST_CASE("two processes with one name are reported, once") {
+  Robot two(hears); // before both
   Robot one(speaks), twin(speaks);
   const std::string notice =
       "twin one: another process says that it is this robot with the behaviour courier; both are "
       "heard as one";
   CHECK(one.comes_true([&] { return one.was_told(notice); }));
   CHECK(twin.comes_true([&] { return twin.was_told(notice); }));
+  const auto begin = std::chrono::steady_clock::now(); // several times as long as until what they say is repeated
+  CHECK(one.comes_true([&] { return std::chrono::steady_clock::now() - begin > 500ms; }));
+  for (Robot* robot : {&one, &twin}) {
+    const std::vector<std::string> all = robot->notices();
+    CHECK(std::count(all.begin(), all.end(), notice) == 1);
+  }
+  const std::vector<std::string> seen = two.notices();
+  CHECK(std::count(seen.begin(), seen.end(), "restarted one: the behaviour courier was started again") <= 1);
 }
 
 TEST_CASE("values that are not taken in time are reported, and the newest one is taken") {

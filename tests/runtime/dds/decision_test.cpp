@@ -82,11 +82,11 @@ TEST_CASE("a promise is not kept by a value that only others wait for") {
   keeper::Behaviour behaviour{module};
   const dds::Plug plugged = plug(behaviour);
   dds::Promises promises{plugged};
-  const auto kept = [&](std::string_view provider, std::int32_t value) {
+  const auto kept = [&](std::string_view provider, std::int32_t value, Index state = 0) {
     Index row = 0;
     while (keeper::names::provider(row) != provider) ++row;
     promises.observe({.kind = Event::Kind::run, .provider = row, .micro_step = 5});
-    const auto ended = promises.observe({.kind = Event::Kind::set, .state = 0, .value = value, .micro_step = 5});
+    const auto ended = promises.observe({.kind = Event::Kind::set, .state = state, .value = value, .micro_step = 5});
     return ended ? ended->condition : std::string("not kept");
   };
   constexpr std::int32_t close = 2, near = 3;
@@ -95,4 +95,11 @@ TEST_CASE("a promise is not kept by a value that only others wait for") {
   CHECK(kept("walking", close) == "not kept"); // which has no time
   CHECK(kept("walking", near) != "not kept");
   CHECK(kept("looking", near) == "not kept"); // which promises nothing
+  // Two promises of one state: one of them is kept.
+  constexpr Index gate = 2;
+  constexpr std::int32_t stuck = 0, open = 1, shut = 2;
+  CHECK(kept("default", open, gate) == "not kept"); // the first group's, which promises nothing
+  CHECK(kept("swinging", open, gate) == "Gate == open");
+  CHECK(kept("swinging", shut, gate) == "Gate == shut");
+  CHECK(kept("swinging", stuck, gate) == "not kept");
 }

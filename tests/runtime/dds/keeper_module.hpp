@@ -17,6 +17,9 @@ struct KeeperModule final : keeper::Keeper {
   Outcome provide(keeper::Track::Waiting& run) override { return run.keep(); }
   Outcome provide(keeper::Watch::Guarding& run) override { return run.keep(); }
   Outcome provide(keeper::Watch::Sleeping& run) override { return run.keep(); }
+  Outcome provide(keeper::Enter::Default& run) override { return run.keep(); }
+  Outcome provide(keeper::Leave::Default& run) override { return run.keep(); }
+  Outcome provide(keeper::Swing::Swinging& run) override { return run.keep(); }
   Outcome provide(keeper::Head::Default& run) override { return run.keep(); }
   Outcome provide(keeper::Legs::Default& run) override { return run.keep(); }
 };
