@@ -96,10 +96,9 @@ private:
       std::vector<std::string> begun = forced_includes(each.flags.words, command.directory);
       begun.push_back(command.file);
       for (const std::string& file : begun) {
-        if (!each.header.empty()) break;
-        for (std::string& header : includes_.named(file, folders, name)) {
-          if (each.header.empty() && is_generated(header)) each.header = std::move(header);
-        }
+        if (each.header.empty())
+          each.header =
+              includes_.find_named(file, folders, name, [&](const auto& header) { return is_generated(header); });
       }
       const bool is_other = !only.empty() && each.header != only;
       const bool is_output =
@@ -151,8 +150,9 @@ private:
   /// By its source or its output: CMake compiles a target into a folder of its own.
   static bool is_excluded(const CompileCommand& command, const std::vector<fs::path>& excluded,
                           std::vector<bool>& met) {
+    if (excluded.empty()) return false;
     const fs::path output = command.output.empty() ? fs::path{} : whole(fs::path(command.directory) / command.output);
-    const fs::path file = excluded.empty() ? fs::path{} : whole(command.file);
+    const fs::path file = whole(command.file);
     bool out = false;
     for (std::size_t i = 0; i < excluded.size(); ++i) {
       const bool here = lies_in(file, excluded[i]) || (!output.empty() && lies_in(output, excluded[i]));

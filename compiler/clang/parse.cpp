@@ -131,20 +131,16 @@ void add_unmarked(const Unit& unit, const std::vector<std::string>& arguments, M
   bool included = false;
   for (const std::string& word : arguments) {
     if (word == "-Xclang") continue;
-    if (std::exchange(included, word == "-include")) {
-      const std::string path = absolute(word, unit.directory);
-      const auto file = llvm::MemoryBuffer::getFile(path);
-      if (!file) continue;
-      std::string text = (*file)->getBuffer().str();
-      bool marked = false;
-      for (const llvm::StringRef mark : marks) {
-        const std::size_t at = text.find(mark.str());
-        if (at == std::string::npos) continue;
-        text.replace(at, mark.size(), mark.size(), ' ');
-        marked = true;
-      }
-      if (marked) to->addFile(path, 0, llvm::MemoryBuffer::getMemBufferCopy(text));
+    if (!std::exchange(included, word == "-include")) continue;
+    const std::string path = absolute(word, unit.directory);
+    const auto file = llvm::MemoryBuffer::getFile(path);
+    if (!file) continue;
+    std::string text = (*file)->getBuffer().str();
+    for (const llvm::StringRef mark : marks) {
+      const std::size_t at = text.find(mark.str());
+      if (at != std::string::npos) text.replace(at, mark.size(), mark.size(), ' ');
     }
+    if (text != (*file)->getBuffer()) to->addFile(path, 0, llvm::MemoryBuffer::getMemBufferCopy(text));
   }
 }
 

@@ -52,8 +52,7 @@ int run(const Docs& request, Console& console) {
     }
     auto [page, result] = page_of(file, request, console);
     if (result == misused) return misused;
-    if (status != found) status = std::max(status, result);
-    if (result == found) status = found;
+    status = status == found || result == found ? found : std::max(status, result);
     if (page) outputs.push_back({path, std::move(*page), has_notice});
   }
   return write(outputs, console) ? status : misused;

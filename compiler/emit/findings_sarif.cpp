@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/findings_sarif.hpp"
 
+#include "compiler/base/percent.hpp"
 #include "compiler/base/sha256.hpp"
 #include "compiler/base/version.hpp"
 #include "dsl/characters.hpp"
@@ -29,15 +30,7 @@ std::string_view level_name(dsl::Level level) {
 
 /// A path as a URI reference: other characters are written as %XX.
 std::string uri(std::string_view path) {
-  constexpr std::string_view plain = "-._~/!$&'()*+,;=@";
-  std::string out;
-  for (const char c : path) {
-    if (dsl::is_alphanumeric(c) || plain.find(c) != std::string_view::npos) {
-      out += c;
-    } else {
-      out += fmt::format("%{:02X}", static_cast<unsigned char>(c));
-    }
-  }
+  const std::string out = percent_encoded(path, "-._~/!$&'()*+,;=@");
   return path.starts_with('/') ? "file://" + out : out;
 }
 

@@ -18,10 +18,8 @@ public:
       if (known != nullptr) add_other(*known, each);
     }
     for (const Json& each : unit["classes"].items()) {
-      const std::string& key = each["key"].as_text();
-      const auto known = std::find_if(code.classes.begin(), code.classes.end(),
-                                      [&](const CodeClass& other) { return other.key == key; });
-      if (known != code.classes.end()) add_other(*known, each);
+      const CodeClass* known = code.find_class(each["key"].as_text());
+      if (known != nullptr) add_other(*known, each);
     }
   }
 
@@ -141,6 +139,11 @@ const CodeFunction* CodeFacts::find(std::string_view key) const {
   return at == by_key.end() ? nullptr : &functions[at->second];
 }
 
+const CodeClass* CodeFacts::find_class(std::string_view key) const {
+  const auto at = std::find_if(classes.begin(), classes.end(), [&](const CodeClass& each) { return each.key == key; });
+  return at == classes.end() ? nullptr : &*at;
+}
+
 CodePlace place_in(const Json& at, const Json& paths) {
   if (at.items().size() != 3) return {};
   const auto row = static_cast<std::size_t>(at.items()[0].as_number());
@@ -174,8 +177,7 @@ void add_unit(CodeFacts& code, const Json& unit, CodeFiles& files) {
   }
   for (const Json& each : unit["classes"].items()) {
     CodeClass record = reader.record(each);
-    const auto known = [&](const CodeClass& other) { return other.key == record.key; };
-    if (std::none_of(code.classes.begin(), code.classes.end(), known)) code.classes.push_back(std::move(record));
+    if (code.find_class(record.key) == nullptr) code.classes.push_back(std::move(record));
   }
   for (const Json& each : unit["continued"].items()) code.continued.insert(reader.key(each));
   code.has_templates = code.has_templates || unit["templates"].as_boolean();

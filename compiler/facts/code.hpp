@@ -107,6 +107,7 @@ struct CodeFacts {
   bool has_templates = false;                   ///< a class template implements a module, whatever derives from it
 
   const CodeFunction* find(std::string_view key) const;
+  const CodeClass* find_class(std::string_view key) const;
 };
 
 /// A place in a file that is not among the sources yet: most of these are never shown.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <string_view>
 
 namespace director::compiler {
@@ -61,39 +62,38 @@ std::string Includes::find(const std::string& from, const std::vector<std::strin
   return {};
 }
 
-bool Includes::look(const std::string& path, const std::vector<std::string>& folders, const std::string& header,
-                    std::set<std::string>& seen) {
-  if (path == header) return true;
-  if (!seen.insert(path).second) return false;
-  for (const Line& line : file(path).lines) {
-    if (line.name.empty()) return true;
-    const std::string found = find(path, folders, line);
-    if (!found.empty() && look(found, folders, header, seen)) return true;
-  }
-  return false;
-}
-
-std::vector<std::string> Includes::named(const std::string& path, const std::vector<std::string>& folders,
-                                         const std::string& name) {
-  std::vector<std::string> out, open{path};
+bool Includes::search(const std::string& path, const std::vector<std::string>& folders, const Accept& accept) {
+  std::vector<std::string> open{path};
   std::set<std::string> seen{path};
   while (!open.empty()) {
     const std::string from = std::move(open.back());
     open.pop_back();
     for (const Line& line : file(from).lines) {
       std::string found = line.name.empty() ? std::string{} : find(from, folders, line);
-      if (found.empty() || !seen.insert(found).second) continue;
-      if (fs::path(found).filename() == name) out.push_back(found);
-      open.push_back(std::move(found));
+      if (found.empty() && !line.name.empty()) continue;
+      if (accept(found)) return true;
+      if (!found.empty() && seen.insert(found).second) open.push_back(std::move(found));
     }
   }
-  return out;
+  return false;
 }
 
 bool Includes::may_include(const std::string& path, const std::vector<std::string>& folders,
                            const std::string& header) {
-  std::set<std::string> seen;
-  return look(path, folders, fs::path(header).lexically_normal().string(), seen);
+  const std::string wanted = fs::path(header).lexically_normal().string();
+  return path == wanted ||
+         search(path, folders, [&](const std::string& found) { return found.empty() || found == wanted; });
+}
+
+std::string Includes::find_named(const std::string& path, const std::vector<std::string>& folders,
+                                 const std::string& name, const Accept& accept) {
+  std::string out;
+  search(path, folders, [&](const std::string& found) {
+    if (fs::path(found).filename() != name || !accept(found)) return false;
+    out = found;
+    return true;
+  });
+  return out;
 }
 
 } // namespace director::compiler

@@ -5,8 +5,8 @@
 
 #include "dsl/file_access.hpp"
 
+#include <functional>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -18,9 +18,11 @@ public:
   /// `header`: a path made of one of `folders` and a name.
   bool may_include(const std::string& file, const std::vector<std::string>& folders, const std::string& header);
 
-  /// The paths of this name that it may include, beside the file that does, or by a longer name: `"gen/walker.hpp"`.
-  std::vector<std::string> named(const std::string& file, const std::vector<std::string>& folders,
-                                 const std::string& name);
+  using Accept = std::function<bool(const std::string& path)>;
+  /// The first accepted file of this name that it may include; empty: there is none. It may be beside the file that
+  /// includes it, or have a longer name there: `"gen/walker.hpp"`.
+  std::string find_named(const std::string& file, const std::vector<std::string>& folders, const std::string& name,
+                         const Accept& accept);
 
 private:
   struct Line {
@@ -33,8 +35,8 @@ private:
   };
   const File& file(const std::string& path);
   std::string find(const std::string& from, const std::vector<std::string>& folders, const Line& line);
-  bool look(const std::string& path, const std::vector<std::string>& folders, const std::string& header,
-            std::set<std::string>& seen);
+  /// Visits what it may include, directly or not; an empty path: a macro. True: one was accepted.
+  bool search(const std::string& path, const std::vector<std::string>& folders, const Accept& accept);
 
   dsl::FileAccess& files_;
   std::map<std::string, File> known_;

@@ -74,6 +74,14 @@ std::vector<std::string> ScannedTypes::missing_in(const CompileCommand& command,
   return missing.empty() ? missing : without(compilers_.complete(flags), missing);
 }
 
+bool ScannedTypes::has_runtime(const CompileCommand& command) {
+  const std::vector<std::string> folders = include_folders(fit_for_clang(command.words).words, command.directory);
+  return std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) {
+    return static_cast<bool>(files_.read((fs::path(folder) / "runtime/core/behaviour.hpp").string(), dsl::largest_file,
+                                         dsl::Kinds::ordinary));
+  });
+}
+
 /// Rather one of a program with the runtime: other programs may have other macros.
 const CompileCommand* ScannedTypes::choose(const std::vector<std::string>& headers, std::vector<std::string>& missing) {
   std::optional<std::vector<std::string>> nowhere;
@@ -82,7 +90,7 @@ const CompileCommand* ScannedTypes::choose(const std::vector<std::string>& heade
     if (is_of_c(command)) continue;
     std::vector<std::string> here = missing_in(command, headers);
     if (here.empty()) {
-      if (missing_in(command, {"runtime/core/behaviour.hpp"}).empty()) return &command;
+      if (has_runtime(command)) return &command;
       if (out == nullptr) out = &command;
       continue;
     }

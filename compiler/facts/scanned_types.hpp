@@ -29,10 +29,11 @@ public:
   Types read(const TypeReader::Question& question);
 
 private:
-  /// The first command that finds all headers; otherwise null, and a missing header: one that none finds, or one that
-  /// only some do not.
+  /// The first command that finds all headers, and the runtime if one does; otherwise null, and a missing header: one
+  /// that none finds, or one that only some do not.
   const CompileCommand* choose(const std::vector<std::string>& headers, std::vector<std::string>& missing);
   std::vector<std::string> missing_in(const CompileCommand& command, const std::vector<std::string>& headers);
+  bool has_runtime(const CompileCommand& command);
 
   TypeFlags flags_;
   Scanner& scanner_;

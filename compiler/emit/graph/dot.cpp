@@ -7,6 +7,7 @@
 // lets them share ranks with the rest. Graphviz uses the names of nodes as titles, so they are the names of the user's
 // things.
 #include "compiler/base/html.hpp"
+#include "compiler/base/percent.hpp"
 #include "compiler/emit/artefact/code.hpp"
 #include "compiler/emit/graph/formats.hpp"
 #include "compiler/emit/graph/legend.hpp"
@@ -19,24 +20,6 @@
 
 namespace director::compiler {
 
-namespace {
-
-/// With what has a meaning of its own in addresses or in Markdown as `%20`.
-std::string in_address(std::string_view path) {
-  constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
-  std::string out;
-  for (const char letter : path) {
-    if (plain.find(letter) != std::string_view::npos) {
-      out += letter;
-    } else {
-      out += fmt::format("%{:02X}", static_cast<unsigned char>(letter));
-    }
-  }
-  return out;
-}
-
-} // namespace
-
 std::string PictureLinks::to(const PictureText& text) const {
   if (pattern.empty() || text.file.empty()) return {};
   std::string out = pattern;
@@ -45,7 +28,7 @@ std::string PictureLinks::to(const PictureText& text) const {
       out.replace(at, name.size(), value);
   };
   put("{line}", std::to_string(text.line));
-  put("{file}", in_address(text.file));
+  put("{file}", percent_encoded(text.file, "-._~/")); // in Markdown too nothing of it has a meaning
   return out;
 }
 
