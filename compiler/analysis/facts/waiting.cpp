@@ -73,15 +73,17 @@ bool Waiting::unit_waits(const Pack& pack) {
 bool Waiting::is_carefree(GroupId group, const Region& context) {
   const auto [at, is_new] = carefree_.try_emplace(group, false);
   if (!is_new) return at->second;
-  std::set<GroupId> seen, above;
-  const bool out = holds_always(group, context, seen) || can_do_without(group, context, above);
+  std::set<GroupId> seen;
+  std::map<GroupId, bool> known;
+  const bool out = holds_always(group, context, seen) || can_do_without(group, context, known);
   return carefree_[group] = out;
 }
 
 /// Whether, wherever the groups of one of its choices are available, some of them form a choice whose conditions hold.
-bool Waiting::can_do_without(GroupId group, const Region& context, std::set<GroupId>& above) const {
+bool Waiting::can_do_without(GroupId group, const Region& context, std::map<GroupId, bool>& known) const {
   if (!facts_.may_wait.contains(group)) return true;
-  if (!above.insert(group).second) return false;
+  const auto [at, is_new] = known.try_emplace(group, false); // false: it is above itself
+  if (!is_new) return at->second;
   const std::vector<ProviderId>& all = model_.groups[group].providers;
   std::vector<Region> serving;
   const Provider* fewest = nullptr; ///< whose needs are among those of all others, if there is one
@@ -94,15 +96,15 @@ bool Waiting::can_do_without(GroupId group, const Region& context, std::set<Grou
     const Provider& provider = model_.providers[id];
     const bool serves = common && facts_.plans[id] == PlanVerdict::found && needs_no_more(provider, *fewest) &&
                         std::all_of(provider.needs.begin(), provider.needs.end(),
-                                    [&](const Use<GroupId>& need) { return can_do_without(need.id, context, above); });
+                                    [&](const Use<GroupId>& need) { return can_do_without(need.id, context, known); });
     if (serves) serving.push_back(region_of(model_, provider.when));
   }
-  above.erase(group);
   if (serving.empty()) return false;
   if (std::any_of(serving.begin(), serving.end(), [](const Region& region) { return region.states.empty(); }))
-    return true;
+    return known[group] = true;
   Budget budget = facts_.budget; // a copy, so that an open question is not reported
-  return find_covering(model_, facts_.values, box_of_context(facts_, context), serving, budget) == Covering::covered;
+  return known[group] = find_covering(model_, facts_.values, box_of_context(facts_, context), serving, budget) ==
+                        Covering::covered;
 }
 
 /// Whether every condition of it, and of its possible needs, holds.

@@ -41,7 +41,8 @@ private:
   bool unit_waits(const Pack& pack);
   /// Whether its conditions allow a grant wherever its groups are available.
   bool is_carefree(GroupId group, const Region& context);
-  bool can_do_without(GroupId group, const Region& context, std::set<GroupId>& above) const;
+  /// `known`: the answers for this context so far.
+  bool can_do_without(GroupId group, const Region& context, std::map<GroupId, bool>& known) const;
   bool holds_always(GroupId group, const Region& context, std::set<GroupId>& seen) const;
 
   const Model& model_;

@@ -67,4 +67,14 @@ TEST_CASE("a choice of other needs serves as well, if its groups are available w
             .task("Kick"));
 }
 
+TEST_CASE("needs that are shared by many choices, forty levels deep, are looked at once") {
+  std::string behaviour = two_values + "roots: [Kick]\ngroups:\n  Kick: {needs: [L0]}\n";
+  for (int level = 0; level < 40; ++level) {
+    const std::string need = level < 39 ? ", needs: [L" + std::to_string(level + 1) + "]" : "";
+    behaviour += "  L" + std::to_string(level) + ": {providers: [{name: hard, when: [Pose == standing]" + need +
+                 "}, {name: softly" + need + "}]}\n";
+  }
+  CHECK_FALSE(Waits(behaviour).task("Kick"));
+}
+
 } // namespace
