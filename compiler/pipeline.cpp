@@ -132,9 +132,7 @@ Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sou
   if (options.explore > 0 && out.lowerable && is_quick_to_run(out.findings)) {
     NeverRuns never = find_never_runs(out.model, options.explore, out.findings, options.progress);
     append(out.findings, std::move(never.findings));
-    if (!never.complete)
-      out.undecided.push_back(fmt::format(
-          "what never runs: {} states were found, and there are more; `--bound N` tries more", never.states));
+    if (!never.open.empty()) out.undecided.push_back("what never runs: " + never.open);
   }
 
   // Select the findings to report.

@@ -118,10 +118,13 @@ private:
     }
     for (const ProviderId provider : model_.groups[worst->target].providers) {
       const PlanCount plans = trials_.plans(provider);
-      if (plans.plans > 1)
-        finding.notes.push_back(
-            {model_.providers[provider].span,
-             fmt::format("{} has {} plans", name_of(model_, provider), amount({plans.plans, plans.complete}))});
+      if (plans.tried() <= 1) continue;
+      std::string note = fmt::format("{} has {} {}", name_of(model_, provider), amount({plans.plans, plans.complete}),
+                                     plans.plans == 1 ? "plan" : "plans");
+      if (plans.dead_ends != 0)
+        note += fmt::format(", and {} choices that end at a group that is needed twice",
+                            amount({plans.dead_ends, plans.complete}));
+      finding.notes.push_back({model_.providers[provider].span, std::move(note)});
     }
     if (model_.trials.span != Span{}) finding.notes.push_back({model_.trials.span, "this is the limit"});
     finding.help = alone

@@ -70,7 +70,8 @@ int run(const Explore& request, Console& console) {
   console.out << dsl::harmless_lines(to_text(exploration, ground));
   if (!request.output.empty() && !write_scenarios(request, scenarios_of(exploration, ground), console)) return misused;
   if (any(exploration, Verdict::Kind::refuted)) return found;
-  return any(exploration, Verdict::Kind::undecided) || !exploration.searched.complete ? undecided : clean;
+  const bool tried_all = exploration.searched.complete && ground.narrowed.empty();
+  return any(exploration, Verdict::Kind::undecided) || !tried_all ? undecided : clean;
 }
 
 } // namespace director::compiler::cli

@@ -16,7 +16,7 @@
 // loser's. (At rest nothing is stale, so nothing is kept against that order.)
 //
 // soft: by being granted `to` may take itself and what it may need. If `from` can neither request nor need any of that,
-// granting `to` takes nothing from it; and if no group above it needs any of that, or requests it in one pack with what
+// granting `to` takes nothing from it; and if no group above it needs any of that, or requests it together with what
 // leads to `from`, that stops nothing above it either. Otherwise a latch: `to` waits for a value of a state that is
 // `of: from` and does not begin with that value, that only one causing provider of `from` ever sets, and that the
 // `when` and `stay` of all its other providers exclude. Then from the moment in which the causing provider set it the
@@ -237,8 +237,8 @@ std::optional<Verdict> can_run(const Assertion& assertion, const Model& model) {
   return out;
 }
 
-/// What a group may lose so that it stops: itself and its needs; and what is requested in one pack with it, for the
-/// tasks of a pack may be one unit.
+/// What a group may lose so that it stops: itself and its needs; and what is requested in one pack, or flat list,
+/// with it, for these tasks may be one unit.
 void add_stakes(const Model& model, GroupId group, std::vector<GroupId>& to) {
   to.push_back(group);
   const std::vector<GroupId> needs = needed_by(model, group);
@@ -256,7 +256,7 @@ std::vector<GroupId> stakes_of(const Model& model, GroupId from) {
       for (const ProviderId id : model.groups[*requester].providers) {
         for (const Pack& pack : model.providers[id].packs) {
           const auto leads = [&](const Task& task) { return task.edge == edge; };
-          if (pack.name.empty() || std::none_of(pack.tasks.begin(), pack.tasks.end(), leads)) continue;
+          if (std::none_of(pack.tasks.begin(), pack.tasks.end(), leads)) continue;
           for (const Task& task : pack.tasks) add_stakes(model, task.target, out);
         }
       }

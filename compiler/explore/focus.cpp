@@ -195,24 +195,32 @@ private:
   std::vector<bool> seen_;
 };
 
-/// Keeps the usual answer, and for each requested edge the largest and the smallest pack.
-void keep_packs(std::vector<RequestedPack>& packs, const std::vector<EdgeId>& edges) {
-  std::vector<std::size_t> kept{0};
-  for (const EdgeId edge : edges) {
-    std::optional<std::size_t> most, least;
-    for (std::size_t i = 0; i < packs.size(); ++i) {
-      const auto requested = [&](const RequestedLevel& request) { return request.edge == edge.value; };
-      if (std::none_of(packs[i].begin(), packs[i].end(), requested)) continue;
-      if (!most || packs[i].size() > packs[*most].size()) most = i;
-      if (!least || packs[i].size() < packs[*least].size()) least = i;
-    }
-    for (const auto& place : {most, least}) {
-      if (place && std::find(kept.begin(), kept.end(), *place) == kept.end()) kept.push_back(*place);
-    }
+/// Adds the places, within a range, of the largest and the smallest pack that requests the edge.
+void add_extremes(const std::vector<RequestedPack>& packs, std::size_t begin, std::size_t end, EdgeId edge,
+                  std::vector<std::size_t>& places) {
+  std::optional<std::size_t> most, least;
+  for (std::size_t i = begin; i < end; ++i) {
+    const auto requested = [&](const RequestedLevel& request) { return request.edge == edge.value; };
+    if (std::none_of(packs[i].begin(), packs[i].end(), requested)) continue;
+    if (!most || packs[i].size() > packs[*most].size()) most = i;
+    if (!least || packs[i].size() < packs[*least].size()) least = i;
   }
+  for (const auto& place : {most, least}) {
+    if (place && std::find(places.begin(), places.end(), *place) == places.end()) places.push_back(*place);
+  }
+}
+
+/// Keeps the usual answer, and for each requested edge the largest and the smallest pack, with and without those that
+/// leave out optional entries.
+void keep_packs(FreeBody& body, const std::vector<EdgeId>& edges) {
+  std::vector<std::size_t> kept{0};
+  for (const EdgeId edge : edges) add_extremes(body.packs, 0, body.usual, edge, kept);
+  const std::size_t usual = kept.size();
+  for (const EdgeId edge : edges) add_extremes(body.packs, body.usual, body.packs.size(), edge, kept);
   std::vector<RequestedPack> out;
-  for (const std::size_t place : kept) out.push_back(packs[place]);
-  packs = std::move(out);
+  for (const std::size_t place : kept) out.push_back(body.packs[place]);
+  body.packs = std::move(out);
+  body.usual = usual;
 }
 
 void keep_puts(std::vector<Puts>& puts, const std::vector<ConditionId>& conditions, const Model& model) {
@@ -240,8 +248,9 @@ void focus_on(Ground& ground, const Goal& goal) {
     plan.add_pusher(id);
   }
   for (const ProviderId id : model.providers.ids()) {
-    keep_packs(ground.bodies[id.value].packs, plan.pack[id]);
-    keep_puts(ground.bodies[id.value].puts, plan.puts[id], model);
+    FreeBody& body = ground.bodies[id.value];
+    keep_packs(body, plan.pack[id]);
+    keep_puts(body.puts, plan.puts[id], model);
   }
   const auto not_planned = [&](const RequestedPack& pack) {
     return pack.size() != 1 || !plan.edges[pack.front().edge];

@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <utility>
 
 namespace director::compiler {
 
@@ -35,7 +37,7 @@ std::optional<std::vector<std::vector<T>>> product(const std::vector<std::vector
   return out;
 }
 
-/// For too many ways: the first of each place, none at all, and each option alone.
+/// For too many ways: the first of each place, none at all, and each option alone. `Ground::narrowed` reports it.
 template <class T>
 std::vector<std::vector<T>> few(const std::vector<std::vector<std::optional<T>>>& places) {
   std::vector<std::vector<T>> out(1);
@@ -53,7 +55,7 @@ std::vector<std::vector<T>> few(const std::vector<std::vector<std::optional<T>>>
 
 class Builder {
 public:
-  Builder(Ground& ground, OptionalEntries optional) : g_(ground), model_(ground.model), optional_(optional) {}
+  explicit Builder(Ground& ground) : g_(ground), model_(ground.model) {}
 
   void build() {
     find_classes();
@@ -66,11 +68,13 @@ public:
     find_requests();
     find_sets();
     find_expiries();
-    if (kept_whole_) leave_out("a body that leaves out an optional entry of a pack");
     if (few_tasks_)
-      leave_out(
-          fmt::format("more than one, but not all, of more than {} flat tasks, or of their levels", most_subsets_of));
-    if (few_values_) leave_out("a body that sets several states at once, where that has too many ways");
+      g_.narrowed.push_back(
+          fmt::format("a body that requests several, but not all, of the tasks of {}, which has too many ways",
+                      model_.full_name(*few_tasks_)));
+    if (few_values_)
+      g_.narrowed.push_back("a body or handler that sets several states at once, where that has too many ways");
+    g_.left_out.insert(g_.left_out.end(), g_.narrowed.begin(), g_.narrowed.end());
     leave_out("an entry that is kept beside one that is new");
     leave_out("providers that are disabled, steps whose budget runs out, bodies that throw");
     leave_out("two timers that are due at the same microsecond");
@@ -118,6 +122,7 @@ private:
   FreeBody body(ProviderId id) {
     const Provider& provider = model_.providers[id];
     FreeBody out;
+    std::vector<RequestedPack> rare; // leave out an optional entry
     for (const Pack& pack : provider.packs) {
       std::vector<std::vector<std::optional<RequestedLevel>>> places;
       std::vector<Index> required; // edges
@@ -130,10 +135,7 @@ private:
               std::any_of(options.begin(), options.end(), [&](const auto& o) { return o->level == row; });
           if (!twice) options.push_back(RequestedLevel{edge, row});
         }
-        const bool may_lack = !provider.has_packs || may_leave_out(options);
-        const bool is_kept = may_lack && provider.has_packs && optional_ == OptionalEntries::kept;
-        kept_whole_ = kept_whole_ || is_kept;
-        if (may_lack && !is_kept) {
+        if (!provider.has_packs || may_leave_out(options)) {
           options.emplace_back();
         } else {
           required.push_back(edge);
@@ -141,17 +143,20 @@ private:
       }
       auto all =
           places.size() <= most_subsets_of || provider.has_packs ? product(places, most_combinations) : std::nullopt;
-      few_tasks_ = few_tasks_ || !all;
+      if (!all && !few_tasks_) few_tasks_ = id;
       for (RequestedPack& requested : all ? *all : few(places)) {
         const auto is_requested = [&](Index edge) {
           return std::any_of(requested.begin(), requested.end(),
                              [&](const RequestedLevel& request) { return request.edge == edge; });
         };
         if (!std::all_of(required.begin(), required.end(), is_requested)) continue;
-        out.packs.push_back(std::move(requested));
+        const bool usual = !provider.has_packs || requested.size() == pack.tasks.size();
+        (usual ? out.packs : rare).push_back(std::move(requested));
       }
     }
     if (provider.packs.empty()) out.packs.emplace_back();
+    out.usual = out.packs.size();
+    std::move(rare.begin(), rare.end(), std::back_inserter(out.packs));
     out.puts = puts(provider.causing, provider.sets);
     return out;
   }
@@ -252,8 +257,8 @@ private:
 
   Ground& g_;
   const Model& model_;
-  OptionalEntries optional_;
-  bool kept_whole_ = false, few_tasks_ = false, few_values_ = false;
+  std::optional<ProviderId> few_tasks_; ///< the first one of which only few ways are tried
+  bool few_values_ = false;
 };
 
 } // namespace
@@ -291,12 +296,16 @@ std::size_t ValueClasses::piece_of(std::int32_t value) const {
   return pieces_[static_cast<std::size_t>(at - begins_.begin()) - 1];
 }
 
-Ground::Ground(const Model& of, OptionalEntries optional) : Ground(of, lower(of), optional) {}
+bool Ground::make_all_packs_usual() {
+  bool changed = false;
+  for (FreeBody& body : bodies) changed = std::exchange(body.usual, body.packs.size()) != body.packs.size() || changed;
+  return changed;
+}
 
-Ground::Ground(const Model& of, Lowered as_lowered, OptionalEntries optional)
-    : model(of),
-      lowered(std::move(as_lowered)) {
-  Builder(*this, optional).build();
+Ground::Ground(const Model& of) : Ground(of, lower(of)) {}
+
+Ground::Ground(const Model& of, Lowered as_lowered) : model(of), lowered(std::move(as_lowered)) {
+  Builder(*this).build();
   tables = lowered.view();
 }
 

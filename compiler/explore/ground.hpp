@@ -54,6 +54,7 @@ using Puts = std::vector<Put>;
 /// promise kept.
 struct FreeBody {
   std::vector<RequestedPack> packs;
+  std::size_t usual = 0; ///< so many of them, from the first one on, leave out no optional entry of a pack
   std::vector<Puts> puts;
 };
 
@@ -61,20 +62,18 @@ struct Broken {
   Index provider = 0, trigger = 0;
 };
 
-/// Whether bodies may leave out optional entries of a pack. Each such entry doubles the variants of its pack: an
-/// exploration keeps them, and reports that; the search for what never happens also tries without them.
-enum class OptionalEntries { kept, left_out_too };
-
-/// Limits, beyond which less than everything is tried, and `left_out` reports it.
+/// Limits, beyond which less than everything is tried, and `narrowed` reports it.
 inline constexpr std::size_t most_subsets_of = 8;     ///< flat tasks of which every subset is requested
 inline constexpr std::size_t most_combinations = 256; ///< of values, levels or packs at one place
 
 struct Ground {
-  explicit Ground(const Model& model, OptionalEntries optional = OptionalEntries::kept);
-  Ground(const Model& model, Lowered lowered, ///< the result of lower() for the model
-         OptionalEntries optional = OptionalEntries::kept);
+  explicit Ground(const Model& model);
+  Ground(const Model& model, Lowered lowered); ///< the result of lower() for the model
   Ground(const Ground&) = delete;
   Ground& operator=(const Ground&) = delete;
+
+  /// From now on it is usual that bodies leave out optional entries of packs. False: it is already.
+  bool make_all_packs_usual();
 
   const Model& model;
   Lowered lowered;                         ///< without time, and with a trigger for each group that wakes it
@@ -90,6 +89,7 @@ struct Ground {
   Puts expiries;                       ///< what a state expires to, unless an input can set that
   std::vector<Broken> broken;          ///< promises that some provider listens to
   std::vector<std::string> left_out;   ///< sentences without a full stop: what may happen and is not tried
+  std::vector<std::string> narrowed;   ///< those of them because of which nothing is proven by a search
 };
 
 } // namespace director::compiler

@@ -46,7 +46,8 @@ enum class Phase : std::uint8_t {
 /// How much of what may happen is tried.
 enum class Breadth : std::uint8_t {
   all,
-  lean, ///< one input at a time, and only at rest; nothing is kept. Fewer states, so that the search gets further
+  lean, ///< one input at a time, and only at rest; nothing is kept, and no optional entry of a pack is left out. Fewer
+        ///< states, so that the search gets further
 };
 
 } // namespace director::compiler

@@ -69,8 +69,10 @@ void Machine::find_answers() {
   Deed deed;
   deed.group = engine_.memory().counters->queue_first;
   deed.provider = engine_.active(deed.group);
-  const std::vector<RequestedPack>& packs = ground_.bodies[deed.provider].packs;
-  for (; deed.pack < packs.size(); ++deed.pack) answers_.push_back(deed);
+  const FreeBody& body = ground_.bodies[deed.provider];
+  const std::vector<RequestedPack>& packs = body.packs;
+  const std::size_t tried = breadth_ == Breadth::lean ? body.usual : packs.size();
+  for (; deed.pack < tried; ++deed.pack) answers_.push_back(deed);
   deed.answer = Deed::Answer::kept;
   for (deed.pack = 0; breadth_ != Breadth::lean && deed.pack < packs.size(); ++deed.pack) {
     if (keeps(packs[deed.pack])) answers_.push_back(deed);

@@ -8,6 +8,7 @@
 #include "compiler/explore/search.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace director::compiler {
 
@@ -83,13 +84,18 @@ IdSet<Id> set_of(const std::vector<bool>& rows) {
 
 NeverRuns find_never_runs(const Model& model, std::size_t bound, const std::vector<Diagnostic>& findings,
                           std::function<void(const SearchProgress& so_far)> progress) {
-  const Ground ground(model, OptionalEntries::left_out_too);
+  const Ground ground(model);
   SearchOptions how;
   how.bound = bound;
   how.progress = std::move(progress);
   const Searched searched = search(ground, how);
-  NeverRuns out{{}, searched.complete, searched.states};
-  if (!out.complete) return out;
+  NeverRuns out;
+  if (!searched.complete) {
+    out.open = fmt::format("{} states were found, and there are more; `--bound N` tries more", searched.states);
+  } else if (!ground.narrowed.empty()) {
+    out.open = fmt::format("not tried: {}", fmt::join(ground.narrowed, "; "));
+  }
+  if (!out.open.empty()) return out;
   const Happened& happened = searched.happened;
   const analysis::Happening happening{set_of<ProviderId>(happened.ran),
                                       set_of<EdgeId>(happened.requested),

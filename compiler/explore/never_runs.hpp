@@ -13,9 +13,8 @@
 namespace director::compiler {
 
 struct NeverRuns {
-  std::vector<dsl::Diagnostic> findings; ///< never_runs; none unless `complete`
-  bool complete = false;
-  std::size_t states = 0; ///< that were found
+  std::vector<dsl::Diagnostic> findings; ///< never_runs; none if something is open
+  std::string open;                      ///< what was not tried, without a full stop; empty: everything was
 };
 
 /// Explores the behaviour, at most `bound` states of it. `findings`: earlier findings; neither what they report nor its

@@ -31,8 +31,8 @@ std::vector<std::string> undecided_assertions(const Model& model, const std::vec
   std::vector<std::string> out;
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     if (verdicts[i].kind != Verdict::Kind::undecided) continue;
-    out.push_back(fmt::format("{}: {}; `directorc explore --bound N` tries more", words_of(model.assertions[i], model),
-                              verdicts[i].why));
+    out.push_back(fmt::format("{}: {}{}", words_of(model.assertions[i], model), verdicts[i].why,
+                              verdicts[i].more_states ? "; `directorc explore --bound N` tries more" : ""));
   }
   return out;
 }

@@ -37,6 +37,10 @@ Verdict by_search(const Ground& ground, std::size_t at, const Searched& searched
   if (!searched.seen[at]) {
     if (!searched.complete) {
       out.why = fmt::format("not found in {} states, and there are more", searched.states);
+      out.more_states = true;
+    } else if (!ground.narrowed.empty()) {
+      out.why =
+          fmt::format("not found in {} states, and not tried: {}", searched.states, fmt::join(ground.narrowed, "; "));
     } else {
       if (at < searched.doubted.size() && searched.doubted[at]) {
         out.why = fmt::format("in some of its {} states a task of its side is blocked while the other side holds what "
@@ -62,7 +66,9 @@ Verdict by_search(const Ground& ground, std::size_t at, const Searched& searched
   }
   out.scenario = write_scenario(ground, out.way, head);
   if (!out.scenario) {
-    out.why = "a way to it was found, but only with timers that are due in an order that could not be played";
+    out.why =
+        "a way to it was found, but it could not be played as a scenario: timers are due in another order there, or "
+        "a body leaves out an optional entry of a pack";
     out.way.clear();
     return out;
   }
@@ -123,6 +129,7 @@ std::vector<std::optional<Verdict>> decide_early(const Ground& ground, SearchOpt
     for (const Use<GroupId>& use : ground.model.assertions[i].groups) goal.groups.push_back(use.id);
     focus_on(focused, goal);
     look(focused, {i}, few);
+    if (!out[i] && focused.make_all_packs_usual()) look(focused, {i}, few);
   }
   if (!all && few < bound) look(ground, without_verdict(out), bound);
   return out;

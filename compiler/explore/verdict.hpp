@@ -19,6 +19,7 @@ struct Verdict {
   enum class Kind { proven, refuted, undecided };
   Kind kind = Kind::undecided;
   std::string why;                     ///< a clause without a full stop
+  bool more_states = false;            ///< undecided: there are states beyond the bound
   bool explored = false;               ///< it depends on an exploration, so on what that leaves out
   std::vector<Taken> way;              ///< refuted: how it happens; can_run, proven: likewise. Otherwise empty
   std::optional<std::string> scenario; ///< of that way; its `behaviour` is the given path

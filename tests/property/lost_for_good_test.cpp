@@ -88,7 +88,7 @@ void find_losses(Losses& seen, std::uint64_t seed) {
     }
   }
   if (claims.empty()) return;
-  const compiler::Ground ground(checked.model, compiler::OptionalEntries::left_out_too);
+  const compiler::Ground ground(checked.model);
   Reached reached(ground);
   if (!reached.find_changes(20'000)) return; // it has more states
   for (const NeverBack& claim : claims) {

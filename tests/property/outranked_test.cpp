@@ -124,7 +124,7 @@ void find_waiting(Waiting& seen, std::uint64_t seed) {
   for (const dsl::Diagnostic& finding : checked.findings) {
     const std::optional<Waits> waits = waits_in(finding, checked.model);
     if (!waits) continue;
-    const compiler::Ground ground(checked.model, compiler::OptionalEntries::left_out_too);
+    const compiler::Ground ground(checked.model);
     bool is_seen = false;
     compiler::SearchOptions how;
     how.bound = 20'000; // a behaviour with more states is left out

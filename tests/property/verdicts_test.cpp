@@ -102,7 +102,7 @@ std::optional<Judged> judge(const std::string& text) {
   const compiler::Checked checked = compiler::check("small.yaml", files, sources, options);
   if (!checked.lowerable) return std::nullopt;
   const compiler::Model& model = checked.model;
-  const compiler::Ground ground(model, compiler::OptionalEntries::left_out_too);
+  const compiler::Ground ground(model);
   Reached reached(ground);
   compiler::SearchOptions how;
   how.bound = bound;

@@ -44,6 +44,7 @@ public:
     if (before_.back()) now_ = std::move(*before_.back());
     before_.pop_back();
   }
+  void dead_end() const {}
   /// A provider without a plan is reported by another check; here it is assumed to need nothing.
   bool leave_needs(ProviderId provider) const { return contexts_.facts_.plans[provider] != PlanVerdict::found; }
   bool complete() {

@@ -40,6 +40,7 @@ public:
     now_.region = std::move(before_.back());
     before_.pop_back();
   }
+  void dead_end() const {}
   /// A provider without a plan is reported by another check; here it is assumed to need nothing.
   bool leave_needs(ProviderId provider) const { return facts_.plans[provider] != PlanVerdict::found; }
   bool complete() const { return visitor_(now_); }

@@ -21,6 +21,7 @@ concept ChoiceVisitor = requires(Visitor visitor, ProviderId provider) {
   { visitor.pick(provider) } -> std::same_as<bool>;        ///< false: not with those picked before
   { visitor.leave_needs(provider) } -> std::same_as<bool>; ///< its needs are not searched
   visitor.drop();                                          ///< the one that was picked last
+  visitor.dead_end();                                      ///< a need has no choice: its group is held already
   { visitor.complete() } -> std::same_as<bool>;            ///< all needs are met; false: end the search
 };
 
@@ -60,7 +61,7 @@ private:
       return;
     }
     const GroupId group = (*agenda->needs)[agenda->next].id;
-    if (held_[group.value]) return;
+    if (held_[group.value]) return visitor_.dead_end();
     held_[group.value] = true;
     const Agenda rest{agenda->needs, agenda->next + 1, agenda->then};
     for (const ProviderId provider : model_.groups[group].providers) {

@@ -18,30 +18,38 @@ constexpr std::int64_t plan_step_cost = 4;
 
 class PlanCounter {
 public:
-  PlanCounter(std::int64_t most, const IdSet<ProviderId>* mended) : most_(most), mended_(mended) {}
+  PlanCounter(std::int64_t most, bool find_only, const IdSet<ProviderId>* mended)
+      : most_(most),
+        find_only_(find_only),
+        mended_(mended) {}
 
-  bool pick(ProviderId) const { return true; }
+  bool pick(ProviderId) const { return !ended(); }
   void drop() const {}
+  void dead_end() { ++count_.dead_ends; }
   bool leave_needs(ProviderId provider) const { return mended_ != nullptr && mended_->contains(provider); }
-  bool complete() { return ++plans_ < most_; }
+  bool complete() {
+    ++count_.plans;
+    return !ended();
+  }
 
-  std::int64_t plans() const { return plans_; }
+  PlanCount count(bool finished) const { return {count_.plans, count_.dead_ends, finished && !ended()}; }
 
 private:
+  bool ended() const { return find_only_ ? count_.plans != 0 : count_.tried() >= most_; }
+
   std::int64_t most_;
-  std::int64_t plans_ = 0;
+  bool find_only_; ///< end with the first plan, however many beginnings lead nowhere
   const IdSet<ProviderId>* mended_;
+  PlanCount count_;
 };
 
-PlanCount count(const Model& model, ProviderId provider, std::int64_t most, Budget& budget,
-                const IdSet<ProviderId>* mended) {
-  PlanCounter counter(most, mended);
+PlanCount count(const Model& model, ProviderId provider, PlanCounter counter, Budget& budget) {
   const std::int64_t granted = budget.grant(plan_steps * plan_step_cost) / plan_step_cost;
   ChoiceSearch search(model, granted, counter);
   search.hold(model.providers[provider].group);
   const bool finished = search.run(model.providers[provider].needs);
   budget.spend((granted - search.steps_left()) * plan_step_cost);
-  return {counter.plans(), finished && counter.plans() < most};
+  return counter.count(finished);
 }
 
 using Parts = std::optional<std::vector<GroupId>>; ///< sorted; empty optional: all groups
@@ -70,12 +78,12 @@ Parts intersected(Parts a, Parts b) {
 } // namespace
 
 PlanCount count_plans(const Model& model, ProviderId provider, std::int64_t most, Budget& budget) {
-  return count(model, provider, most, budget, nullptr);
+  return count(model, provider, PlanCounter(most, false, nullptr), budget);
 }
 
 PlanVerdict find_plan(const Model& model, ProviderId provider, Budget& budget, const IdSet<ProviderId>* mended) {
   if (model.providers[provider].needs.empty()) return PlanVerdict::found;
-  const PlanCount one = count(model, provider, 1, budget, mended);
+  const PlanCount one = count(model, provider, PlanCounter(1, true, mended), budget);
   if (one.plans > 0) return PlanVerdict::found;
   return one.complete ? PlanVerdict::none : PlanVerdict::undecided;
 }

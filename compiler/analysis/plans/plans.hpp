@@ -18,12 +18,16 @@ using namespace director::compiler;
 /// A thousand times the steps of any real behaviour; a fraction of a second.
 inline constexpr std::int64_t plan_steps = 1'000'000;
 
+/// Exact if `complete`, else lower bounds.
 struct PlanCount {
-  std::int64_t plans = 0; ///< exact if `complete`, else a lower bound
-  bool complete = true;   ///< the search ended within its steps, below `most`
+  std::int64_t plans = 0;
+  std::int64_t dead_ends =
+      0;                ///< beginnings of plans that the engine tries too: the next need is a group that they hold
+  bool complete = true; ///< the search ended within its steps, below `most`
+  std::int64_t tried() const { return plans + dead_ends; }
 };
 
-/// The valid plans of a provider, up to `most` of them. A provider without needs has one.
+/// The valid plans of a provider, up to `most` that are tried. A provider without needs has one.
 PlanCount count_plans(const Model& model, ProviderId provider, std::int64_t most, Budget& budget);
 
 enum class PlanVerdict { found, none, undecided };

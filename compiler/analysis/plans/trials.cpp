@@ -63,7 +63,7 @@ const TrialCount& Trials::ways(GroupId group) {
   out = TrialCount{};
   for (const ProviderId provider : model_.groups[group].providers) {
     const PlanCount found = plans(provider);
-    add(*out, {found.plans, found.complete});
+    add(*out, {found.tried(), found.complete});
   }
   return *out;
 }

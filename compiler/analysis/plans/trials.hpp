@@ -39,7 +39,7 @@ public:
   CountedUnit alone(const Task& task) const;
   CountedUnit together(const Pack& pack) const; ///< without members: everything in it is decided alone
 
-  /// Ways to grant the group: its providers, each with each plan of its needs.
+  /// Ways to grant the group that may be tried: its providers, each with each plan of its needs, and each dead end.
   const TrialCount& ways(GroupId group);
   PlanCount plans(ProviderId provider);
   /// All combinations of members that can claim the same group.

@@ -130,7 +130,7 @@ private:
         looked_at[provider] = true;
         const PlanCount found = trials_.plans(ProviderId{provider});
         out_.counted = out_.counted && found.complete;
-        plans = sum(plans, found.plans);
+        plans = sum(plans, found.tried());
         for (const Index aim : t_.list(t_.providers[provider].aims)) {
           if (lacks[aim]) continue;
           lacks[aim] = true;

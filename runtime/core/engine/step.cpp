@@ -111,10 +111,9 @@ DIRECTOR_INLINE bool Engine::micro_step() {
   }
   c.quiet_until = first_time;
   inbox_.open();
-  // A call for the same time, because the budget was used up, continues at the time reached, unless there are inputs.
-  const bool further = now > c.until;
-  if (further) c.until = now;
-  const bool goes_on = c.serving || (!further && (c.handlers_set || c.queue_first != nil || c.unsettled));
+  if (now > c.until) c.until = now;
+  // After a step that ended early, what it left is done at the time that it reached, unless there are inputs.
+  const bool goes_on = c.serving || c.handlers_set || c.queue_first != nil || c.unsettled;
   if (c.now != c.until && (!goes_on || inbox_.is_open())) {
     c.now = c.until;
     c.serving = false;

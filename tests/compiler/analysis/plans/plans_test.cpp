@@ -25,8 +25,10 @@ TEST_CASE("plans are counted without those that use a group twice") {
     return count_plans(test.model, test.provider(name), most, budget);
   };
   CHECK(count("Juggle", 100).plans == 2);
-  CHECK(count("Juggle", 100).complete);
-  CHECK(count("Juggle", 1).plans == 1);
+  CHECK(count("Juggle", 100).dead_ends == 2); // both left, both right
+  CHECK(count("Juggle", 5).complete);
+  CHECK_FALSE(count("Juggle", 4).complete);
+  CHECK(count("Juggle", 1).tried() == 1);
   CHECK_FALSE(count("Juggle", 1).complete);
   CHECK(count("Left", 100).plans == 1);
   CHECK(count("Third", 100).plans == 0);

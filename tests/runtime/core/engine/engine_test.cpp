@@ -201,6 +201,36 @@ TEST_CASE("an input comes at the time of its step, though the budget of the step
   CHECK(machine.step(ms(250)) == Lines{"set Ball -", "run Clock trigger"});
 }
 
+TEST_CASE("a step that ended early goes on where it stopped, however late the next call is") {
+  const auto play = [](std::uint32_t budget, Time later) {
+    Machine machine("behaviour: patrol\nlanguage: 1\nroots: [Look]\ngroups:\n  Look: {tasks: [Turn]}\n  Turn: {}\n");
+    std::string runs;
+    machine.body("Look", [&](Run& run) {
+      runs += " Look " + std::to_string(machine.engine().now() / ms(1));
+      run.wait(ms(10));
+      return machine.everything(run);
+    });
+    machine.body("Turn", [&](Run& run) {
+      runs += " Turn " + std::to_string(machine.engine().now() / ms(1));
+      run.wait(ms(4));
+      return run.keep();
+    });
+    machine.request("Look");
+    machine.step(0);
+    machine.engine().set_budget(budget);
+    Time now = ms(20);
+    while (machine.step(now), machine.result() == StepResult::budget_exhausted) now += later;
+    return runs;
+  };
+  const std::string whole = play(Engine::default_budget, 0);
+  CHECK(whole == " Look 0 Turn 0 Turn 4 Turn 8 Look 10 Turn 10 Turn 14 Turn 18 Look 20 Turn 20");
+  for (const std::uint32_t budget : {1U, 2U, 3U, 5U}) {
+    CAPTURE(budget);
+    CHECK(play(budget, 0) == whole);
+    CHECK(play(budget, ms(1)).starts_with(whole));
+  }
+}
+
 TEST_CASE("a wait of the longest duration never ends, also if the time is negative when it begins") {
   Machine machine(timed);
   machine.body("Look", [](Run& run) {
