@@ -2,6 +2,7 @@
 // tests/property/property_test.cpp. SPDX-License-Identifier: MIT
 #include "compiler/analysis/plans/work.hpp"
 
+#include "compiler/lower/plans.hpp"
 #include "runtime/core/base/parts.hpp"
 
 #include <algorithm>
@@ -29,6 +30,7 @@ public:
         trials_(trials),
         out_(out),
         pushes_(model.groups.size(), -1),
+        walks_(model.groups.size(), -1),
         searches_(tables.conditions.size(), -1) {}
 
   /// Of a sweep over each component: what its root tasks and its groups request.
@@ -41,7 +43,8 @@ public:
     for (std::size_t c = 0; c < out.size(); ++c) // each group is placed, and each edge decided, once
       out[c] = static_cast<std::int64_t>(t_.components[c].groups.size() + t_.components[c].edges.size());
     for (const Task& root : model_.roots) add(static_cast<Index>(root.target.value), alone(root));
-    for (const GroupId group : model_.groups.ids()) add(static_cast<Index>(group.value), largest_pack(group));
+    for (const GroupId group : model_.groups.ids())
+      add(static_cast<Index>(group.value), sum(largest_pack(group), walk(group))); // a walk if it loses its holder
     return out;
   }
 
@@ -61,7 +64,7 @@ private:
   /// condition, it searches for a push.
   std::int64_t alone(const Task& task) {
     const std::int64_t scans = t_.groups[task.target.value].deniable ? 2 : 1;
-    return sum(product(scans * attempts, choices(task.target)), pushes(task.target));
+    return sum(product(scans * attempts, choices(task.target)), sum(attempts * walk(task.target), pushes(task.target)));
   }
 
   /// Decided whole or not at all: each member by itself, one after the other, and members that can claim the same group
@@ -77,8 +80,26 @@ private:
       }
     }
     work = product(attempts, work);
-    for (const Task* member : unit.members) work = sum(work, pushes(member->target));
+    for (const Task* member : unit.members)
+      work = sum(work, sum(attempts * walk(member->target), pushes(member->target)));
     return work;
+  }
+
+  /// Of the search for a stale group that may request the group, or one that a plan of it may contain.
+  std::int64_t walk(GroupId group) {
+    std::int64_t& known = walks_[group.value];
+    if (known >= 0) return known;
+    IdSet<GroupId> seen(model_.groups.size());
+    std::vector<GroupId> found = needed_by(model_, group);
+    if (std::find(found.begin(), found.end(), group) == found.end()) found.push_back(group);
+    for (const GroupId each : found) seen.add(each);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      for (const EdgeId edge : model_.groups[found[i]].requesters) {
+        const std::optional<GroupId> above = model_.edges[edge].requester;
+        if (above && seen.add(*above)) found.push_back(*above);
+      }
+    }
+    return known = static_cast<std::int64_t>(found.size() / director::walked_a_unit);
   }
 
   /// A group requests one pack at a time; what is not in its unit is decided alone.
@@ -148,7 +169,7 @@ private:
   const Tables& t_;
   Trials& trials_;
   WorkBound& out_;
-  std::vector<std::int64_t> pushes_, searches_; ///< below 0: not known yet
+  std::vector<std::int64_t> pushes_, walks_, searches_; ///< below 0: not known yet
 };
 
 } // namespace

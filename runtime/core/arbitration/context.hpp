@@ -26,7 +26,7 @@ struct Context {
   Index most_decided_whole = director::most_decided_whole;
   Index before_count = 0;    ///< rows of State::before in use
   std::uint64_t decided = 0; ///< units decided so far, again for a repeated pass
-  std::uint64_t work = 0;    ///< groups placed, units decided, choices and plans tried so far
+  std::uint64_t work = 0;    ///< units of work done so far, as docs/bounds.md counts them
 
   // The current pass.
   Component row;          ///< of the component

@@ -152,7 +152,7 @@ bool find_chain(Context& x, Index condition, Index member, Push& out) {
   }
   for (bool changed = true; changed;) {
     changed = false;
-    for (Index i = 0; i < causers; ++i) {
+    for (Index i = causers; i-- != 0;) { // the ends of chains first: most lengths are final after one round
       if (x.s.provider_marks[x.s.causers[i]].has(mark::pushable)) changed = relax(x, x.s.causers[i]) || changed;
     }
   }

@@ -93,6 +93,7 @@ bool reached_from_stale(Context& x, Index found, Index edge) {
     }
   }
   for (Index i = 0; i < found; ++i) x.s.group_marks[x.s.reach[i]].remove(mark::reached);
+  x.work += found / walked_a_unit;
   return yes;
 }
 
