@@ -7,19 +7,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <string>
 
 namespace director::checks {
 
 namespace {
 
-/// A requester whose body depends on whether this group is done; null: there is none.
-const Use<GroupId>* waiter(const Model& model, GroupId group) {
-  for (const Provider& provider : model.providers) {
-    for (const Use<GroupId>& use : provider.uses) {
-      if (use.id == group) return &use;
+struct Reader {
+  ProviderId provider{};
+  dsl::Span span{}; ///< of the group, in `uses`
+};
+
+/// The first provider whose body may read whether this group is done.
+std::optional<Reader> reader_of(const Model& model, GroupId group) {
+  for (const ProviderId id : model.providers.ids()) {
+    for (const Use<GroupId>& use : model.providers[id].uses) {
+      if (use.id == group) return Reader{id, use.span};
     }
   }
-  return nullptr;
+  return std::nullopt;
 }
 
 } // namespace
@@ -31,17 +38,22 @@ void only_keeps(const CodeInput& input, Findings& findings) {
     const Provider& provider = model.providers[*body.of.provider];
     const bool may_request =
         std::any_of(provider.packs.begin(), provider.packs.end(), [](const Pack& pack) { return !pack.tasks.empty(); });
-    const Use<GroupId>* use = waiter(model, body.of.group);
+    const std::optional<Reader> reader = reader_of(model, body.of.group);
     // A group that acts while it is requested, and that nothing waits for, needs no other answer.
-    if (!may_request && use == nullptr) continue;
+    if (!may_request && !reader) continue;
     dsl::Diagnostic& finding = findings.add(
         provider.span, fmt::format("every path of {} ends in `keep()`: it never {}", name_of(model, body.of),
                                    may_request ? "requests anything, and is never done" : "says that it is done"));
-    finding.help = may_request ? "let it request its tasks, or leave them out of the behaviour"
-                               : "let it say `done()`, or leave the group out of `uses`";
     finding.notes.push_back({body.function->span, "its body"});
-    if (!may_request)
-      finding.notes.push_back({use->span, fmt::format("{} is looked at here", name_of(model, body.of.group))});
+    if (may_request) {
+      finding.help = "let it request its tasks, or leave them out of the behaviour";
+    } else {
+      const std::string by = name_of(model, reader->provider);
+      const std::string group = name_of(model, body.of.group);
+      finding.help =
+          fmt::format("let it say `done()`; or `allow` this here, if {} reads only whether {} runs", by, group);
+      finding.notes.push_back({reader->span, fmt::format("{} may read here whether {} is done", by, group)});
+    }
   }
 }
 
