@@ -35,7 +35,7 @@ const std::vector<Component>& components() {
       {"runtime/live/", {"runtime/core/", "runtime/hosted/", "runtime/live/"}},
       {"runtime/dds/", {"runtime/core/", "runtime/dds/"}},
       {"schemas/", {}},
-      {"dsl/", {"dsl/", "schemas/"}},
+      {"dsl/", {"dsl/"}},
       {"compiler/", {"compiler/", "dsl/", "runtime/core/", "runtime/hosted/"}},
       {"generated/", {"runtime/core/", "behaviours/"}},
       {"behaviours/", {"behaviours/", "runtime/core/", "runtime/hosted/", "runtime/live/", "runtime/dds/"}},
