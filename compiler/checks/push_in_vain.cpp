@@ -1,6 +1,8 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/push_in_vain.md.
 // SPDX-License-Identifier: MIT
+#include "compiler/analysis/clashes/exclusions.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/words/proposals.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -48,17 +50,26 @@ std::string help_of(const Model& model, const Clash& clash) {
   const std::string first = name_of(model, clash.first_causer), second = name_of(model, clash.second_causer);
   const std::string group = name_of(model, model.providers[clash.second_causer].group);
   switch (clash.loss) {
-  case Clash::Loss::request: return fmt::format("let {} request {} too, or request it elsewhere", first, group);
-  case Clash::Loss::group: return "let one provider cause both, or request the two one after the other";
+  case Clash::Loss::request:
+    // What it requests would never get what it keeps for itself.
+    if (!clash.shares_group) return fmt::format("let {} request {} too", first, group);
+    return "let one provider cause both";
+  case Clash::Loss::group: return "let one provider cause both, or let one of the two do without what both take";
   case Clash::Loss::provider:
-    return fmt::format("let {} leave that state as it is, or {} run without it", first, second);
+    return fmt::format("let {} leave that state as it is, or {} run without it{}", first, second,
+                       put_last(model, clash.second_causer, [&](const ConditionUse& use) {
+                         return sets_against(model, clash.first_causer, use).has_value();
+                       }));
   case Clash::Loss::held:
-    return fmt::format("request {} above that, or let {} do without it", name_of(model, clash.task), second);
+    return fmt::format("let {} or what is above {} do without that", second, name_of(model, clash.task));
   case Clash::Loss::for_good:
     if (clash.unrequested)
-      return fmt::format("let something that runs without {} request {}", name_of(model, clash.second.id), group);
-    return fmt::format("let {} run without {}", second,
-                       clash.lacking ? name_of(model, *clash.lacking) : "what is lost then");
+      return fmt::format("let something that runs without {}, and ranks after {}, request {}",
+                         name_of(model, clash.second.id), name_of(model, clash.task), group);
+    if (!clash.lacking) return fmt::format("let {} run without what is lost then", second);
+    return fmt::format(
+        "let {} run without {}{}", second, name_of(model, *clash.lacking),
+        put_last(model, clash.second_causer, [&](const ConditionUse& use) { return use.id == *clash.lacking; }));
   }
   return {};
 }

@@ -53,10 +53,12 @@ private:
       return std::find(second.causers.begin(), second.causers.end(), id) != second.causers.end();
     });
     if (both || seen_.count({first.condition.span, second.condition.span}) != 0) return;
-    std::optional<Clash> clash = find_incompatible(first, second);
-    if (!clash) clash = find_cycle(first, second);
+    std::optional<Clash> clash = find_incompatible(wanting.task, first, second);
+    if (!clash) clash = find_cycle(wanting.task, first, second);
     if (!clash) clash = find_vain(first, second);
-    if (!clash) clash = find_vain(second, first);
+    const bool in_order = in_one_group(first, second) && !may_precede(second, wanting.task); // see find_cycle()
+    if (!clash && !in_order) clash = find_vain(second, first);
+    if (in_order) ordered_.emplace_back(first.condition.span, second.condition.id);
     if (!clash) return;
     seen_.insert({first.condition.span, second.condition.span});
     clash->task = wanting.task;
@@ -85,7 +87,7 @@ private:
       const bool is_noted = std::any_of(seen_.begin(), seen_.end(), [&](const auto& pair) {
         return pair.first == each.condition.span || pair.second == each.condition.span;
       });
-      if (is_noted) continue;
+      if (is_noted || is_kept_by_order(each)) continue;
       Clash& clash = out_.emplace_back();
       clash.kind = Clash::Kind::vain;
       clash.loss = Clash::Loss::for_good;
@@ -98,6 +100,17 @@ private:
       clash.unrequested = each.unrequested;
       clash.because = std::move(each.because);
     }
+  }
+
+  /// Whether only a push for a later condition makes the other lost one false: then the first one holds already.
+  bool is_kept_by_order(const LostForGood& lost) const {
+    if (!lost.lacking || lost.lost.size() != 2) return false;
+    const Condition& lacking = model_.conditions[*lost.lacking];
+    return std::any_of(ordered_.begin(), ordered_.end(), [&](const auto& pair) {
+      const Condition& later = model_.conditions[pair.second];
+      return pair.first == lost.condition.span && later.state == lacking.state &&
+             facts_.values[later.state].subset_of(lacking.accepts.united(later.accepts));
+    });
   }
 
   static Clash make(Clash::Kind kind, const Want& first, const Want& second) {
@@ -125,12 +138,8 @@ private:
     return out;
   }
 
-  std::optional<Clash> find_incompatible(const Want& first, const Want& second) const {
-    const GroupId group = row(first.causers.front()).group;
-    const auto is_elsewhere = [&](ProviderId id) { return row(id).group != group; };
-    if (std::any_of(first.causers.begin(), first.causers.end(), is_elsewhere) ||
-        std::any_of(second.causers.begin(), second.causers.end(), is_elsewhere))
-      return std::nullopt;
+  std::optional<Clash> find_incompatible(GroupId task, const Want& first, const Want& second) const {
+    if (!in_one_group(first, second)) return std::nullopt;
     const auto because = for_each_pair(first, second, [&](ProviderId a, ProviderId b) {
       std::optional<std::vector<Note>> out;
       const auto there = excludes(model_, a, b), back = excludes(model_, b, a);
@@ -140,11 +149,47 @@ private:
     if (!because) return std::nullopt;
     Clash out = make(Clash::Kind::incompatible, first, second);
     out.because = *because;
+    out.task = task;
+    note_order(out, first, second);
     return out;
   }
 
-  std::optional<Clash> find_cycle(const Want& first, const Want& second) const {
+  bool in_one_group(const Want& first, const Want& second) const {
+    const GroupId group = row(first.causers.front()).group;
+    const auto is_here = [&](ProviderId id) { return row(id).group == group; };
+    return std::all_of(first.causers.begin(), first.causers.end(), is_here) &&
+           std::all_of(second.causers.begin(), second.causers.end(), is_here);
+  }
+
+  /// A group is pushed for the first condition until that holds, and then for the next one.
+  void note_order(Clash& clash, const Want& first, const Want& second) const {
+    clash.first_may_precede = may_precede(first, clash.task);
+    clash.second_may_precede = may_precede(second, clash.task);
+  }
+
+  /// Whether it may hold without a push of this task for it.
+  bool may_precede(const Want& want, GroupId task) const {
+    const State& state = model_.states[condition(want.condition).state];
+    if ((state.initial && condition(want.condition).accepts.contains(*state.initial)) || losses_.comes_otherwise(want))
+      return true;
+    const auto is_causer = [&](ProviderId id) {
+      return std::find(want.causers.begin(), want.causers.end(), id) != want.causers.end();
+    };
+    if (std::any_of(want.causers.begin(), want.causers.end(),
+                    [&](ProviderId id) { return facts_.chosen.contains(id); }))
+      return true;
+    return std::any_of(shared_.wants().begin(), shared_.wants().end(), [&](const Wanting& other) {
+      return other.task != task && std::any_of(other.wants.begin(), other.wants.end(), [&](const Want& one) {
+               return std::any_of(one.causers.begin(), one.causers.end(), is_causer);
+             });
+    });
+  }
+
+  std::optional<Clash> find_cycle(GroupId task, const Want& first, const Want& second) const {
     Clash out = make(Clash::Kind::cycle, first, second);
+    out.task = task;
+    const bool in_order = in_one_group(first, second);
+    if (in_order) note_order(out, first, second);
     const auto mutual = for_each_pair(first, second, [&](ProviderId a, ProviderId b) {
       std::optional<std::vector<Note>> notes;
       const auto there = undoes(model_, a, second.condition), back = undoes(model_, b, first.condition);
@@ -158,6 +203,8 @@ private:
     for (const bool swapped : {false, true}) {
       const Want& held = swapped ? second : first;
       const Want& late = swapped ? first : second;
+      // The first one is caused first.
+      if (swapped && in_order && !out.second_may_precede) continue;
       const auto one_way =
           for_each_pair(held, late, [&](ProviderId, ProviderId b) { return runs_without(model_, b, held.condition); });
       if (!one_way) continue;
@@ -179,6 +226,8 @@ private:
       if (!because) continue;
       out.loss = loss;
       out.because = *because;
+      out.shares_group =
+          loss == Clash::Loss::request && losses_.lost_group(out.first_causer, out.second_causer).has_value();
       return out;
     }
     return std::nullopt;
@@ -189,6 +238,8 @@ private:
   const Shared& shared_;
   Losses losses_;
   std::set<std::pair<dsl::Span, dsl::Span>> seen_;
+  /// A condition, and one that is caused only after it.
+  std::vector<std::pair<dsl::Span, ConditionId>> ordered_;
   std::vector<Clash> out_;
 };
 

@@ -33,8 +33,11 @@ struct Clash {
   ProviderId first_causer{}, second_causer{};
   std::vector<ConditionId> lost;      ///< `for_good`: these together, the first is `second`
   std::optional<ConditionId> lacking; ///< `for_good`: the one of these that the causer lacks then
+  bool shares_group = false;          ///< `request`: both providers also want one group
   bool unrequested = false;           ///< `for_good`: nothing requests the causer then
-  std::vector<dsl::Note> because;     ///< the places that show it
+  /// Both are caused by one group: whether the one may hold while the other one does not, without a push of this task.
+  bool first_may_precede = true, second_may_precede = true;
+  std::vector<dsl::Note> because; ///< the places that show it
 };
 
 /// The first kind that applies, for each two conditions; each pair once, at the first task that waits for it.

@@ -37,8 +37,7 @@ std::optional<Note> runs_without(const Model& model, ProviderId causer, const Co
   return std::nullopt;
 }
 
-std::optional<Note> undoes(const Model& model, ProviderId causer, const ConditionUse& other) {
-  if (std::optional<Note> note = runs_without(model, causer, other)) return note;
+std::optional<Note> sets_against(const Model& model, ProviderId causer, const ConditionUse& other) {
   const Condition& wanted = model.conditions[other.id];
   const Provider& provider = model.providers[causer];
   const ValueSet set = values_set_by(model, provider, wanted.state);
@@ -51,6 +50,11 @@ std::optional<Note> undoes(const Model& model, ProviderId causer, const Conditio
     }
   }
   return std::nullopt;
+}
+
+std::optional<Note> undoes(const Model& model, ProviderId causer, const ConditionUse& other) {
+  std::optional<Note> note = runs_without(model, causer, other);
+  return note ? note : sets_against(model, causer, other);
 }
 
 } // namespace director::analysis

@@ -16,6 +16,9 @@ std::optional<dsl::Note> excludes(const Model& model, ProviderId provider, Provi
 /// Why a causing provider can run only while a condition is false.
 std::optional<dsl::Note> runs_without(const Model& model, ProviderId causer, const ConditionUse& other);
 
+/// Why a causing provider makes a condition false by what it causes or sets.
+std::optional<dsl::Note> sets_against(const Model& model, ProviderId causer, const ConditionUse& other);
+
 /// Why a causing provider makes a condition false: it cannot run otherwise, or sets the state to another value.
 std::optional<dsl::Note> undoes(const Model& model, ProviderId causer, const ConditionUse& other);
 
