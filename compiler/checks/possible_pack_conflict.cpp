@@ -1,6 +1,7 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/possible_pack_conflict.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/conflicts/ways.hpp"
 #include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/choice.hpp"
@@ -11,43 +12,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <set>
 
 namespace director::checks {
 
 namespace {
-
-/// Limit: tasks with more ways to run are not compared.
-constexpr std::size_t most_ways = 64;
-
-/// One way to run a task.
-struct Way {
-  Combination combination;
-  std::vector<GroupId> groups; ///< that it takes; sorted
-  ProviderId provider() const { return combination.picks.front().provider; }
-};
-
-/// Empty: there are too many.
-std::optional<std::vector<Way>> find_ways(Units& units, GroupId group) {
-  std::vector<Way> out;
-  const bool complete = units.visit({group}, false, [&](const Combination& combination) {
-    Way way{combination, {}};
-    for (const Combination::Pick& pick : combination.picks) way.groups.push_back(pick.group);
-    std::sort(way.groups.begin(), way.groups.end());
-    out.push_back(std::move(way));
-    return out.size() <= most_ways;
-  });
-  if (!complete || out.size() > most_ways) return std::nullopt;
-  return out;
-}
-
-std::optional<GroupId> group_in_common(const Way& a, const Way& b) {
-  std::vector<GroupId> both;
-  std::set_intersection(a.groups.begin(), a.groups.end(), b.groups.begin(), b.groups.end(), std::back_inserter(both));
-  return both.empty() ? std::nullopt : std::optional(both.front());
-}
 
 /// Two ways that want one group, one for each of two members.
 struct ClashingWays {
@@ -67,7 +37,7 @@ public:
         Region region = a.combination.region;
         region.meet(b.combination.region);
         if (region.empty()) continue;
-        (group_in_common(a, b) ? clashing_ : working_).push_back({&a, &b, std::move(region)});
+        (groups_in_common(a, b).empty() ? working_ : clashing_).push_back({&a, &b, std::move(region)});
       }
     }
   }
@@ -151,9 +121,104 @@ std::string conditions_in_words(const Model& model, const Way& a, const Way& b) 
   return list_of(things);
 }
 
-void report(const Input& input, const Task& first, const Task& second, const ClashingWays& clash, Findings& findings) {
+/// A member of the pack, and the ways to run it.
+struct Side {
+  const Task& task;
+  const std::vector<Way>& ways;
+};
+using Sides = std::pair<Side, Side>;
+
+bool is_requested_elsewhere(const Input& input, const Task& task) {
+  return input.shared.requests().of(task.target).size() > 1;
+}
+
+/// It goes first then, and a unit goes as early as its first member.
+std::string set_apart(const Model& model, const Pack& pack, const Task& task, const Task& other) {
+  const auto priority = [&](const Task& one) {
+    return model.edges[one.edge].levels[one.levels.front().level].priority;
+  };
+  const std::vector<const Task*> members = unit_members(model, pack);
+  const std::string apart = fmt::format("make {} `apart`", name_of(model, task.target));
+  if (std::all_of(members.begin(), members.end(),
+                  [&](const Task* one) { return one == &task || priority(*one) < priority(task); }))
+    return apart;
+  return members.size() == 2 ? fmt::format("{}, with a higher priority than {}", apart, name_of(model, other.target))
+                             : apart + ", with the highest priority here";
+}
+
+/// The providers that never run even alone, since others of their group come first.
+std::vector<std::string> find_superfluous(const Input& input, const Side& side) {
+  std::vector<std::string> out;
+  std::set<ProviderId> useful;
+  for (std::size_t i = 0; i < side.ways.size(); ++i) {
+    if (comes_first(input, side.ways, i)) useful.insert(side.ways[i].provider());
+  }
+  for (const ProviderId id : input.model.groups[side.task.target].providers) {
+    if (input.facts.active.contains(id) && useful.count(id) == 0) out.push_back(name_of(input.model, id));
+  }
+  return out;
+}
+
+/// The providers without which the two do not clash, if there are such, and neither task is requested elsewhere.
+std::vector<std::string> find_left_out(const Input& input, const Sides& sides, const ClashingWays& clash) {
+  std::vector<std::string> out;
+  if (is_requested_elsewhere(input, sides.first.task) || is_requested_elsewhere(input, sides.second.task)) return out;
+  std::vector<Way> first = sides.first.ways, second = sides.second.ways;
+  std::vector<ProviderId> losers = clash.losers;
+  while (!losers.empty()) {
+    const auto is_it = [&](const Way& way) { return way.provider() == losers.front(); };
+    out.push_back(name_of(input.model, losers.front()));
+    first.erase(std::remove_if(first.begin(), first.end(), is_it), first.end());
+    second.erase(std::remove_if(second.begin(), second.end(), is_it), second.end());
+    const auto next = PairSearch(input, first, second).run();
+    if (!next) return out;
+    losers = next->losers;
+  }
+  return {};
+}
+
+/// Proposes what leaves each of their providers something: otherwise it would never run.
+std::string propose(const Input& input, const Pack& pack, const Sides& sides, const ClashingWays& clash) {
   const Model& model = input.model;
-  const GroupId group = *group_in_common(*clash.first, *clash.second);
+  const Side& first = sides.first;
+  const Side& second = sides.second;
+  std::vector<std::string> out;
+  if (find_superfluous(input, second).empty() &&
+      leaves_all(input, second.ways, first.ways, is_requested_elsewhere(input, first.task))) {
+    out.push_back(set_apart(model, pack, second.task, first.task));
+  } else if (find_superfluous(input, first).empty() &&
+             leaves_all(input, first.ways, second.ways, is_requested_elsewhere(input, second.task))) {
+    out.push_back(set_apart(model, pack, first.task, second.task));
+  }
+  const bool of_first =
+      std::find(clash.losers.begin(), clash.losers.end(), clash.first->provider()) != clash.losers.end();
+  const Side& changed = of_first ? first : second;
+  const Side& other = of_first ? second : first;
+  const std::string provider = name_of(model, (of_first ? clash.first : clash.second)->provider());
+  if (find_superfluous(input, changed).empty() && run_beside(input, changed.ways, other.ways)) {
+    std::vector<std::string> groups;
+    for (const GroupId each : groups_in_common(*clash.first, *clash.second)) groups.push_back(name_of(model, each));
+    out.push_back(
+        fmt::format("give {} needs that leave {} to {}", provider, list_of(groups), name_of(model, other.task.target)));
+  } else if (const std::vector<std::string> left_out = find_left_out(input, sides, clash); !left_out.empty()) {
+    out.push_back(fmt::format("leave {} out", list_of(left_out)));
+  }
+  std::vector<std::string> superfluous; // alone
+  for (const Side* side : {&first, &second}) {
+    for (std::string& each : find_superfluous(input, *side)) superfluous.push_back(std::move(each));
+  }
+  const bool elsewhere = is_requested_elsewhere(input, first.task) || is_requested_elsewhere(input, second.task);
+  if (out.empty() || (out.size() == 1 && (superfluous.empty() || !elsewhere)))
+    out.push_back("request the two in two packs" +
+                  (superfluous.empty() ? "" : fmt::format(" and leave {} out", list_of(superfluous))));
+  return fmt::format("{}", fmt::join(out, ", or "));
+}
+
+void report(const Input& input, const Pack& pack, const Sides& sides, const ClashingWays& clash, Findings& findings) {
+  const Task& first = sides.first.task;
+  const Task& second = sides.second.task;
+  const Model& model = input.model;
+  const GroupId group = groups_in_common(*clash.first, *clash.second).front();
   const std::string a = name_of(model, first.target), b = name_of(model, second.target);
   const std::string one = name_of(model, clash.first->provider()), other = name_of(model, clash.second->provider());
   const std::string want = fmt::format("{} and {} both want {}", one, other, name_of(model, group));
@@ -174,12 +239,7 @@ void report(const Input& input, const Task& first, const Task& second, const Cla
   finding.notes.push_back(
       {model.providers[place].span, fmt::format("{} and {} can be granted together{}{}", name_of(model, x),
                                                 name_of(model, y), conditions.empty() ? "" : ", when ", conditions)});
-  // Made `apart`, the one would wait for ever while the preferred provider of the other never has to.
-  finding.help = clash.always && !clash.losers.empty()
-                     ? fmt::format("give {} needs that leave {} to the other, or request the two in two packs",
-                                   name_of(model, clash.losers.front()), name_of(model, group))
-                     : fmt::format("make {} `apart`, or give the preferred provider needs that leave {} to the other",
-                                   b, name_of(model, group));
+  finding.help = propose(input, pack, sides, clash);
 }
 
 /// Pairs of members, the later one first, that may lead to one group.
@@ -207,7 +267,7 @@ void look_at(const Input& input, Units& units, const Pack& pack, Findings& findi
     if (!first || !second) continue;
     const auto clash = PairSearch(input, *first, *second).run();
     if (!clash) continue;
-    report(input, *members[i], *members[j], *clash, findings);
+    report(input, pack, {{*members[i], *first}, {*members[j], *second}}, *clash, findings);
     if (members.size() > longest_with_all_pairs) reported.insert(j);
   }
 }

@@ -115,8 +115,9 @@ std::string propose(const Input& input, const PackConflict& conflict, bool by_gr
   if (conflict.members.size() == 2 && by_groups &&
       always_takes(&winner_of(model, *conflict.members[0], *conflict.members[1])))
     return "request them in two packs";
+  // Alone, one that never has to wait would need none but the first of its providers.
   if (conflict.members.size() > 2 && std::any_of(conflict.members.begin(), conflict.members.end(), always_takes))
-    return "request them in two packs";
+    return "request one of them in another pack, together with one of the others";
   return conflict.members.size() == 2
              ? fmt::format("request them in two packs, or make {} `apart`, so that it waits for itself alone",
                            name_of(model, conflict.members[1]->target))
