@@ -241,10 +241,22 @@ private:
         findings_.add(model_.groups[all.front()->group].name.span,
                       fmt::format("no provider of {} can run {}", few_of(names, "or"), list_of(gaps, "or")));
     for (const Uncoveredness* one : all) add_notes(*one, one != all.front(), finding);
-    finding.help =
-        all.size() == 1
-            ? fmt::format("end with a provider that has no conditions, or request {} only while it can run", names[0])
-            : "end each with a provider that has no conditions, or request them only while they can run";
+    finding.help = help_for_gap(all);
+  }
+
+  /// A task of the program may be requested at any time, whatever the program does. Another requester that has no
+  /// provider without the request would itself be uncovered.
+  std::string help_for_gap(const std::vector<const Uncoveredness*>& all) const {
+    const bool by_program =
+        std::any_of(all.begin(), all.end(), [](const Uncoveredness* one) { return !one->where->requester; });
+    const bool one = all.size() == 1;
+    const std::string name = one ? name_of(model_, all.front()->group) : "them";
+    return fmt::format("end {}with a provider that can always run, or ", one ? "" : "each ") +
+           (by_program ? fmt::format("allow this, if {} requested only while {} can run",
+                                     one ? name + " is" : std::string("they are"), one ? "it" : "they")
+                       : fmt::format("request {} only in providers that run while {} can, followed by one without that "
+                                     "request",
+                                     name, one ? "it" : "they"));
   }
 
   /// With all values of the states.
@@ -265,9 +277,12 @@ private:
       return std::all_of(providers.begin(), providers.end(),
                          [&](ProviderId id) { return !explain_exclusion(model_, facts_, id).empty(); });
     });
-    finding.help = deadlock   ? apart_help(model_, *deadlock)
-                   : excluded ? "say these conditions so that all of them can hold at once"
-                              : fmt::format("request what brings that about, or leave {} out", names);
+    // If a provider promised the state, that promise would be reported.
+    finding.help = deadlock   ? apart_help(model_, *deadlock) + ", and promise what it waits for in `causing`"
+                   : excluded ? "choose conditions that hold whenever it is requested"
+                              : fmt::format("let something that is requested promise that in `causing`, or leave {} "
+                                            "out",
+                                            names);
   }
 
   /// It runs for others, but never for this requester.
