@@ -37,14 +37,25 @@ std::string rank_of(const Model& model, const Task& task, bool lowest) {
 void causer_goes_first(const Input& input, Findings& findings) {
   const Model& model = input.model;
   for (const Outranked& one : input.conflicts.outranked()) {
-    const std::string first = name_of(model, one.first->target), waits = name_of(model, one.waits->target);
-    dsl::Diagnostic& finding =
-        findings.add(one.request->span,
-                     fmt::format("{} may wait here for {}, and pushes no group for it: {} does not rank after {}",
-                                 name_of(model, one.request->target), name_of(model, one.condition.id), first, waits));
+    const std::string waits = name_of(model, one.waits->target);
+    const std::string reason = one.need != nullptr
+                                   ? fmt::format("{} needs {}, which nothing below it can push",
+                                                 name_of(model, *one.needer), name_of(model, one.need->id))
+                                   : fmt::format("{} does not rank after {}", name_of(model, one.first->target), waits);
+    dsl::Diagnostic& finding = findings.add(
+        one.request->span, fmt::format("{} may wait here for {}, and pushes no group for it: {}",
+                                       name_of(model, one.request->target), name_of(model, one.condition.id), reason));
     finding.rules_out = {one.condition.span};
     finding.notes.push_back({one.condition.span, fmt::format("{} waits for this", name_of(model, one.waiter))});
     for (const ProviderId id : one.causers) finding.notes.push_back(causes(model, id, one.condition.id));
+    if (one.need != nullptr) {
+      finding.notes.push_back(
+          {one.need->span, fmt::format("{} needs {}", name_of(model, *one.needer), name_of(model, one.need->id))});
+      finding.help = fmt::format("instead of needing {}, request it `apart`, with a lower priority than {}",
+                                 name_of(model, one.need->id), waits);
+      continue;
+    }
+    const std::string first = name_of(model, one.first->target);
     const GroupId causing = model.providers[one.causers.front()].group;
     const std::string way =
         one.first->target == causing ? "" : fmt::format(", which leads to {},", name_of(model, causing));

@@ -24,6 +24,7 @@ public:
       : model_(input.model),
         facts_(input.facts),
         shared_(input.shared),
+        outranked_(input.conflicts.outranked()),
         findings_(findings),
         standstill_(model_, facts_, shared_.requests(), shared_.causers(), shared_.budget()) {
     for (const NeverKept& promise : shared_.promises().never_kept) explained_.insert(promise.causer);
@@ -59,11 +60,18 @@ private:
     });
     if (is_root) return;
     for (const Request& request : shared_.requests().of(task)) {
-      if (!request.requester || !standstill_.may_wait(request, waiter, use, groups)) continue;
+      if (!request.requester || is_claimed_above(request) || !standstill_.may_wait(request, waiter, use, groups))
+        continue;
       Company company(model_, facts_, shared_.requests(), groups);
       const std::vector<const Task*> chain = company.find_bare_chain(request);
       if (!chain.empty()) report(waiter, use, causers, request, chain, company.held_back());
     }
+  }
+
+  /// A need keeps the causing group from being pushed, requested or not.
+  bool is_claimed_above(const Request& request) const {
+    return std::any_of(outranked_.begin(), outranked_.end(),
+                       [&](const Outranked& one) { return one.request == request.task && one.need != nullptr; });
   }
 
   void report(ProviderId waiter, const ConditionUse& use, const std::vector<ProviderId>& causers,
@@ -90,14 +98,37 @@ private:
                                     name_of(model_, task.target), group, name_of(model_, request.task->target))});
     }
     finding.help =
-        !held_back.empty() ? fmt::format("make {} `apart`, or request {} where it does not wait with it",
-                                         name_of(model_, request.task->target), group)
+        !held_back.empty() ? set_apart(request, held_back)
+        : leads_back(model_.providers[causer].group, chain)
+            ? fmt::format("let the program request {} too, with a lower priority: a push never starts a group", group)
         : request.pack->name.empty()
             ? fmt::format("say with `packs` that {} is requested too{}: a push never starts a group", group,
                           must_be_apart(request, causers) ? ", `apart` and with a lower priority" : "")
             : fmt::format(
-                  "request {} too, `apart` and with a lower priority here, or above: a push never starts a group",
+                  "request {} too, here or above, `apart` and with a lower priority: a push never starts a group",
                   group);
+  }
+
+  /// Whether its own requests lead to a group that might request it: it would wait for itself.
+  bool leads_back(GroupId causer, const std::vector<const Task*>& chain) const {
+    const Claims& below = shared_.claims(causer);
+    return std::any_of(chain.begin() + 1, chain.end(),
+                       [&](const Task* above) { return below.contains(above->target); });
+  }
+
+  /// Otherwise it would go after what it has to push.
+  std::string set_apart(const Request& request, const std::set<const Task*>& held_back) const {
+    const auto priority = [&](const Task& task) {
+      return model_.edges[task.edge].levels[task.levels.front().level].priority;
+    };
+    const std::string apart = fmt::format("make {} `apart`", name_of(model_, request.task->target));
+    std::vector<std::string> before;
+    for (const Task& task : request.pack->tasks) {
+      if (held_back.count(&task) != 0 && priority(task) >= priority(*request.task))
+        before.push_back(name_of(model_, task.target));
+    }
+    return before.empty() ? apart + ", so that it waits for itself alone"
+                          : fmt::format("{}, with a higher priority than {}", apart, list_of(before));
   }
 
   /// In a pack it would be granted only together with what waits, as the pack has no separate entry yet.
@@ -111,6 +142,7 @@ private:
   const Model& model_;
   const Facts& facts_;
   const Shared& shared_;
+  const std::vector<Outranked>& outranked_;
   Findings& findings_;
   Standstill standstill_;
   std::set<ProviderId> explained_;

@@ -47,9 +47,9 @@ private:
     for (const Request& request : shared_.requests().of(model_.providers[waiter].group)) {
       if (!request.requester) continue;
       const std::optional<Company::Rank> rank = company_of(groups).find_outranking(request);
-      if (!rank || others_push(want, *rank) || is_pushed_company(*rank) || !standstill_.may_wait(request, waiter, use))
-        continue;
-      out_.push_back({waiter, use, want.causers, request.task, rank->waits, rank->first});
+      if (!rank || !standstill_.may_wait(request, waiter, use)) continue;
+      if (rank->need == nullptr && (others_push(want, *rank) || is_pushed_company(*rank))) continue;
+      out_.push_back({waiter, use, want.causers, request.task, rank->waits, rank->first, rank->need, rank->needer});
     }
   }
 

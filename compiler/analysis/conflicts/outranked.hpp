@@ -5,6 +5,7 @@
 
 #include "compiler/analysis/input.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace director::analysis {
@@ -16,6 +17,9 @@ struct Outranked {
   const Task* request = nullptr;   ///< for the task that waits
   const Task* waits = nullptr;     ///< the same entry, or one above it
   const Task* first = nullptr;     ///< beside `waits`: leads to a causing group and does not rank after it
+  /// Instead of `first`: the requester needs the causing group, so that nothing below it can push that.
+  const Use<GroupId>* need = nullptr;
+  std::optional<ProviderId> needer;
 };
 
 /// In order of waiter, condition and request. Without those whose condition may become true without that push.

@@ -31,6 +31,10 @@ std::optional<Company::Rank> Company::find_outranking(const Request& request) {
 std::optional<Company::Rank> Company::find_outranking(const Request& request, bool waits) {
   if (!request.requester) return std::nullopt;
   const std::vector<Task>& entries = request.pack->tasks;
+  for (const Use<GroupId>& need : model_.providers[*request.requester].needs) {
+    if (wanted_.size() == 1 && need.id == wanted_.front())
+      return Rank{&entries, request.task, nullptr, &need, request.requester};
+  }
   const Task* first = nullptr;
   for (const Task& entry : entries) {
     if (request.pack->name.empty() || entry.target == request.task->target || !brings(entry)) continue;
@@ -38,7 +42,7 @@ std::optional<Company::Rank> Company::find_outranking(const Request& request, bo
     if (together || !brings_firmly(entry) || !goes_first(model_, entry, *request.task)) return std::nullopt;
     if (first == nullptr) first = &entry;
   }
-  if (first != nullptr) return Rank{&entries, request.task, first};
+  if (first != nullptr) return Rank{&entries, request.task, first, nullptr, std::nullopt};
   const GroupId requester = model_.providers[*request.requester].group;
   if (!visited_.insert(requester).second) return std::nullopt;
   for (const Request& above : requests_.of(requester)) {

@@ -32,6 +32,9 @@ public:
     const std::vector<Task>* list = nullptr;
     const Task* waits = nullptr; ///< leads to what waits
     const Task* first = nullptr; ///< certainly leads to a wanted group, and does not rank after it
+    /// Instead: their requester needs the only wanted group, and claims it before anything that it requests is tried.
+    const Use<GroupId>* need = nullptr;
+    std::optional<ProviderId> needer;
   };
   /// The entries, if on some path up the nearest company of this request is of that kind and no other.
   std::optional<Rank> find_outranking(const Request& request);
