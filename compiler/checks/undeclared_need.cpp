@@ -9,25 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace director::checks {
-
-namespace {
-
-/// If the task were needed, another task of the provider could want what it holds, and never get it.
-bool is_wanted_below(const Input& input, const Provider& provider, GroupId task) {
-  const auto& parts = input.shared.indispensable().of(task);
-  return parts && std::any_of(provider.packs.begin(), provider.packs.end(), [&](const Pack& pack) {
-           return std::any_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& other) {
-             const Claims& below = input.shared.claims(other.target);
-             return other.target != task &&
-                    std::any_of(parts->begin(), parts->end(), [&](GroupId part) { return below.contains(part); });
-           });
-         });
-}
-
-} // namespace
 
 void undeclared_need(const Input& input, Findings& findings) {
   const Model& model = input.model;
@@ -43,9 +25,9 @@ void undeclared_need(const Input& input, Findings& findings) {
       finding.notes.push_back({need->span, fmt::format("{} needs {}", name_of(model, id), name_of(model, need->id))});
       add_chain(model, need_path(model, contended.task->target, contended.group), finding.notes);
       add_contender(model, contended.contender, contended.group, finding);
-      finding.help = is_wanted_below(input, model.providers[id], contended.task->target)
-                         ? "make the request `apart` or `optional`"
-                         : fmt::format("need {} too, or make the request `apart` or `optional`", task);
+      finding.help = may_be_needed(input, id, contended)
+                         ? fmt::format("need {} too, or make the request `apart` or `optional`", task)
+                         : "make the request `apart` or `optional`";
     }
   }
 }

@@ -8,6 +8,9 @@
 
 #include <fmt/format.h>
 
+#include <string>
+#include <vector>
+
 namespace director::checks {
 
 void unreserved_tasks(const Input& input, Findings& findings) {
@@ -26,7 +29,15 @@ void unreserved_tasks(const Input& input, Findings& findings) {
     add_contender(model, contended.contender, contended.group, finding);
     for (std::size_t i = 1; i < all.size(); ++i)
       finding.notes.push_back({all[i].task->span, fmt::format("the same for {}", name_of(model, all[i].task->target))});
-    finding.help = fmt::format("need {}, if {} is of no use without it", task, name_of(model, id));
+    std::vector<std::string> needed;
+    bool possible = true;
+    for (const ContendedTask& each : all) {
+      needed.push_back(name_of(model, each.task->target));
+      possible = possible && may_be_needed(input, id, each);
+    }
+    const std::string them = all.size() == 1 ? "it" : "them", by = name_of(model, id);
+    finding.help = possible ? fmt::format("need {}, if {} is of no use without {}", list_of(needed), by, them)
+                            : fmt::format("make what {} can do without `apart` or `optional`", by);
   }
 }
 

@@ -129,6 +129,18 @@ std::vector<GroupId> reserved_groups(const Input& input, const Provider& provide
   return out;
 }
 
+/// If it were needed, other tasks of the provider might want what it takes, and never get it.
+bool is_wanted_below(const Input& input, const Provider& provider, GroupId task) {
+  const auto& parts = input.shared.indispensable().of(task);
+  return parts && std::any_of(provider.packs.begin(), provider.packs.end(), [&](const Pack& pack) {
+           return std::any_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& other) {
+             const Claims& below = input.shared.claims(other.target);
+             return other.target != task &&
+                    std::any_of(parts->begin(), parts->end(), [&](GroupId part) { return below.contains(part); });
+           });
+         });
+}
+
 } // namespace
 
 std::optional<Contender> find_contender(const Input& input, ProviderId provider, GroupId group) {
@@ -178,6 +190,16 @@ std::vector<ContendedTask> find_contended_tasks(const Input& input, ProviderId i
     }
   }
   return out;
+}
+
+bool may_be_needed(const Input& input, ProviderId provider, const ContendedTask& contended) {
+  const Meeting& meeting = contended.contender.meeting;
+  // A unit takes its needs before anything below it is tried.
+  const bool from_unit = meeting.one_unit() && !contended.contender.path.empty();
+  // What is pushed would lack it while the other one has it.
+  return !from_unit && !input.facts.may_wait.contains(contended.task->target) &&
+         !input.facts.pushed.contains(provider) &&
+         !is_wanted_below(input, input.model.providers[provider], contended.task->target);
 }
 
 const Use<GroupId>* find_needed_task(const Model& model, const Provider& provider) {

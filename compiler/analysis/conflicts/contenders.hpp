@@ -32,6 +32,9 @@ struct ContendedTask {
 };
 std::vector<ContendedTask> find_contended_tasks(const Input& input, ProviderId provider);
 
+/// Whether the provider may need it, without a conflict with what others or its own tasks want, and without waiting.
+bool may_be_needed(const Input& input, ProviderId provider, const ContendedTask& contended);
+
 /// The first of its needs that it also requests as a mandatory task.
 const Use<GroupId>* find_needed_task(const Model& model, const Provider& provider);
 
