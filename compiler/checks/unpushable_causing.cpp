@@ -103,23 +103,32 @@ std::string propose_mandatory(const Model& model, const Obstacle& obstacle) {
          (ranks ? "" : fmt::format(", with a higher priority than {}", second));
 }
 
-std::string propose(const Model& model, const Obstacles& obstacles) {
+/// Of a flat list, a run may request the one without the other.
+std::string in_packs(const Obstacle& obstacle, const std::string& help) {
+  const Together& together = *obstacle.meeting.together;
+  if (!together.provider || together.whole) return help;
+  return "say with `packs` that both are requested, and " + help;
+}
+
+std::string propose(const Model& model, ProviderId causer, const Obstacles& obstacles) {
   if (obstacles.meet && (obstacles.none_waits || obstacles.all.empty()))
-    return "let those that wait for it have no other way, or leave out the promise and the conditions on it";
+    return fmt::format("leave out either the other ways of those that wait for it, or {} and what waits for it",
+                       name_of(model, causer));
   if (obstacles.all.empty())
     return fmt::format("request the two side by side{}: a task pushes nothing below itself, and nothing above",
                        obstacles.none_waits ? ", and let those that wait for it have no other way" : "");
   const Obstacle& obstacle = obstacles.all.front();
   if (obstacle.need != nullptr)
-    return fmt::format("do not need {} here, only request it", name_of(model, obstacle.need->id));
+    return fmt::format("instead of needing {} here, request it `apart`, with a lower priority",
+                       name_of(model, obstacle.need->id));
   const std::string first = name_of(model, obstacle.meeting.first->target);
   const std::string second = name_of(model, obstacle.meeting.second->target);
   if (obstacle.one_unit && obstacle.meeting.first_goes_before())
-    return fmt::format("make {} `apart`, or request it one level lower", second);
+    return in_packs(obstacle, fmt::format("make {} `apart`, or request it one level lower", second));
   if (obstacle.meeting.first_optional != obstacle.meeting.second_optional) return propose_mandatory(model, obstacle);
   if (obstacle.one_unit || obstacle.waits_with)
-    return fmt::format("make {} `apart`, with a higher priority than {}", first, second);
-  return fmt::format("give {} a higher priority than {}", first, second);
+    return in_packs(obstacle, fmt::format("make {} `apart`, with a higher priority than {}", first, second));
+  return in_packs(obstacle, fmt::format("give {} a higher priority than {}", first, second));
 }
 
 /// Those that may wait for it; for others, whose group can always run another provider, rank does not matter. All of
@@ -155,7 +164,7 @@ void report(const Input& input, const Chains& chains, Waiting& waits, const Neve
     for (std::size_t i = before; i < obstacles.all.size() && !obstacles.none_waits; ++i)
       explain(model, obstacles.all[i], waiter, group, finding);
   }
-  finding.help = propose(model, obstacles);
+  finding.help = propose(model, promise.causer, obstacles);
 }
 
 } // namespace
