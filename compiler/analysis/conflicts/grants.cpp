@@ -6,6 +6,8 @@
 #include "compiler/analysis/shared/shared.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 
 namespace director::analysis {
 
@@ -105,6 +107,20 @@ private:
 void put(Held& into, const Taker& taker) {
   const auto [at, is_new] = into.try_emplace(taker.group, taker);
   if (!is_new && !at->second.steady && taker.steady) at->second = taker;
+}
+
+bool is_same(const Taker& a, const Taker& b) { return a.kind == b.kind && a.by == b.by && a.holder == b.holder; }
+
+bool is_among(const Taker& taker, const std::vector<Taker>& all) {
+  return std::any_of(all.begin(), all.end(), [&](const Taker& each) { return is_same(each, taker); });
+}
+
+Held held_by_these(const Held& held, const std::vector<Taker>& all) {
+  Held out;
+  for (const auto& [group, taker] : held) {
+    if (is_among(taker, all)) out.emplace(group, taker);
+  }
+  return out;
 }
 
 /// Intersects the two; false: `into` is unchanged.
@@ -305,17 +321,47 @@ void Grants::enter(std::optional<GroupId> requester, const Entry& entry) {
 void Grants::refuse(std::optional<GroupId> requester, const Entry& entry) {
   const std::vector<ProviderId>& all = input_.model.groups[entry.task->target].providers;
   const bool runs = std::any_of(all.begin(), all.end(), [&](ProviderId id) { return granted_.contains(id); });
-  Refused refused{requester, entry.task, {}};
+  Refused refused{requester, entry.task, {}, {}};
   for (const ProviderId id : all) {
     if (!input_.facts.active.contains(id)) continue;
     auto taker = find_taker(requester, *entry.task, id, entry.held);
     if (!taker) continue;
-    refused.refusals.push_back({id, *taker});
+    refused.refusals.push_back({id, *taker, {}});
     if (runs && !granted_.contains(id))
-      idle_.try_emplace(id, Refused{requester, entry.task, {{id, std::move(*taker)}}});
+      idle_.try_emplace(id, Refused{requester, entry.task, {{id, std::move(*taker), {}}}, {}});
   }
-  if (!fed_.contains(entry.task->edge) && !entry.grantable && !refused.refusals.empty())
-    refused_[entry.task->edge].push_back(std::move(refused));
+  if (fed_.contains(entry.task->edge) || entry.grantable || refused.refusals.empty()) return;
+  for (Refusal& refusal : refused.refusals) refusal.others = find_others(refused, refusal, entry.held);
+  refused.together = find_together(refused, entry.held);
+  refused_[entry.task->edge].push_back(std::move(refused));
+}
+
+std::vector<Taker> Grants::find_others(const Refused& refused, const Refusal& refusal, Held held) {
+  std::vector<Taker> out;
+  for (std::optional<Taker> next = refusal.taker; next;) {
+    const Taker last = *next;
+    for (auto at = held.begin(); at != held.end();) at = is_same(at->second, last) ? held.erase(at) : std::next(at);
+    next = find_taker(refused.requester, *refused.task, refusal.provider, held);
+    if (next) out.push_back(*next);
+  }
+  return out;
+}
+
+/// Of the takers those without which some provider would be granted.
+std::vector<Taker> Grants::find_together(const Refused& refused, const Held& held) {
+  std::vector<Taker> out;
+  for (const Refusal& refusal : refused.refusals) {
+    if (!is_among(refusal.taker, out)) out.push_back(refusal.taker);
+    for (const Taker& other : refusal.others) {
+      if (!is_among(other, out)) out.push_back(other);
+    }
+  }
+  for (std::size_t i = out.size(); i-- > 0 && out.size() > 1;) {
+    std::vector<Taker> fewer = out;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    if (!is_grantable(refused.requester, *refused.task, held_by_these(held, fewer))) out = std::move(fewer);
+  }
+  return out.size() > 1 ? out : std::vector<Taker>{};
 }
 
 } // namespace director::analysis

@@ -25,6 +25,7 @@ using Held = std::map<GroupId, Taker>;
 struct Refusal {
   ProviderId provider{};
   Taker taker;
+  std::vector<Taker> others; ///< that would refuse it too, each without those before it
 };
 
 /// An entry that is never granted, with a reason for each provider that could run for it.
@@ -32,6 +33,8 @@ struct Refused {
   std::optional<GroupId> requester; ///< empty: root
   const Task* task = nullptr;
   std::vector<Refusal> refusals; ///< never empty
+  /// As few takers as refuse all providers together, if it takes more than one.
+  std::vector<Taker> together;
 };
 
 class Grants {
@@ -74,6 +77,8 @@ private:
   std::optional<Taker> find_taker(std::optional<GroupId> requester, const Task& task, ProviderId provider,
                                   const Held& held);
   bool is_grantable(std::optional<GroupId> requester, const Task& task, const Held& held);
+  std::vector<Taker> find_others(const Refused& refused, const Refusal& refusal, Held held);
+  std::vector<Taker> find_together(const Refused& refused, const Held& held);
   void enter(std::optional<GroupId> requester, const Entry& entry);
   void refuse(std::optional<GroupId> requester, const Entry& entry);
 
