@@ -192,7 +192,9 @@ std::vector<Diagnostic> apply_allowances(const Model& model, std::vector<Diagnos
       const Allowance& allowance = model.allowances[i];
       if (used[i] || is_for_others(allowance) || (allowance.id.value == "unused_allow") != last) continue;
       const bool may_return = errors || is_suppressed(allowance, findings);
-      if (!may_return || names_error(allowance)) leftover.push_back(unused(allowance));
+      // Another behaviour that imports the file may need it.
+      const bool is_imported = allowance.id.span.file != model.name_span.file;
+      if ((!may_return && !is_imported) || names_error(allowance)) leftover.push_back(unused(allowance));
     }
   };
   collect(false);

@@ -174,14 +174,16 @@ void for_no_provider(Robot& robot, bool defect) {
                      {name, defect ? "  " + name + ".default: {wait: 1 s}\n" : ""}));
 }
 
-// unused_allow
+// unused_allow: in an imported file it might be for another behaviour
 
 void allows_nothing(Robot& robot, bool defect) {
-  const std::string name = robot.r.one_of(robot.planners).name;
-  if (!defect) return;
-  robot.group(name).add("allow",
-                        flow("[@$0]", {robot.r.one_of({"starved_task", "ordering_on_sentinel", "push_cycle"})}));
-  robot.group(name).add("because", "it was so once");
+  const std::string name = robot.name("Rest");
+  Node& group = robot.section(0, "groups").add(name, flow("{uses: []}"));
+  if (defect) {
+    group.add("allow", flow("[@$0]", {robot.r.one_of({"starved_task", "ordering_on_sentinel", "push_cycle"})}));
+    group.add("because", "it was so once");
+  }
+  robot.add_root(name, robot.above());
 }
 void allows_an_error(Robot& robot, bool defect) {
   const std::string name =
@@ -189,16 +191,15 @@ void allows_an_error(Robot& robot, bool defect) {
   robot.group(name).add("allow", flow(defect ? "[uncovered_state, @needs_conflict]" : "[@uncovered_state]"));
 }
 void allowed_in_a_state(Robot& robot, bool defect) {
-  Node& state = robot.state(robot.sense(SenseKind::plain).name);
+  Node& state = robot.section(0, "states").add(robot.name("Weather"), flow("{values: [dry, wet], external: true}"));
   if (!defect) return;
   state.add("allow", flow("[@yaml_word_trap]"));
   state.add("because", "words are words");
 }
 void allowed_for_a_file(Robot& robot, bool defect) {
   if (!defect) return;
-  const std::size_t file = robot.r.below(robot.files.size());
-  robot.section(file, "allow") = flow("[@possible_pack_conflict]");
-  robot.section(file, "because") = Node("nobody minds");
+  robot.section(0, "allow") = flow("[@possible_pack_conflict]");
+  robot.section(0, "because") = Node("nobody minds");
 }
 
 constexpr Planter of_priorities[]{
