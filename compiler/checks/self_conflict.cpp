@@ -44,6 +44,14 @@ bool is_cycle(const Model& model, const Loser& loser) {
          (loser.chain.size() == 1 || std::all_of(loser.chain.begin(), loser.chain.end(), may_be_mandatory));
 }
 
+/// Where it also requests what it needs above it, the cycle is the finding.
+bool closes_cycle_itself(const Input& input, const Loser& loser) {
+  const std::vector<TaskCycle>& all = input.conflicts.task_cycles();
+  return requests_above(loser) && std::any_of(all.begin(), all.end(), [&](const TaskCycle& cycle) {
+           return cycle.last_requester() == loser.refused.task->target && cycle.groups.back() == loser.taker.holder;
+         });
+}
+
 /// Where it is granted only together with what the provider needs, the conflict of the pack is the finding.
 bool is_pack_conflict(const Input& input, const Loser& loser) {
   if (!input.model.providers[loser.above].has_packs || loser.chain.size() != 1) return false;
@@ -93,7 +101,8 @@ std::vector<std::vector<Losers>> losers_by_place(const Input& input) {
   for (const Loser& loser : input.conflicts.losers()) {
     const EdgeId edge = loser.refused.task->edge;
     if (loser.taker.kind != Taker::Kind::above || is_cycle(input.model, loser)) continue;
-    if (input.conflicts.closes_cycle(edge) || is_pack_conflict(input, loser)) continue;
+    if (input.conflicts.closes_cycle(edge) || closes_cycle_itself(input, loser) || is_pack_conflict(input, loser))
+      continue;
     // Another request for it may have a better chance; then this is no fault.
     if (requests_above(loser) && input.conflicts.grants().refused().count(edge) == 0) continue;
     by_entry[{loser.above, place_of(loser).span, loser.taker.group}].push_back(&loser);

@@ -1,15 +1,34 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/task_cycle.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace director::checks {
 
 namespace {
+
+/// Needs by which the last requester would still want what is above it.
+std::vector<std::string> needs_above(const Model& model, const TaskCycle& cycle) {
+  std::vector<std::string> out;
+  for (const ProviderId id : model.groups[cycle.last_requester()].providers) {
+    for (const Use<GroupId>& need : model.providers[id].needs) {
+      std::string name = name_of(model, need.id);
+      if (needs_lead_to(model, need.id, cycle.groups.back()) && std::find(out.begin(), out.end(), name) == out.end())
+        out.push_back(std::move(name));
+    }
+  }
+  return out;
+}
 
 void report(const Input& input, const TaskCycle& cycle, Findings& findings) {
   const Model& model = input.model;
@@ -25,10 +44,12 @@ void report(const Input& input, const TaskCycle& cycle, Findings& findings) {
                              i == 0 ? dsl::Note::Link::first : dsl::Note::Link::next});
     finding.rules_out.push_back(finding.notes.back().span);
   }
-  finding.help = cycle.is_known
-                     ? fmt::format("leave it out: {} goes on with another pack, or says `done` and is requested again",
-                                   name_of(model, groups.back()))
-                     : "make this request `optional`, or leave it out";
+  const std::vector<std::string> needs = needs_above(model, cycle);
+  const std::string leave =
+      needs.empty() ? "leave it out" : fmt::format("leave it out, and the need for {}", list_of(needs));
+  finding.help = cycle.is_known ? fmt::format("{}: {} goes on with another pack, or says `done` and is requested again",
+                                              leave, name_of(model, groups.back()))
+                                : (needs.empty() ? "make this request `optional`, or " : "") + leave;
 }
 
 void report_loop(const Input& input, GroupId group, Findings& findings) {
