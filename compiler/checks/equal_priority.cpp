@@ -66,8 +66,7 @@ void report(const Model& model, const EqualPair& pair, Findings& findings) {
     finding.notes.push_back(runs_only_while(model, want.waiter, want.condition));
     finding.notes.push_back(causes(model, want.causers.front(), want.condition.id));
   }
-  finding.help = mutual_wait ? "give one of them a higher priority, or let each need at once all that it wants"
-                             : "give one of them a higher priority";
+  finding.help = "give one of them a higher priority";
 }
 
 /// Limit, from which entries of one list that compete at one priority, each with another one of them, are one finding:

@@ -223,11 +223,12 @@ private:
                                                         holder.by_need ? "needs" : "requests", name_of(model_, part))});
     add_side(*below.first, below.first_level, holder.group, finding);
     add_side(*below.second, below.second_level, pushed, finding);
-    finding.help = one_side
-                       ? fmt::format("let {} do without {}, or {} go after {}", name_of(model_, causer),
-                                     name_of(model_, need.id), between, name_of(model_, pushed))
-                       : fmt::format("let {} go before {}, and still after {}", name_of(model_, below.second->target),
-                                     name_of(model_, below.first->target), task);
+    finding.help =
+        one_side
+            ? fmt::format("let {} do without {}, or {} go after {}, and that still after {}", name_of(model_, causer),
+                          name_of(model_, need.id), between, name_of(model_, pushed), task)
+            : fmt::format("let {} go before {}, and still after {}", name_of(model_, below.second->target),
+                          name_of(model_, below.first->target), task);
   }
 
   void add_side(const Task& entry, const Level& level, GroupId meant, dsl::Diagnostic& finding) const {

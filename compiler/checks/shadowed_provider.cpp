@@ -167,8 +167,7 @@ void report_idle(const Input& input, ProviderId id, const Refused& refused, Find
                                                       name_of(input.model, id), name_of(input.model, taker.group)));
   finding.rules_out = {input.model.providers[id].span};
   add_taker(input, refused, taker, finding.notes);
-  finding.help =
-      fmt::format("request it where that is free, give it other needs, or leave {} out", name_of(input.model, id));
+  finding.help = fmt::format("request it where that is free, or leave {} out", name_of(input.model, id));
 }
 
 /// Whether it can run whenever the other one can, by their own conditions and needs.

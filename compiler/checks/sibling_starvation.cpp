@@ -32,10 +32,13 @@ std::string propose(const Input& input, const Loser& loser) {
   const Task &taker = *loser.taker.by, &sibling = *loser.taker.over;
   const bool optional = !model.edges[loser.refused.task->edge].has_mandatory();
   std::string unit = optional ? "`optional`" : "`apart` or `optional`";
-  if (Company::goes_first(model, taker, sibling))
+  const bool goes_first = Company::goes_first(model, taker, sibling);
+  if (goes_first)
     unit = fmt::format("{} with a lower priority than {}", optional ? "`optional`," : "`optional`, or `apart`",
                        name_of(model, sibling.target));
-  return fmt::format("make {} {}, or request it one level lower", name_of(model, taker.target), unit);
+  return fmt::format(
+      "make {} {}, or request it one level lower{}", name_of(model, taker.target), unit,
+      goes_first ? fmt::format(", by something with a lower priority than {}", name_of(model, sibling.target)) : "");
 }
 
 /// If the loser is granted elsewhere, or for a moment, the message does not claim "never". `more`: others that take

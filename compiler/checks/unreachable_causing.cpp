@@ -37,11 +37,12 @@ void unreachable_causing(const Input& input, Findings& findings) {
           idleness.deadlock->kept->target == group && model.groups[group].providers.front() != promise.causer;
       finding.help = apart_help(model, *idleness.deadlock, to_push);
     } else if (model.groups[group].requesters.empty()) {
-      finding.help = fmt::format("request {} wherever the state is waited for: a push never starts a group",
+      finding.help = fmt::format("request {} wherever the state is waited for, `apart` and with a lower priority: a "
+                                 "push never starts a group",
                                  name_of(model, group));
     } else if (!input.facts.requested.contains(group)) {
-      finding.help = fmt::format("let something that runs without {} request {}", name_of(model, promise.promise.id),
-                                 name_of(model, group));
+      finding.help = fmt::format("let something that runs without {}, and ranks after what waits for it, request {}",
+                                 name_of(model, promise.promise.id), name_of(model, group));
     } else {
       finding.help = "the last note is what all the others rest on: mend that";
     }
