@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/play/play.hpp"
 
+#include "compiler/play/input_records.hpp"
 #include "compiler/play/scripted_bodies.hpp"
 #include "runtime/core/engine/engine.hpp"
 #include "runtime/hosted/engine_memory.hpp"
@@ -12,8 +13,6 @@
 namespace director::compiler {
 
 namespace {
-
-using InputKind = dsl::InputSpec::Kind;
 
 std::size_t records_of(const ScenarioInput& input) {
   return std::max({std::size_t{1}, input.requests.size(), input.set.size()});
@@ -113,42 +112,8 @@ private:
   }
 
   bool take(const std::vector<ScenarioInput>& inputs) {
-    for (const ScenarioInput& input : inputs) engine_.post(records(input));
+    for (const ScenarioInput& input : inputs) engine_.post(input_records(input, tables_, bodies_.data()));
     return run_engine();
-  }
-
-  static Input record(Input::Kind kind, std::uint32_t thing) {
-    Input out;
-    out.kind = kind;
-    out.thing = static_cast<Index>(thing);
-    return out;
-  }
-
-  std::vector<Input> records(const ScenarioInput& input) {
-    std::vector<Input> out;
-    switch (input.kind) {
-    case InputKind::request:
-      for (const RequestedTask& task : input.requests) {
-        Input request = record(Input::Kind::request, task.edge.value);
-        request.set_level(static_cast<Index>(tables_.edges[request.thing].levels.begin + task.level));
-        request.handle = bodies_.data().wait_for_input(task.data);
-        out.push_back(request);
-      }
-      break;
-    case InputKind::set:
-      for (const Setting& setting : input.set) {
-        Input set = record(Input::Kind::set, setting.state.value);
-        set.value = static_cast<std::int32_t>(setting.value);
-        out.push_back(set);
-      }
-      break;
-    case InputKind::cancel: out.push_back(record(Input::Kind::cancel, input.root.value)); break;
-    case InputKind::trigger: out.push_back(record(Input::Kind::fire, input.trigger.value)); break;
-    case InputKind::enable: out.push_back(record(Input::Kind::enable, input.provider.value)); break;
-    case InputKind::disable: out.push_back(record(Input::Kind::disable, input.provider.value)); break;
-    }
-    for (std::size_t i = 0; i + 1 < out.size(); ++i) out[i].more = true;
-    return out;
   }
 
   const Scenario& scenario_;

@@ -5,6 +5,9 @@
 // when the next micro-step is the one that took it, and `until` is the time that the step was given then. Nothing else
 // affects a micro-step: how many of them a step had made no difference. A micro-step without an event that follows the
 // last event of a step has the time of that step.
+//
+// A step that continues one that ended early, because its budget was exhausted or a body failed, first takes what
+// handlers set. If inputs wait then, this happens at the time of the step already, which the next event shows.
 #include "compiler/trace/replay.hpp"
 
 #include "compiler/trace/event_words.hpp"
@@ -71,14 +74,30 @@ private:
     Event event;
     std::uint64_t dropped = 0;
     std::string problem; ///< why this behaviour has no such event
-    bool early = false;  ///< the step before it ended before it was at rest: the budget was exhausted, or a body failed
   };
 
   /// Makes one micro-step, in the step of this event or, if what is left of the step before has no event, in that.
   void step(const Recorded& next) {
     const std::uint64_t before = engine_.micro_steps();
-    if (before != 0 && !next.early && next.event.micro_step > before + 1) engine_.step();
-    if (!over_ && engine_.micro_steps() == before) engine_.step(next.event.until);
+    bool continues = false;
+    for (; !early_ends_.empty() && early_ends_.front().micro_step <= before; early_ends_.pop_front())
+      continues = early_ends_.front().micro_step == before;
+    const bool is_silent = !early_ends_.empty() && early_ends_.front().micro_step < next.event.micro_step;
+    const Event of = is_silent ? early_ends_.front() : next.event;
+    if (before != 0 && !continues && of.micro_step > before + 1) engine_.step();
+    if (over_ || engine_.micro_steps() != before) return;
+    const bool is_timer = of.kind == Kind::input && !from_outside(of);
+    if (continues && of.time == of.until && !is_timer) advance_to(of.until);
+    engine_.step(of.until);
+  }
+
+  /// Sets the engine's time as a step does if inputs wait. The input itself may be missing, behind the end of the
+  /// trace.
+  void advance_to(Time until) {
+    Counters& counters = *engine_.memory().counters;
+    if (counters.now == until) return;
+    counters.now = until;
+    counters.serving = false;
   }
 
   // The trace.
@@ -89,19 +108,15 @@ private:
     while (waiting_.size() <= places) {
       std::optional<TraceLine> line = lines_.next();
       if (!line) return nullptr;
-      Recorded recorded{line->number, std::move(line->text), std::move(line->json), {}, line->dropped,
-                        {},           ended_early_};
+      Recorded recorded{line->number, std::move(line->text), std::move(line->json), {}, line->dropped, {}};
       if (line->dropped == 0) {
         Lookup::Found found = lookup_.event(recorded.json);
         recorded.event = found.event;
         recorded.problem = std::move(found.problem);
-        if (recorded.problem.empty() && recorded.event.kind == Kind::exhausted) ended_early_ = true;
-        if (recorded.problem.empty() && (recorded.event.kind == Kind::lost || recorded.event.kind == Kind::exhausted)) {
-          continue;
-        }
+        const bool is_exhausted = is(&recorded, Kind::exhausted);
+        if (is_exhausted || is(&recorded, Kind::fault)) early_ends_.push_back(recorded.event);
+        if (is_exhausted || is(&recorded, Kind::lost)) continue;
       }
-      const std::uint64_t last = std::exchange(last_micro_step_, recorded.event.micro_step);
-      ended_early_ = recorded.event.kind == Kind::fault || (ended_early_ && recorded.event.micro_step == last);
       waiting_.push_back(std::move(recorded));
     }
     return &waiting_[places];
@@ -316,8 +331,7 @@ private:
   std::deque<Recorded> waiting_;
   Replayed out_;
   bool over_ = false;
-  bool ended_early_ = false;          ///< as Recorded::early, of the event that is read next
-  std::uint64_t last_micro_step_ = 0; ///< of the event that was read last
+  std::deque<Event> early_ends_; ///< the last events of steps that ended before they were at rest, from here on
   std::string line_;
   std::vector<Inbox::Cell> cells_;
   Inbox inbox_;

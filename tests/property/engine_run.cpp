@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/property/engine_run.hpp"
 
+#include "compiler/play/input_records.hpp"
+
 #include <stdexcept>
 
 namespace director::property {
@@ -10,13 +12,6 @@ namespace {
 
 constexpr std::size_t inbox_cells = 64;  ///< more than the records of the inputs of any step
 constexpr std::uint64_t fingerprint = 1; ///< of all behaviours: each test has only one
-
-director::Input record(director::Input::Kind kind, std::uint32_t thing) {
-  director::Input out;
-  out.kind = kind;
-  out.thing = static_cast<Index>(thing);
-  return out;
-}
 
 } // namespace
 
@@ -97,30 +92,7 @@ bool EngineRun::micro_step() {
 }
 
 void EngineRun::post(const compiler::ScenarioInput& input) {
-  using Wanted = dsl::InputSpec::Kind;
-  using Record = director::Input::Kind;
-  std::vector<director::Input> records;
-  switch (input.kind) {
-  case Wanted::request:
-    for (const compiler::RequestedTask& asked : input.requests) {
-      records.push_back(record(Record::request, asked.edge.value));
-      const Range levels = tables_.edges[records.back().thing].levels;
-      records.back().set_level(static_cast<Index>(levels.begin + asked.level));
-      records.back().handle = bodies_.data().wait_for_input(asked.data);
-    }
-    break;
-  case Wanted::set:
-    for (const compiler::Setting& setting : input.set) {
-      records.push_back(record(Record::set, setting.state.value));
-      records.back().value = static_cast<std::int32_t>(setting.value);
-    }
-    break;
-  case Wanted::cancel: records.push_back(record(Record::cancel, input.root.value)); break;
-  case Wanted::trigger: records.push_back(record(Record::fire, input.trigger.value)); break;
-  case Wanted::enable: records.push_back(record(Record::enable, input.provider.value)); break;
-  case Wanted::disable: records.push_back(record(Record::disable, input.provider.value)); break;
-  }
-  for (std::size_t i = 0; i + 1 < records.size(); ++i) records[i].more = true;
+  const std::vector<Input> records = compiler::input_records(input, tables_, bodies_.data());
   if (!(leap_ ? robot_->inbox.post(records) : robot_->engine.post(records)))
     throw std::runtime_error("the inbox of the test is too small");
 }

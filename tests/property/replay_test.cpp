@@ -4,9 +4,13 @@
 //
 //   DIRECTOR_SEED, DIRECTOR_CASES   as in property_test.cpp
 #include "compiler/lower/row_names.hpp"
+#include "compiler/play/input_records.hpp"
 #include "compiler/play/play.hpp"
+#include "compiler/play/scripted_bodies.hpp"
 #include "compiler/trace/lookup.hpp"
 #include "compiler/trace/replay.hpp"
+#include "runtime/core/engine/engine.hpp"
+#include "runtime/hosted/engine_memory.hpp"
 #include "runtime/hosted/trace/json_lines.hpp"
 #include "tests/property/compiled.hpp"
 #include "tests/property/generate.hpp"
@@ -22,23 +26,64 @@ namespace {
 using namespace director::property;
 using director::tests::from_environment;
 
-/// All events of the scenario, a line each.
+/// Events, a line each.
+struct Tape {
+  director::Names names;
+  std::string text;
+
+  director::Observer observer() {
+    return {[](void* self, const director::Event& event) {
+              auto& to = *static_cast<Tape*>(self);
+              director::append_event(event, to.names, to.text);
+              to.text += '\n';
+            },
+            this};
+  }
+};
+
+/// All events of the scenario.
 std::string record(const Compiled& compiled) {
-  struct Tape {
-    director::Names names;
-    std::string text;
-  };
   const director::compiler::RowNames rows(compiled.model, compiled.lowered);
   Tape tape{rows.names(), {}};
   director::compiler::PlayOptions options;
-  options.events = {[](void* self, const director::Event& event) {
-                      auto& to = *static_cast<Tape*>(self);
-                      director::append_event(event, to.names, to.text);
-                      to.text += '\n';
-                    },
-                    &tape};
+  options.events = tape.observer();
   director::compiler::play(compiled.scenario, compiled.model, compiled.lowered, options,
                            [](const director::compiler::Happening&) {});
+  return tape.text;
+}
+
+/// The same inputs in steps of at most a few micro-steps each: inputs come while others, timers and what handlers set
+/// are still waiting, and a step is given a time at which several timers are late. `early`: counts steps that first
+/// take what handlers set, and whose time is later than that of the timers before because an input waits.
+std::string record_in_short_steps(const Compiled& compiled, Random& random, std::size_t& early) {
+  const director::compiler::RowNames rows(compiled.model, compiled.lowered);
+  Tape tape{rows.names(), {}};
+  const director::Tables tables = compiled.lowered.view();
+  director::compiler::ScriptedBodies bodies(compiled.scenario, tables);
+  std::vector<director::Inbox::Cell> cells(1024);
+  director::Inbox inbox(cells);
+  director::EngineMemory memory(tables);
+  director::Engine engine(tables, memory.state().data(), bodies.table(), inbox, tape.observer());
+  for (const director::compiler::Setting& given : compiled.scenario.given)
+    engine.preset(static_cast<director::Index>(given.state.value), static_cast<std::int32_t>(given.value));
+  director::Time now = 0;
+  const auto step = [&] {
+    const director::Counters& counters = *engine.memory().counters;
+    if (engine.inputs_wait() && counters.handlers_set && counters.now < now) ++early;
+    engine.set_budget(static_cast<std::uint32_t>(random.between(1, 3)));
+    return engine.step(now);
+  };
+  step();
+  for (const director::compiler::ScenarioStep& each : compiled.scenario.steps) {
+    if (each.advance) now += *each.advance;
+    for (const director::compiler::ScenarioInput& input : each.inputs) {
+      now += random.between(0, 60) * 1'000;
+      if (random.chance(0.7)) step();
+      inbox.post(input_records(input, tables, bodies.data()));
+    }
+    for (int count = random.between(0, 3); count > 0; --count) step();
+  }
+  for (int left = 1000; left > 0 && step() == director::StepResult::budget_exhausted; --left) {}
   return tape.text;
 }
 
@@ -133,6 +178,28 @@ TEST_CASE(
   CHECK(events > 30'000);
   CHECK(others > cases / 2);
   CHECK(differing > cases / 100);
+}
+
+TEST_CASE("a replay of steps that ended early, and went on with an input, is equal to its trace") {
+  const auto first = from_environment<std::uint64_t>("DIRECTOR_SEED", 1);
+  const std::uint64_t cases = director::tests::cases_of({.usual = 1'000, .slow = 100});
+  std::size_t early = 0;
+  for (std::uint64_t seed = first; seed < first + cases; ++seed) {
+    CAPTURE(seed);
+    const Documents documents = generate_any(seed);
+    const CompileResult result = compile(to_yaml(documents.behaviour), to_yaml(documents.scenario));
+    REQUIRE(result.compiled);
+    Random random(seed);
+    const std::string recorded = record_in_short_steps(*result.compiled, random, early);
+    const auto replayed = replay(recorded, *result.compiled);
+    if (replayed.difference)
+      FAIL("line " << replayed.difference->line << "\n"
+                   << replayed.difference->recorded_line << "\n"
+                   << replayed.difference->replayed_line);
+    REQUIRE(replayed.problem.empty());
+  }
+  if (cases < 1'000) return;
+  CHECK(early > cases / 50);
 }
 
 } // namespace
