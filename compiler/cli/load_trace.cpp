@@ -4,6 +4,7 @@
 
 #include "compiler/cli/load.hpp"
 #include "compiler/cli/named_file.hpp"
+#include "runtime/hosted/trace/fingerprint.hpp"
 #include "runtime/hosted/trace/json_lines.hpp"
 
 #include <fmt/format.h>
@@ -42,7 +43,10 @@ LoadedTrace load_trace(const std::string& file, Console& console) {
   TraceLines lines(out.text);
   const std::string_view no_header = "this is no trace: its first line is not the header of one";
   std::string problem(no_header);
-  if (const std::optional<TraceLine> header = lines.next()) out.recorded = RecordedNames::read(header->json, problem);
+  if (const std::optional<TraceLine> header = lines.next()) {
+    out.header = header->text;
+    out.recorded = RecordedNames::read(header->json, problem);
+  }
   if (out.text.empty()) problem = "the trace is empty: nothing was recorded, or nothing of it was written";
   if (lines.cut_off() && out.text.starts_with("{\"director_trace\""))
     problem = "the trace is cut off within its first line";
@@ -54,6 +58,21 @@ LoadedTrace load_trace(const std::string& file, Console& console) {
     out.status = found;
   }
   return out;
+}
+
+std::optional<bool> is_of_version(const LoadedTrace& trace, const std::string& file, const director::Names& names,
+                                  const std::string& behaviour, Console& console) {
+  if (fingerprint_text(names) != trace.recorded->fingerprint) return false;
+  std::string written;
+  append_header(names, trace.recorded->file, written);
+  if (written == trace.header) return true;
+  print_message(console,
+                fmt::format("{0}:1: error: the header of the trace was changed: it has the fingerprint of "
+                            "`{1}`, but does not name what that behaviour has\n"
+                            "  help: the header of any other trace of this version may replace it, such as one "
+                            "of `directorc simulate --trace`\n",
+                            shown_path(file), behaviour));
+  return {};
 }
 
 Lookup::Found event_of(const TraceLine& line, const Lookup& lookup, const director::Names& names) {

@@ -13,6 +13,7 @@ namespace director::compiler::cli {
 struct LoadedTrace {
   int status = clean; ///< not clean: the reason was printed, and nothing else is valid
   std::string text;
+  std::string header; ///< its first line, as TraceLine::text
   std::optional<RecordedNames> recorded;
 };
 
@@ -29,6 +30,11 @@ struct RecordedBehaviour {
 RecordedBehaviour load_behaviour(const RecordedNames& recorded, const std::string& trace, const std::string& named,
                                  const CheckOptions& options, dsl::Sources& sources, Console& console,
                                  const CppSource& cpp);
+
+/// Whether the trace is of the version with these names. Nothing, and prints why, if the header has its fingerprint,
+/// but is not what a recorder of that version writes: then it was changed, or other behaviours' lines are behind it.
+std::optional<bool> is_of_version(const LoadedTrace& trace, const std::string& file, const director::Names& names,
+                                  const std::string& behaviour, Console& console);
 
 /// The event; or the fault of a line that no recorder writes, such as a time that is a text: such damage would
 /// otherwise be shown as an event.

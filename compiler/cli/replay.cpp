@@ -9,7 +9,6 @@
 #include "compiler/lower/lower.hpp"
 #include "compiler/lower/row_names.hpp"
 #include "dsl/harmless.hpp"
-#include "runtime/hosted/trace/fingerprint.hpp"
 
 #include <fmt/format.h>
 
@@ -75,11 +74,13 @@ int run(const Replay& request, Console& console) {
   if (of.status != clean) return of.status;
   const Lowered lowered = lower(of.checked.model);
   const RowNames rows(of.checked.model, lowered);
-  const bool other = fingerprint_text(rows.names()) != trace.recorded->fingerprint;
+  const std::optional<bool> same = is_of_version(trace, request.trace, rows.names(), of.file, console);
+  if (!same) return found;
+  const bool other = !*same;
   TraceLines lines(trace.text);
   lines.next(); // the header
   const director::Names recorded = trace.recorded->names();
-  const Replayed replayed = replay(lines, rows.names(), nullptr, &recorded);
+  const Replayed replayed = replay(lines, rows.names(), nullptr, other ? &recorded : nullptr);
   // A replay reads ahead: a fault behind its end is not reported.
   if (!replayed.problem.empty())
     print_unreadable(request.trace, replayed.problem_line, replayed.problem, console);

@@ -12,7 +12,6 @@
 #include "compiler/trace/lookup.hpp"
 #include "compiler/trace/recording.hpp"
 #include "runtime/hosted/trace/event_text.hpp"
-#include "runtime/hosted/trace/fingerprint.hpp"
 
 #include <fmt/format.h>
 
@@ -101,7 +100,9 @@ std::pair<std::string, int> trace_page(const Trace& request, const LoadedTrace& 
   if (of.status != clean) return {{}, of.status};
   const Lowered lowered = lower(of.checked.model);
   const RowNames rows(of.checked.model, lowered);
-  if (fingerprint_text(rows.names()) != trace.recorded->fingerprint) {
+  const std::optional<bool> same = is_of_version(trace, request.file, rows.names(), of.file, console);
+  if (!same) return {{}, found};
+  if (!*same) {
     print_message(
         console,
         fmt::format("{}:1: error: this is a trace of another version of `{}`\n  help: --behaviour names the version "

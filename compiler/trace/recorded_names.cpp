@@ -23,6 +23,10 @@ std::optional<RecordedNames> RecordedNames::read(const Json& header, std::string
   out.texts_.behaviour = header["behaviour"].as_text();
   out.file = header["file"].as_text();
   out.fingerprint = header["fingerprint"].as_text();
+  if (out.fingerprint.size() != 16 || out.fingerprint.find_first_not_of("0123456789abcdef") != std::string::npos) {
+    problem = "the header has no fingerprint, which is 16 hexadecimal digits";
+    return {};
+  }
   if (!out.read_rows(header)) {
     problem = "the header names something that it does not declare";
     return {};

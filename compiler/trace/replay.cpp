@@ -32,14 +32,15 @@ using Kind = Event::Kind;
 
 class Replayer {
 public:
-  Replayer(TraceLines& lines, const director::Names& names, ReplayWatch* watch, const director::Names& recorded)
+  Replayer(TraceLines& lines, const director::Names& names, ReplayWatch* watch, const director::Names* recorded)
       : lines_(lines),
         watch_(watch),
         names_(names),
-        recorded_names_(recorded),
+        recorded_names_(recorded == nullptr ? names : *recorded),
+        is_other_(recorded != nullptr),
         tables_(*names.tables),
         lookup_(names),
-        recorded_lookup_(recorded),
+        recorded_lookup_(recorded_names_),
         cells_(most_records),
         inbox_(cells_),
         memory_(tables_),
@@ -287,6 +288,10 @@ private:
     line_.clear();
     append_event(event, names_, line_);
     if (line_ != recorded->text) return differ(&event);
+    if (is_other_) {
+      const std::string damage = damage_of(*recorded, recorded_lookup_.event(recorded->json));
+      if (!damage.empty()) return cannot_read(recorded->line, damage);
+    }
     if (watch_ != nullptr) watch_->event(event, recorded->line);
     waiting_.pop_front();
     ++out_.events;
@@ -298,15 +303,20 @@ private:
     out_.problem_line = line;
   }
 
+  /// Why no recorder of the recorded behaviour has written this line; empty: one may have.
+  std::string damage_of(const Recorded& recorded, const Lookup::Found& event) const {
+    if (!event.problem.empty()) return event.problem;
+    std::string written;
+    append_event(event.event, recorded_names_, written);
+    return written == recorded.text ? "" : "a recorder would have written it as " + written;
+  }
+
   /// It differs from what is recorded next. `event`: the engine's event; null: none.
   void differ(const Event* event) {
     over_ = true;
     const Recorded& recorded = *ahead(0);
     const Lookup::Found was = recorded_lookup_.event(recorded.json);
-    if (!was.problem.empty()) return cannot_read(recorded.line, was.problem);
-    std::string written;
-    append_event(was.event, recorded_names_, written);
-    if (written != recorded.text) return cannot_read(recorded.line, "a recorder would have written it as " + written);
+    if (const std::string damage = damage_of(recorded, was); !damage.empty()) return cannot_read(recorded.line, damage);
     Replayed::Difference found;
     found.event = recorded.line - 1; // behind the header
     found.line = recorded.line;
@@ -326,6 +336,7 @@ private:
   ReplayWatch* const watch_;
   const director::Names names_;
   const director::Names recorded_names_;
+  const bool is_other_; ///< another version was recorded
   const Tables& tables_;
   Lookup lookup_, recorded_lookup_;
   std::deque<Recorded> waiting_;
@@ -342,7 +353,7 @@ private:
 } // namespace
 
 Replayed replay(TraceLines& lines, const director::Names& names, ReplayWatch* watch, const director::Names* recorded) {
-  return Replayer(lines, names, watch, recorded == nullptr ? names : *recorded).play();
+  return Replayer(lines, names, watch, recorded).play();
 }
 
 } // namespace director::compiler

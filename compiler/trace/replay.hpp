@@ -45,7 +45,7 @@ protected:
 };
 
 /// `lines`: behind the header. `names`: of the behaviour to play, with tables. `watch`: null: none. `recorded`: of the
-/// recorded behaviour, to distinguish a damaged line from one of another version; null: the same one.
+/// recorded behaviour if that is another version, to distinguish a damaged line; null: the same one.
 Replayed replay(TraceLines& lines, const director::Names& names, ReplayWatch* watch = nullptr,
                 const director::Names* recorded = nullptr);
 

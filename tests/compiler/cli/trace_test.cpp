@@ -351,6 +351,43 @@ TEST_CASE("a damaged line ends a replay, and is never a decision") {
   }
 }
 
+TEST_CASE("a header that does not belong to its fingerprint, or to the events, is not another version") {
+  World world = with_trace();
+  std::string other = rover_that_is_recorded;
+  other.replace(other.find("priority: 20"), 12, "priority: 21"); // no decision differs
+  world.files.add("other.yaml", other);
+  const std::string trace = trace_in(world);
+  const auto with = [&](const std::string& before, const std::string& after, const char* behaviour) {
+    std::string bad = trace;
+    bad.replace(bad.find(before), before.size(), after);
+    world.files.add("bad.jsonl", bad);
+    CHECK(world.directorc({"replay", "bad.jsonl", "--behaviour", behaviour}) == 1);
+    return world.err + world.out;
+  };
+  const std::string changed =
+      "bad.jsonl:1: error: the header of the trace was changed: it has the fingerprint of `rover.yaml`, but does not "
+      "name what that behaviour has\n"
+      "  help: the header of any other trace of this version may replace it, such as one of `directorc simulate "
+      "--trace`\n";
+  CHECK(with(R"("initial":"still")", R"("initial":"rolling")", "rover.yaml") == changed);
+  CHECK(with(R"({"name":"Wheels")", R"({"name":"Whels")", "rover.yaml")
+            .find("the header names something that it does not declare") != std::string::npos);
+  CHECK(with(R"({"name":"Explore","providers":["default"]})", R"({"name":"Explore","providers":[]})", "rover.yaml") ==
+        changed);
+  CHECK(world.directorc({"trace", "bad.jsonl", "--to=html", "-o", "page.html"}) == 1);
+  CHECK(world.err == changed);
+  CHECK(with(R"({"name":"Explore","providers":["default"]})", R"({"name":"Explore","providers":["dafault"]})",
+             "other.yaml")
+            .starts_with("bad.jsonl:4: error: this line cannot be read: the behaviour has no provider called `default`"
+                         "\n"));
+  CHECK(with("\"fingerprint\":\"", "\"fingerprint\":\"x", "rover.yaml") ==
+        "bad.jsonl:1: error: the header has no fingerprint, which is 16 hexadecimal digits\n");
+  std::string wide = trace; // blanks are no damage
+  wide.replace(wide.find(",\"groups\""), 1, " ,\t");
+  world.files.add("wide.jsonl", wide);
+  CHECK(world.directorc({"replay", "wide.jsonl"}) == 0);
+}
+
 TEST_CASE("if the recorded version decides differently, the trace has been changed") {
   World world = with_trace();
   std::string some;
