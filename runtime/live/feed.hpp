@@ -43,8 +43,9 @@ public:
 
   /// The newest moment, valid until the next take(); without tables in its view there is none yet.
   const Moment& moment() const { return *moment_; }
-  /// The engine's time.
-  Time now() const { return moments_.now(); }
+  /// The time up to which that moment lasted, as far as it was shown: the engine's time, or the last one before
+  /// something newer was shown.
+  Time until() const { return moments_.until(); }
 
 private:
   void finish_block(std::uint64_t end);

@@ -31,13 +31,16 @@ public:
   /// For the thread that steps. Copies only if something happened since the last call, which may be a load.
   void show(const View& view, std::uint64_t events) {
     now_.store(view.now, std::memory_order_relaxed);
-    if (view.micro_step == shown_ && view.passes == passes_ && events == events_) return;
+    if (view.micro_step == shown_ && view.passes == passes_ && events == events_)
+      return buffers_[newest_].until.store(view.now, std::memory_order_relaxed);
     shown_ = view.micro_step;
     passes_ = view.passes;
     events_ = events;
     Buffer& buffer = buffers_[written_];
     buffer.moment = {view.copy(reinterpret_cast<std::byte*>(buffer.bytes.data())), events};
     buffer.moment.view.tables = &tables_; // those of the engine end with the behaviour, before the view
+    buffer.until.store(view.now, std::memory_order_relaxed);
+    newest_ = written_;
     written_ = between_.exchange(static_cast<std::uint8_t>(written_ | fresh), std::memory_order_acq_rel) & place;
   }
 
@@ -48,6 +51,10 @@ public:
     return buffers_[read_].moment;
   }
 
+  /// For that thread: the engine's time at the last `show` of that moment, after which something else was shown, if
+  /// anything.
+  Time until() const { return buffers_[read_].until.load(std::memory_order_relaxed); }
+
   /// From any thread: the engine's time at the last `show`.
   Time now() const { return now_.load(std::memory_order_relaxed); }
 
@@ -55,16 +62,18 @@ private:
   struct Buffer {
     std::vector<std::uint64_t> bytes;
     Moment moment;
+    std::atomic<Time> until{0}; ///< written also while the moment is read
   };
   static constexpr std::uint8_t place = 3, fresh = 4;
 
   const Tables& tables_;
   std::array<Buffer, 3> buffers_;
-  std::uint64_t shown_ =
-      ~std::uint64_t{0}; ///< the micro-step of the last moment; this and the next two are used by the thread that steps
+  std::uint64_t shown_ = ~std::uint64_t{
+      0}; ///< the micro-step of the last moment; this and the next four are used by the thread that steps
   std::uint64_t passes_ = 0, events_ = 0; ///< before it
   std::uint8_t written_ = 0;
-  std::uint8_t read_ = 1; ///< used by the thread that shows
+  std::uint8_t newest_ = 0; ///< the buffer that was written last
+  std::uint8_t read_ = 1;   ///< used by the thread that shows
   std::atomic<std::uint8_t> between_{2};
   std::atomic<Time> now_{0};
 };

@@ -46,7 +46,7 @@ Server::Server(int socket, std::unique_ptr<Feed> feed, std::unique_ptr<Site> sit
       options_{options.connections, within_a_day(options.interval), within_a_day(options.patience)},
       http_([this](const Request& request) {
         last_event_id_ = request.last_event;
-        return site_->answer(request, feed_->moment(), feed_->now());
+        return site_->answer(request, feed_->moment(), feed_->until());
       }) {
   // Signals of the program are handled by its own threads, except those for crashes of this one.
   sigset_t others, before;

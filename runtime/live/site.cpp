@@ -80,7 +80,7 @@ Site::Site(const Names& names, std::optional<Page> page, std::string token, std:
   policy_ = std::move(page->policy);
 }
 
-Reply Site::answer(const Request& request, const Moment& moment, Time now) const {
+Reply Site::answer(const Request& request, const Moment& moment, Time until) const {
   const auto checked = [&]() -> Reply {
     if (!is_own_host(request.host, own_names_))
       return text_reply(403, "This is not called \"" + request.host + "\": use the address that the program printed.");
@@ -96,7 +96,7 @@ Reply Site::answer(const Request& request, const Moment& moment, Time now) const
       return moved;
     }
     const std::string_view what = path.substr(end + 1);
-    if (request.method == "GET" || request.method == "HEAD") return look(what, request, moment, now);
+    if (request.method == "GET" || request.method == "HEAD") return look(what, request, moment, until);
     if (request.method == "POST") return command(what, request);
     Reply refused = text_reply(405, request.method + " is not understood here, only GET, HEAD and POST.");
     refused.headers.emplace_back("Allow", "GET, HEAD, POST");
@@ -112,10 +112,10 @@ Reply Site::answer(const Request& request, const Moment& moment, Time now) const
   return out;
 }
 
-Reply Site::look(std::string_view what, const Request& request, const Moment& moment, Time now) const {
+Reply Site::look(std::string_view what, const Request& request, const Moment& moment, Time until) const {
   if (what == "events" || what == "why") {
     if (std::optional<Reply> problem = misread(what, request)) return std::move(*problem);
-    return what == "why" ? why(request, moment, now) : Reply{.type = "text/event-stream", .stream = true};
+    return what == "why" ? why(request, moment, until) : Reply{.type = "text/event-stream", .stream = true};
   }
   if (what.empty() && page_ != nullptr) return {.type = "text/html; charset=utf-8", .body = page_};
   if (what.empty())
@@ -128,13 +128,13 @@ Reply Site::look(std::string_view what, const Request& request, const Moment& mo
                     "events, and why at why.");
 }
 
-Reply Site::why(const Request& request, const Moment& moment, Time now) const {
+Reply Site::why(const Request& request, const Moment& moment, Time until) const {
   if (moment.view.tables == nullptr)
     return text_reply(503,
                       "The program has shown nothing yet: it calls show(behaviour) of its LiveView after each step.");
   std::string out;
   json::Members answer(out);
-  answer.number("t", now).number("n", moment.view.micro_step).key("groups");
+  answer.number("t", until).number("n", moment.view.micro_step).key("groups");
   char between = '[';
   const std::optional<std::string> wanted = parameter(request, "group");
   for (Index row = 0; row < names_.tables->groups.size(); ++row) {

@@ -24,15 +24,15 @@ public:
   /// `names`: those of this computer.
   Site(const Names& names, std::optional<Page> page, std::string token, std::vector<std::string> own_names);
 
-  /// `moment`: the newest one; `now`: the engine's time, which may be later.
-  Reply answer(const Request& request, const Moment& moment, Time now) const;
+  /// `moment`: the newest one; `until`: the time up to which it lasted, which is that of the answers to `why`.
+  Reply answer(const Request& request, const Moment& moment, Time until) const;
 
   /// May be called from any thread.
   void allow(Commands commands);
 
 private:
-  Reply look(std::string_view what, const Request& request, const Moment& moment, Time now) const;
-  Reply why(const Request& request, const Moment& moment, Time now) const;
+  Reply look(std::string_view what, const Request& request, const Moment& moment, Time until) const;
+  Reply why(const Request& request, const Moment& moment, Time until) const;
   Reply command(std::string_view what, const Request& request) const;
   Reply request_task(const Request& request) const;
   Reply cancel_task(const Request& request) const;

@@ -24,7 +24,7 @@ struct Shown {
                    std::multimap<std::string, std::string> parameters = {}, const std::string& origin = "") {
     Request request{
         .method = method, .path = path, .parameters = std::move(parameters), .host = "localhost", .origin = origin};
-    return text(site.answer(request, source.moments.look(), source.moments.now()));
+    return text(site.answer(request, source.moments.look(), source.moments.until()));
   }
   static std::string text(const Reply& reply) {
     return std::to_string(reply.status) + (reply.body ? " " + *reply.body : "");
@@ -70,11 +70,11 @@ TEST_CASE("other methods are refused, with a list of those that exist") {
 TEST_CASE("a request with a host name of others is refused, with or without the token") {
   Shown shown;
   Request request{.method = "GET", .path = "/token/", .host = "evil.example:80"};
-  const Reply reply = shown.site.answer(request, shown.source.moments.look(), shown.source.moments.now());
+  const Reply reply = shown.site.answer(request, shown.source.moments.look(), shown.source.moments.until());
   CHECK(Shown::text(reply) ==
         "403 This is not called \"evil.example:80\": use the address that the program printed.\n");
   request.host = "robot7:80";
-  CHECK(shown.site.answer(request, shown.source.moments.look(), shown.source.moments.now()).status == 200);
+  CHECK(shown.site.answer(request, shown.source.moments.look(), shown.source.moments.until()).status == 200);
 }
 
 TEST_CASE("every answer forbids caching, framing, and referrers") {
@@ -83,7 +83,7 @@ TEST_CASE("every answer forbids caching, framing, and referrers") {
     std::string out;
     for (const auto& [name, value] : shown.site
                                          .answer({.method = "GET", .path = path, .host = "localhost"},
-                                                 shown.source.moments.look(), shown.source.moments.now())
+                                                 shown.source.moments.look(), shown.source.moments.until())
                                          .headers)
       out += name + ": " + value + "\n";
     return out;
@@ -106,6 +106,17 @@ TEST_CASE("why one group waits, or all waiting groups") {
   shown.source.behaviour.step(std::chrono::seconds(2)); // nothing happens
   shown.source.moments.show(shown.source.behaviour.seen().view(), shown.source.queue.total());
   CHECK(shown.call("GET", "/token/why") == "200 {\"t\":2000000,\"n\":1,\"groups\":[]}\n");
+  const live::Moment& before = shown.source.moments.look();
+  shown.source.behaviour.step(std::chrono::seconds(3)); // nothing happens
+  shown.source.moments.show(shown.source.behaviour.seen().view(), shown.source.queue.total());
+  shown.source.behaviour.request<courier::Rest>();
+  shown.source.behaviour.step(std::chrono::seconds(4));
+  shown.source.moments.show(shown.source.behaviour.seen().view(), shown.source.queue.total());
+  CHECK(Shown::text(shown.site.answer({.method = "GET", .path = "/token/why", .host = "localhost"}, before,
+                                      shown.source.moments.until())) ==
+        "200 {\"t\":3000000,\"n\":1,\"groups\":[]}\n"); // a later step is not this moment
+  CHECK(shown.source.moments.look().view.now == 4'000'000);
+  CHECK(shown.source.moments.until() == 4'000'000);
   CHECK(shown.call("GET", "/token/why", {{"group", "Sin\"g"}}) == "404 There is no group \"Sin\"g\".\n");
   Shown silent(false);
   CHECK(silent.call("GET", "/token/why") ==
@@ -116,11 +127,11 @@ TEST_CASE("without a page the events are still sent") {
   CourierMoments source{16};
   const Site site{source.names, std::nullopt, "token", {}};
   CHECK(Shown::text(site.answer({.method = "GET", .path = "/token/", .host = "localhost"}, source.moments.look(),
-                                source.moments.now())) ==
+                                source.moments.until())) ==
         "404 The program has no page: it gives LiveView `page` or `html`, what `directorc docs` wrote. What happens is "
         "at events, and why at why.\n");
   CHECK(site.answer({.method = "GET", .path = "/token/events", .host = "localhost"}, source.moments.look(),
-                    source.moments.now())
+                    source.moments.until())
             .stream);
 }
 
@@ -203,6 +214,6 @@ TEST_CASE("a command that cannot be carried out is answered with the reason") {
   CHECK(shown.call("POST", "/token/cancel_all", {}, "http://evil.example") ==
         "403 A command is not taken from the page of another server, http://evil.example.\n");
   Request body{.method = "POST", .path = "/token/cancel_all", .host = "localhost", .has_body = true};
-  CHECK(Shown::text(shown.site.answer(body, shown.source.moments.look(), shown.source.moments.now())) ==
+  CHECK(Shown::text(shown.site.answer(body, shown.source.moments.look(), shown.source.moments.until())) ==
         "413 A command has no body: all stands in the address, as in request?task=NAME.\n");
 }
