@@ -128,6 +128,7 @@ private:
     switch (request_.format) {
     case Format::json: {
       Json out = findings_json(checked.findings, sources_);
+      out.add("not_decided", Json::texts(checked.undecided));
       if (explained_) out.add("reachable", to_json(*explained_, sources_));
       if (bounds_) out.add("bounds", bounds_json(*bounds_, request_.work_ns));
       console_.out << to_lines(out);
@@ -136,7 +137,7 @@ private:
     case Format::sarif: {
       std::vector<SarifWitness> witnesses;
       if (explained_ && explained_->steps) witnesses.push_back({explained_->title(), *explained_->steps});
-      console_.out << to_lines(findings_sarif(checked.findings, witnesses, sources_, sarif_rules()));
+      console_.out << to_lines(findings_sarif(checked.findings, witnesses, sources_, sarif_rules(), checked.undecided));
       return;
     }
     default: break;

@@ -27,7 +27,7 @@ void print(const Verify& request, const Verified& verified, const dsl::Sources& 
     return;
   }
   if (request.format == Format::sarif) {
-    console.out << to_lines(findings_sarif(verified.findings, {}, sources, sarif_rules()));
+    console.out << to_lines(findings_sarif(verified.findings, {}, sources, sarif_rules(), verified.not_decided));
   } else {
     print_findings(verified.findings, sources, console.out, console.out_colours, console.out_width);
   }

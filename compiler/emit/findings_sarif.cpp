@@ -138,10 +138,23 @@ Json rule_json(const SarifRule& rule) {
   return out;
 }
 
+/// The run of this program, with what it says about itself.
+Json invocation(const std::vector<std::string>& not_decided) {
+  Json notifications = Json::list({});
+  for (const std::string& line : not_decided) {
+    notifications.add(
+        Json::object({{"level", Json::text("warning")}, {"message", message("not decided: " + dsl::shortened(line))}}));
+  }
+  Json out = Json::object({{"executionSuccessful", Json::boolean(true)}});
+  out.add("toolExecutionNotifications", std::move(notifications));
+  return out;
+}
+
 } // namespace
 
 Json findings_sarif(const std::vector<dsl::Diagnostic>& findings, const std::vector<SarifWitness>& witnesses,
-                    const dsl::Sources& sources, const std::vector<SarifRule>& rules) {
+                    const dsl::Sources& sources, const std::vector<SarifRule>& rules,
+                    const std::vector<std::string>& not_decided) {
   Writer writer(sources);
   Json list = Json::list({}), results = Json::list({});
   for (const SarifRule& rule : rules) list.add(rule_json(rule));
@@ -154,6 +167,7 @@ Json findings_sarif(const std::vector<dsl::Diagnostic>& findings, const std::vec
   Json driver = Json::object({{"name", Json::text("directorc")}, {"version", Json::text(version())}});
   driver.add("rules", std::move(list));
   Json run = Json::object({{"tool", Json::object({{"driver", std::move(driver)}})}});
+  if (!not_decided.empty()) run.add("invocations", Json::list({invocation(not_decided)}));
   run.add("columnKind", Json::text("unicodeCodePoints"));
   run.add("results", std::move(results));
   Json out = Json::object({{"$schema", Json::text("https://json.schemastore.org/sarif-2.1.0.json")}});

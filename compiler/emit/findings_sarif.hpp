@@ -26,8 +26,10 @@ struct SarifWitness {
 };
 
 /// `rules` in order of id; every finding's id is one of them. Columns count characters, as SARIF has it. A fingerprint
-/// depends on the rule, the file, the text of the line and the message, but not on where the line is.
+/// depends on the rule, the file, the text of the line and the message, but not on where the line is. `not_decided`:
+/// what the run left open, a line each; it has no place, and so it is a notification of the run.
 Json findings_sarif(const std::vector<dsl::Diagnostic>& findings, const std::vector<SarifWitness>& witnesses,
-                    const dsl::Sources& sources, const std::vector<SarifRule>& rules);
+                    const dsl::Sources& sources, const std::vector<SarifRule>& rules,
+                    const std::vector<std::string>& not_decided = {});
 
 } // namespace director::compiler

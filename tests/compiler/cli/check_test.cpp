@@ -61,7 +61,7 @@ TEST_CASE("findings as JSON have lines and columns from 1 and exclusive ends") {
   CHECK(world.out.substr(0, begin.size()) == begin);
   world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: []\n");
   CHECK(world.directorc({"check", "--format=json", "lamp.yaml"}) == 0);
-  CHECK(world.out == "{\n  \"findings\": []\n}\n");
+  CHECK(world.out == "{\n  \"findings\": [],\n  \"not_decided\": []\n}\n");
 }
 
 TEST_CASE("warnings become errors on request, are not reported if allowed, and lints are reported on request") {
@@ -130,8 +130,12 @@ TEST_CASE("what only exploring finds is reported on request, with its extent if 
   CHECK(world.out == text);
   CHECK(world.directorc({"check", "--explore", "--bound=3", "look.yaml"}) == 3);
   CHECK(world.out.empty());
-  CHECK(world.err == "directorc: not decided: what never runs: 8 states were found, and there are more; `--bound N` "
-                     "tries more\n");
+  const std::string open = "what never runs: 8 states were found, and there are more; `--bound N` tries more";
+  CHECK(world.err == "directorc: not decided: " + open + "\n");
+  CHECK(world.directorc({"check", "--explore", "--bound=3", "--format=json", "look.yaml"}) == 3);
+  CHECK(world.out == "{\n  \"findings\": [],\n  \"not_decided\": [\n    \"" + open + "\"\n  ]\n}\n");
+  CHECK(world.directorc({"check", "--explore", "--bound=3", "--format=sarif", "look.yaml"}) == 3);
+  CHECK(world.out.find("\"text\": \"not decided: " + open + "\"") != std::string::npos);
   world.files.add("last.yaml", head + rest + "  Head: {providers: [{name: first}, {name: last}]}\n");
   CHECK(world.directorc({"check", "--explore", "--bound=3", "--werror", "last.yaml"}) == 1); // beside an error too
   CHECK(world.out.find("[shadowed_provider]") != std::string::npos);

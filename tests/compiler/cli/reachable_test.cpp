@@ -110,6 +110,7 @@ TEST_CASE("the same as JSON") {
                          "--allow=yaml_word_trap"}) == 0);
   CHECK(world.out == R"({
   "findings": [],
+  "not_decided": [],
   "reachable": {
     "of": "Lamp.default",
     "reachable": true,

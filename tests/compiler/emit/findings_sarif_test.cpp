@@ -53,7 +53,8 @@ TEST_CASE("findings as SARIF: rules, places in characters, other parties, ways",
                                                 {x, "beside it"}},
                                                "cut it"},
                                               {"unused_need", dsl::Level::lint, x, "unused", {}, {}}};
-  const Json json = findings_sarif(findings, {{"`A` may be reached:", {{b, "first"}, {a, "then"}}}}, sources, rules);
+  const Json json = findings_sarif(findings, {{"`A` may be reached:", {{b, "first"}, {a, "then"}}}}, sources, rules,
+                                   {"can_run A: not found in 8 states"});
   tests::check_golden("tests/compiler/emit/golden/findings.sarif", to_lines(json));
 }
 
