@@ -13,6 +13,14 @@ inline std::string in_seconds(std::int64_t microseconds) {
   return fmt::format("{:.6f}", static_cast<double>(microseconds) / 1e6);
 }
 
+/// "1.5 s", with all digits that are not 0. The time is not negative.
+inline std::string exact_seconds(std::int64_t microseconds) {
+  std::string out = fmt::format("{}.{:06}", microseconds / 1'000'000, microseconds % 1'000'000);
+  while (out.ends_with('0')) out.pop_back();
+  if (out.ends_with('.')) out.pop_back();
+  return out + " s";
+}
+
 /// "250 us", "1.5 s", "59 min 59.99 s", "1 h 0 min 3 s": at most three digits after the point, without trailing zeros.
 inline std::string as_duration(std::int64_t microseconds) {
   constexpr std::int64_t thousand = 1000, minute = 60'000'000, hour = 60 * minute;

@@ -1,6 +1,6 @@
 // Header: compiler/cli/commands.hpp. Test: tests/compiler/cli/graph_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/base/counted.hpp"
+#include "compiler/base/seconds.hpp"
 #include "compiler/cli/draw_svg.hpp"
 #include "compiler/cli/load_scenario.hpp"
 #include "compiler/cli/named_groups.hpp"
@@ -98,13 +98,6 @@ int hand_over(const std::string& text, const std::string& output, Console& conso
   return clean;
 }
 
-std::string seconds(Microseconds time) {
-  std::string out = fmt::format("{}.{:06}", time / 1'000'000, time % 1'000'000);
-  while (out.ends_with('0')) out.pop_back();
-  if (out.ends_with('.')) out.pop_back();
-  return out + " s";
-}
-
 /// After that step (0: at the end), or at that time. Empty, and prints why, if a body violates its declaration, or the
 /// scenario ends before.
 std::optional<Moment> moment_in(const LoadedScenario& loaded, std::uint32_t step, std::optional<std::int64_t> time,
@@ -125,11 +118,10 @@ std::optional<Moment> moment_in(const LoadedScenario& loaded, std::uint32_t step
   }
   if (played.last_step == 0) return out;
   const std::vector<std::string>& shown = loaded.scenario.steps[played.last_step - 1].shown;
-  Microseconds now = 0;
-  for (std::uint32_t i = 0; i < played.last_step; ++i) now += loaded.scenario.steps[i].advance.value_or(0);
+  Microseconds now = time_after(loaded.scenario, played.last_step);
   if (time) now = std::min(now, *time);
   out.title = fmt::format("{} step {} ({}), at {}", time ? "in" : "after", played.last_step, fmt::join(shown, ", "),
-                          seconds(now));
+                          exact_seconds(now));
   return out;
 }
 
@@ -147,10 +139,7 @@ int draw_moments(const DrawGraph& request, Console& console) {
   const LoadedScenario loaded = load_scenario(request.file, sources, console, request.cpp);
   if (loaded.status != clean) return loaded.status;
   const auto steps = static_cast<std::uint32_t>(loaded.scenario.steps.size());
-  if (request.step > steps) {
-    print_message(console, fmt::format("directorc: `{}` has {}\n", request.file, counted(steps, "step")));
-    return misused;
-  }
+  if (!has_moment(loaded, request.file, request.step, request.time, console)) return misused;
   const Graph graph = with_possible_pushes(loaded.model, loaded.graph);
   const Subject subject{loaded.model, loaded.graph, graph, true, nullptr};
   std::optional<PictureOptions> options = options_of(request, subject, console);

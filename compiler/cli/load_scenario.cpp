@@ -3,6 +3,7 @@
 #include "compiler/cli/load_scenario.hpp"
 
 #include "compiler/base/counted.hpp"
+#include "compiler/base/seconds.hpp"
 #include "compiler/cli/named_file.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/play/resolve_scenario.hpp"
@@ -93,6 +94,17 @@ LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Con
   out.lowered = lower(out.model);
   out.scenario = std::move(resolved.scenario);
   return out;
+}
+
+bool has_moment(const LoadedScenario& loaded, const std::string& file, std::uint32_t step,
+                std::optional<std::int64_t> time, Console& console) {
+  const std::size_t steps = loaded.scenario.steps.size();
+  const Time end = time_after(loaded.scenario, steps);
+  std::string ends;
+  if (step > steps) ends = "has " + counted(steps, "step");
+  if (time && *time > end) ends = fmt::format("ends at {}, before {}", exact_seconds(end), exact_seconds(*time));
+  if (!ends.empty()) print_message(console, fmt::format("directorc: `{}` {}\n", file, ends));
+  return ends.empty();
 }
 
 void print_early_end(const Played& played, const std::string& file, Console& console) {

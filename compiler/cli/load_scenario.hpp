@@ -29,6 +29,10 @@ struct LoadedScenario {
 LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Console& console, const CppSource& cpp,
                              std::set<std::string>* printed = nullptr);
 
+/// False, and prints it, if the scenario ends before that step or time.
+bool has_moment(const LoadedScenario& loaded, const std::string& file, std::uint32_t step,
+                std::optional<std::int64_t> time, Console& console);
+
 /// Prints in which step the scenario ended early, because the engine did not come to rest.
 void print_early_end(const Played& played, const std::string& file, Console& console);
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/play/why.hpp"
 
-#include "compiler/base/counted.hpp"
 #include "compiler/cli/load_scenario.hpp"
 #include "compiler/play/names.hpp"
 #include "compiler/play/play.hpp"
@@ -24,11 +23,7 @@ int run(const Why& request, Console& console) {
                   fmt::format("directorc: {}{}\n", wrong.message, wrong.help.empty() ? "" : "; " + wrong.help));
     return misused;
   }
-  if (request.step > loaded.scenario.steps.size()) {
-    print_message(console, fmt::format("directorc: `{}` has {}\n", request.scenario,
-                                       counted(loaded.scenario.steps.size(), "step")));
-    return misused;
-  }
+  if (!has_moment(loaded, request.scenario, request.step, request.time, console)) return misused;
   Reasoning reasoning;
   PlayOptions options;
   options.steps = request.step;

@@ -32,6 +32,8 @@ std::size_t inbox_size(const Scenario& scenario) {
 /// Time stops here, so that adding the longest duration does not overflow.
 constexpr Time end_of_time = never - 2 * dsl::longest_duration;
 
+Time advanced(Time now, Time by) { return std::min(now + by, end_of_time); }
+
 class Player {
 public:
   Player(const Scenario& scenario, const Model& model, const Lowered& lowered, const PlayOptions& options,
@@ -99,7 +101,7 @@ private:
 
   /// The engine runs once for each due time.
   bool advance(Time by) {
-    Time until = std::min(now_ + by, end_of_time);
+    Time until = advanced(now_, by);
     if (options_.until) until = std::min(until, *options_.until);
     for (std::uint64_t stops = 0; engine_.next_due() <= until; ++stops) {
       too_many_stops_ = stops == most_stops_;
@@ -133,6 +135,12 @@ private:
 };
 
 } // namespace
+
+Time time_after(const Scenario& scenario, std::size_t steps) {
+  Time now = 0;
+  for (std::size_t i = 0; i < steps; ++i) now = advanced(now, scenario.steps[i].advance.value_or(0));
+  return now;
+}
 
 Played play(const Scenario& scenario, const Model& model, const Lowered& lowered, const PlayOptions& options,
             const Sink& sink) {

@@ -28,6 +28,9 @@ struct PlayOptions {
   std::function<void(const Engine&)> end{}; ///< called with the final state of the engine
 };
 
+/// The time after so many steps of the scenario.
+Time time_after(const Scenario& scenario, std::size_t steps);
+
 /// Where it ended, if not after its last step.
 struct Played {
   std::uint32_t last_step = 0; ///< the last one that was played; counts from 1

@@ -94,6 +94,8 @@ TEST_CASE("an unknown moment, or a file that is no scenario, is reported") {
     return std::to_string(world.directorc(words)) + " " + world.err;
   };
   CHECK(told({"graph", "s.yaml", "--step=4"}) == "2 directorc: `s.yaml` has 3 steps\n");
+  CHECK(told({"graph", "s.yaml", "--at=2 s"}) == "0 ");
+  CHECK(told({"graph", "s.yaml", "--at=2000001 us"}) == "2 directorc: `s.yaml` ends at 2 s, before 2.000001 s\n");
   CHECK(told({"graph", "s.yaml", "--at=soon"}) ==
         "2 directorc: `soon` is no time: a whole number and us, ms, s or min\n");
   CHECK(told({"graph", "s.yaml", "--frames"}) ==

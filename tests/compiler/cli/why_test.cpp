@@ -155,6 +155,8 @@ TEST_CASE("a question that cannot be answered is wrong usage") {
   world.files.add("short.yaml", "behaviour: rover.yaml\nsteps: [{request: Explore}]\n");
   CHECK(world.directorc({"why", "short.yaml", "Drive", "--step=2"}) == 2);
   CHECK(world.err == "directorc: `short.yaml` has 1 step\n");
+  CHECK(world.directorc({"why", "s.yaml", "Drive", "--time=1 min"}) == 2);
+  CHECK(world.err == "directorc: `s.yaml` ends at 2 s, before 60 s\n");
   CHECK(world.directorc({"why", "s.yaml", "Drive", "--time=soon"}) == 2);
   CHECK(world.err == "directorc: `soon` is no time: a whole number and us, ms, s or min\n");
   CHECK(world.directorc({"why", "s.yaml", "Drive", "--time=9999999999999 s"}) == 2);
