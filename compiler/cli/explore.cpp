@@ -1,7 +1,9 @@
 // Header: compiler/cli/commands.hpp. Test: tests/compiler/cli/explore_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/base/absolute_path.hpp"
+#include "compiler/cli/earlier_outputs.hpp"
 #include "compiler/cli/load.hpp"
+#include "compiler/cli/named_file.hpp"
 #include "compiler/cli/progress.hpp"
 #include "compiler/emit/artefact/notice.hpp"
 #include "compiler/explore/report.hpp"
@@ -35,6 +37,13 @@ bool write_scenarios(const Explore& request, const std::vector<std::pair<std::st
     outputs.push_back({(fs::path(request.output) / name).string(), with_notice(behaviour, "# ", text), has_notice});
   if (!write(outputs, console, "no scenario is written; ")) return false;
   for (const Output& output : outputs) console.out << fmt::format("wrote {}\n", dsl::harmless(output.path));
+  const std::string from = fmt::format(" from {}. DO NOT EDIT.\n", behaviour); // others may have the same folder
+  print_earlier_outputs(
+      request.output, outputs,
+      [&](std::string_view name, std::string_view text) {
+        return is_called_scenario(name) && text.substr(0, text.find('\n') + 1).ends_with(from);
+      },
+      "scenario", console);
   return true;
 }
 

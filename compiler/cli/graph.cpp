@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/base/seconds.hpp"
 #include "compiler/cli/draw_svg.hpp"
+#include "compiler/cli/earlier_outputs.hpp"
 #include "compiler/cli/load_scenario.hpp"
 #include "compiler/cli/named_groups.hpp"
 #include "compiler/emit/artefact/notice.hpp"
@@ -162,7 +163,16 @@ int draw_moments(const DrawGraph& request, Console& console) {
     const std::string name = fmt::format("step_{:0{}}.{}", frames.size() + 1, digits, ending_of(request.format));
     frames.push_back({(std::filesystem::path(request.output) / name).string(), *text, has_notice});
   }
-  return write(frames, console) ? clean : misused;
+  if (!write(frames, console)) return misused;
+  const auto is_frame = [&](std::string_view name, std::string_view) {
+    constexpr std::string_view begin = "step_";
+    const std::string end = fmt::format(".{}", ending_of(request.format));
+    if (!name.starts_with(begin) || !name.ends_with(end) || name.size() <= begin.size() + end.size()) return false;
+    const std::string_view number = name.substr(begin.size(), name.size() - begin.size() - end.size());
+    return number.find_first_not_of("0123456789") == std::string_view::npos;
+  };
+  print_earlier_outputs(request.output, frames, is_frame, "frame", console);
+  return clean;
 }
 
 } // namespace

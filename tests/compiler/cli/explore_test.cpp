@@ -51,6 +51,22 @@ steps:
 )");
 }
 
+TEST_CASE("a scenario of an earlier run that this one did not write is named") {
+  World world = with(two + "assertions: [{never_together: [A, B]}]\n");
+  const auto add = [&](const std::string& path, const std::string& text) {
+    world.outputs.files[path] = text;
+    world.files.add(path, text);
+  };
+  add("found/soft_A_B.scenario.yaml", "# " + notice_words("b.yaml") + "\nscenario: x\n");
+  add("found/soft_C_D.scenario.yaml", "# " + notice_words("other.yaml") + "\nscenario: of another behaviour\n");
+  add("found/mine.scenario.yaml", "scenario: of the user\n");
+  CHECK(world.directorc({"explore", "b.yaml", "--output", "found"}) == 1);
+  CHECK(world.err ==
+        "directorc: note: `found` also has 1 scenario of an earlier run: `soft_A_B.scenario.yaml`; remove it "
+        "if you do not need it\n");
+  CHECK(world.outputs.files.contains("found/soft_A_B.scenario.yaml"));
+}
+
 TEST_CASE("beyond the bound it is not decided") {
   World world = with(two + "assertions: [{can_run: B}]\n");
   CHECK(world.directorc({"explore", "b.yaml", "--bound", "1"}) == 3);

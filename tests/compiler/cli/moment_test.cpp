@@ -72,6 +72,23 @@ TEST_CASE("frames are a file for each step") {
   CHECK(world.outputs.written == std::vector<std::string>{"out/step_1.mmd", "out/step_2.mmd", "out/step_3.mmd"});
 }
 
+TEST_CASE("frames of an earlier run that had more of them are named") {
+  World world = photographer();
+  REQUIRE(world.directorc({"graph", "s.yaml", "--frames", "-o", "out", "--format=mermaid"}) == 0);
+  CHECK(world.err.empty());
+  const std::string frame = world.outputs.files.at("out/step_3.mmd");
+  for (const char* path : {"out/step_4.mmd", "out/step_12.mmd", "out/step_4.svg", "out/step_.mmd", "out/step_x.mmd",
+                           "out/old/step_5.mmd", "other/step_6.mmd"}) {
+    world.outputs.files[path] = frame;
+    world.files.add(path, frame);
+  }
+  world.outputs.files["out/step_7.mmd"] = "of the user";
+  world.files.add("out/step_7.mmd", "of the user");
+  REQUIRE(world.directorc({"graph", "s.yaml", "--frames", "-o", "out/", "--format=mermaid"}) == 0);
+  CHECK(world.err == "directorc: note: `out/` also has 2 frames of an earlier run: `step_12.mmd`, `step_4.mmd`; remove "
+                     "them if you do not need them\n");
+}
+
 TEST_CASE("a push that priorities forbid is not drawn; of a module, which has none, each is") {
   const auto pushes = [](const std::string& roots) {
     World world;
