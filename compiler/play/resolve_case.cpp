@@ -135,8 +135,8 @@ void resolve_set(const dsl::CaseSpec& spec, const std::string& owner, const std:
   }
 }
 
-void resolve_guards(const dsl::CaseSpec& spec, Case& out) {
-  if (spec.data) out.data = spec.data->value;
+void resolve_guards(const dsl::CaseSpec& spec, GroupId group, Names& names, Case& out) {
+  if (spec.data && names.has_data(group, spec.data->span)) out.data = spec.data->value;
   if (spec.run) out.run = spec.run->value;
 }
 
@@ -145,7 +145,7 @@ void resolve_guards(const dsl::CaseSpec& spec, Case& out) {
 Case resolve_case(const dsl::CaseSpec& spec, ProviderId id, Names& names) {
   const Provider& provider = names.model.providers[id];
   Case out;
-  resolve_guards(spec, out);
+  resolve_guards(spec, provider.group, names, out);
   if (spec.reason) out.reason = spec.reason->value;
   if (spec.trigger) out.trigger = names.trigger(*spec.trigger, false);
   resolve_uses(spec, id, names, out);
@@ -161,7 +161,7 @@ Case resolve_handler_case(const dsl::CaseSpec& spec, GroupId group, std::string_
                           Names& names) {
   const std::string owner = fmt::format("the {} handler of `{}`", which, names.model.groups[group].name.value);
   Case out;
-  resolve_guards(spec, out);
+  resolve_guards(spec, group, names, out);
   resolve_set(spec, owner, handler.sets, names, out);
   return out;
 }
