@@ -8,6 +8,8 @@
 #include "compiler/stubs/merge.hpp"
 #include "dsl/load_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
@@ -67,6 +69,10 @@ Program read_program(const Stubs& request, const stubs::Wanted& wanted, Console&
     if (!stubs::is_cpp(path)) continue;
     if (const auto text = console.files.read(path, dsl::largest_file, dsl::Kinds::ordinary))
       out.texts[whole_path(path)] = text.value();
+    else
+      out.unread.push_back(
+          {{path, 1, 1},
+           fmt::format("this file cannot be read, so what it has counts as missing: {}", text.error().message)});
   }
   read_commands(request, console, out);
   out.default_flags = {"-std=c++20", "-I" + whole_path(fs::path(request.file).parent_path())};

@@ -4,6 +4,7 @@
 
 #include "compiler/cli/commands.hpp"
 #include "compiler/stubs/insertion.hpp"
+#include "compiler/stubs/merge.hpp"
 #include "compiler/stubs/relevance.hpp"
 #include "compiler/stubs/scan.hpp"
 
@@ -24,8 +25,9 @@ struct Program {
   stubs::Texts texts;             ///< all C++ below it, by whole paths
   std::vector<Compiled> compiled; ///< the content of compile_commands.json
   std::vector<std::string> default_flags;
-  std::string fault;              ///< why it cannot be read as it is compiled; else empty
-  std::vector<stubs::Unit> units; ///< to be read: sources first, then headers that none of them may include
+  std::vector<stubs::Remark> unread; ///< C++ files that cannot be read, and why
+  std::string fault;                 ///< why it cannot be read as it is compiled; else empty
+  std::vector<stubs::Unit> units;    ///< to be read: sources first, then headers that none of them may include
 };
 
 Program read_program(const Stubs& request, const stubs::Wanted& wanted, Console& console);

@@ -14,6 +14,7 @@
 #include "compiler/stubs/scan.hpp"
 #include "compiler/stubs/stale.hpp"
 #include "dsl/harmless.hpp"
+#include "dsl/load_file.hpp"
 
 #include <fmt/format.h>
 
@@ -129,15 +130,22 @@ private:
     return !there && there.error().kind == dsl::FileError::Kind::not_found;
   }
 
+  /// Why a file that was read, or could not be, is in the way of a class that implements the module.
+  std::string obstacle(const std::string& path, const WantedModule& module) const {
+    if (const auto there = console_.files.read(path, dsl::largest_file, dsl::Kinds::ordinary); !there)
+      return fmt::format("this file cannot be read: {}; a class that implements `{}` would be written here, unless it "
+                         "has one already",
+                         there.error().message, module.interface);
+    return fmt::format("this file is in the way: it has no class that implements `{}`, which would be written here",
+                       module.interface);
+  }
+
   void add_first_files(const WantedModule& module, Plan& plan) {
     std::vector<Artefact> files = first_files(wanted_, module);
     for (Artefact& file : files) {
       file.path = (fs::path(program_.folder) / file.path).string();
       if (is_free(file.path)) continue;
-      plan.obstacles.push_back({{file.path, 1, 1},
-                                fmt::format("this file is in the way: it has no class that implements `{}`, which "
-                                            "would be written here",
-                                            module.interface)});
+      plan.obstacles.push_back({{file.path, 1, 1}, obstacle(file.path, module)});
       return;
     }
     std::move(files.begin(), files.end(), std::back_inserter(plan.fresh));
@@ -164,6 +172,10 @@ private:
     Plan out{std::move(merge.sources), std::move(merge.insertions), std::move(merge.leftovers),
              std::move(merge.obstacles), std::move(stale_)};
     for (const std::size_t module : merge.fresh) add_first_files(wanted_.modules[module], out);
+    for (const Remark& each : program_.unread) {
+      const auto is_told = [&](const Remark& obstacle) { return obstacle.place.path == each.place.path; };
+      if (std::none_of(out.obstacles.begin(), out.obstacles.end(), is_told)) out.leftovers.push_back(each);
+    }
     add_main(out);
     return out;
   }

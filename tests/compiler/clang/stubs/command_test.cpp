@@ -392,6 +392,22 @@ TEST_CASE("the content of bodies is ignored, and a file at the place of a new on
   CHECK(shop.text("src/wheels.hpp") == "#pragma once\n");
 }
 
+TEST_CASE("a file that cannot be read is reported with the reason, and what is in it counts as missing") {
+  const Workshop shop;
+  const auto make_large = [&](const char* path) {
+    shop.write(path, "");
+    std::filesystem::resize_file(std::filesystem::path(shop.folder()) / path, (64U << 20U) + 1);
+  };
+  make_large("src/wheels.hpp");
+  CHECK(shop.stubs() == "src/wheels.hpp:1:1: error: this file cannot be read: file too large; a class that implements "
+                        "`cart::Wheels` would be written here, unless it has one already\nstatus 1\n");
+  std::filesystem::remove(std::filesystem::path(shop.folder()) / "src/wheels.hpp");
+  make_large("src/other.cpp");
+  CHECK(shop.stubs("--check") ==
+        "src/other.cpp:1:1: warning: this file cannot be read, so what it has counts as missing: file too large\n"
+        "missing: src/wheels.hpp\nmissing: src/wheels.cpp\nstatus 1\n");
+}
+
 TEST_CASE("a dry run prints a diff that can be applied") {
   const Workshop shop;
   shop.write("src/wheels.hpp", "#pragma once\n#include \"cart.hpp\"\nstruct Wheels final : cart::Wheels {\n  " +
