@@ -1,0 +1,22 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Texts, links and ports in the input of Graphviz.
+
+#include "compiler/emit/graph/formats.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace director::compiler {
+
+/// The tooltip of a node or an arrow, in quotes.
+std::string quoted_tooltip(const PictureText& text);
+
+/// The attributes of a cell or a table with its tooltip and its link.
+std::string cell_words(const PictureText& text, const PictureLinks& links);
+
+/// The port of a provider, and of a pack of it: `halting`, `ready.go`, `kick`. It is the name in the title.
+std::string port(const PictureRow& row);
+std::string port(const PictureRow& row, const PicturePack& pack);
+
+} // namespace director::compiler
