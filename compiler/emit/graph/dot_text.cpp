@@ -44,10 +44,11 @@ std::string quoted_tooltip(const PictureText& text) {
   return palette::in_quotes(out);
 }
 
+/// Graphviz writes the tooltip of a cell only if this has a link or a target.
 std::string cell_words(const PictureText& text, const PictureLinks& links) {
-  std::string out = fmt::format(" TOOLTIP=\"{}\"", html_attribute(tooltip(text)));
-  if (const std::string url = links.to(text); !url.empty()) out += fmt::format(" HREF=\"{}\"", html_attribute(url));
-  return out;
+  const std::string url = links.to(text);
+  return fmt::format(" TOOLTIP=\"{}\"{}", html_attribute(tooltip(text)),
+                     url.empty() ? " TARGET=\"_top\"" : fmt::format(" HREF=\"{}\"", html_attribute(url)));
 }
 
 std::string port(const PictureRow& row) { return row.name; }

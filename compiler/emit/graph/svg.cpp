@@ -5,6 +5,7 @@
 // name of the next, labels in front of all lines, and a description. Nothing that it placed is moved.
 #include "compiler/base/counted.hpp"
 #include "compiler/base/html.hpp"
+#include "compiler/emit/graph/dot_text.hpp"
 #include "compiler/emit/graph/formats.hpp"
 #include "compiler/emit/graph/palette.hpp"
 
@@ -194,6 +195,7 @@ std::string finish_svg(const Picture& picture, const std::string& drawn) {
   std::string out = drawn;
   add_bands(picture, out);
   bring_labels_to_front(out);
+  replace_all(out, target_in_svg, "");
   name_arrows(out);
   add_words(picture, out);
   return out;

@@ -120,11 +120,17 @@ groups:
   Go: {tasks: {Walk: {doc: 'arrow \E \T \H \n end'}}}
   Walk: {doc: 'box \N \G \L &amp; end', providers: [{name: fast, doc: 'row \N \\ &lt; end'}, {name: slow}]}
 )");
-  const std::string svg = drawn({folder.at("bot.yaml"), "--link=https://example.org/{file}"}).out;
-  const auto has = [&](const std::string& piece) { return svg.find(piece) != std::string::npos; };
-  CHECK(has(R"(="Walk: box \N \G \L &amp;amp; end&#10;)"));
-  CHECK(has(R"(requests Walk: arrow \E \T \H \n end&#10;)"));
-  CHECK(has(R"(="Walk.fast: row \N \\ &amp;lt; end&#10;)"));
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{}, {"--link=https://example.org/{file}"}}) { // of a row also without a link
+    std::vector<std::string> words{folder.at("bot.yaml")};
+    words.insert(words.end(), options.begin(), options.end());
+    const std::string svg = drawn(words).out;
+    const auto has = [&](const std::string& piece) { return svg.find(piece) != std::string::npos; };
+    CHECK(has(R"(="Walk: box \N \G \L &amp;amp; end&#10;)"));
+    CHECK(has(R"(requests Walk: arrow \E \T \H \n end&#10;)"));
+    CHECK(has(R"(="Walk.fast: row \N \\ &amp;lt; end&#10;)"));
+    CHECK_FALSE(has("target="));
+  }
 }
 
 TEST_CASE("boxes and labels do not overlap, and nothing sticks out of the paper") {
