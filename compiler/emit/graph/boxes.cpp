@@ -65,7 +65,7 @@ PictureBox BoxMaker::folded(const std::vector<GroupId>& set) const {
   const bool modules = options_.fold == PictureOptions::Fold::modules;
   box.name = modules       ? fmt::format("module {}", model_.modules[first.module].name)
              : first.layer ? fmt::format("layer {}", model_.layers[first.layer->id].name.value)
-                           : std::string("no layer");
+                           : std::string(no_layer);
   box.groups = set;
   box.members = members(set);
   for (const GroupId id : set) {

@@ -60,6 +60,7 @@ public:
     picture_.title = model_.name;
     picture_.doc = model_.doc;
     picture_.all_groups = model_.groups.size();
+    picture_.fold = options_.fold;
     for (const ArrowKind kind : {ArrowKind::task, ArrowKind::need, ArrowKind::push, ArrowKind::take}) {
       if (is_seen(options_.view, kind)) picture_.kinds.push_back(kind);
     }

@@ -51,6 +51,9 @@ struct PictureMember {
   PictureText about;
 };
 
+/// The name of the box of all groups without a layer, where each layer is a box.
+inline constexpr std::string_view no_layer = "no layer";
+
 struct PictureBox {
   enum class Kind {
     group,
@@ -133,9 +136,10 @@ struct Picture {
   bool packs_left_out = false;      ///< there are so many boxes that an arrow represents all providers and packs
   std::vector<PictureLayer> layers; ///< in the order declared; boxes in none are first if they lead there, else last
   std::vector<PictureBox> boxes;
-  std::vector<PictureArrow> arrows;      ///< by box
-  std::size_t all_groups = 0;            ///< of the behaviour, whether they are drawn or not
-  std::vector<PictureArrow::Kind> kinds; ///< that the view shows
+  std::vector<PictureArrow> arrows;                          ///< by box
+  std::size_t all_groups = 0;                                ///< of the behaviour, whether they are drawn or not
+  PictureOptions::Fold fold = PictureOptions::Fold::nothing; ///< what each box is
+  std::vector<PictureArrow::Kind> kinds;                     ///< that the view shows
 };
 
 Picture make_picture(const Model& model, const Graph& graph, const dsl::Sources& sources,

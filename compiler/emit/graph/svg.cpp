@@ -136,6 +136,20 @@ void add_words(const Picture& picture, std::string& svg) {
   svg.insert(tag + 5, "role=\"graphics-document document\" ");
 }
 
+/// ` in 3 layers and in none`; empty: each group has a box of its own.
+std::string folds(const Picture& picture) {
+  const bool layers = picture.fold == PictureOptions::Fold::layers;
+  const auto outside = std::count_if(picture.boxes.begin(), picture.boxes.end(), [&](const PictureBox& box) {
+    return layers && box.kind == PictureBox::Kind::folded && box.name == no_layer;
+  });
+  const auto folded = std::count_if(picture.boxes.begin(), picture.boxes.end(),
+                                    [](const PictureBox& box) { return box.kind == PictureBox::Kind::folded; });
+  if (folded == 0) return {};
+  if (folded == outside) return " in no layer";
+  return fmt::format(" in {}{}", counted(static_cast<std::size_t>(folded - outside), layers ? "layer" : "module"),
+                     outside == 0 ? "" : " and in none");
+}
+
 std::string_view words_for(PictureArrow::Kind kind) {
   using Kind = PictureArrow::Kind;
   return kind == Kind::task ? "requests" : kind == Kind::need ? "needs" : kind == Kind::push ? "pushes" : "take-overs";
@@ -145,11 +159,10 @@ std::string_view words_for(PictureArrow::Kind kind) {
 
 std::string summary(const Picture& picture) {
   using Kind = PictureArrow::Kind;
-  std::size_t groups = 0, folded = 0;
+  std::size_t groups = 0;
   std::string roots;
   for (const PictureBox& box : picture.boxes) {
     groups += box.groups.size();
-    folded += box.kind == PictureBox::Kind::folded ? 1 : 0;
     for (const std::string& root : box.roots) roots += (roots.empty() ? "" : ", ") + root;
   }
   const auto count = [&](auto... kinds) {
@@ -159,7 +172,7 @@ std::string summary(const Picture& picture) {
   };
   std::string out = groups < picture.all_groups ? fmt::format("{} of {}", groups, counted(picture.all_groups, "group"))
                                                 : counted(groups, "group");
-  if (folded != 0) out += fmt::format(" in {}", counted(folded, "part"));
+  out += folds(picture);
   std::string layers;
   for (const PictureLayer& layer : picture.layers) {
     if (!layer.name.empty()) layers += (layers.empty() ? "" : ", ") + layer.name;

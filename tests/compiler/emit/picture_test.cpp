@@ -443,8 +443,18 @@ TEST_CASE("a picture as text has its purpose and the number of things of each ki
   options = {};
   options.fold = PictureOptions::Fold::layers;
   CHECK(summary(picture_of(walker, options)) ==
-        "9 groups in 3 parts; arrows: 3 for requests, 2 for needs, 0 for pushes. "
+        "9 groups in 3 layers; arrows: 3 for requests, 2 for needs, 0 for pushes. "
         "The program requests Player, Cheer.");
+  options.fold = PictureOptions::Fold::modules;
+  CHECK(summary(picture_of("behaviour: bot\nlanguage: 1\nlayers: [a]\nroots: [A]\ngroups: {A: {layer: a, tasks: [B]}, "
+                           "B: {module: other}}\n",
+                           options)) == "2 groups in 2 modules, in the layers a; arrows: 1 for requests, 0 for needs, "
+                                        "0 for pushes. The program requests A.");
+  options.fold = PictureOptions::Fold::layers;
+  CHECK(summary(picture_of(
+            "behaviour: bot\nlanguage: 1\nlayers: [a]\nroots: [A]\ngroups: {A: {layer: a, tasks: [B]}, B: {}}\n",
+            options)) ==
+        "2 groups in 1 layer and in none; arrows: 1 for requests, 0 for needs, 0 for pushes. The program requests A.");
 }
 
 } // namespace
