@@ -2,7 +2,7 @@
 # cmake -D NODE=<program> -D NPM=<program> -D ROOT=<the project> -D WORK=<folder> -P bundle.cmake
 # Bundles the script and the style sheet of the pages again and compares them with compiler/page/bundle. With DIRECTOR_BLESS=1 in the environment the
 # files there are rewritten.
-include(${CMAKE_CURRENT_LIST_DIR}/install.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../support/npm_packages.cmake)
 set(from ${ROOT}/compiler/page/web)
 begin(${from} bundle)
 file(GLOB sources ${from}/*.ts ${from}/*.css ${from}/*.mjs ${from}/tsconfig.json)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # cmake -D NODE=<program> -D NPM=<program> -D MOMENTS=<program> -D FROM=<this folder> -D ROOT=<the project> -D WORK=<folder> -P moments.cmake
-include(${CMAKE_CURRENT_LIST_DIR}/install.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../support/npm_packages.cmake)
 set(web ${ROOT}/compiler/page/web)
 begin(${web} engine_moments)
 file(GLOB sources ${web}/*.ts ${FROM}/moments.mjs)

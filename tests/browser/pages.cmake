@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # cmake -D NODE=<program> -D NPM=<program> -D CHROMIUM=<program> -D DIRECTORC=<program> -D FROM=<this folder> -D ROOT=<the project> -D WORK=<folder> -P pages.cmake
-include(${CMAKE_CURRENT_LIST_DIR}/install.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../support/npm_packages.cmake)
 begin(${FROM} pages)
 file(GLOB scripts ${FROM}/*.mjs)
 file(COPY ${scripts} DESTINATION ${into})

@@ -2,7 +2,7 @@
 # cmake -D NODE=<program> -D NPM=<program> -D CHROMIUM=<program> -D DIRECTORC=<program> -D SOCCER=<program> -D FROM=<this folder> -D ROOT=<the project> -D WORK=<folder> -P timeline.cmake
 # Writes five recordings as pages and tests them in a browser (timeline.mjs): a minute of soccer, the same with missing events, the rover, two tasks
 # that are blocked, and a request for a task that runs for another.
-include(${CMAKE_CURRENT_LIST_DIR}/install.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../support/npm_packages.cmake)
 begin(${FROM} timeline)
 file(GLOB scripts ${FROM}/*.mjs)
 file(COPY ${scripts} DESTINATION ${into})

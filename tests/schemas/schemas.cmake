@@ -1,20 +1,14 @@
 # SPDX-License-Identifier: MIT
 # cmake -D DIRECTORC=<program> -D VERDICTS=<program> -D NODE=<program> -D NPM=<program> -D FROM=<this folder> -D SCHEMAS=<folder> -D WORK=<folder> -P schemas.cmake
-# Installs the npm packages in the pinned versions in WORK. VERDICTS prints for each file of the corpus whether the reader accepts it, which must
+# VERDICTS prints for each file of the corpus whether the reader accepts it, which must
 # agree with the schemas. Then validates the output of DIRECTORC: its SARIF against the schema of SARIF, and its graphs, changes and traces against
 # Director's schemas.
-foreach(file package.json package-lock.json compare.mjs sarif.mjs graph.mjs trace.mjs)
+include(${CMAKE_CURRENT_LIST_DIR}/../support/npm_packages.cmake)
+begin(${FROM} validated)
+set(WORK ${into})
+foreach(file compare.mjs sarif.mjs graph.mjs trace.mjs)
   file(COPY_FILE ${FROM}/${file} ${WORK}/${file} ONLY_IF_DIFFERENT)
 endforeach()
-if(NOT EXISTS ${WORK}/node_modules/ajv OR ${FROM}/package-lock.json IS_NEWER_THAN ${WORK}/installed)
-  execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --loglevel=error --fetch-retries=1 WORKING_DIRECTORY ${WORK} RESULT_VARIABLE failed
-                  OUTPUT_VARIABLE said ERROR_VARIABLE said)
-  if(failed)
-    message("skipped: npm cannot install what the test needs:\n${said}")
-    return()
-  endif()
-  file(TOUCH ${WORK}/installed)
-endif()
 execute_process(COMMAND ${VERDICTS} OUTPUT_FILE ${WORK}/verdicts.jsonl RESULT_VARIABLE failed)
 if(failed)
   message(FATAL_ERROR "the corpus cannot be read: ${failed}")

@@ -1,4 +1,6 @@
 # SPDX-License-Identifier: MIT
+# For scripts with -D NPM=<program> -D WORK=<folder>.
+#
 # install_packages(<folder with package.json> <folder to install in>): installs the npm packages in the pinned versions. Sets `installed` to YES or NO.
 function(install_packages from into)
   foreach(file package.json package-lock.json .npmrc)
