@@ -85,7 +85,9 @@ private:
       continues = early_ends_.front().micro_step == before;
     const bool is_silent = !early_ends_.empty() && early_ends_.front().micro_step < next.event.micro_step;
     const Event of = is_silent ? early_ends_.front() : next.event;
-    if (before != 0 && !continues && of.micro_step > before + 1) engine_.step();
+    // Only what handlers set is taken before an input: the micro-step belongs to an earlier step, of an unknown time.
+    const bool is_earlier = from_outside(of) && of.micro_step > before + 2;
+    if (before != 0 && (!continues || is_earlier) && of.micro_step > before + 1) engine_.step();
     if (over_ || engine_.micro_steps() != before) return;
     const bool is_timer = of.kind == Kind::input && !from_outside(of);
     if (continues && of.time == of.until && !is_timer) advance_to(of.until);

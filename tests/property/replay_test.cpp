@@ -191,6 +191,7 @@ TEST_CASE("a replay of steps that ended early, and went on with an input, is equ
     REQUIRE(result.compiled);
     Random random(seed);
     const std::string recorded = record_in_short_steps(*result.compiled, random, early);
+    INFO(recorded);
     const auto replayed = replay(recorded, *result.compiled);
     if (replayed.difference)
       FAIL("line " << replayed.difference->line << "\n"
