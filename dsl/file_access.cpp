@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "dsl/file_access.hpp"
 
-#include "dsl/load_file.hpp"
-
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/stat.h>
@@ -12,11 +10,14 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <deque>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
 namespace director::dsl {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -85,7 +86,33 @@ Result<std::string, FileError> DiskFiles::fetch(const std::string& path, std::si
 }
 
 std::string FileAccess::beside(const std::string& file, const std::string& relative) {
-  return dsl::beside(file, relative);
+  return (fs::path(file).parent_path() / relative).lexically_normal().string();
+}
+
+/// `lib/..` is the folder around the one to which the link `lib` leads: a link before `..` is replaced by its target.
+std::string DiskFiles::beside(const std::string& file, const std::string& relative) {
+  constexpr int most_links = 40; // as Linux; the system then says that there are too many
+  const fs::path all = fs::path(file).parent_path() / relative;
+  std::deque<fs::path> rest(all.begin(), all.end());
+  fs::path out;
+  for (int links = 0; !rest.empty();) {
+    const fs::path part = std::move(rest.front());
+    rest.pop_front();
+    std::error_code failed;
+    const bool is_named = part == ".." && out.has_filename() && out.filename() != "..";
+    if (is_named && links < most_links && fs::is_symlink(out, failed)) {
+      ++links;
+      const fs::path target = fs::read_symlink(out, failed);
+      rest.push_front(part);
+      rest.insert(rest.begin(), target.begin(), target.end());
+      out = out.parent_path();
+    } else if (is_named) {
+      out = out.parent_path();
+    } else if (part != "." && !(part == ".." && out.has_root_directory() && !out.has_filename())) {
+      out /= part;
+    }
+  }
+  return out.empty() && !all.empty() ? "." : out.string();
 }
 
 std::string DiskFiles::identity(const std::string& path) {

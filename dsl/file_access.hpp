@@ -53,6 +53,8 @@ public:
       : patience_(patience),
         waiting_(std::move(waiting)) {}
   std::string identity(const std::string& path) override;
+  /// Follows links before `..`, as the system does.
+  std::string beside(const std::string& file, const std::string& relative) override;
 
 private:
   Result<std::string, FileError> fetch(const std::string& path, std::size_t most, Kinds kinds) override;

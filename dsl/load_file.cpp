@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <utility>
 
 namespace director::dsl {
@@ -33,10 +32,6 @@ Diagnostic unreadable(const std::string& path, const FileError& error, Span plac
           fmt::format("cannot read `{}`: {}", path, error.message),
           {},
           error.kind == FileError::Kind::not_found ? relative_to_file : "name a file that can be read"};
-}
-
-std::string beside(const std::string& file, const std::string& relative) {
-  return (std::filesystem::path(file).parent_path() / relative).lexically_normal().string();
 }
 
 } // namespace director::dsl

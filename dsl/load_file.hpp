@@ -33,7 +33,4 @@ LoadedFile load_file(const std::string& path, FileAccess& files, Sources& source
 /// Why a file cannot be read, as a finding at the place that names it.
 Diagnostic unreadable(const std::string& path, const FileError& error, Span place);
 
-/// The path of a file that `file` names relative to itself.
-std::string beside(const std::string& file, const std::string& relative);
-
 } // namespace director::dsl

@@ -129,7 +129,7 @@ StepSpec read_step(Reader& reader, const YamlNode& mapping) {
   return step;
 }
 
-void read_top(Reader& reader, const YamlNode& root, const std::string& path, ScenarioSpec& out) {
+void read_top(Reader& reader, const YamlNode& root, const std::string& path, FileAccess& files, ScenarioSpec& out) {
   static const Keys keys{"scenario", "behaviour", "given", "script", "steps", "doc"};
   const Span first = root.pairs.empty() ? root.span : root.pairs.front().key.span;
   reader.know_keys(root, "a scenario file", keys, slips_of_scenario_file());
@@ -138,7 +138,7 @@ void read_top(Reader& reader, const YamlNode& root, const std::string& path, Sce
                       .word(reader.require(root, "behaviour", "a scenario file", first, "behaviour: walker.yaml"),
                             "behaviour", "the path of a behaviour file")
                       .value_or(Word{"", first});
-  if (!out.behaviour.value.empty()) out.behaviour_path = beside(path, out.behaviour.value);
+  if (!out.behaviour.value.empty()) out.behaviour_path = files.beside(path, out.behaviour.value);
   out.doc = reader.text(root.find("doc"), "doc");
   out.given = read_settings(reader, root.find("given"), "given");
   const YamlNode* script = root.find("script");
@@ -164,7 +164,7 @@ ReadScenarioResult read_scenario(const std::string& path, FileAccess& files, Sou
   const YamlNode root = read_yaml(loaded.id, text, result.diagnostics);
   Reader reader(text, result.diagnostics);
   if (root.kind == YamlNode::Kind::mapping)
-    read_top(reader, root, path, result.scenario);
+    read_top(reader, root, path, files, result.scenario);
   else if (root.kind != YamlNode::Kind::broken)
     reader.error("wrong_node_kind", root.span, fmt::format("a scenario file is a mapping, found {}", found(root)),
                  "it begins with `behaviour: file.yaml`");

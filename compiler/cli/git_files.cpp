@@ -160,7 +160,7 @@ std::string GitFiles::identity(const std::string& path) {
 }
 
 std::string GitFiles::beside(const std::string& file, const std::string& relative) {
-  if (!file.starts_with(top()) || fs::path(relative).is_absolute()) return FileAccess::beside(file, relative);
+  if (!file.starts_with(top()) || fs::path(relative).is_absolute()) return disk_.beside(file, relative);
   return top() + FileAccess::beside(file.substr(top().size()), relative); // the revision is no folder
 }
 

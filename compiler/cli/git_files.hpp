@@ -61,6 +61,9 @@ public:
   std::optional<std::string> open(const std::string& file);
 
   std::string identity(const std::string& path) override { return disk_.identity(path); }
+  std::string beside(const std::string& file, const std::string& relative) override {
+    return disk_.beside(file, relative);
+  }
 
 private:
   dsl::Result<std::string, dsl::FileError> fetch(const std::string& path, std::size_t most, dsl::Kinds kinds) override;
@@ -77,6 +80,9 @@ class FilesBeside final : public dsl::FileAccess {
 public:
   FilesBeside(dsl::FileAccess& files, const std::string& first, const std::string& second);
   std::string identity(const std::string& path) override { return files_.identity(path); }
+  std::string beside(const std::string& file, const std::string& relative) override {
+    return files_.beside(file, relative);
+  }
 
 private:
   dsl::Result<std::string, dsl::FileError> fetch(const std::string& path, std::size_t most, dsl::Kinds kinds) override;

@@ -40,6 +40,9 @@ class WatchedFiles final : public dsl::FileAccess {
 public:
   explicit WatchedFiles(dsl::FileAccess& files) : files_(files) {}
   std::string identity(const std::string& path) override { return files_.identity(path); }
+  std::string beside(const std::string& file, const std::string& relative) override {
+    return files_.beside(file, relative);
+  }
 
   /// By path.
   std::vector<FileChange> changes() const;

@@ -81,6 +81,29 @@ TEST_CASE("One file has one identity, however its path is written") {
         files.identity((folder.path / "none.yaml").string()));
 }
 
+TEST_CASE("A path through a link leads where the system leads") {
+  const Folder folder;
+  fs::create_directories(folder.path / "else/lib");
+  fs::create_directories(folder.path / "proj");
+  fs::create_directory_symlink("../else/lib", folder.path / "proj/lib");
+  fs::create_directory_symlink(folder.path / "proj/lib", folder.path / "proj/again");
+  fs::create_directory_symlink("endless", folder.path / "proj/endless");
+  DiskFiles files;
+  const auto beside = [&](const char* file, const char* relative) {
+    std::string out = files.beside((folder.path / file).string(), relative);
+    return out.starts_with(folder.path.string()) ? out.substr(folder.path.string().size() + 1) : out;
+  };
+  CHECK(beside("proj/t.yaml", "lib/../common.yaml") == "else/common.yaml");
+  CHECK(beside("proj/lib/legs.yaml", "../common.yaml") == "else/common.yaml");
+  CHECK(beside("proj/t.yaml", "again/../common.yaml") == "else/common.yaml");
+  CHECK(beside("proj/t.yaml", "./lib/legs.yaml") == "proj/lib/legs.yaml");
+  CHECK(beside("proj/t.yaml", "none/../.././a.yaml") == "a.yaml");
+  CHECK(beside("proj/t.yaml", "endless/../a.yaml") == "proj/a.yaml");
+  CHECK(beside("proj/t.yaml", "/../a.yaml") == "/a.yaml");
+  CHECK(files.beside("t.yaml", "../a/../../b.yaml") == "../../b.yaml");
+  CHECK(files.beside("t.yaml", ".") == ".");
+}
+
 TEST_CASE("Files in memory behave like those on the disk") {
   MemoryFiles files;
   files.add("dir/a.yaml", "text");
