@@ -31,7 +31,10 @@ static_assert(std::is_sorted(cpp_keywords.begin(), cpp_keywords.end()));
 constexpr std::array<std::string_view, 5> reserved{"start", "stop", "default", "root", "limbo"};
 constexpr std::array<std::string_view, 11> context_words{"task", "reasons", "request", "done", "fail",     "keep",
                                                          "set",  "try_set", "wait",    "uses", "triggered"};
-constexpr std::array<std::string_view, 6> trap_words{"yes", "no", "on", "off", "y", "n"};
+// Other spellings, such as `nO`, are no booleans for any tool.
+constexpr std::array<std::string_view, 16> old_booleans{"yes", "Yes", "YES", "no",  "No", "NO", "on", "On",
+                                                        "ON",  "off", "Off", "OFF", "y",  "Y",  "n",  "N"};
+constexpr std::array<std::string_view, 4> other_booleans{"True", "TRUE", "False", "FALSE"};
 
 template <class Words>
 bool among(const Words& words, std::string_view text) {
@@ -63,12 +66,9 @@ bool is_reserved(std::string_view text) {
 
 bool is_context_word(std::string_view text) { return among(context_words, text); }
 
-bool is_yaml_word_trap(std::string_view text) {
-  if (text.size() > 3) return false;
-  std::string word(text);
-  std::transform(word.begin(), word.end(), word.begin(), lower);
-  return among(trap_words, word);
-}
+bool is_old_boolean(std::string_view text) { return among(old_booleans, text); }
+
+bool is_other_boolean(std::string_view text) { return among(other_booleans, text); }
 
 std::string capitalised(std::string_view name) {
   std::string out(name);

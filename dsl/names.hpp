@@ -24,8 +24,10 @@ bool is_director_macro(std::string_view text);
 bool is_reserved(std::string_view text);
 /// Whether it is a member of a run's context (`task`, `request`, `done` ...): no pack can have its name.
 bool is_context_word(std::string_view text);
-/// Whether YAML 1.1 tools read it as a boolean: yes, no, on, off, y, n, in any case.
-bool is_yaml_word_trap(std::string_view text);
+/// Whether tools that follow YAML 1.1, and no others, read it as a boolean: `yes`, `No`, `OFF`, `y`.
+bool is_old_boolean(std::string_view text);
+/// Whether all YAML tools read it as a boolean, and this language does not: `True`, `FALSE`.
+bool is_other_boolean(std::string_view text);
 /// The name with its first letter in upper case, as in C++.
 std::string capitalised(std::string_view name);
 

@@ -145,13 +145,15 @@ const YamlNode* Reader::require(const YamlNode& mapping, std::string_view key, s
 }
 
 void Reader::warn_of_trap(const Word& word, bool quoted) {
-  if (quoted || !is_yaml_word_trap(word.value)) return;
-  diagnostics_.push_back({"yaml_word_trap",
-                          Level::warning,
-                          word.span,
-                          fmt::format("older YAML tools read a bare `{}` as a boolean", word.value),
-                          {},
-                          fmt::format("write \"{}\", or choose another word", word.value)});
+  const bool old = is_old_boolean(word.value);
+  if (quoted || !(old || is_other_boolean(word.value))) return;
+  diagnostics_.push_back(
+      {"yaml_word_trap",
+       Level::warning,
+       word.span,
+       fmt::format("{} YAML tools read a bare `{}` as a boolean", old ? "older" : "other", word.value),
+       {},
+       fmt::format("write \"{}\", or choose another word", word.value)});
 }
 
 std::optional<Word> Reader::word(const YamlNode* node, std::string_view subject, std::string_view expected) {

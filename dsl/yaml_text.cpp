@@ -22,7 +22,7 @@ bool is_null_word(std::string_view text) {
 
 /// Whether text needs no quotes, for a subset of YAML: names, conditions, paths, types and plain sentences.
 bool is_plain(std::string_view text) {
-  if (text.empty() || is_null_word(text) || is_yaml_word_trap(text)) return false;
+  if (text.empty() || is_null_word(text) || is_old_boolean(text) || is_other_boolean(text)) return false;
   const bool negative = text.size() > 1 && text[0] == '-' && is_alphanumeric(text[1]);
   if (!negative && !is_alphanumeric(text[0]) && text[0] != '_' && text[0] != '/' && text[0] != '.') return false;
   if (text.starts_with("...")) return false;

@@ -27,9 +27,12 @@ TEST_CASE("The words of a run's context are known") {
   for (const char* text : {"", "Task", "attack"}) CHECK_FALSE(is_context_word(text));
 }
 
-TEST_CASE("What old YAML tools take for booleans is a trap in any case") {
-  for (const char* text : {"yes", "NO", "On", "off", "y", "N"}) CHECK(is_yaml_word_trap(text));
-  for (const char* text : {"", "true", "none", "yess", "o"}) CHECK_FALSE(is_yaml_word_trap(text));
+TEST_CASE("What other YAML tools take for booleans is known in the spellings that they know") {
+  for (const char* text : {"yes", "NO", "On", "off", "y", "N"}) CHECK(is_old_boolean(text));
+  for (const char* text : {"", "true", "True", "none", "yess", "o", "nO", "oFF", "yEs"})
+    CHECK_FALSE(is_old_boolean(text));
+  for (const char* text : {"True", "TRUE", "False", "FALSE"}) CHECK(is_other_boolean(text));
+  for (const char* text : {"", "true", "false", "tRUE", "on"}) CHECK_FALSE(is_other_boolean(text));
 }
 
 TEST_CASE("A name becomes a C++ name by its first letter") {
