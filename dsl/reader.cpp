@@ -45,8 +45,9 @@ std::vector<std::string_view> parts_of(std::string_view text) {
 
 std::string found(const YamlNode& node) {
   switch (node.kind) {
-  case YamlNode::Kind::broken:
-  case YamlNode::Kind::null: return "nothing";
+  case YamlNode::Kind::broken: return "nothing";
+  case YamlNode::Kind::null:
+    return node.text.empty() ? "nothing" : fmt::format("`{}`, which YAML reads as nothing", node.text);
   case YamlNode::Kind::list: return "a list";
   case YamlNode::Kind::mapping: return "a mapping";
   case YamlNode::Kind::scalar: break;

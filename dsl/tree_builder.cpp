@@ -73,6 +73,7 @@ void TreeBuilder::null(std::size_t at) {
   const bool value = !open_.empty() && open_.back().pair;
   if (const std::size_t size = null_word(text_.substr(at)); size != 0) {
     node.span = span(at, at + size);
+    if (text_[at] == 'N') node.text = text_.substr(at, size); // it may be meant as a name
   } else if (value) {
     node.span = open_.back().pair->key.span;
   } else { // of a list: its dash or comma
@@ -202,7 +203,12 @@ void TreeBuilder::begin_pair(Frame& frame, YamlNode key) {
            "put a word before the `:`");
   } else if (key.kind == YamlNode::Kind::null) {
     if (const auto longer = yaml_scan::too_long_key(text_, place.begin, place.begin)) return refuse_long_key(*longer);
-    report("wrong_node_kind", place.begin, place.end, "a key is a word, found nothing", "put a word before the `:`");
+    const std::string& word = frame.pair->key.value;
+    if (word.empty())
+      report("wrong_node_kind", place.begin, place.end, "a key is a word, found nothing", "put a word before the `:`");
+    else
+      report("wrong_node_kind", place.begin, place.end,
+             fmt::format("a key is a word, found `{}`, which YAML reads as nothing", word), "put it in quotes");
   } else if (key.kind == YamlNode::Kind::scalar) {
     if (!key.quoted() && frame.pair->key.value == "<<") {
       report("yaml_syntax", place.begin, place.end, "merge keys are not part of the language",
