@@ -61,6 +61,14 @@ void TreeBuilder::forget_last_key() {
   if (last_key_report_ && *last_key_report_ + 1 == diagnostics_.size()) diagnostics_.pop_back();
 }
 
+void TreeBuilder::report_bare_key(const yaml_scan::BareKey& key) {
+  report("yaml_syntax", key.begin, key.end,
+         fmt::format("expected {} behind `{}`", key.blank ? "a blank" : "`:`",
+                     text_.substr(key.begin, key.end - key.begin)),
+         "a key and its value are written `key: value`; a text goes on in a line of its own only with `|` or in "
+         "quotes");
+}
+
 void TreeBuilder::refuse_long_key(const yaml_scan::BareKey& key) {
   report("input_limit", key.begin, key.end, fmt::format("a key of more than {} characters", yaml_scan::longest_key),
          "choose a shorter name: YAML has no longer keys");
@@ -214,7 +222,11 @@ void TreeBuilder::begin_pair(Frame& frame, YamlNode key) {
       report("yaml_syntax", place.begin, place.end, "merge keys are not part of the language",
              "write the keys themselves");
     } else if (behind >= text_.size() || text_[behind] != ':') {
-      report("yaml_syntax", place.begin, place.end, fmt::format("expected `:` behind `{}`", frame.pair->key.value));
+      const auto bare = key.quoted() ? std::nullopt : yaml_scan::bare_key_in(text_, place.begin, place.end);
+      if (bare)
+        report_bare_key(*bare);
+      else
+        report("yaml_syntax", place.begin, place.end, fmt::format("expected `:` behind `{}`", frame.pair->key.value));
       last_key_report_ = diagnostics_.size() - 1;
     } else {
       frame.drop = false;

@@ -44,6 +44,7 @@ public:
   std::optional<std::size_t> open_bracket() const;
   /// A parser that meets the end inside brackets makes the last word a key: this removes the diagnostic about that key.
   void forget_last_key();
+  void report_bare_key(const yaml_scan::BareKey& key);
   void refuse_long_key(const yaml_scan::BareKey& key);
   /// The parser cannot continue after it.
   bool refused_long_key() const { return refused_long_key_; }

@@ -26,6 +26,9 @@ std::optional<Fault> forbidden_bytes(std::string_view text) {
   using namespace std::string_view_literals;
   const std::string save_as = "save the file as UTF-8 without a byte order mark";
   if (text.starts_with("\xEF\xBB\xBF"sv)) return Fault{0, 3, "the file begins with a byte order mark", save_as};
+  if (text.starts_with("\xFF\xFE\0\0"sv) || text.starts_with("\0\0\xFE\xFF"sv) ||
+      (text.size() > 3 && (text.starts_with("\0\0\0"sv) || text.substr(1, 3) == "\0\0\0"sv)))
+    return Fault{0, 4, "the file is UTF-32, expected UTF-8", save_as};
   const bool has_mark = text.starts_with("\xFF\xFE"sv) || text.starts_with("\xFE\xFF"sv);
   if (has_mark || (text.size() > 1 && (text[0] == '\0') != (text[1] == '\0')))
     return Fault{0, 2, "the file is UTF-16, expected UTF-8", save_as};
@@ -105,6 +108,17 @@ bool may_be_bare_key(std::string_view content) {
   return depth == 0 && !has_key(content);
 }
 
+/// The word before the bracket at `at`, with its colon if that stands directly before the bracket.
+std::optional<BareKey> word_before(std::string_view text, std::size_t at) {
+  const bool colon = at > 0 && text[at - 1] == ':';
+  std::size_t end = colon ? at - 1 : at;
+  while (!colon && end > 0 && is_space(text[end - 1])) --end;
+  std::size_t begin = end;
+  while (begin > 0 && is_word(text[begin - 1])) --begin;
+  if (begin == end) return {};
+  return BareKey{begin, end + (colon ? 1 : 0), colon};
+}
+
 } // namespace
 
 std::optional<BareKey> bare_key_above(std::string_view text, std::size_t at) {
@@ -129,14 +143,31 @@ std::optional<BareKey> bare_key_above(std::string_view text, std::size_t at) {
 
 std::optional<BareKey> bare_key_before(std::string_view text, std::size_t at) {
   if (at >= text.size() || (text[at] != '[' && text[at] != '{')) return {};
-  std::size_t end = at;
-  while (end > 0 && is_space(text[end - 1])) --end;
-  std::size_t begin = end;
-  while (begin > 0 && is_word(text[begin - 1])) --begin;
-  std::size_t before = begin;
+  const auto key = word_before(text, at);
+  if (!key) return {};
+  std::size_t before = key->begin;
   while (before > 0 && is_space(text[before - 1])) --before;
-  if (begin == end || before == 0 || (text[before - 1] != '{' && text[before - 1] != ',')) return {};
-  return BareKey{begin, end, false};
+  if (before == 0 || (text[before - 1] != '{' && text[before - 1] != ',')) return {};
+  return key;
+}
+
+std::optional<BareKey> bare_key_with_bracket(std::string_view text, std::size_t at) {
+  int depth = 0; // of the brackets that are closed behind
+  for (std::size_t place = std::min(at, text.size()); place > 0 && text[place - 1] != '\n'; --place) {
+    const char c = text[place - 1];
+    if (c == '"' || c == '\'' || c == '#') return {};
+    if (c == ']' || c == '}') ++depth;
+    if ((c == '[' || c == '{') && --depth < 0) return word_before(text, place - 1);
+  }
+  return {};
+}
+
+std::optional<BareKey> bare_key_in(std::string_view text, std::size_t begin, std::size_t end) {
+  const std::size_t colon = text.find(':', begin);
+  if (colon >= end || colon + 1 >= end || text[colon + 1] == ':' || text[colon + 1] == '/') return {};
+  const std::string_view word = text.substr(begin, colon - begin);
+  if (word.empty() || !std::all_of(word.begin(), word.end(), is_word)) return {};
+  return BareKey{begin, colon + 1, true};
 }
 
 std::optional<BareKey> too_long_key(std::string_view text, std::size_t from, std::size_t at) {

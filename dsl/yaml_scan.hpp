@@ -40,8 +40,16 @@ struct BareKey {
 /// The bare key above a `:` that belongs to no key. `at`: that colon.
 std::optional<BareKey> bare_key_above(std::string_view text, std::size_t at);
 
-/// The bare key before a bracket, in a mapping between brackets: `{needs [Legs]}`. `at`: the second bracket.
+/// The bare key before a bracket, in a mapping between brackets: `{needs [Legs]}`, `{needs:[Legs]}`. `at`: the second
+/// bracket.
 std::optional<BareKey> bare_key_before(std::string_view text, std::size_t at);
+
+/// The bare key before the bracket in whose content `at` is, in one line: `Walk:{needs: [Legs]}`. YAML reads such a
+/// bracket as text, and what closes it as closing nothing.
+std::optional<BareKey> bare_key_with_bracket(std::string_view text, std::size_t at);
+
+/// The key at the beginning of what YAML reads as one text, `every:10 ms`.
+std::optional<BareKey> bare_key_in(std::string_view text, std::size_t begin, std::size_t end);
 
 /// The limit of YAML for a key with its colon in the same line.
 constexpr std::size_t longest_key = 1024;

@@ -116,6 +116,9 @@ struct Words {
   std::string_view theirs, message, help;
 };
 constexpr std::string_view indented = "is the line indented as it should be?";
+constexpr std::string_view in_single_quotes = "in single quotes a backslash stands for itself";
+constexpr std::string_view in_block_head =
+    "behind it may stand `+`, `-`, an indentation from 1 to 9, and a comment; the text begins in the next line";
 constexpr Words better_words[] = {
     {"illegal map value", "a `:` that belongs to no key",
      "is the line indented as it should be? A text with `: ` in it needs quotes"},
@@ -130,21 +133,18 @@ constexpr Words better_words[] = {
     {"the referenced anchor is not defined", "aliases are not part of the language", "write the value itself"},
     {"alias not found after *", "aliases are not part of the language", "a text that begins with `*` needs quotes"},
     {"anchor not found after &", "anchors are not part of the language", "a text that begins with `&` needs quotes"},
+    {"cannot assign multiple anchors to the same node", "anchors are not part of the language", "leave them out"},
+    {"cannot assign multiple tags to the same node", "tags are not part of the language", "leave them out"},
+    {"bad character found while scanning hex number", "expected hexadecimal digits behind the backslash and its letter",
+     in_single_quotes},
+    {"unexpected character in block scalar", "expected the end of the line behind `|` or `>`", in_block_head},
+    {"cannot set zero indentation for a block scalar", "a block text cannot be indented by 0", in_block_head},
 };
 
 bool report_tab(TreeBuilder& builder, std::string_view text, std::size_t at) {
   const auto tab = yaml_scan::tab_in_indentation(text, std::min(at, text.size()));
   if (tab) builder.report("yaml_syntax", *tab, *tab + 1, "a tab in the indentation", "indent with blanks");
   return tab.has_value();
-}
-
-void report_bare_key(TreeBuilder& builder, std::string_view text, const yaml_scan::BareKey& key) {
-  builder.report(
-      "yaml_syntax", key.begin, key.end,
-      fmt::format("expected {} behind `{}`", key.blank ? "a blank" : "`:`",
-                  text.substr(key.begin, key.end - key.begin)),
-      "a key and its value are written `key: value`; a text goes on in a line of its own only with `|` or in "
-      "quotes");
 }
 
 void report_exception(TreeBuilder& builder, std::string_view text, const YAML::Exception& exception) {
@@ -163,19 +163,27 @@ void report_exception(TreeBuilder& builder, std::string_view text, const YAML::E
   const bool next_key = exception.msg == "end of map not found";
   if (exception.msg == "illegal map value" || next_key) {
     const auto key = yaml_scan::bare_key_above(text, at);
-    if (key && (!next_key || yaml_scan::begins_line_before(text, key->begin, at)))
-      return report_bare_key(builder, text, *key);
+    if (key && (!next_key || yaml_scan::begins_line_before(text, key->begin, at))) return builder.report_bare_key(*key);
   }
   std::string message = exception.msg, help = "a text with such characters needs quotes";
-  if (message.find("escape") != std::string::npos) help = "in single quotes a backslash stands for itself";
+  if (message.find("escape") != std::string::npos) help = in_single_quotes;
+  if (message.starts_with("invalid unicode")) { // a surrogate, or above the last one
+    message = "no character has the number behind this backslash";
+    help = "write the character itself";
+  }
   for (const Words& words : better_words)
     if (exception.msg == words.theirs) message = words.message, help = words.help;
   std::vector<Note> notes;
   const auto bracket = builder.open_bracket();
+  if (!bracket && (exception.msg == "illegal flow end" || next_key))
+    if (const auto key = yaml_scan::bare_key_with_bracket(text, at)) {
+      builder.forget_last_key();
+      return builder.report_bare_key(*key);
+    }
   if (bracket && text[*bracket] == '{')
     if (const auto key = yaml_scan::bare_key_before(text, at)) {
       builder.forget_last_key();
-      return report_bare_key(builder, text, *key);
+      return builder.report_bare_key(*key);
     }
   if (bracket && exception.msg.find(" flow ") != std::string::npos) { // it does not end, or `}` stands where `]` should
     builder.forget_last_key();

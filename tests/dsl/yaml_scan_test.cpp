@@ -27,6 +27,10 @@ TEST_CASE("Bytes that no text has are found") {
            Row{"\xFE\xFF\0a"sv, 0, 2, "the file is UTF-16, expected UTF-8"},
            Row{"\0a"sv, 0, 2, "the file is UTF-16, expected UTF-8"},
            Row{"a\0b\0"sv, 0, 2, "the file is UTF-16, expected UTF-8"},
+           Row{"\xFF\xFE\0\0a\0\0\0"sv, 0, 4, "the file is UTF-32, expected UTF-8"},
+           Row{"\0\0\xFE\xFF\0\0\0a"sv, 0, 4, "the file is UTF-32, expected UTF-8"},
+           Row{"\0\0\0a"sv, 0, 4, "the file is UTF-32, expected UTF-8"},
+           Row{"a\0\0\0"sv, 0, 4, "the file is UTF-32, expected UTF-8"},
            Row{"a\x80"sv, 1, 2, "the byte 0x80 is not UTF-8"},
            Row{"a\xC3"sv, 1, 2, "the byte 0xC3 is not UTF-8"},
            Row{"\xC0\xAF"sv, 0, 1, "the byte 0xC0 is not UTF-8"},         // overlong

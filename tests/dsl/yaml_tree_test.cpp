@@ -116,6 +116,16 @@ TEST_CASE("What the language does not have of YAML is refused, and the rest is r
                                                 "of them out, or put into one what both say)\n"
                                                 "  1:1 `a` the first one is here\n"},
            Case{"foo: bar\nnot-a-key\n", "2:1 `not-a-key` yaml_syntax: expected `:` behind `not-a-key`\n"},
+           Case{"a: 1\nb:[c]\n",
+                "2:1 `b:` yaml_syntax: expected a blank behind `b:` (a key and its value are written `key: value`; a "
+                "text goes on in a line of its own only with `|` or in quotes)\n"},
+           Case{"a: {every:10 ms, b: 1}\n",
+                "1:5 `every:` yaml_syntax: expected a blank behind `every:` (a key and its value are written `key: "
+                "value`; a text goes on in a line of its own only with `|` or in quotes)\n"},
+           Case{"a: {b::c, d: 1}\n", "1:5 `b::c` yaml_syntax: expected `:` behind `b::c`\n"},
+           Case{"Null: 1\n",
+                "1:1 `Null` wrong_node_kind: a key is a word, found `Null`, which YAML reads as nothing (put it in "
+                "quotes)\n"},
            Case{"a: {b, c: 1}\n", "1:5 `b` yaml_syntax: expected `:` behind `b`\n"},
            Case{"? [a]\n: b\n? {c: d}\n: e\n: f\n",
                 "1:3 `[a]` wrong_node_kind: a key is a word, found a list (put a word before the `:`)\n"
@@ -202,6 +212,45 @@ TEST_CASE("If the text is no YAML the place and the likely reason are reported")
     CHECK(tree.root.kind == YamlNode::Kind::broken);
     CHECK(tree.findings() == c.findings);
   }
+}
+
+TEST_CASE("A blank that is missing before a bracket is named where it should be") {
+  constexpr const char* help =
+      " (a key and its value are written `key: value`; a text goes on in a line of its own only "
+      "with `|` or in quotes)\n";
+  struct Row {
+    const char *text, *place, *blank;
+  };
+  for (const Row& row : {
+           Row{"groups:\n  W:{needs: [L]}\n  L: {}\n", "2:3 `W:`", "a blank behind `W:`"},
+           Row{"groups:\n  W {needs: [L]}\n  L: {}\n", "2:3 `W`", "`:` behind `W`"},
+           Row{"groups:{W: {}}\n", "1:1 `groups:`", "a blank behind `groups:`"},
+           Row{"groups:\n  W:{providers: [{name: a}]}\n", "2:3 `W:`", "a blank behind `W:`"},
+           Row{"groups:\n  W:{tasks: [L], needs: [L]}\n", "2:3 `W:`", "a blank behind `W:`"},
+           Row{"W: {tasks:[L]}\n", "1:5 `tasks:`", "a blank behind `tasks:`"},
+           Row{"W: {needs: [L], tasks:[L], uses: [L]}\n", "1:17 `tasks:`", "a blank behind `tasks:`"},
+           Row{"W: {tasks:{L: {}}}\n", "1:5 `tasks:`", "a blank behind `tasks:`"},
+       }) {
+    CAPTURE(row.text);
+    CHECK(Tree(row.text).findings() == fmt::format("{} yaml_syntax: expected {}{}", row.place, row.blank, help));
+  }
+}
+
+TEST_CASE("The help for a text that is in quotes, or in a block, is none that asks for quotes") {
+  const std::string single = " (in single quotes a backslash stands for itself)\n";
+  const std::string block =
+      " (behind it may stand `+`, `-`, an indentation from 1 to 9, and a comment; the text begins "
+      "in the next line)\n";
+  const std::string number =
+      "yaml_syntax: no character has the number behind this backslash (write the character itself)\n";
+  const std::string hex = "yaml_syntax: expected hexadecimal digits behind the backslash and its letter" + single;
+  CHECK(Tree("a: \"\\ud800\"\n").findings() == "1:11 `\"` " + number);
+  CHECK(Tree("a: \"\\U00110000\"\n").findings() == "1:15 `\"` " + number);
+  CHECK(Tree("a: \"\\x\"\n").findings() == "1:8 `` " + hex);
+  CHECK(Tree("a: |0\n").findings() == "1:6 `` yaml_syntax: a block text cannot be indented by 0" + block);
+  CHECK(Tree("a: |x\n").findings() == "1:5 `x` yaml_syntax: expected the end of the line behind `|` or `>`" + block);
+  CHECK(Tree("a: &a &b x\n").findings() == "1:7 `&` yaml_syntax: anchors are not part of the language (leave them "
+                                           "out)\n");
 }
 
 TEST_CASE("A key that is longer than YAML lets it be is named, in a line of its own and between brackets") {
