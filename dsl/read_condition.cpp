@@ -89,10 +89,12 @@ public:
       out.within = within(rest);
     else if (!at_end())
       fail(rest, fmt::format("expected the end of the condition, found {}", found(rest)), rest_help(out, text(rest)));
-    if (!fault_ && is_in_digits(out.state.value) && !is_in_digits(out.values.front().value))
+    if (!fault_ && is_in_digits(out.state.value))
       fault_ = Fault{out.state.span, fmt::format("expected the name of a state, found `{}`", out.state.value),
-                     fmt::format("the state comes first: `{} {} {}`", out.values.front().value,
-                                 to_text(turned(out.op.value)), out.state.value)};
+                     is_in_digits(out.values.front().value)
+                         ? "a condition compares a state with a value: `Phase == ready`"
+                         : fmt::format("the state comes first: `{} {} {}`", out.values.front().value,
+                                       to_text(turned(out.op.value)), out.state.value)};
     return out;
   }
   const std::optional<Fault>& fault() const { return fault_; }
@@ -152,7 +154,7 @@ private:
 
   Word word(std::string_view expected) {
     const Token token = peek();
-    const bool number = token.end > token.begin + 1 && text_[token.begin] == '-';
+    const bool number = token.end > token.begin + 1 && text_[token.begin] == '-' && is_digit(text_[token.begin + 1]);
     if (token.begin == token.end || !(is_in_word(text_[token.begin]) || number))
       fail(token, fmt::format("expected {}, found {}", expected, found(token)), word_help(text(token)));
     at_ = token.end;
@@ -165,7 +167,9 @@ private:
     at_ = token.end;
     if (known != ops.end()) return {static_cast<Op>(known - ops.begin()), span(token)};
     fail(token, fmt::format("expected {} behind `{}`, found {}", known_ops, state, found(token)),
-         state == "not" ? std::string(negated) : op_help(text(token)));
+         state == "not" || (text(token) == "is" && text(peek()) == "not") ? std::string(negated)
+         : token.begin == token.end ? fmt::format("compare it with one of its values: `{} == ready`", state)
+                                    : op_help(text(token)));
     return {};
   }
 

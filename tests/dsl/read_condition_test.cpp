@@ -67,7 +67,8 @@ TEST_CASE("A state alone may be set to any value, but not compared") {
   CHECK(to_text(sets.at(0)) == "Phase");
   CHECK_FALSE(sets.at(1).any);
   CHECK(with_conditions("when", "[Phase]").findings() ==
-        "5:17 `` bad_condition: expected one of ==, !=, <, <=, >, >= behind `Phase`, found nothing\n");
+        "5:17 `` bad_condition: expected one of ==, !=, <, <=, >, >= behind `Phase`, found nothing (compare it with "
+        "one of its values: `Phase == ready`)\n");
 }
 
 TEST_CASE("A mistake inside a condition is shown where it is") {
@@ -82,6 +83,13 @@ TEST_CASE("A mistake inside a condition is shown where it is") {
            Case{"[Phase is ready]",
                 "5:18 `is` bad_condition: expected one of ==, !=, <, <=, >, >= behind `Phase`, found "
                 "`is` (write `==`)\n"},
+           Case{"[Phase is not ready]",
+                "5:18 `is` bad_condition: expected one of ==, !=, <, <=, >, >= behind `Phase`, found `is` (write `!=` "
+                "between state and value: `Phase != ready`)\n"},
+           Case{"[3 == 3]", "5:12 `3` bad_condition: expected the name of a state, found `3` (a condition compares a "
+                            "state with a value: `Phase == ready`)\n"},
+           Case{"[\"-|\"]", "5:13 `-|` bad_condition: expected the name of a state, found `-|`\n"},
+           Case{"[\"-= == b\"]", "5:13 `-=` bad_condition: expected the name of a state, found `-=`\n"},
            Case{"[Phase ==]", "5:20 `` bad_condition: expected a value behind `==`, found nothing\n"},
            Case{"[Phase == ready|]", "5:27 `` bad_condition: expected a value behind `|`, found nothing\n"},
            Case{"[Phase == |set]", "5:21 `|` bad_condition: expected a value behind `==`, found `|`\n"},
