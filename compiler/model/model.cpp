@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/model/model.hpp"
 
+#include "dsl/reader.hpp"
+
 #include <algorithm>
-#include <charconv>
 
 namespace director::compiler {
 
@@ -21,10 +22,8 @@ std::optional<IdType> find_named(const IdTable<IdType, Row>& table, std::string_
 
 std::optional<std::int64_t> State::value_of(std::string_view text) const {
   if (is_range) {
-    std::int64_t number = 0;
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool whole = fault == std::errc() && end == text.data() + text.size();
-    return whole && domain().contains(number) ? std::optional(number) : std::nullopt;
+    const std::optional<std::int64_t> number = dsl::parse_number(text);
+    return number && domain().contains(*number) ? number : std::nullopt;
   }
   return values.find(text);
 }
