@@ -23,7 +23,8 @@ void declare_values(Resolver& r, State& state, const dsl::StateSpec& spec) {
     for (const auto& end : {spec.range->low, spec.range->high}) {
       if (end.value >= -largest && end.value <= largest) continue;
       r.error("value_outside_domain", end.span,
-              fmt::format("`{}` is too large for a state: its numbers go from {} to {}", end.value, -largest, largest),
+              fmt::format("`{}` is too {} for a state: its numbers go from {} to {}", end.value,
+                          end.value < 0 ? "low" : "large", -largest, largest),
               "count in larger steps");
     }
   }

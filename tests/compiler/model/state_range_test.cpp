@@ -20,7 +20,7 @@ compiler::Resolved resolved(const std::string& text, dsl::Sources& sources) {
 
 } // namespace
 
-TEST_CASE("a range that the tables cannot number is refused at the end that is too large") {
+TEST_CASE("a range that the tables cannot number is refused at the end that is too low or too large") {
   dsl::Sources sources;
   std::vector<dsl::Diagnostic> errors = resolved(R"(states:
   Small: {range: [-2147483647, 2147483647], external: true}
@@ -32,7 +32,7 @@ roots: []
   std::erase_if(errors, [](const dsl::Diagnostic& finding) { return finding.level != dsl::Level::error; });
   CHECK(
       dsl::render(errors, sources) ==
-      R"(test.yaml:5:19: error: `-2147483648` is too large for a state: its numbers go from -2147483647 to 2147483647 [value_outside_domain]
+      R"(test.yaml:5:19: error: `-2147483648` is too low for a state: its numbers go from -2147483647 to 2147483647 [value_outside_domain]
     5 |   Large: {range: [-2147483648, 4000000000], external: true}
       |                   ^~~~~~~~~~~
   help: count in larger steps
