@@ -296,6 +296,12 @@ std::string include_line(std::string_view header) {
   return named_header(header).angled ? fmt::format("#include {}", header) : fmt::format("#include \"{}\"", header);
 }
 
+bool is_same_type(std::string_view first, std::string_view second) {
+  Tokens one(first), other(second);
+  for (; !one.now().empty() && one.now() == other.now(); other.next()) one.next();
+  return one.now().empty() && other.now().empty();
+}
+
 std::vector<FirstWord> first_words(std::string_view type) {
   TypeParser parser(type);
   parser.whole();

@@ -41,4 +41,7 @@ struct FirstWord {
 /// In the order of the text, which must be without faults.
 std::vector<FirstWord> first_words(std::string_view type);
 
+/// Whether the two are spelled alike but for blanks.
+bool is_same_type(std::string_view first, std::string_view second);
+
 } // namespace director::dsl

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/model/no_such_value.hpp"
 #include "compiler/model/resolver.hpp"
+#include "dsl/cpp_type.hpp"
 
 #include <fmt/format.h>
 
@@ -46,7 +47,7 @@ void declare_values(Resolver& r, State& state, const dsl::StateSpec& spec) {
 
 /// Whether two names are of one enum: the same, or one is an alias of the other.
 bool is_one_type(const Resolver& r, const std::string& first, const std::string& second) {
-  if (first == second) return true;
+  if (dsl::is_same_type(first, second)) return true;
   const CppType* a = r.options.types != nullptr ? r.options.types->find(first) : nullptr;
   const CppType* b = a != nullptr ? r.options.types->find(second) : nullptr;
   return b != nullptr && a->is_enum && b->is_enum && !a->place.path.empty() && a->place.path == b->place.path &&

@@ -121,3 +121,11 @@ TEST_CASE("The first word of each name in a type is known, and how it is looked 
       Words{{"std", false, false}, {"robot", false, false}, {"a", false, true}, {"b", true, true}, {"c", true, false}});
   CHECK(first_words("const int*").empty());
 }
+
+TEST_CASE("Two spellings of a type are the same but for blanks") {
+  CHECK(is_same_type("g::Phase", "g :: Phase "));
+  CHECK(is_same_type("g::Tm<int>::E", "g::Tm< int >::E"));
+  CHECK_FALSE(is_same_type("g::Phase", "g::Phases"));
+  CHECK_FALSE(is_same_type("g::Phase", "g::Phase::E"));
+  CHECK_FALSE(is_same_type("g::Phase", "::g::Phase"));
+}
