@@ -138,6 +138,7 @@ public:
 
 private:
   void read(std::string_view line) {
+    const bool in_table = std::exchange(in_table_, !code_ && line.starts_with("| "));
     if (comment_ || (!code_ && line.starts_with("<!--"))) { // the origin of a block, for the tests of the page
       flush();
       comment_ = line.find("-->") == std::string_view::npos;
@@ -157,22 +158,29 @@ private:
     } else if (line.empty()) {
       flush();
     } else if (line.starts_with("| ")) {
-      row(line);
+      if (in_table)
+        row(line);
+      else
+        begin_table(line);
     } else {
       if (line.starts_with("- ")) flush();
       add(line);
     }
   }
 
-  void row(std::string_view line) {
+  /// The first line of a table is its head.
+  void begin_table(std::string_view line) {
     flush();
+    const std::vector<std::string_view> cells = cells_of(line);
+    head_ = cells.empty() ? std::string{} : without_links(cells.front());
+    std::erase(head_, '`');
+  }
+
+  void row(std::string_view line) {
     const std::vector<std::string_view> cells = cells_of(line);
     if (cells.empty() || cells.front().starts_with("---")) return;
     std::vector<std::string> keys = codes_in(cells.front());
-    if (keys.empty()) { // the head of a table
-      head_ = without_links(cells.front());
-      return;
-    }
+    if (keys.empty()) return;
     std::string text = without_links(cells.front());
     for (std::size_t i = 1; i < cells.size(); ++i) text += (i == 1 ? ": " : "; ") + without_links(cells[i]);
     sections_.back().rows.push_back({head_, std::move(keys), links_in(cells.front()), text});
@@ -199,7 +207,7 @@ private:
 
   std::vector<Section> sections_;
   std::string piece_, head_;
-  bool code_ = false, comment_ = false;
+  bool code_ = false, comment_ = false, in_table_ = false;
 };
 
 bool has(const std::vector<std::string>& words, std::string_view word) {

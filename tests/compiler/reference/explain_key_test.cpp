@@ -76,6 +76,16 @@ TEST_CASE("a key whose row leads nowhere is explained by its row and by what els
         "# advance\n\n- `advance: 100 ms`:  (key of a group, under \"Groups\")\n");
 }
 
+TEST_CASE("the head of a table is no entry of it, and belongs to no other table") {
+  const char* const tables =
+      "## Groups\n\n| key of a group | what it says |\n| --- | --- |\n| `needs` | takes |\n\n## Extend\n\n"
+      "| key of `extend` | what it says |\n| --- | --- |\n| `before` | where |\n";
+  CHECK(explain_key(tables, "before").value_or("none") ==
+        "# before\n\n- `before`: where (key of extend, under \"Extend\")\n");
+  CHECK(!explain_key(tables, "extend").value_or("none").starts_with("# extend\n\n- "));
+  CHECK(keys_of(tables) == std::vector<std::string>{"before", "needs"});
+}
+
 TEST_CASE("a key without a row is explained by what mentions it") {
   CHECK(explain_key(page, "optional").value_or("none") == "# optional\n"
                                                           "\n"
