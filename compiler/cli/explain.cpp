@@ -7,6 +7,7 @@
 #include "dsl/suggest.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace director::compiler::cli {
 
@@ -30,7 +31,7 @@ const std::string* help_for_slip(std::string_view key) {
 
 int run(const Explain& request, Console& console) {
   if (const checks::Registered* check = checks::find_registered(request.id)) {
-    console.out << shown(check->page, console);
+    console.out << shown(page_without_links(check->page), console);
     return clean;
   }
   const std::string_view page = language_page();
@@ -45,10 +46,10 @@ int run(const Explain& request, Console& console) {
   std::vector<std::string> known = keys_of(page);
   for (const checks::Registered& check : checks::registered()) known.emplace_back(check.id);
   const std::optional<std::string> near = dsl::suggest(request.id, known);
-  print_message(console,
-                fmt::format("directorc: there is no check and no key `{}`{}\n", request.id,
-                            near ? fmt::format("; did you mean `{}`?", *near)
-                                 : std::string("; `directorc checks` lists all checks, docs/language.md all keys")));
+  print_message(console, fmt::format("directorc: there is no check and no key `{}`{}\n", request.id,
+                                     near ? fmt::format("; did you mean `{}`?", *near)
+                                          : fmt::format("; `directorc checks` lists all checks; the keys are {}",
+                                                        fmt::join(keys_of(page), ", "))));
   return misused;
 }
 

@@ -225,6 +225,17 @@ void write(std::string& out, const Piece& piece) {
 
 } // namespace
 
+std::string page_without_links(std::string_view page) {
+  std::string out;
+  bool code = false;
+  for (const std::string_view line : lines_of(page)) {
+    if (line.starts_with("```")) code = !code;
+    out += code ? std::string(line) : without_links(line);
+    out += '\n';
+  }
+  return out;
+}
+
 std::vector<std::string> keys_of(std::string_view page) {
   std::set<std::string> keys;
   for (const Section& section : Page(page).take())

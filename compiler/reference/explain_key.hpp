@@ -12,6 +12,9 @@ namespace director::compiler {
 /// The text of docs/language.md. Written at build time.
 std::string_view language_page();
 
+/// Without the targets of its links, which lead to other files; blocks of code stay as they are.
+std::string page_without_links(std::string_view page);
+
 /// The keys that the tables of a page document, sorted, each once.
 std::vector<std::string> keys_of(std::string_view page);
 

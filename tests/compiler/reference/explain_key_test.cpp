@@ -86,6 +86,11 @@ TEST_CASE("the head of a table is no entry of it, and belongs to no other table"
   CHECK(keys_of(tables) == std::vector<std::string>{"before", "needs"});
 }
 
+TEST_CASE("a page is printed without its links, which lead to files that its reader may not have") {
+  CHECK(page_without_links("See [one](one.md) and [`two`](#two).\n```\n[a](b)\n```\n[c](d)\n") ==
+        "See one and `two`.\n```\n[a](b)\n```\nc\n");
+}
+
 TEST_CASE("a key without a row is explained by what mentions it") {
   CHECK(explain_key(page, "optional").value_or("none") == "# optional\n"
                                                           "\n"
