@@ -41,6 +41,10 @@ int run(const Generate& request, Console& console) {
   }
   if (!request.depfile.empty()) {
     const std::vector<std::string> targets = request.target.empty() ? paths : std::vector{request.target};
+    if (const auto path = inexpressible_path(targets, sources, checked->headers)) {
+      print_message(console, no_depfile(*path, request.depfile, "nothing is written"));
+      return misused;
+    }
     outputs.push_back({request.depfile, depfile(targets, sources, checked->headers), is_depfile, true});
   }
   // The header is replaced last. After an interruption between two files it is the old one: `verify` reports that, and

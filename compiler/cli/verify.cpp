@@ -75,8 +75,12 @@ int run(const Verify& request, Console& console) {
   verified.findings = checks::apply_allowances(checked->model, std::move(verified.findings), false);
   verified.findings = checks::apply_selection(request.selection, std::move(verified.findings));
   print(request, verified, sources, console);
-  if (!request.depfile.empty() &&
-      !write({{request.depfile, depfile({request.target}, sources, verified.depends), is_depfile, true}}, console, ""))
+  if (request.depfile.empty()) return dsl::has_errors(verified.findings) ? found : clean;
+  if (const auto path = inexpressible_path({request.target}, sources, verified.depends)) {
+    print_message(console, no_depfile(*path, request.depfile, "it is not written"));
+    return misused;
+  }
+  if (!write({{request.depfile, depfile({request.target}, sources, verified.depends), is_depfile, true}}, console, ""))
     return misused;
   return dsl::has_errors(verified.findings) ? found : clean;
 }

@@ -131,6 +131,21 @@ TEST_CASE("a depfile gives nothing in a path a meaning of its own") {
   dsl::Sources sources;
   sources.add("a b/$c#.yaml", "");
   CHECK(depfile({"out/x.hpp", "out/y z.cpp"}, sources) == "out/x.hpp out/y\\ z.cpp: \\\n  a\\ b/$$c\\#.yaml\n");
+  dsl::Sources others;
+  others.add("12:30.yaml", "");
+  others.add("back\\slash.yaml", "");
+  others.add("back\\ slash.yaml", "");
+  CHECK(depfile({"a:b"}, others) == "a\\:b: \\\n  12\\:30.yaml \\\n  back\\slash.yaml \\\n  back\\\\\\ slash.yaml\n");
+}
+
+TEST_CASE("a path that Make or Ninja cannot read is known") {
+  dsl::Sources sources;
+  sources.add("a b:c#$\\.yaml", "");
+  CHECK(inexpressible_path({"x.hpp"}, sources) == std::nullopt);
+  CHECK(inexpressible_path({"x;y.hpp"}, sources) == "x;y.hpp");
+  CHECK(inexpressible_path({"x.hpp"}, sources, {"a|b.hpp"}) == "a|b.hpp");
+  sources.add("a\tb.yaml", "");
+  CHECK(inexpressible_path({"x.hpp"}, sources) == "a\tb.yaml");
 }
 
 } // namespace
