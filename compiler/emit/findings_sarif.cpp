@@ -17,7 +17,15 @@ namespace director::compiler {
 
 namespace {
 
-Json message(std::string_view text) { return Json::object({{"text", Json::text(text)}}); }
+/// In a message of SARIF braces stand around the number of an argument; `{{` and `}}` are braces of the text.
+Json message(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    out += c;
+    if (c == '{' || c == '}') out += c;
+  }
+  return Json::object({{"text", Json::text(out)}});
+}
 
 std::string_view level_name(dsl::Level level) {
   switch (level) {

@@ -58,6 +58,15 @@ TEST_CASE("findings as SARIF: rules, places in characters, other parties, ways",
   tests::check_golden("tests/compiler/emit/golden/findings.sarif", to_lines(json));
 }
 
+TEST_CASE("braces in messages are not those of an argument") {
+  dsl::Sources sources;
+  const dsl::Span place = at(sources, sources.add("a.yaml", "A: b\n"), "A");
+  const std::string json = to_line(findings_sarif(
+      {{"unused_need", dsl::Level::lint, place, "no {0}", {{place, "a {"}}, "write `A: {}`"}}, {}, sources, rules));
+  CHECK(json.find(R"("no {{0}}\nhelp: write `A: {{}}`")") != std::string::npos);
+  CHECK(json.find(R"("a {{")") != std::string::npos);
+}
+
 TEST_CASE("a fingerprint survives lines that are inserted, and distinguishes equal findings") {
   const std::string before = fingerprints("A: [Legs]\nB: {needs: [Legs]}\nA: [Legs]\n");
   CHECK(fingerprints("# one\n\nA: [Legs]\nnew: 1\n  B: {needs: [Legs]}\nA: [Legs]\n") == before);
