@@ -214,8 +214,9 @@ std::vector<Diagnostic> apply_selection(const Selection& selection, std::vector<
   findings.erase(std::remove_if(findings.begin(), findings.end(), is_unwanted), findings.end());
   for (Diagnostic& finding : findings) {
     shorten(finding.notes);
-    const bool as_error = selection.every_warning_is_error || selection.warnings_as_errors.count(finding.id) != 0;
-    if (finding.level == dsl::Level::warning && as_error) finding.level = dsl::Level::error;
+    const bool is_warning = finding.level == dsl::Level::warning;
+    if ((is_warning && selection.every_warning_is_error) || selection.warnings_as_errors.count(finding.id) != 0)
+      finding.level = dsl::Level::error;
   }
   return findings;
 }

@@ -14,7 +14,7 @@ struct Selection {
   bool every_lint = false;                               ///< `--lint`
   std::set<std::string, std::less<>> lints;              ///< `--lint=<id>`
   bool every_warning_is_error = false;                   ///< `--werror`
-  std::set<std::string, std::less<>> warnings_as_errors; ///< `--werror=<id>`
+  std::set<std::string, std::less<>> warnings_as_errors; ///< `--werror=<id>`; lints too
   std::set<std::string, std::less<>> allowed;            ///< `--allow=<id>`: not reported, unless it is an error
 };
 

@@ -39,7 +39,7 @@ std::string format_by_ending(const std::string& file, const Endings& endings) {
 }
 
 void add_selection(CLI::App& app, SelectionWords& words) {
-  app.add_flag("--werror{*}", words.werror, "warnings are errors, or those of one check");
+  app.add_flag("--werror{*}", words.werror, "warnings are errors, or those of one check; also the lints of one check");
   app.add_flag("--lint{*}", words.lint, "report lints too, or those of one check");
   app.add_flag("--allow{*}", words.allow, "do not report what this check finds; an error is reported all the same");
 }
@@ -47,8 +47,13 @@ void add_selection(CLI::App& app, SelectionWords& words) {
 checks::Selection selection_of(const SelectionWords& words) {
   checks::Selection out;
   for (const std::string& id : words.werror) {
-    if (id == "*") out.every_warning_is_error = true;
-    if (id != "*") out.warnings_as_errors.insert(id);
+    if (id == "*") {
+      out.every_warning_is_error = true;
+      continue;
+    }
+    out.warnings_as_errors.insert(id);
+    const checks::Registered* check = checks::find_registered(id);
+    if (check != nullptr && checks::level_of(*check) == dsl::Level::lint) out.lints.insert(id);
   }
   for (const std::string& id : words.lint) {
     if (id == "*") out.every_lint = true;
@@ -64,7 +69,12 @@ std::optional<Message> unknown_id(const SelectionWords& words) {
   for (const auto* list : {&words.werror, &words.lint, &words.allow}) {
     for (const std::string& id : *list) {
       const bool every = id == "*" && list != &words.allow;
-      if (every || checks::find_registered(id) != nullptr) continue;
+      const checks::Registered* check = checks::find_registered(id);
+      if (check != nullptr && list == &words.lint && checks::level_of(*check) != dsl::Level::lint)
+        return Message{fmt::format("directorc: `{}` is no lint: it finds {}s, which are reported without `--lint`\n",
+                                   id, dsl::name_of(checks::level_of(*check))),
+                       true};
+      if (every || check != nullptr) continue;
       if (id == "*") return Message{"directorc: --allow needs the id of a check, --allow=<id>\n", true};
       const std::optional<std::string> near = dsl::suggest(id, known);
       return Message{fmt::format("directorc: there is no check `{}`{}\n", id,

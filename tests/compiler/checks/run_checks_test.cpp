@@ -116,6 +116,17 @@ TEST_CASE("an allowed warning is not made an error") {
             .empty());
 }
 
+TEST_CASE("the lint that is named as an error is one, others are not") {
+  const std::string text = "roots: [Walk]\ngroups: {Walk: {}, Kick: {}}\n";
+  checks::Selection selection;
+  selection.every_warning_is_error = true;
+  selection.every_lint = true;
+  const auto level = [&] { return check_text(text, asked(selection)).checked.findings.at(0).level; };
+  CHECK(level() == dsl::Level::lint);
+  selection.warnings_as_errors = {"unused_declaration"};
+  CHECK(level() == dsl::Level::error);
+}
+
 TEST_CASE("an unused allowance may be allowed itself") {
   CHECK(check_text("roots: [Walk]\ngroups: {Walk: {allow: [equal_priority], because: it varies}}\n"
                    "allow: [unused_allow]\nbecause: some deployments need them\n")

@@ -78,6 +78,7 @@ TEST_CASE("warnings become errors on request, are not reported if allowed, and l
   CHECK(world.directorc({"check", "lamp.yaml", "--werror", "--allow=unused_allow"}) == 0);
   CHECK(world.out.empty());
   CHECK(world.directorc({"check", "lamp.yaml", "--lint=unused_declaration"}) == 0);
+  CHECK(world.directorc({"check", "lamp.yaml", "--werror=unused_declaration"}) == 1);
   CHECK(world.out.find("[unused_declaration]") != std::string::npos);
 }
 

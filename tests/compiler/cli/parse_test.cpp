@@ -19,6 +19,9 @@ TEST_CASE("a wrong command line is reported, with a suggestion") {
   CHECK(world.err == "directorc check: FILE is required\nTry `directorc check --help`.\n");
   CHECK(world.directorc({"check", "x.yaml", "--werror=needs_cycel"}) == 2);
   CHECK(world.err == "directorc: there is no check `needs_cycel`; did you mean `needs_cycle`?\n");
+  CHECK(world.directorc({"check", "x.yaml", "--lint=equal_priority"}) == 2);
+  CHECK(world.err ==
+        "directorc: `equal_priority` is no lint: it finds warnings, which are reported without `--lint`\n");
   CHECK(world.directorc({"check", "x.yaml", "--allow"}) == 2);
   CHECK(world.err == "directorc: --allow needs the id of a check, --allow=<id>\n");
   CHECK(world.directorc({}) == 2);
