@@ -39,6 +39,11 @@ std::string Model::full_name(ProviderId id) const {
   return provider.direct ? group : group + "." + provider.name;
 }
 
+std::string Model::distinct_name(ProviderId id) const {
+  const Group& group = groups[providers[id].group];
+  return group.providers.size() > 1 ? group.name.value + "." + providers[id].name : full_name(id);
+}
+
 std::string Model::edge_name(EdgeId id) const {
   const Edge& edge = edges[id];
   return (edge.requester ? groups[*edge.requester].name.value : "root") + ">" + groups[edge.target].name.value;

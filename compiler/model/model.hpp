@@ -217,6 +217,8 @@ struct Model {
   const Group& group_of(ProviderId id) const { return groups[providers[id].group]; }
   /// `Walk.halting`, or `Kick` for a provider called `default`.
   std::string full_name(ProviderId id) const;
+  /// The same, but `Walk.default` if `Walk` got other providers by `extend`: what is said of one is not true of all.
+  std::string distinct_name(ProviderId id) const;
   /// `root>Kick`, `Walk>LeftLeg`.
   std::string edge_name(EdgeId id) const;
   std::optional<GroupId> find_group(std::string_view name) const;

@@ -53,7 +53,7 @@ public:
 
 private:
   std::string quoted(GroupId id) const { return "`" + model_.groups[id].name.value + "`"; }
-  std::string quoted(ProviderId id) const { return "`" + model_.full_name(id) + "`"; }
+  std::string quoted(ProviderId id) const { return "`" + model_.distinct_name(id) + "`"; }
   bool knows(const Fact& fact) const { return known_.contains(fact); }
 
   void know(const Fact& fact, std::vector<Fact> by, Span span, std::string message) {

@@ -8,7 +8,7 @@ namespace director::analysis {
 
 std::string quoted(std::string_view name) { return fmt::format("`{}`", name); }
 std::string name_of(const Model& model, GroupId id) { return quoted(model.groups[id].name.value); }
-std::string name_of(const Model& model, ProviderId id) { return quoted(model.full_name(id)); }
+std::string name_of(const Model& model, ProviderId id) { return quoted(model.distinct_name(id)); }
 std::string name_of(const Model& model, ConditionId id) { return quoted(model.conditions[id].text); }
 std::string name_of(const Model& model, StateId id) { return quoted(model.states[id].name.value); }
 
