@@ -80,6 +80,18 @@ void declare_extern(Resolver& r, const dsl::BehaviourSpec& file, const Word& nam
           fmt::format("import a file that declares a group `{}`", name.value));
 }
 
+/// The provider of that name that another file adds to the group.
+const dsl::ProviderSpec* added_later(const Resolver& r, const std::string& group, const std::string& name) {
+  for (const dsl::BehaviourSpec& file : r.spec.files) {
+    for (const dsl::ExtendSpec& spec : file.extend) {
+      if (spec.group.value != group) continue;
+      for (const dsl::ProviderSpec& provider : spec.providers)
+        if (provider.name.value == name) return &provider;
+    }
+  }
+  return nullptr;
+}
+
 void extend(Resolver& r, const dsl::ExtendSpec& spec) {
   const auto id = find_group(r, spec.group);
   if (!id) return;
@@ -90,7 +102,14 @@ void extend(Resolver& r, const dsl::ExtendSpec& spec) {
     for (const dsl::ProviderSpec* provider : source.providers) known.push_back(provider->name.value);
     const auto at = std::find(known.begin(), known.end(), spec.before->value);
     place = static_cast<std::size_t>(at - known.begin());
-    if (at == known.end()) {
+    const dsl::ProviderSpec* later = at == known.end() ? added_later(r, spec.group.value, spec.before->value) : nullptr;
+    if (later != nullptr && later->name.span.file != spec.span.file) {
+      r.error("undefined_name", spec.before->span,
+              fmt::format("`{}` has no provider called `{}` yet: a file that is read later adds it", spec.group.value,
+                          spec.before->value),
+              "list that file before this one in `imports`, or import it here")
+          .notes.push_back({later->name.span, "added here"});
+    } else if (at == known.end()) {
       Diagnostic& finding =
           r.error("undefined_name", spec.before->span,
                   fmt::format("`{}` has no provider called `{}`", spec.group.value, spec.before->value),
