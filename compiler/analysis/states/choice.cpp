@@ -3,6 +3,7 @@
 #include "compiler/analysis/states/choice.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace director::analysis {
 
@@ -10,6 +11,8 @@ namespace {
 
 /// Limit for the ways of one rival; further ones are left out.
 constexpr std::size_t most_ways = 16;
+
+constexpr std::size_t most_providers = std::numeric_limits<std::size_t>::max();
 
 DominatorTree tree_of(const Model& model) {
   const auto root = static_cast<Node>(model.groups.size());
@@ -41,12 +44,15 @@ Rivals::Rivals(const Model& model, const IdSet<EdgeId>& holding, const IdSet<Pro
       holding_(holding),
       active_(active),
       place_(model.providers.size()),
+      deciding_(model.groups.size(), most_providers),
       below_(tree_of(model)) {
   for (const GroupId id : model.groups.ids()) {
     const Group& group = model.groups[id];
     std::vector<Region> regions;
     for (std::size_t place = 0; place < group.providers.size(); ++place) {
+      const Provider& row = model.providers[group.providers[place]];
       place_[group.providers[place]] = place;
+      if (row.when.empty() && row.needs.empty()) deciding_[id] = std::min(deciding_[id], place + 1);
       regions.push_back(region_of(model, model.providers[group.providers[place]].when));
     }
     regions_.add(RegionIndex(std::move(regions)));
@@ -56,7 +62,7 @@ Rivals::Rivals(const Model& model, const IdSet<EdgeId>& holding, const IdSet<Pro
 std::vector<Rival> Rivals::that_meet(ProviderId provider, const Region& region) const {
   const GroupId group = model_.providers[provider].group;
   std::vector<Rival> out;
-  for (const std::size_t place : regions_[group].meeting(region, place_[provider])) {
+  for (const std::size_t place : regions_[group].meeting(region, std::min(place_[provider], deciding_[group]))) {
     const ProviderId rival = model_.groups[group].providers[place];
     Trial trial{provider, {group}, {}};
     find_parties(model_, rival, trial.parties);

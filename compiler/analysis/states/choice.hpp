@@ -24,6 +24,7 @@ public:
   /// `holding`: edges through which a group that may run may hold their target; it may grow, like `active`.
   Rivals(const Model& model, const IdSet<EdgeId>& holding, const IdSet<ProviderId>& active);
 
+  /// In the order of preference, at most up to the first one that can always run.
   std::vector<Rival> of(ProviderId provider) const { return that_meet(provider, {}); }
   /// Those whose `when` may hold within the region. The others lack something there anyway.
   std::vector<Rival> that_meet(ProviderId provider, const Region& region) const;
@@ -44,8 +45,10 @@ private:
   const IdSet<EdgeId>& holding_;
   const IdSet<ProviderId>& active_;
   IdTable<ProviderId, std::size_t> place_; ///< among those of its group
-  IdTable<GroupId, RegionIndex> regions_;  ///< of its providers, by `when`
-  DominatorTree below_;                    ///< of groups below the roots, over requests and needs
+  /// How many providers of the group there are up to the first one that can always run: later ones never matter.
+  IdTable<GroupId, std::size_t> deciding_;
+  IdTable<GroupId, RegionIndex> regions_; ///< of its providers, by `when`
+  DominatorTree below_;                   ///< of groups below the roots, over requests and needs
 };
 
 /// Whether `others` cover all of `own`, if each state has one of `values` or, if it is not in `own` and may be, is

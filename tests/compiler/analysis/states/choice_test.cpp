@@ -53,6 +53,16 @@ TEST_CASE("several rivals must all be able to fail at once") {
                     "G.r"));
 }
 
+TEST_CASE("behind a provider that can always run no provider is a rival") {
+  const tests::Analysed test(two_states + "roots: [G]\ngroups: {G: {providers: [{name: p, when: [X == a]}, {name: q}, "
+                                          "{name: r, when: [Y == a]}, {name: s}]}}\n");
+  const Rivals rivals(test.model, test.facts.holding, test.facts.active);
+  const std::vector<Rival> found = rivals.of(test.provider("G.s"));
+  REQUIRE(found.size() == 2);
+  CHECK(found[0].provider == test.provider("G.p"));
+  CHECK(found[1].provider == test.provider("G.q"));
+}
+
 TEST_CASE("a rival whose needs another group may hold can fail") {
   CHECK(comes_first(
       "roots: [G, H]\ngroups: {G: {providers: [{name: p, needs: [L]}, {name: q}]}, H: {tasks: [L]}, L: {}}\n", "G.q"));
