@@ -114,6 +114,8 @@ std::vector<AllowSpec> read_allow(Reader& reader, const YamlNode& mapping) {
     reader.error("missing_key", Reader::key_of(mapping, "because").span, "`because` needs `allow`",
                  "say which check it is about, `allow: [...]`, or write it as `doc`");
   const std::optional<Word> reason = reader.text(because, "because");
+  if (reason && reason->value.find_first_not_of(" \t\r\n") == std::string::npos)
+    reader.unexpected(*because, "because", "a reason", "say why it is wanted: `because: ...`");
   std::vector<AllowSpec> out;
   for (Word& id : reader.words(allow, "allow", "the id of a check")) out.push_back({std::move(id), reason});
   return out;

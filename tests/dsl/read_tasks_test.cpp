@@ -146,6 +146,10 @@ TEST_CASE("What is allowed needs a reason, and is allowed all the same") {
         "3:49 `because` missing_key: `because` needs `allow` (say which check it is about, `allow: [...]`, or write it "
         "as `doc`)\n");
   CHECK(silent.file().roots->at(0).allow.size() == 1);
+  for (const std::string empty : {"", " "})
+    CHECK(with_roots("{Walk: {allow: [equal_priority], because: \"" + empty + "\"}}").findings() ==
+          "3:42 `\"" + empty + "\"` wrong_node_kind: `because`: expected a reason, found the text `" + empty +
+              "` (say why it is wanted: `because: ...`)\n");
 }
 
 TEST_CASE("Packs are lists or mappings of tasks by name") {
