@@ -62,10 +62,14 @@ Excerpt excerpt(std::string_view line, std::size_t begin, std::size_t end, std::
   }
   const std::size_t limit = std::min(line.size(), first + most_bytes_a_column * width);
   std::size_t at = first;
-  while (at < limit && column < width) {
+  struct {
+    std::size_t text, at, column;
+  } room{out.text.size(), at, column}; // behind the last character after which the ellipsis fits
+  while (at < limit) {
     const Glyph glyph = glyph_at(line, at);
     const std::size_t next = at + glyph.bytes;
     const std::size_t wide = line[at] == '\t' ? tab_stop - column % tab_stop : glyph.columns;
+    if (column + wide > width) break;
     // A combining accent has the place of its letter.
     if (begin >= at && begin < next) out.begin = wide == 0 && column > 0 ? column - 1 : column;
     if (end >= at && end < next) out.end = column;
@@ -77,10 +81,17 @@ Excerpt excerpt(std::string_view line, std::size_t begin, std::size_t end, std::
       out.text += '?';
     column += wide;
     at = next;
+    if (column < width) room = {out.text.size(), at, column};
+  }
+  const bool cut = at < line.size();
+  if (cut) {
+    out.text.resize(room.text);
+    at = room.at;
+    column = room.column;
   }
   if (begin >= at) out.begin = column;
   if (end >= at) out.end = column;
-  if (at < line.size()) out.text += ellipsis;
+  if (cut) out.text += ellipsis;
   return out;
 }
 

@@ -3,6 +3,9 @@
 #include "dsl/render.hpp"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <utility>
 
 using namespace director::dsl;
 
@@ -91,7 +94,7 @@ TEST_CASE("A line of accents without end is cut") {
   RenderOptions narrow;
   narrow.width = 4;
   CHECK(render(shown.error("b"), shown.sources, narrow) == "walk.yaml:1:4: error: no such key [unknown_key]\n"
-                                                           "    1 | a: b…\n"
+                                                           "    1 | a: …\n"
                                                            "      |    ^\n");
 }
 
@@ -144,11 +147,11 @@ TEST_CASE("A long line is cut around the place") {
   RenderOptions narrow;
   narrow.width = 24;
   CHECK(render(shown.error("here"), shown.sources, narrow) == R"(walk.yaml:1:41: error: no such key [unknown_key]
-    1 | …xxxxxx, here, xxxxxxxxx…
+    1 | …xxxxxx, here, xxxxxxxx…
       |          ^~~~
 )");
   CHECK(render(shown.error("tasks"), shown.sources, narrow) == R"(walk.yaml:1:1: error: no such key [unknown_key]
-    1 | tasks: [xxxxxxxxxxxxxxxx…
+    1 | tasks: [xxxxxxxxxxxxxxx…
       | ^~~~~
 )");
   const Shown umlauts("k: " + std::string("äöüäöüäöüäöüäöüäöüäöüäöüäöü") + " here");
@@ -156,6 +159,19 @@ TEST_CASE("A long line is cut around the place") {
     1 | …üäöü here
       |       ^~~~
 )");
+}
+
+TEST_CASE("A long line of wide characters is no wider than the terminal") {
+  const Shown shown("k: here, 日本語日本語日本語");
+  RenderOptions narrow;
+  for (const auto& [width, line] : {std::pair{27, "k: here, 日本語日本語日本語"},
+                                    {26, "k: here, 日本語日本語日本…"},
+                                    {25, "k: here, 日本語日本語日…"},
+                                    {24, "k: here, 日本語日本語日…"}}) {
+    narrow.width = static_cast<std::size_t>(width);
+    CHECK(render(shown.error("here"), shown.sources, narrow) ==
+          fmt::format("walk.yaml:1:4: error: no such key [unknown_key]\n    1 | {}\n      |    ^~~~\n", line));
+  }
 }
 
 TEST_CASE("Control bytes do not reach the terminal") {
