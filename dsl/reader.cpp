@@ -243,14 +243,18 @@ std::optional<Located<std::int64_t>> Reader::number(const YamlNode* node, std::s
 
 std::optional<Located<Duration>> Reader::duration(const YamlNode* node, std::string_view subject, std::int64_t least) {
   constexpr std::string_view expected = "a duration such as 10 ms";
+  constexpr const char* help = "a whole number and one of us, ms, s, min";
+  if (node && node->kind == YamlNode::Kind::list) {
+    unexpected(*node, subject, expected, help);
+    return std::nullopt;
+  }
   if (!is_scalar(node, subject, expected)) return std::nullopt;
   const auto value = parse_duration(node->text);
   if (value && value->microseconds() >= least) return Located<Duration>{*value, node->span};
   if (const auto most = most_instead_of(node->text))
     unexpected(*node, subject, fmt::format("a duration of at most {}", to_text(*most)), "");
   else
-    unexpected(*node, subject, value ? "a duration above 0" : expected,
-               value ? "" : "a whole number and one of us, ms, s, min");
+    unexpected(*node, subject, value ? "a duration above 0" : expected, value ? "" : help);
   return std::nullopt;
 }
 

@@ -169,6 +169,8 @@ TEST_CASE("What is wrong in a group is reported at its place") {
            Case{"{every: 10}",
                 "4:17 `10` wrong_node_kind: `every`: expected a duration such as 10 ms, found `10` (a whole "
                 "number and one of us, ms, s, min)\n"},
+           Case{"{every: [1 s]}", "4:17 `[1 s]` wrong_node_kind: `every`: expected a duration such as 10 ms, found a "
+                                  "list (a whole number and one of us, ms, s, min)\n"},
            Case{"{every: 0 ms}", "4:17 `0 ms` wrong_node_kind: `every`: expected a duration above 0, found `0 ms`\n"},
            Case{"{needs: [yes, \"no\", On]}",
                 "4:18 `yes` warning yaml_word_trap: older YAML tools read a bare `yes` as a boolean (write \"yes\", or "
