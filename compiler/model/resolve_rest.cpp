@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <string_view>
 
 namespace director::compiler {
 
@@ -66,6 +68,27 @@ void resolve_assertions(Resolver& r) {
   }
 }
 
+/// The generated C++ numbers the named levels of a task, those of all its requesters together, in a byte.
+void limit_level_names(Resolver& r) {
+  constexpr std::size_t most = 255;
+  IdTable<GroupId, std::set<std::string_view>> names(r.model.groups.size());
+  const auto add = [&](const Task& task) {
+    for (const Task::NamedLevel& level : task.levels) {
+      std::set<std::string_view>& known = names[task.target];
+      if (level.name.empty() || !known.insert(level.name).second || known.size() != most + 1) continue;
+      r.error("input_limit", level.span,
+              fmt::format("`{}` has more than {} named levels", r.model.groups[task.target].name.value, most),
+              "use fewer names: those of all its requesters count, each once");
+    }
+  };
+  for (const Task& root : r.model.roots) add(root);
+  for (const Provider& provider : r.model.providers) {
+    for (const Pack& pack : provider.packs) {
+      for (const Task& task : pack.tasks) add(task);
+    }
+  }
+}
+
 void add_allowances(Resolver& r, const std::vector<dsl::AllowSpec>& specs, Span scope) {
   for (const dsl::AllowSpec& spec : specs) {
     const std::vector<std::string>& known = r.options.check_ids;
@@ -116,6 +139,7 @@ void check_roots_of_imports(Resolver& r) {
 } // namespace
 
 void resolve_rest(Resolver& r) {
+  limit_level_names(r);
   resolve_assertions(r);
   resolve_allowances(r);
   check_roots_of_imports(r);

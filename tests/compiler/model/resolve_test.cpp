@@ -155,6 +155,22 @@ assertions:
   CHECK(lines_with(text.checked.model, "assert") == "assert can run B\n");
 }
 
+TEST_CASE("a task has at most 255 named levels, those of all its requesters together") {
+  const auto levels = [](int first, int last) {
+    std::string out;
+    for (int i = first; i <= last; ++i)
+      out += (out.empty() ? "" : ", ") + std::string("l") + std::to_string(i) + ": " + std::to_string(i);
+    return "{priority: {" + out + "}}";
+  };
+  const auto findings = [&](int last) {
+    return check_text("roots: {T: " + levels(0, 200) +
+                      ", A: {priority: -1}}\ngroups:\n  A:\n    tasks:\n      T: " + levels(100, last) + "\n  T: {}\n")
+        .findings();
+  };
+  CHECK(findings(254).empty());
+  CHECK(findings(255) == "main.yaml:7: `T` has more than 255 named levels [input_limit]\n");
+}
+
 TEST_CASE("headers of all files are included, the namespace is the main file's") {
   const auto text = check_files(
       {{"main.yaml", beginning("robot") + "imports: [a.yaml]\ncpp: {headers: [m.hpp, a.hpp]}\nroots: [A]\n"},
