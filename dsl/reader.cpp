@@ -111,6 +111,10 @@ void Reader::know_keys(const YamlNode& mapping, std::string_view thing, const Ke
       error("unknown_key", pair.key.span, message, *help);
       continue;
     }
+    if (key.find("\xC2\xA0") != std::string::npos) {
+      error("unknown_key", pair.key.span, message, "it has no-break spaces in it: write blanks in their place");
+      continue;
+    }
     const auto near = suggest(key, keys);
     if (near) misspelt_.emplace_back(&mapping, *near);
     error("unknown_key", pair.key.span, message,
