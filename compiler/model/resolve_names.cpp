@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/model/resolver.hpp"
 #include "dsl/cpp_type.hpp"
+#include "dsl/duration.hpp"
 #include "dsl/names.hpp"
 #include "dsl/suggest.hpp"
 
@@ -197,6 +198,8 @@ void report_undefined(Resolver& r, std::string_view kind, const Word& name, cons
   const std::string group = name.value.substr(0, name.value.find('.'));
   if (kind == "group" && group.size() < name.value.size() && r.groups.count(group) != 0) {
     finding.help = fmt::format("name the group alone, `{}`: which provider runs is not for others to say", group);
+  } else if (kind == "trigger" && dsl::parse_duration(name.value)) {
+    finding.help = fmt::format("a period has a key of its own: `every: {}`", name.value);
   } else if (const auto nearest = dsl::suggest(name.value, known)) {
     finding.help = fmt::format("did you mean `{}`?", *nearest);
   } else if (kind == "group") {

@@ -51,6 +51,8 @@ void resolve_assertions(Resolver& r) {
       assertion.span = spec.span;
       for (const Word& name : spec.groups) {
         const auto group = find_group(r, name);
+        if (!group && r.groups.count(name.value.substr(0, name.value.find('.'))) != 0)
+          r.findings.back().help = "an assertion is about groups; `directorc explore` lists providers that never run";
         if (!group) continue;
         const auto first = std::find_if(assertion.groups.begin(), assertion.groups.end(),
                                         [&](Use<GroupId> use) { return use.id == *group; });
