@@ -7,6 +7,7 @@
 #include "compiler/transitions/matrix.hpp"
 
 #include "compiler/transitions/judge.hpp"
+#include "dsl/yaml_text.hpp"
 
 #include <fmt/format.h>
 
@@ -24,6 +25,7 @@ constexpr std::size_t most_changes = 4;
 
 class TransitionFinder {
 public:
+  /// `behaviour`: its file, as it is written in a scenario.
   TransitionFinder(const Model& model, const Lowered& lowered, std::string behaviour)
       : model_(model),
         player_(model, lowered, behaviour),
@@ -241,7 +243,7 @@ private:
 
 TransitionMatrix find_transitions(const Model& model, const Lowered& lowered, const std::string& behaviour,
                                   const std::vector<GroupId>& only) {
-  return transitions::TransitionFinder(model, lowered, behaviour).find(only);
+  return transitions::TransitionFinder(model, lowered, dsl::yaml_word(behaviour)).find(only);
 }
 
 struct TransitionPlays::Finder : transitions::TransitionFinder {

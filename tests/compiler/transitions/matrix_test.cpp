@@ -75,6 +75,16 @@ groups:
 
 } // namespace
 
+TEST_CASE("the name of the behaviour is quoted in scenarios where YAML reads it in another way") {
+  const Compiled compiled = compile(std::string("behaviour: test\nlanguage: 1\n") + legs);
+  for (const auto& [file, written] :
+       {std::pair("a #c.yaml", "\"a #c.yaml\""), std::pair(" lead.yaml", "\" lead.yaml\""),
+        std::pair("left arm.yaml", "left arm.yaml")}) {
+    const TransitionMatrix matrix = compiler::find_transitions(compiled.model, compiler::lower(compiled.model), file);
+    CHECK(matrix.pieces[matrix.rows.at(0).cells.at(1).scenario.at(4)] == fmt::format("\nbehaviour: {}\n", written));
+  }
+}
+
 TEST_CASE("soft: the second waits, the first is pushed, and what promises the state is named with its time") {
   CHECK(
       cell(legs, "Walk", "Kick") ==
