@@ -77,11 +77,11 @@ private:
                       is.front(), was.front()));
   }
 
-  static const Level& level_of(const Model& model, const Task& task, const Task::NamedLevel& level) {
-    return model.edges[task.edge].levels[level.level];
-  }
-  static std::string manner(const Level& level) {
-    return level.optional ? "optional" : level.apart ? "apart" : "mandatory";
+  /// A request of the program is a unit by itself, so `apart` changes nothing there.
+  static std::string manner(const Model& model, const Task& task, const Task::NamedLevel& level) {
+    const Edge& edge = model.edges[task.edge];
+    const Level& it = edge.levels[level.level];
+    return it.optional ? "optional" : it.apart && edge.requester ? "apart" : "mandatory";
   }
   void units(const std::string& name, const Task& before, const Task& after) {
     for (std::size_t i = 0; i < after.levels.size(); ++i) {
@@ -89,8 +89,7 @@ private:
       const auto old = std::find_if(before.levels.begin(), before.levels.end(),
                                     [&](const Task::NamedLevel& each) { return each.name == level.name; });
       if (old == before.levels.end()) continue;
-      const std::string was = manner(level_of(pair_.old_model, before, *old)),
-                        is = manner(level_of(pair_.new_model, after, level));
+      const std::string was = manner(pair_.old_model, before, *old), is = manner(pair_.new_model, after, level);
       if (was == is) continue;
       const std::string at = level.name.empty() ? "" : fmt::format(" at `{}`", level.name);
       changes_.add(ChangeKind::unit, requester_.subject,

@@ -139,6 +139,13 @@ TEST_CASE("a task that leads to one more group can take that group too") {
       "needs_added: `Kick` now needs `Arms`\n");
 }
 
+TEST_CASE("for a task of the program apart changes nothing") {
+  const std::string groups = "groups: {Walk: {}, Look: {}}\n";
+  CHECK(told("roots: {Walk: {priority: 10}, Look: {}}\n" + groups,
+             "roots: {Walk: {priority: 10}, Look: {apart: true}}\n" + groups)
+            .empty());
+}
+
 TEST_CASE("of equal rank the order decides, of different ranks it does not") {
   const char* const plain = "groups: {Walk: {needs: [Legs]}, Kick: {needs: [Legs]}, Legs: {}}\n";
   CHECK(
