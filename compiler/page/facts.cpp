@@ -7,6 +7,7 @@
 #include "compiler/emit/graph/take_ranks.hpp"
 #include "compiler/explore/verdict.hpp"
 #include "compiler/graph/algorithms.hpp"
+#include "compiler/graph/topmost.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/page/ranks.hpp"
 #include "compiler/play/coverage.hpp"
@@ -58,17 +59,7 @@ std::string words_of(const PossibleTake& take, const Model& model, const std::se
   return fmt::format("{}", fmt::join(out, ", or "));
 }
 
-/// The groups that none of the others leads to; all of a cycle.
-std::vector<GroupId> topmost(const Model& model, const std::vector<bool>& groups) {
-  std::vector<GroupId> out = contested(model, groups, groups);
-  if (!out.empty()) return out;
-  for (const GroupId id : model.groups.ids()) {
-    if (groups[id.value]) out.push_back(id);
-  }
-  return out;
-}
-
-Json take_json(const PossibleTake& take, const Model& model) {
+Json take_json(const PossibleTake& take, const Model& model, Topmost& topmost) {
   const Edge &taker = model.edges[take.taker], &loser = model.edges[take.loser];
   Json out = Json::object({});
   if (taker.requester) out.add("requester", Json::text(model.groups[*taker.requester].name.value));
@@ -82,7 +73,8 @@ Json take_json(const PossibleTake& take, const Model& model) {
   out.add("loser_priorities", priorities(is_ranked ? by_priority : take.ranks, &Winning::second));
   out.add("words", Json::text(words_of(take, model, by_priority)));
   Json over = Json::list({});
-  for (const GroupId id : topmost(model, take.groups)) over.add(Json::text(model.groups[id].name.value));
+  for (const GroupId id : topmost.of(taker.target, loser.target, take.groups))
+    over.add(Json::text(model.groups[id].name.value));
   out.add("over", std::move(over));
   return out;
 }
@@ -136,7 +128,8 @@ void add_page_facts(Json& data, const Model& model, const Graph& graph, const st
   }
   data.add("pushes", std::move(pushes));
   Json takes = Json::list({});
-  for (const PossibleTake& take : possible_takes(model, graph)) takes.add(take_json(take, model));
+  Topmost topmost(graph);
+  for (const PossibleTake& take : possible_takes(model, graph)) takes.add(take_json(take, model, topmost));
   data.add("takes", std::move(takes));
   data.add("ranks", ranks_json(model));
   std::vector<Verdict> decided;

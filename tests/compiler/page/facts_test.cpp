@@ -98,6 +98,20 @@ groups: {GetUp: {needs: [Legs]}, Walk: {needs: [Legs], tasks: [Legs]}, Legs: {ne
 )");
 }
 
+TEST_CASE("a group that one of the two reaches past the one that they contend for is listed beside it") {
+  const compiler::Json takes = facts(R"(roots: {Deliver: {priority: 30}, Recharge: {priority: 20}}
+groups:
+  Deliver: {packs: {go: [Drive], grab: [Grasp]}}
+  Recharge: {tasks: [Drive]}
+  Drive: {needs: [Wheels], tasks: [Wheels]}
+  Grasp: {needs: [Wheels]}
+  Wheels: {needs: [Motor]}
+  Motor: {}
+)")["takes"];
+  REQUIRE(takes.items().size() == 1);
+  CHECK(to_line(takes.items().front()["over"]) == R"(["Drive","Wheels"])");
+}
+
 TEST_CASE("a task takes nothing that is granted together with it, only what that leads to") {
   CHECK(
       to_line(facts(R"(roots: [Play]
