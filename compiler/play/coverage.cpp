@@ -32,7 +32,7 @@ public:
         counts_([this](ProviderId id) {
           return facts_.capable.contains(id) && facts_.requested.contains(model_.providers[id].group);
         }),
-        branches_(model, counts_) {}
+        branches_(model, counts_, [this](ProviderId id) { return facts_.capable.contains(id); }) {}
 
   Coverage plan() {
     for (const ProviderId id : model_.providers.ids()) {

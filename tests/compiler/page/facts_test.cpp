@@ -112,6 +112,14 @@ groups:
   CHECK(to_line(takes.items().front()["over"]) == R"(["Drive","Wheels"])");
 }
 
+TEST_CASE("a task takes also what another one holds past a group that is only needed") {
+  CHECK(
+      to_line(facts(R"(roots: {Inspect: {priority: 2}, Carry: {priority: 1}}
+groups: {Inspect: {needs: [Pump]}, Carry: {needs: [Press]}, Press: {needs: [Pump]}, Pump: {}}
+)")["takes"]) ==
+      R"([{"winner":"Inspect","loser":"Carry","by":"priority","winner_priorities":[2],"loser_priorities":[1],"words":"priority 2 before 1","over":["Pump"]}])");
+}
+
 TEST_CASE("a task takes nothing that is granted together with it, only what that leads to") {
   CHECK(
       to_line(facts(R"(roots: [Play]
