@@ -1,101 +1,161 @@
 // Header: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// Compares the order of tasks. Two tasks meet below their closest common requester, and the two edges there decide
-// (semantics.md, 4.1): so each pair of edges of each requester is compared, over all levels that each may have. The
-// order matters if both lead to one group, by requests or needs. An optional task further down is reported by itself,
-// as a change of its unit.
+// Compares what tasks can take from each other. Two tasks meet below their closest common requester, and the two edges
+// there decide (semantics.md, 4.1). So for each pair of edges of each requester, the rivalries of both sides are
+// compared, which pages and coverage use too: each pair of their levels, each group that both may claim then, and how.
+// Where a level is requested, and its name, say which levels of the two sides are the same.
 #include "compiler/base/and_list.hpp"
+#include "compiler/diff/contests.hpp"
 #include "compiler/diff/side.hpp"
 
 #include <fmt/format.h>
 
+#include <compare>
+#include <cstdint>
 #include <iterator>
 #include <map>
+#include <tuple>
+#include <utility>
 
 namespace director::compiler::diff {
 
 namespace {
 
-enum Order : unsigned { goes_before = 1, is_equal = 2, goes_after = 4 };
+/// What has become of taking one group. Gains come first.
+enum class Shift { gained, always, more, more_in_passing, lost, not_always, fewer, fewer_in_passing };
 
-/// The order of all pairs in a model.
-class Ranks {
-public:
-  Ranks(const Model& model, const Graph& graph) : model_(model), graph_(graph), led_to_(model.groups.size()) {
-    for (const EdgeId id : model.edges.ids()) {
-      const Edge& edge = model.edges[id];
-      const std::string requester = edge.requester ? name_of(model, *edge.requester) : "";
-      edges_[requester].push_back(id);
-      by_names_.emplace(std::pair(requester, name_of(model, edge.target)), &edge);
+ChangeKind kind_of(Shift shift) {
+  return shift < Shift::lost ? ChangeKind::takeover_gained : ChangeKind::takeover_lost;
+}
+
+std::string sentence(Shift shift, const std::string& winner, const std::string& what, const std::string& losers) {
+  const auto [can, cases] = [&]() -> std::pair<const char*, const char*> {
+    switch (shift) {
+    case Shift::gained: return {"can now", ""};
+    case Shift::always: return {"can now always", ""};
+    case Shift::more: return {"can", " in more cases now"};
+    case Shift::lost: return {"can no longer", ""};
+    case Shift::not_always: return {"can no longer always", ""};
+    case Shift::fewer: return {"can", " in fewer cases now"};
+    case Shift::more_in_passing: return {"can", " in more cases now, while control passes"};
+    case Shift::fewer_in_passing: break;
     }
-  }
+    return {"can", " in fewer cases now, while control passes"};
+  }();
+  return fmt::format("{} {} take {} from {}{}", winner, can, what, losers, cases);
+}
 
-  const std::map<std::string, std::vector<EdgeId>>& edges() const { return edges_; }
-  const Edge* find(const std::string& requester, const std::string& target) const {
-    const auto at = by_names_.find({requester, target});
-    return at == by_names_.end() ? nullptr : at->second;
-  }
+enum class Extent { never, sometimes, always };
 
-  /// The levels of an edge. A need counts as mandatory, with the priority of the first level.
-  static std::vector<Level> levels(const Edge& edge) {
-    std::vector<Level> out = edge.levels;
-    if (edge.needed) out.push_back({out.empty() ? 0 : out.front().priority, false, false});
-    return out;
-  }
-  static unsigned orders(const Edge& one, const Edge& other) {
-    unsigned out = 0;
-    for (const Level& a : levels(one)) {
-      for (const Level& b : levels(other)) {
-        if (a.optional != b.optional) out |= a.optional ? goes_after : goes_before;
-        if (a.optional == b.optional)
-          out |= a.priority > b.priority ? goes_before : a.priority < b.priority ? goes_after : is_equal;
-      }
-    }
-    return out;
-  }
+Extent extent_of(const Meetings& meetings) {
+  const auto wins = std::count_if(meetings.begin(), meetings.end(), [](const auto& each) { return each.second; });
+  return wins == 0                                          ? Extent::never
+         : static_cast<std::size_t>(wins) < meetings.size() ? Extent::sometimes
+                                                            : Extent::always;
+}
 
-  /// Names of the groups that both lead to. `top`: without the groups below these.
-  std::vector<std::string> over(const Edge& one, const Edge& other, bool top) {
-    const std::vector<bool>&first = led_to(one.target), &second = led_to(other.target);
-    std::vector<std::string> out;
-    for (const GroupId id : top ? contested(model_, first, second) : model_.groups.ids()) {
-      if (first[id.value] && second[id.value]) out.push_back(name_of(model_, id));
-    }
-    std::sort(out.begin(), out.end());
-    return out;
+std::vector<Shift> shifts(const Meetings& before, const Meetings& now) {
+  const Extent was = extent_of(before), is = extent_of(now);
+  if (was != is) {
+    if (was == Extent::never) return {Shift::gained};
+    if (is == Extent::never) return {Shift::lost};
+    return {is == Extent::always ? Shift::always : Shift::not_always};
   }
-
-  /// Names of all groups below a group, and its own.
-  std::set<std::string> reach(GroupId from) {
-    const std::vector<bool>& below = led_to(from);
-    std::set<std::string> out;
-    for (const GroupId id : model_.groups.ids()) {
-      if (below[id.value]) out.insert(name_of(model_, id));
-    }
-    return out;
+  if (was != Extent::sometimes) return {};
+  bool more = false, fewer = false;
+  auto old = before.begin();
+  for (const auto& [meeting, wins] : now) {
+    while (old != before.end() && old->first < meeting) ++old;
+    if (old == before.end() || old->first != meeting) continue;
+    more = more || (wins && !old->second);
+    fewer = fewer || (!wins && old->second);
   }
+  std::vector<Shift> out;
+  if (more) out.push_back(Shift::more);
+  if (fewer) out.push_back(Shift::fewer);
+  return out;
+}
 
-private:
-  const std::vector<bool>& led_to(GroupId from) {
-    std::vector<bool>& out = led_to_[from.value];
-    if (out.empty()) out = compiler::led_to(graph_, from);
-    return out;
-  }
-
-  const Model& model_;
-  const Graph& graph_;
-  std::map<std::string, std::vector<EdgeId>> edges_; ///< by requester, "" for the program; in order
-  std::map<std::pair<std::string, std::string>, const Edge*> by_names_;
-  std::vector<std::vector<bool>> led_to_;
+/// A member of a unit that makes a difference, where nothing else does.
+struct Mate {
+  std::uint32_t name = 0; ///< its number; 0: none
+  bool is_losers = false;
+  auto operator<=>(const Mate&) const = default;
 };
+
+Mate differing_mate(const Meetings& before, const Meetings& now) {
+  const auto [was, is] = std::mismatch(before.begin(), before.end(), now.begin(), now.end());
+  Mate out; // those without a mate come first
+  for (const Meeting* each : {was == before.end() ? nullptr : &was->first, is == now.end() ? nullptr : &is->first}) {
+    if (each == nullptr) continue;
+    if (each->mate == 0) return {};
+    out = {each->mate, each->is_losers};
+  }
+  return out;
+}
 
 std::string rank_text(const Edge& edge) {
   std::vector<std::string> out;
   if (edge.levels.empty()) return "needed only";
   for (const Level& level : edge.levels)
-    out.push_back(fmt::format("{}{}", level.optional ? "optional, " : "", level.priority));
+    out.push_back(fmt::format("{}{}", level.priority, level.optional ? " (optional)" : level.apart ? " (apart)" : ""));
   return "priority " + and_list(out);
+}
+
+/// In an order that does not depend on the text. A need counts as mandatory, with the priority of the first level.
+std::vector<Level> levels_of(const Edge& edge) {
+  std::vector<Level> out = edge.levels;
+  if (edge.needed) out.push_back({out.empty() ? 0 : out.front().priority, false, false});
+  std::sort(out.begin(), out.end(), [](const Level& a, const Level& b) {
+    return std::tuple(a.optional, a.apart, a.priority) < std::tuple(b.optional, b.apart, b.priority);
+  });
+  return out;
+}
+
+/// For each level of the one and each of the other.
+std::vector<int> orders(const Edge& one, const Edge& other) {
+  std::vector<int> out;
+  for (const Level& a : levels_of(one)) {
+    for (const Level& b : levels_of(other)) {
+      if (a.optional != b.optional) out.push_back(a.optional ? -1 : 1);
+      if (a.optional == b.optional) out.push_back(a.priority < b.priority ? -1 : a.priority > b.priority ? 1 : 0);
+    }
+  }
+  return out;
+}
+
+bool may_be_equal(const Edge& one, const Edge& other) {
+  const std::vector<int> all = orders(one, other);
+  return std::find(all.begin(), all.end(), 0) != all.end();
+}
+
+/// The first is before something now that it was not before, and the other way round.
+std::pair<bool, bool> gains_and_loses(const std::vector<int>& before, const std::vector<int>& now) {
+  const auto goes_before = [](int order) { return order > 0; };
+  const auto any = [&](const std::vector<int>& all) { return std::any_of(all.begin(), all.end(), goes_before); };
+  if (before.size() != now.size()) return {any(now) && !any(before), any(before) && !any(now)};
+  bool gains = false, loses = false;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    gains = gains || (goes_before(now[i]) && !goes_before(before[i]));
+    loses = loses || (!goes_before(now[i]) && goes_before(before[i]));
+  }
+  return {gains, loses};
+}
+
+/// Whether each level of the one stands to each of the other as it did.
+bool is_order_alike(const Edge& one, const Edge& old_one, const Edge& other, const Edge& old_other) {
+  const auto relation = [](const Level& a, const Level& b) {
+    return std::tuple(a.optional, a.apart, b.optional, b.apart, a.priority <=> b.priority);
+  };
+  const auto relations = [&](const Edge& first, const Edge& second) {
+    std::vector<decltype(relation({}, {}))> out;
+    for (const Level& a : levels_of(first)) {
+      for (const Level& b : levels_of(second)) out.push_back(relation(a, b));
+    }
+    return out;
+  };
+  return relations(one, other) == relations(old_one, old_other);
 }
 
 class Comparison {
@@ -103,8 +163,8 @@ public:
   Comparison(const Pair& pair, Changes& changes)
       : pair_(pair),
         changes_(changes),
-        old_(pair.old_model, pair.before.graph),
-        new_(pair.new_model, pair.after.graph) {}
+        old_(pair.before, numbers_),
+        new_(pair.after, numbers_) {}
 
   void compare() {
     for (const auto& [requester, edges] : new_.edges()) {
@@ -115,12 +175,7 @@ public:
         const Edge& edge = pair_.new_model.edges[id];
         pairs_.emplace_back(&edge, old_.find(requester, target(edge)));
       }
-      // Skips two unchanged edges: most requesters of most changes have only these.
-      std::vector<std::pair<const Edge*, const Edge*>> changed;
-      std::copy_if(pairs_.begin(), pairs_.end(), std::back_inserter(changed),
-                   [&](const auto& each) { return !is_alike(each); });
-      for (const auto& [winner, old_winner] : pairs_)
-        losers_of(*winner, old_winner, is_alike({winner, old_winner}) ? changed : pairs_);
+      for (const auto& [winner, old_winner] : pairs_) losers_of(*winner, old_winner);
       ties(requester);
     }
     for (const auto& [requester, edges] : new_.edges()) {
@@ -135,86 +190,155 @@ private:
     Names losers;
     Span before{}, after{};
   };
+  using Wordings = std::map<std::tuple<Shift, Names, std::string>, Losers>;
 
   std::string target(const Edge& edge) const { return name_of(pair_.new_model, edge.target); }
 
-  /// Whether it leads to the same groups as before.
-  bool leads_alike(const Edge& edge, const Edge& old) {
-    const auto [at, fresh] = alike_.try_emplace(edge.target, false);
-    if (fresh) at->second = new_.reach(edge.target) == old_.reach(old.target);
-    return at->second;
-  }
-
-  bool is_alike(const std::pair<const Edge*, const Edge*>& each) {
-    const auto& [edge, old] = each;
-    return old != nullptr && edge->levels == old->levels && edge->needed == old->needed && leads_alike(*edge, *old);
-  }
-
-  void losers_of(const Edge& winner, const Edge* old_winner,
-                 const std::vector<std::pair<const Edge*, const Edge*>>& others) {
-    std::map<std::pair<Names, std::string>, Losers> gained, lost, always, sometimes;
-    for (const auto& [other, old_loser] : others) {
+  void losers_of(const Edge& winner, const Edge* old_winner) {
+    Wordings wordings;
+    for (const auto& [other, old_loser] : pairs_) {
       const Edge& loser = *other;
       if (&loser == &winner || old_loser == nullptr) continue;
-      const unsigned now = Ranks::orders(winner, loser),
-                     before = old_winner == nullptr ? 0 : Ranks::orders(*old_winner, *old_loser);
-      const bool can = (now & goes_before) != 0, could = (before & goes_before) != 0;
-      if (!can && !could) continue;
-      const std::string why = reason(winner, old_winner, loser, *old_loser);
-      const Names none;
-      const Names more = missing_in(can ? new_.over(winner, loser, true) : none,
-                                    could ? old_.over(*old_winner, *old_loser, false) : none);
-      const Names less = missing_in(could ? old_.over(*old_winner, *old_loser, true) : none,
-                                    can ? new_.over(winner, loser, false) : none);
-      if (!more.empty()) collect(gained, more, why, winner, old_winner, loser, *old_loser);
-      if (!less.empty()) collect(lost, less, why, winner, old_winner, loser, *old_loser);
-      // With all of its levels against all of the other's, or only with some.
-      if (!can || !could || !more.empty() || !less.empty() || (now == goes_before) == (before == goes_before)) continue;
-      const Names over = new_.over(winner, loser, true);
-      if (!over.empty())
-        collect(now == goes_before ? always : sometimes, over, why, winner, old_winner, loser, *old_loser);
+      const Contests::Groups now = new_.between(winner, loser), before = old_winner == nullptr
+                                                                             ? Contests::Groups{}
+                                                                             : old_.between(*old_winner, *old_loser);
+      const bool is_told =
+          now != before && compare_contest(winner, old_winner, loser, *old_loser, before, now, wordings);
+      if (!is_told && old_winner != nullptr) compare_in_passing(winner, *old_winner, loser, *old_loser, wordings);
     }
-    for (const auto& [what, losers] : gained) add(ChangeKind::takeover_gained, "can now", winner, what, losers);
-    for (const auto& [what, losers] : always) add(ChangeKind::takeover_gained, "can now always", winner, what, losers);
-    for (const auto& [what, losers] : lost) add(ChangeKind::takeover_lost, "can no longer", winner, what, losers);
-    for (const auto& [what, losers] : sometimes)
-      add(ChangeKind::takeover_lost, "can no longer always", winner, what, losers);
+    for (const auto& [wording, losers] : wordings) {
+      const auto& [shift, groups, why] = wording;
+      const bool itself = groups == Names{target(winner)};
+      changes_.add(kind_of(shift), edge_name(winner),
+                   sentence(shift, ticked(target(winner)), itself ? "the place" : ticked_list(groups),
+                            ticked_list(losers.losers)) +
+                       ": " + why,
+                   losers.before, losers.after);
+    }
   }
 
-  std::string reason(const Edge& winner, const Edge* old_winner, const Edge& loser, const Edge& old_loser) const {
+  /// What is never requested at once is compared, too, while control passes from the one to the other.
+  void compare_in_passing(const Edge& winner, const Edge& old_winner, const Edge& loser, const Edge& old_loser,
+                          Wordings& out) {
+    if (is_order_alike(winner, old_winner, loser, old_loser)) return;
+    if (!new_.meet_in_passing(winner, loser) || !old_.meet_in_passing(old_winner, old_loser)) return;
+    const auto [gains, loses] = gains_and_loses(orders(old_winner, old_loser), orders(winner, loser));
+    if (!gains && !loses) return;
+    const Names names = new_.topmost_common(winner, loser);
+    if (names.empty() || old_.topmost_common(old_winner, old_loser).empty()) return;
+    const std::string why = reason(winner, &old_winner, loser, old_loser);
+    const bool by_loser = winner.levels == old_winner.levels;
+    for (const Shift shift : {Shift::more_in_passing, Shift::fewer_in_passing}) {
+      if (shift == Shift::more_in_passing ? !gains : !loses) continue;
+      Losers& losers = out[{shift, names, why}];
+      losers.losers.push_back(target(loser));
+      losers.before = by_loser ? old_loser.span : old_winner.span;
+      losers.after = by_loser ? loser.span : winner.span;
+    }
+    explained_.insert({edge_name(winner), edge_name(loser)});
+  }
+
+  /// Whether something was told.
+  bool compare_contest(const Edge& winner, const Edge* old_winner, const Edge& loser, const Edge& old_loser,
+                       const Contests::Groups& before, const Contests::Groups& now, Wordings& out) {
+    static const Meetings none;
+    std::map<std::pair<Shift, Mate>, std::set<std::string_view>> shifted; // with the mate that is the reason
+    const auto compare = [&](std::string_view group, const Meetings& was, const Meetings& is) {
+      const std::vector<Shift> all = shifts(was, is);
+      for (const Shift each : all) shifted[{each, differing_mate(was, is)}].insert(group);
+    };
+    for (const auto& [group, is] : now) {
+      const auto was = before.find(group);
+      compare(group, was == before.end() ? none : was->second, is);
+    }
+    for (const auto& [group, was] : before) {
+      if (!now.contains(group)) compare(group, was, none);
+    }
+    if (shifted.empty()) return false;
+    bool is_told = false;
+    const std::set<std::string_view> top = new_.topmost_taken(winner, loser, now),
+                                     old_top = old_winner == nullptr
+                                                   ? std::set<std::string_view>{}
+                                                   : old_.topmost_taken(*old_winner, old_loser, before);
+    for (const auto& [what, groups] : shifted) {
+      const auto& [shift, mate] = what;
+      const auto& from = kind_of(shift) == ChangeKind::takeover_gained ? top : old_top;
+      Names names;
+      for (const std::string_view group : groups) {
+        if (from.contains(group)) names.emplace_back(group);
+      }
+      is_told = is_told || !names.empty();
+      if (names.empty()) continue; // it comes with a group that can be taken as before
+      const std::pair<const Edge*, const Edge*> brought = mate.name == 0 ? std::pair{nullptr, nullptr} : changed(mate);
+      Losers& losers = out[{shift, names,
+                            mate.name == 0 ? reason(winner, old_winner, loser, old_loser)
+                                           : mates_reason(brought, target(mate.is_losers ? loser : winner))}];
+      losers.losers.push_back(target(loser));
+      // The place is that of the changed side.
+      const bool by_loser = old_winner != nullptr && winner.levels == old_winner->levels;
+      const auto& [cause, old_cause] = brought.first != nullptr ? brought
+                                       : by_loser || old_winner == nullptr
+                                           ? std::pair{by_loser ? &loser : &winner, &old_loser}
+                                           : std::pair{&winner, old_winner};
+      losers.before = old_cause->span;
+      losers.after = cause->span;
+      if (brought.first != nullptr) explained_.insert(edge_name(*brought.first));
+      explained_.insert({edge_name(winner), edge_name(loser)});
+    }
+    return is_told;
+  }
+
+  std::string reason(const Edge& winner, const Edge* old_winner, const Edge& loser, const Edge& old_loser) {
     const std::string by = requester_name(pair_.new_model, winner.requester);
     if (old_winner == nullptr) return fmt::format("{} requests it now, with {}", by, rank_text(winner));
-    if (Ranks::orders(winner, loser) == Ranks::orders(*old_winner, old_loser))
-      return fmt::format("below {} the one goes before the other as it did; what they lead to has changed", by);
+    if (is_order_alike(winner, *old_winner, loser, old_loser))
+      return fmt::format("below {} the one goes before the other as it did; {}", by,
+                         leads_alike(winner, *old_winner) && leads_alike(loser, old_loser)
+                             ? "when they lead there, or how, has changed"
+                             : "what they lead to has changed");
     if (winner.levels != old_winner->levels)
       return fmt::format("{} requests it with {}, before with {}", by, rank_text(winner), rank_text(*old_winner));
     return fmt::format("{} requests `{}` with {}, before with {}", by, target(loser), rank_text(loser),
                        rank_text(old_loser));
   }
 
-  void collect(std::map<std::pair<Names, std::string>, Losers>& all, const Names& over, const std::string& why,
-               const Edge& winner, const Edge* old_winner, const Edge& loser, const Edge& old_loser) {
-    Losers& losers = all[{over, why}];
-    losers.losers.push_back(target(loser));
-    // The place is that of the changed side.
-    const bool by_loser = old_winner != nullptr && winner.levels == old_winner->levels;
-    losers.before = by_loser || old_winner == nullptr ? old_loser.span : old_winner->span;
-    losers.after = by_loser ? loser.span : winner.span;
-    explained_.insert(edge_name(winner));
-    explained_.insert(edge_name(loser));
+  /// The edge of a mate on both sides, if its levels have changed; else nulls.
+  std::pair<const Edge*, const Edge*> changed(const Mate& mate) {
+    for (const auto& [edge, old] : pairs_) {
+      if (numbers_.of(name_of(pair_.new_model, edge->target)) != mate.name) continue;
+      if (old != nullptr && edge->levels != old->levels) return {edge, old};
+    }
+    return {nullptr, nullptr};
+  }
+
+  std::string mates_reason(const std::pair<const Edge*, const Edge*>& mate, const std::string& member) const {
+    const auto& [edge, old] = mate;
+    if (edge == nullptr) return fmt::format("what may be granted together with `{}` has changed", member);
+    return fmt::format("{} requests `{}`, which may be granted together with `{}`, with {}, before with {}",
+                       requester_name(pair_.new_model, edge->requester), target(*edge), member, rank_text(*edge),
+                       rank_text(*old));
+  }
+
+  /// Whether it leads to the same groups as before.
+  bool leads_alike(const Edge& edge, const Edge& old) {
+    const auto [at, fresh] = alike_.try_emplace(edge.target, false);
+    if (fresh)
+      at->second = reach(pair_.new_model, pair_.after.graph, edge.target) ==
+                   reach(pair_.old_model, pair_.before.graph, old.target);
+    return at->second;
+  }
+
+  static std::set<std::string> reach(const Model& model, const Graph& graph, GroupId from) {
+    const std::vector<bool> below = led_to(graph, from);
+    std::set<std::string> out;
+    for (const GroupId id : model.groups.ids()) {
+      if (below[id.value]) out.insert(name_of(model, id));
+    }
+    return out;
   }
 
   std::string edge_name(const Edge& edge) const {
     return (edge.requester ? name_of(pair_.new_model, *edge.requester) : "root") + ">" + target(edge);
-  }
-
-  void add(ChangeKind kind, const char* how, const Edge& winner, const std::pair<Names, std::string>& what,
-           const Losers& losers) {
-    const bool itself = what.first == Names{target(winner)};
-    changes_.add(kind, edge_name(winner),
-                 fmt::format("`{}` {} take {} from {}: {}", target(winner), how,
-                             itself ? "the place" : ticked_list(what.first), ticked_list(losers.losers), what.second),
-                 losers.before, losers.after);
   }
 
   /// With equal rank the earlier declaration goes first.
@@ -240,8 +364,7 @@ private:
         if (one.levels.empty() || other.levels.empty()) continue;
         if (old_one == nullptr || old_other == nullptr || old_one < old_other)
           continue; // one table: addresses have its order
-        if ((Ranks::orders(one, other) & is_equal) == 0 || (Ranks::orders(*old_one, *old_other) & is_equal) == 0)
-          continue;
+        if (!may_be_equal(one, other) || !may_be_equal(*old_one, *old_other)) continue;
         flipped.insert(target(one));
         flipped.insert(target(other));
         if (first_new == nullptr) first_new = &one, first_old = old_one;
@@ -263,16 +386,17 @@ private:
                  first_old->span, first_new->span);
   }
 
-  /// Edges with another rank that changed no order.
+  /// Edges with another rank that changed nothing of the above.
   void number(const std::string& requester, const Edge& edge) {
     const Edge* const old = old_.find(requester, target(edge));
-    if (old == nullptr || explained_.count(edge_name(edge)) != 0) return;
-    const auto ranks = [](const Edge& each) {
-      std::multiset<std::int32_t> out;
-      for (const Level& level : each.levels) out.insert(level.priority);
-      return out;
-    };
-    if (ranks(edge) == ranks(*old) || edge.levels.empty() || old->levels.empty()) return;
+    if (old == nullptr) return;
+    const std::map<Place, std::uint32_t>& before = old_.places(*old);
+    bool differs = false; // where both sides request it
+    for (const auto& [place, level] : new_.places(edge)) {
+      const auto was = before.find(place);
+      differs = differs || (was != before.end() && edge.levels[level].priority != old->levels[was->second].priority);
+    }
+    if (!differs || explained_.contains(edge_name(edge))) return;
     changes_.add(
         ChangeKind::priority, edge_name(edge),
         fmt::format("{} requests `{}` with {}, before with {}; what each can take from the others is as before",
@@ -282,7 +406,8 @@ private:
 
   const Pair& pair_;
   Changes& changes_;
-  Ranks old_, new_;
+  Numbers numbers_;
+  Contests old_, new_;
   std::vector<std::pair<const Edge*, const Edge*>> pairs_; ///< of one requester: the new edge, and the old one or null
   std::map<GroupId, bool> alike_;
   std::set<std::string> explained_;

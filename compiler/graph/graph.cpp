@@ -104,18 +104,4 @@ std::vector<bool> led_to(const Graph& graph, GroupId from) {
   return out;
 }
 
-std::vector<GroupId> contested(const Model& model, const std::vector<bool>& first, const std::vector<bool>& second) {
-  const auto both = [&](GroupId id) { return first[id.value] && second[id.value]; };
-  std::vector<GroupId> out;
-  for (const GroupId id : model.groups.ids()) {
-    if (!both(id)) continue;
-    const std::vector<EdgeId>& above = model.groups[id].requesters;
-    const bool below_another = std::any_of(above.begin(), above.end(), [&](EdgeId edge) {
-      return model.edges[edge].requester && both(*model.edges[edge].requester);
-    });
-    if (!below_another) out.push_back(id);
-  }
-  return out;
-}
-
 } // namespace director::compiler

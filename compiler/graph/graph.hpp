@@ -41,9 +41,6 @@ Graph make_graph(const Model& model);
 /// The group, and all that it leads to by requests and needs; by number.
 std::vector<bool> led_to(const Graph& graph, GroupId from);
 
-/// The groups in both of these, without those that other such groups lead to: what two tasks may contend for.
-std::vector<GroupId> contested(const Model& model, const std::vector<bool>& first, const std::vector<bool>& second);
-
 /// As text: one line for each arrow.
 std::string print_graph(const Model& model, const Graph& graph);
 

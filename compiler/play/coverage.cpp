@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/play/coverage.hpp"
 
-#include "compiler/analysis/chains/claims.hpp"
 #include "compiler/analysis/chains/meetings.hpp"
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/facts/pushes.hpp"
@@ -15,12 +14,12 @@
 
 namespace director::compiler {
 
-namespace {
+namespace points {
 
 using Kind = CoveragePoint::Kind;
 
 /// Whether they are granted together, or not at all.
-bool in_unit(const analysis::Together& together, const Level& level) {
+inline bool in_unit(const analysis::Together& together, const Level& level) {
   return together.provider && level.shares_unit();
 }
 
@@ -32,7 +31,8 @@ public:
         counts_([this](ProviderId id) {
           return facts_.capable.contains(id) && facts_.requested.contains(model_.providers[id].group);
         }),
-        branches_(model, counts_, [this](ProviderId id) { return facts_.capable.contains(id); }) {}
+        branches_(model, counts_, [this](ProviderId id) { return facts_.capable.contains(id); }),
+        together_(analysis::find_together(model, counts_)) {}
 
   Coverage plan() {
     for (const ProviderId id : model_.providers.ids()) {
@@ -42,20 +42,21 @@ public:
     plan_levels();
     plan_conditions();
     plan_pushes();
-    for (const analysis::Together& together : analysis::find_together(model_, counts_)) plan_take_overs(together);
+    for (const analysis::Together& together : together_) plan_take_overs(together);
     return std::move(out_);
   }
 
   std::vector<PossibleTake> takes() {
     std::vector<PossibleTake> out;
     std::map<std::pair<EdgeId, EdgeId>, std::size_t> places;
-    for (const analysis::Together& together : analysis::find_together(model_, counts_)) {
+    for (const analysis::Together& together : together_) {
       for_each_pair(together, [&](const Task& taker, const Task& loser) {
-        takes_some(together, taker, loser, [&](GroupId group, const Winning& ranks) {
+        any_rivalry(together, taker, loser, [&](const Rivalry& each) {
+          if (!each.wins) return false;
           const auto [at, fresh] = places.try_emplace({taker.edge, loser.edge}, out.size());
           if (fresh) out.push_back({taker.edge, loser.edge, std::vector<bool>(model_.groups.size()), {}});
-          out[at->second].groups[group.value] = true;
-          out[at->second].ranks.insert(ranks);
+          out[at->second].groups[each.group.value] = true;
+          out[at->second].ranks.insert(each.ranks);
           return false;
         });
       });
@@ -63,7 +64,33 @@ public:
     return out;
   }
 
+  void rivalries(EdgeId taker, EdgeId loser, const std::function<void(const Rivalry&)>& visit) {
+    for (const Entry& first : entries(taker)) {
+      for (const Entry& second : entries(loser)) {
+        if (first.together != second.together) continue;
+        any_rivalry(*first.together, *first.task, *second.task, [&](const Rivalry& each) {
+          visit(each);
+          return false;
+        });
+      }
+    }
+  }
+
 private:
+  struct Entry {
+    const analysis::Together* together = nullptr;
+    const Task* task = nullptr;
+  };
+  const std::vector<Entry>& entries(EdgeId edge) {
+    if (entries_.empty()) {
+      entries_ = IdTable<EdgeId, std::vector<Entry>>(model_.edges.size());
+      for (const analysis::Together& together : together_) {
+        for (const Task& task : *together.tasks) entries_[task.edge].push_back({&together, &task});
+      }
+    }
+    return entries_[edge];
+  }
+
   void add(const CoveragePoint::Key& key, Span span) {
     if (seen_.insert(key).second) out_.points.push_back({key, span, false});
   }
@@ -77,7 +104,7 @@ private:
   }
 
   void plan_levels() {
-    for (const analysis::Together& together : analysis::find_together(model_, counts_)) {
+    for (const analysis::Together& together : together_) {
       for (const Task& task : *together.tasks) {
         for (const Task::NamedLevel& level : task.levels) add({Kind::level, task.edge.value, level.level}, task.span);
       }
@@ -136,7 +163,7 @@ private:
 
   void plan_take_overs(const analysis::Together& together) {
     for_each_pair(together, [&](const Task& taker, const Task& loser) {
-      if (takes_some(together, taker, loser, [](GroupId, const Winning&) { return true; }))
+      if (any_rivalry(together, taker, loser, [](const Rivalry& each) { return each.wins; }))
         add({Kind::take_over, taker.edge.value, loser.edge.value}, taker.span);
     });
   }
@@ -150,45 +177,40 @@ private:
     }
   }
 
-  /// Whether some group that it may take, with the ranks by which it may, was `enough`.
+  /// Whether some rivalry of the two was `enough`, with which the search ends.
   template <class Enough>
-  bool takes_some(const analysis::Together& together, const Task& taker, const Task& loser, Enough enough) {
+  bool any_rivalry(const analysis::Together& together, const Task& taker, const Task& loser, Enough enough) {
     const analysis::Claims &of_taker = claims(taker.target), &of_loser = claims(loser.target);
-    const std::vector<GroupId>& groups = of_taker.groups();
-    return std::any_of(groups.begin(), groups.end(), [&](GroupId group) {
-      return may_take(together, taker, of_taker, loser, of_loser, group,
-                      [&](const Winning& ranks) { return enough(group, ranks); });
-    });
-  }
-
-  template <class Enough>
-  bool may_take(const analysis::Together& together, const Task& taker, const analysis::Claims& of_taker,
-                const Task& loser, const analysis::Claims& of_loser, GroupId group, Enough enough) const {
-    for (const analysis::Reach takes : analysis::all_reaches) {
-      for (const analysis::Reach loses : analysis::all_reaches) {
-        const analysis::Claim *first = of_taker.find(group, takes), *second = of_loser.find(group, loses);
-        if (first == nullptr || second == nullptr || !analysis::compatible(first->region, second->region)) continue;
-        if (goes_before(together, taker, takes, loser, loses, enough)) return true;
+    for (const GroupId group : of_taker.groups()) {
+      for (const analysis::Reach takes : analysis::all_reaches) {
+        for (const analysis::Reach loses : analysis::all_reaches) {
+          const analysis::Claim *first = of_taker.find(group, takes), *second = of_loser.find(group, loses);
+          if (first == nullptr || second == nullptr || !analysis::compatible(first->region, second->region)) continue;
+          Rivalry each{together.provider, together.pack, together.tasks, &taker, &loser, nullptr,
+                       nullptr,           group,         takes,          loses,  {}};
+          if (any_levels(each, together, enough)) return true;
+        }
       }
     }
     return false;
   }
 
-  /// Whether it does at levels that were `enough`. In a unit nothing is taken from what is granted with it.
+  /// Whether it was `enough` at some levels. In a unit nothing is taken from what is granted with it.
   template <class Enough>
-  bool goes_before(const analysis::Together& together, const Task& taker, analysis::Reach takes, const Task& loser,
-                   analysis::Reach loses, Enough enough) const {
+  bool any_levels(Rivalry& each, const analysis::Together& together, Enough enough) const {
     using analysis::Reach;
-    for (const Task::NamedLevel& a : taker.levels) {
-      for (const Task::NamedLevel& b : loser.levels) {
-        const Level &first = model_.edges[taker.edge].levels[a.level],
-                    &second = model_.edges[loser.edge].levels[b.level];
+    for (const Task::NamedLevel& a : each.taker->levels) {
+      for (const Task::NamedLevel& b : each.loser->levels) {
+        const Level &first = model_.edges[each.taker->edge].levels[a.level],
+                    &second = model_.edges[each.loser->edge].levels[b.level];
         const bool together_granted = in_unit(together, first) && in_unit(together, second);
-        if (together_granted && (takes == Reach::own || loses == Reach::own)) continue;
-        const bool first_optional = first.optional || takes == Reach::optional;
-        const bool second_optional = second.optional || loses == Reach::optional;
-        const bool wins = first_optional != second_optional ? second_optional : first.priority > second.priority;
-        if (wins && enough(Winning{{first.priority, first_optional}, {second.priority, second_optional}})) return true;
+        if (together_granted && (each.takes == Reach::own || each.loses == Reach::own)) continue;
+        each.taker_level = &a, each.loser_level = &b;
+        const bool first_optional = first.optional || each.takes == Reach::optional;
+        const bool second_optional = second.optional || each.loses == Reach::optional;
+        each.ranks = {{first.priority, first_optional}, {second.priority, second_optional}};
+        each.wins = first_optional != second_optional ? second_optional : first.priority > second.priority;
+        if (enough(each)) return true;
       }
     }
     return false;
@@ -198,12 +220,14 @@ private:
   const analysis::Facts facts_;
   const std::function<bool(ProviderId)> counts_;
   const analysis::Branches branches_;
+  const std::vector<analysis::Together> together_;
+  IdTable<EdgeId, std::vector<Entry>> entries_; ///< filled on first use
   std::map<GroupId, std::unique_ptr<analysis::Claims>> claims_;
   std::set<CoveragePoint::Key> seen_;
   Coverage out_;
 };
 
-} // namespace
+} // namespace points
 
 std::string_view name_of(CoverageClass of) {
   switch (of) {
@@ -217,7 +241,8 @@ std::string_view name_of(CoverageClass of) {
   return "take_overs";
 }
 
-CoverageClass class_of(Kind kind) {
+CoverageClass class_of(CoveragePoint::Kind kind) {
+  using Kind = CoveragePoint::Kind;
   switch (kind) {
   case Kind::provider: return CoverageClass::providers;
   case Kind::pack: return CoverageClass::packs;
@@ -242,10 +267,22 @@ void Coverage::merge(const Coverage& other) {
     points[i].covered = points[i].covered || other.points[i].covered;
 }
 
-Coverage coverage_of(const Model& model, const Graph& graph) { return Planner(model, graph).plan(); }
+Coverage coverage_of(const Model& model, const Graph& graph) { return points::Planner(model, graph).plan(); }
 
 std::vector<PossibleTake> possible_takes(const Model& model, const Graph& graph) {
-  return Planner(model, graph).takes();
+  return points::Planner(model, graph).takes();
+}
+
+struct Rivalries::Finder : points::Planner {
+  using Planner::Planner;
+};
+
+Rivalries::Rivalries(const Model& model, const Graph& graph) : finder_(std::make_unique<Finder>(model, graph)) {}
+
+Rivalries::~Rivalries() = default;
+
+void Rivalries::between(EdgeId taker, EdgeId loser, const std::function<void(const Rivalry&)>& visit) {
+  finder_->rivalries(taker, loser, visit);
 }
 
 } // namespace director::compiler

@@ -3,6 +3,7 @@
 // The points that scenarios can exercise in a behaviour, and those that they did exercise. A point that the checks
 // prove impossible does not count. Source: the scenario page of docs/language.md, "Coverage".
 
+#include "compiler/analysis/chains/claims.hpp"
 #include "compiler/graph/graph.hpp"
 #include "compiler/lower/contention.hpp"
 #include "compiler/model/model.hpp"
@@ -10,6 +11,9 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -64,5 +68,32 @@ struct PossibleTake {
   std::set<Winning> ranks;  ///< by which it may
 };
 std::vector<PossibleTake> possible_takes(const Model& model, const Graph& graph);
+
+/// Two entries that may be requested at once, a level of each, and a group that both may claim then.
+struct Rivalry {
+  std::optional<ProviderId> provider;         ///< of whose pack they are; empty: root
+  std::string_view pack;                      ///< empty for root and flat `tasks`
+  const std::vector<Task>* entries = nullptr; ///< of that pack
+  const Task *taker = nullptr, *loser = nullptr;
+  const Task::NamedLevel *taker_level = nullptr, *loser_level = nullptr;
+  GroupId group{};
+  analysis::Reach takes{}, loses{}; ///< how each of the two comes to claim the group
+  Winning ranks;
+  bool wins = false; ///< by these ranks the taker goes before the loser
+};
+/// Finds every one that is possible, also those that do not win: `possible_takes` has those that do. Model and graph
+/// have to outlive it.
+class Rivalries {
+public:
+  Rivalries(const Model& model, const Graph& graph);
+  ~Rivalries();
+  Rivalries(const Rivalries&) = delete;
+  Rivalries& operator=(const Rivalries&) = delete;
+  void between(EdgeId taker, EdgeId loser, const std::function<void(const Rivalry&)>& visit);
+
+private:
+  struct Finder;
+  std::unique_ptr<Finder> finder_;
+};
 
 } // namespace director::compiler

@@ -139,6 +139,86 @@ TEST_CASE("a task that leads to one more group can take that group too") {
       "needs_added: `Kick` now needs `Arms`\n");
 }
 
+TEST_CASE("at one of several levels a task can take what it could not") {
+  const auto robot = [](const char* drive) {
+    return std::string("roots: {Search: {priority: {lazy: 5, calm: 10, eager: 20}}, Drive: {priority: ") + drive +
+           "}}\ngroups: {Search: {needs: [Legs]}, Drive: {needs: [Legs]}, Legs: {}}\n";
+  };
+  CHECK(told(robot("10"), robot("15"))
+            .starts_with("takeover_gained: `Drive` can take `Legs` from `Search` in more cases now: the program "
+                         "requests it with priority 15, before with priority 10\n"));
+  CHECK(told(robot("15"), robot("10"))
+            .starts_with("takeover_lost: `Drive` can take `Legs` from `Search` in fewer cases now: the program "
+                         "requests it with priority 10, before with priority 15\n"));
+  CHECK(told(robot("12"), robot("15")) == "priority: the program requests `Drive` with priority 15, before with "
+                                          "priority 12; what each can take from the others is as before\n");
+}
+
+TEST_CASE("an optional task and one below which something is optional are compared by priority") {
+  const auto robot = [](const char* look) {
+    return std::string("roots: {Play: {priority: 20}, Look: {optional: true, priority: ") + look +
+           "}}\ngroups: {Play: {tasks: {Head: {optional: true}}}, Look: {tasks: [Head]}, Head: {}}\n";
+  };
+  CHECK(told(robot("20"), robot("30"))
+            .starts_with("takeover_gained: `Look` can now take `Head` from `Play`: the program requests it with "
+                         "priority 30 (optional), before with priority 20 (optional)\n"));
+}
+
+TEST_CASE("tasks that request each other take from each other") {
+  const auto robot = [](const char* track) {
+    return std::string("roots: {Search: {priority: 20}, Track: {priority: ") + track +
+           "}}\ngroups: {Search: {tasks: [Track]}, Track: {tasks: {Search: {optional: true}}}}\n";
+  };
+  CHECK(told(robot("10"), robot("30")) == "takeover_gained: `Track` can now take `Search` from `Search`: the program "
+                                          "requests it with priority 30, before with priority 10\n"
+                                          "takeover_gained: `Track` can take the place from `Search` in more cases "
+                                          "now: the program requests it with priority 30, before with priority 10\n"
+                                          "takeover_lost: `Search` can no longer always take the place from `Track`: "
+                                          "the program requests `Track` with priority 30, before with priority 10\n"
+                                          "takeover_lost: `Search` can take `Track` from `Track` in fewer cases now: "
+                                          "the program requests `Track` with priority 30, before with priority 10\n");
+}
+
+TEST_CASE("a member of a unit goes forward with it") {
+  const auto robot = [](const char* lift) {
+    return std::string("roots: [Play]\ngroups: {Play: {packs: {go: {Lift: {priority: ") + lift +
+           "}, Grip: {priority: 10}, Look: {priority: 30, apart: true}}}}, Lift: {}, Grip: {needs: [Hand]}, "
+           "Look: {needs: [Hand]}, Hand: {}}\n";
+  };
+  CHECK(told(robot("50"), robot("20"))
+            .starts_with("takeover_gained: `Look` can now always take `Hand` from `Grip`: `Play` requests `Lift`, "
+                         "which may be granted together with `Grip`, with priority 20, before with priority 50\n"
+                         "takeover_lost: `Grip` can no longer take `Hand` from `Look`: `Play` requests `Lift`, which "
+                         "may be granted together with `Grip`, with priority 20, before with priority 50\n"));
+  CHECK(told(robot("50"), robot("40")) == "priority: `Play` requests `Lift` with priority 40, before with priority 50; "
+                                          "what each can take from the others is as before\n");
+}
+
+TEST_CASE("tasks that are never requested at once are compared while control passes") {
+  const auto robot = [](const char* kick) {
+    return std::string("roots: [Play]\ngroups: {Play: {packs: {go: {Walk: {priority: 20}}, shoot: {Kick: {priority: ") +
+           kick + "}}}}, Walk: {needs: [Legs]}, Kick: {needs: [Legs]}, Legs: {}}\n";
+  };
+  CHECK(told(robot("10"), robot("30")) ==
+        "takeover_gained: `Kick` can take `Legs` from `Walk` in more cases now, while control passes: `Play` requests "
+        "it with priority 30, before with priority 10\n"
+        "takeover_lost: `Walk` can take `Legs` from `Kick` in fewer cases now, while control passes: `Play` requests "
+        "`Kick` with priority 30, before with priority 10\n");
+  CHECK(told(robot("30"), robot("40")) == "priority: `Play` requests `Kick` with priority 40, before with priority 30; "
+                                          "what each can take from the others is as before\n");
+}
+
+TEST_CASE("one more pack or level changes no priority") {
+  const auto robot = [](const std::string& packs) {
+    return "roots: [D]\ngroups: {D: {packs: {" + packs + "}}, M: {}, L: {}}\n";
+  };
+  CHECK(told(robot("go: {M: {}, L: {}}"), robot("go: {M: {}, L: {}}, stay: {M: {}, L: {apart: true}}")) ==
+        "request_added: `D` has a new pack `stay` with `M` and `L`\n");
+  CHECK(told(robot("go: {M: {priority: {low: 1, high: 2}}, L: {}}"),
+             robot("go: {M: {priority: {low: 1, high: 2, top: 3}}, L: {}}")) ==
+        "levels: `D`, pack `go`, may now request `M` at `top`\n");
+}
+
 TEST_CASE("for a task of the program apart changes nothing") {
   const std::string groups = "groups: {Walk: {}, Look: {}}\n";
   CHECK(told("roots: {Walk: {priority: 10}, Look: {}}\n" + groups,
