@@ -49,8 +49,9 @@ constexpr std::array pages{
     ChangeKindPage{Kind::state_source, "state_source",
                    "What may set a state has changed, or what happens to it if nothing sets it."},
     ChangeKindPage{Kind::triggers, "triggers", "What calls a provider again has changed, or a trigger is new or gone."},
-    ChangeKindPage{Kind::levels, "levels",
-                   "The named levels of a request have changed, or which of them counts without a name."},
+    ChangeKindPage{
+        Kind::levels, "levels",
+        "The named levels of a request have changed, which of them counts without a name, or what *keep* keeps."},
     ChangeKindPage{Kind::transition_changed, "transition_changed",
                    "Control passes from one task to another in another way than before, when it is played."},
     ChangeKindPage{Kind::softened, "softened", "A transition that was hard is soft now."},

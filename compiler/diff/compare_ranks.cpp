@@ -158,6 +158,15 @@ bool is_order_alike(const Edge& one, const Edge& old_one, const Edge& other, con
   return relations(one, other) == relations(old_one, old_other);
 }
 
+/// "`Watch` in pack `far` at `calm`"
+std::string words_of(const Place& place) {
+  const auto& [provider, pack, level] = place;
+  std::string out = provider.empty() ? "the program" : ticked(provider);
+  if (!pack.empty()) out += " in pack " + ticked(pack);
+  if (!level.empty()) out += " at " + ticked(level);
+  return out;
+}
+
 class Comparison {
 public:
   Comparison(const Pair& pair, Changes& changes)
@@ -390,18 +399,48 @@ private:
   void number(const std::string& requester, const Edge& edge) {
     const Edge* const old = old_.find(requester, target(edge));
     if (old == nullptr) return;
+    /// Where both sides request it.
+    std::vector<std::pair<const Place*, std::pair<std::uint32_t, std::uint32_t>>> places;
     const std::map<Place, std::uint32_t>& before = old_.places(*old);
-    bool differs = false; // where both sides request it
+    bool differs = false;
     for (const auto& [place, level] : new_.places(edge)) {
       const auto was = before.find(place);
-      differs = differs || (was != before.end() && edge.levels[level].priority != old->levels[was->second].priority);
+      if (was == before.end()) continue;
+      places.push_back({&place, {was->second, level}});
+      differs = differs || edge.levels[level].priority != old->levels[was->second].priority;
     }
+    keeps(edge, *old, places);
     if (!differs || explained_.contains(edge_name(edge))) return;
     changes_.add(
         ChangeKind::priority, edge_name(edge),
         fmt::format("{} requests `{}` with {}, before with {}; what each can take from the others is as before",
                     requester_name(pair_.new_model, edge.requester), target(edge), rank_text(edge), rank_text(*old)),
         old->span, edge.span);
+  }
+
+  /// A request marked `keep` keeps what was requested at the same level.
+  void keeps(const Edge& edge, const Edge& old,
+             const std::vector<std::pair<const Place*, std::pair<std::uint32_t, std::uint32_t>>>& places) {
+    for (const bool now : {true, false}) {
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        const auto& [first, levels] = places[i];
+        const auto at =
+            std::find_if(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(i), [&](const auto& each) {
+              const bool was = each.second.first == levels.first, is = each.second.second == levels.second;
+              return was != is && is == now;
+            });
+        if (at == places.begin() + static_cast<std::ptrdiff_t>(i)) continue;
+        changes_.add(
+            ChangeKind::levels, edge_name(edge),
+            fmt::format(
+                "`{}` is requested with {}, before with {}: marked *keep*, a request by {} {} what was requested by "
+                "{}, as their levels {}",
+                target(edge), rank_text(edge), rank_text(old), words_of(*first), now ? "now keeps" : "no longer keeps",
+                words_of(*at->first), now ? "are the same" : "differ"),
+            old.span, edge.span);
+        break;
+      }
+    }
   }
 
   const Pair& pair_;

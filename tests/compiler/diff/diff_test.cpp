@@ -208,6 +208,26 @@ TEST_CASE("tasks that are never requested at once are compared while control pas
                                           "what each can take from the others is as before\n");
 }
 
+TEST_CASE("what a request marked keep keeps is reported") {
+  const auto robot = [](const char* far) {
+    return std::string(
+               "roots: [Watch]\ngroups: {Watch: {packs: {near: {Look: {priority: 10}}, far: {Look: {priority: ") +
+           far + "}}}}, Look: {}}\n";
+  };
+  CHECK(told(robot("10"), robot("20")) ==
+        "levels: `Look` is requested with priority 10 and 20, before with priority 10: marked *keep*, a request by "
+        "`Watch` in pack `near` no longer keeps what was requested by `Watch` in pack `far`, as their levels differ\n"
+        "priority: `Watch` requests `Look` with priority 10 and 20, before with priority 10; what each can take from "
+        "the others is as before\n");
+  CHECK(told(robot("20"), robot("10")) ==
+        "levels: `Look` is requested with priority 10, before with priority 10 and 20: marked *keep*, a request by "
+        "`Watch` in pack `near` now keeps what was requested by `Watch` in pack `far`, as their levels are the same\n"
+        "priority: `Watch` requests `Look` with priority 10, before with priority 10 and 20; what each can take from "
+        "the others is as before\n");
+  CHECK(told(robot("20"), robot("30")) == "priority: `Watch` requests `Look` with priority 10 and 30, before with "
+                                          "priority 10 and 20; what each can take from the others is as before\n");
+}
+
 TEST_CASE("one more pack or level changes no priority") {
   const auto robot = [](const std::string& packs) {
     return "roots: [D]\ngroups: {D: {packs: {" + packs + "}}, M: {}, L: {}}\n";
