@@ -178,7 +178,8 @@ private:
       for (const ConditionUse& use : uses) {
         const Condition& condition = model_.conditions[use.id];
         const ValueClasses& classes = g_.classes[condition.state.value];
-        if (classes.count() < 2 && model_.states[condition.state].initial) continue; // no decision depends on it
+        if (classes.count() < 2 && !model_.states[condition.state].may_be_unset())
+          continue; // no decision depends on it
         auto [at, fresh] = options.try_emplace(condition.state);
         if (fresh) states.push_back(condition.state);
         if (fresh && !usually) at->second.emplace_back();

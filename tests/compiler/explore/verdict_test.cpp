@@ -171,6 +171,17 @@ TEST_CASE("what its requester gives up is not cut off") {
             .find("proven: ") == 0);
 }
 
+TEST_CASE("a body sets a state again that has expired, though no condition distinguishes its values") {
+  const std::string groups =
+      "states:\n  Seen: {values: [left, right], initial: left, expires: 1 s}\n  Lost: {values: [never, once], initial: "
+      "never}\ntriggers: [Picture]\nroots: [Look, Search, Greet]\ngroups:\n  Look: {triggers: [Picture], sets: "
+      "[Seen]}\n"
+      "  Search: {providers: [{name: resting, when: [Seen == left|right]}, {name: searching, sets: [Lost == once]}]}\n"
+      "  Greet: {when: [Lost == once, Seen == left|right]}\n";
+  CHECK(verdict_of(groups, "can_run: Greet").find("proven: it runs after: request ") == 0);
+  CHECK(verdict_of(groups, "never_together: [Greet, Search]").find("refuted: after ") == 0);
+}
+
 TEST_CASE("behind a latch a hand-over is soft") {
   CHECK(verdict_of(latched, "{soft: {from: Walk, to: Kick}}") ==
         "proven: `Kick` waits for what only `Walk.halting` sets, and only while that runs");
