@@ -197,8 +197,43 @@ private:
   Searched out_;
 };
 
+/// The assertions in groups that one Watch can check.
+std::vector<std::vector<std::size_t>> groups_of(const Model& model, const std::vector<std::size_t>& assertions) {
+  std::vector<std::vector<std::size_t>> out(1);
+  std::size_t soft = 0;
+  for (const std::size_t at : assertions) {
+    if (model.assertions[at].kind != Assertion::Kind::soft) {
+      out.front().push_back(at);
+      continue;
+    }
+    const std::size_t group = soft++ / most_soft;
+    if (group == out.size()) out.emplace_back();
+    out[group].push_back(at);
+  }
+  return out;
+}
+
 } // namespace
 
-Searched search(const Ground& ground, const SearchOptions& options) { return Search(ground, options).run(); }
+Searched search(const Ground& ground, const SearchOptions& options) {
+  const std::vector<std::vector<std::size_t>> groups = groups_of(ground.model, options.assertions);
+  if (groups.size() == 1) return Search(ground, options).run();
+  SearchOptions part = options;
+  part.assertions = groups.front();
+  Searched out = Search(ground, part).run();
+  const auto decides = [&](const std::vector<std::size_t>& group, bool complete) {
+    return complete || std::all_of(group.begin(), group.end(), [&](std::size_t at) { return out.seen[at]; });
+  };
+  bool complete = options.only_assertions ? decides(groups.front(), out.complete) : out.complete;
+  part.only_assertions = true;
+  for (std::size_t i = 1; i < groups.size(); ++i) {
+    part.assertions = groups[i];
+    Searched more = Search(ground, part).run();
+    for (const std::size_t at : groups[i]) out.seen[at] = std::move(more.seen[at]);
+    complete = complete && decides(groups[i], more.complete);
+  }
+  out.complete = complete;
+  return out;
+}
 
 } // namespace director::compiler

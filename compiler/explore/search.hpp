@@ -58,6 +58,8 @@ struct Searched {
   explicit Searched(const Tables& tables) : happened(tables) {}
 };
 
+/// More than `most_soft` assertions of the kind `soft` are searched for in groups, from the start for each group: the
+/// numbers and what happened are those of the first search, and it is complete if all of them are, or have seen theirs.
 Searched search(const Ground& ground, const SearchOptions& options);
 
 /// One micro-step of a way, replayed.

@@ -5,6 +5,7 @@
 #include "compiler/explore/blame.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace director::compiler {
 
@@ -51,7 +52,7 @@ Watch::Watch(const Ground& ground, const std::vector<std::size_t>& assertions)
     one.kind = assertion.kind;
     for (const Use<GroupId>& use : assertion.groups) one.groups.push_back(static_cast<Index>(use.id.value));
     if (one.kind == Assertion::Kind::soft) {
-      if (bit == 0) continue;
+      assert(bit != 0); // search() checks no more of them at once
       one.ran_since = bit;
       one.active_since = bit << 1;
       bit <<= 2;

@@ -24,12 +24,13 @@ struct Happened {
 /// Adds what is true in the other.
 void unite(std::vector<bool>& all, const std::vector<bool>& more);
 
-/// Limit for watched assertions of the kind `soft`: each takes two bits of a state.
+/// Limit for assertions of the kind `soft` in one Watch: each takes two bits of a state. search() checks more of them
+/// in further searches.
 inline constexpr std::size_t most_soft = 32;
 
 class Watch {
 public:
-  /// `assertions`: of the Model, those to check.
+  /// `assertions`: of the Model, those to check; at most `most_soft` of them are of the kind `soft`.
   Watch(const Ground& ground, const std::vector<std::size_t>& assertions);
 
   /// Called before the micro-steps that begin in this state.

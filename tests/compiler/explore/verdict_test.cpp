@@ -171,6 +171,26 @@ TEST_CASE("what its requester gives up is not cut off") {
             .find("proven: ") == 0);
 }
 
+TEST_CASE("each of many assertions about soft hand-overs is looked at") {
+  const std::string groups =
+      "triggers: [Tick]\nroots: {U: {priority: 1}, Walk: {priority: 2}, Kick: {priority: 3}}\ngroups:\n"
+      "  From: {}\n  To: {needs: [G]}\n  G: {}\n"
+      "  U: {triggers: [Tick], packs: {work: {From: {apart: true}, G: {apart: true}}, go: {To: {}}}}\n"
+      "  Walk: {needs: [Legs]}\n  Kick: {needs: [Legs]}\n  Legs: {}\nassertions:\n";
+  std::string assertions;
+  for (std::size_t i = 0; i < most_soft; ++i) assertions += "  - soft: {from: From, to: To}\n";
+  assertions += "  - soft: {from: Walk, to: Kick}\n  - soft: {from: From, to: To}\n";
+  const auto compiled = director::tests::compile("behaviour: b\nlanguage: 1\n" + groups + assertions);
+  const Ground ground(compiled.model);
+  for (const std::vector<Verdict>& verdicts : {decide_assertions(ground, 100'000), explore_all(ground).verdicts}) {
+    REQUIRE(verdicts.size() == most_soft + 2);
+    CHECK(verdicts[most_soft].kind == Verdict::Kind::refuted);
+    CHECK(verdicts[most_soft].why.find("after request Walk; request Kick, granting `Kick` stops `Walk`") == 0);
+    CHECK(verdicts.front().kind == Verdict::Kind::proven);
+    CHECK(verdicts.back().kind == Verdict::Kind::proven);
+  }
+}
+
 TEST_CASE("a body sets a state again that has expired, though no condition distinguishes its values") {
   const std::string groups =
       "states:\n  Seen: {values: [left, right], initial: left, expires: 1 s}\n  Lost: {values: [never, once], initial: "
