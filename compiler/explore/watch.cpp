@@ -42,7 +42,8 @@ Watch::Watch(const Ground& ground, const std::vector<std::size_t>& assertions)
     : happened(ground.tables),
       doubted(ground.model.assertions.size(), false),
       ground_(ground),
-      before_(ground.tables.groups.size()) {
+      before_(ground.tables.groups.size()),
+      values_(ground.tables.states.size()) {
   for (Index e = 0; e < ground.tables.edges.size(); ++e) waiting_.push_back(e);
   std::uint64_t bit = 1;
   for (const std::size_t at : assertions) {
@@ -65,6 +66,7 @@ Watch::Watch(const Ground& ground, const std::vector<std::size_t>& assertions)
 void Watch::before(const Machine& machine, std::uint64_t bits) {
   bits_ = bits;
   const Engine& engine = machine.engine();
+  for (Index s = 0; s < values_.size(); ++s) values_[s] = engine.value(s);
   for (Index g = 0; g < before_.size(); ++g) before_[g] = {engine.holder(g), engine.active(g), engine.granted(g)};
 }
 
@@ -155,15 +157,102 @@ bool is_apart(const Tables& t, Index edge) {
 
 } // namespace
 
+bool Watch::accepts(Index condition, std::int32_t value) const {
+  const Range row = ground_.tables.conditions[condition].accepts;
+  for (Index i = row.begin; value != unset && i != row.end; ++i) {
+    const director::Interval& interval = ground_.tables.intervals[i];
+    if (interval.low <= value && value <= interval.high) return true;
+  }
+  return false;
+}
+
+/// The value by which was decided who holds what: handlers set others afterwards, and states of a group that stops
+/// return to their first. Empty: it is not known.
+std::optional<std::int32_t> Watch::decided_by(Index state, const Machine& machine) const {
+  const State& row = ground_.model.states[StateId{state}];
+  std::optional<std::int32_t> by_body;
+  bool later = row.of && before_[row.of->id.value].active != nil &&
+               machine.engine().active(static_cast<Index>(row.of->id.value)) == nil;
+  for (const Deed& deed : machine.deeds()) {
+    const Puts& puts = deed.kind == Deed::Kind::run     ? ground_.bodies[deed.provider].puts[deed.puts]
+                       : deed.kind == Deed::Kind::start ? ground_.starting[deed.group][deed.puts]
+                                                        : ground_.stopping[deed.group][deed.puts];
+    for (const Put& put : puts) {
+      if (put.state != state) continue;
+      if (deed.kind == Deed::Kind::run)
+        by_body = put.value;
+      else
+        later = true;
+    }
+  }
+  if (!later) return machine.engine().value(state);
+  if (by_body) return by_body;
+  if (row.external || row.expires) return std::nullopt; // an input may have set it
+  return values_[state];
+}
+
+/// Whether the conditions of this provider let it go on, or begin.
+bool Watch::may_go_on(Index provider, const Machine& machine) const {
+  const Tables& t = ground_.tables;
+  const director::Provider& row = t.providers[provider];
+  const bool was_active = before_[row.group].active == provider;
+  const auto own = t.list(row.causing);
+  const auto holds = [&](Index c) {
+    const std::optional<std::int32_t> value = decided_by(t.conditions[c].state, machine);
+    return !value || accepts(c, *value);
+  };
+  const auto when = t.list(row.when), stay = t.list(row.stay);
+  const bool begins = std::all_of(when.begin(), when.end(), [&](Index c) {
+    const bool waived = was_active && std::find(own.begin(), own.end(), t.conditions[c].state) != own.end();
+    return waived || holds(c);
+  });
+  return begins || (was_active && !stay.empty() && std::all_of(stay.begin(), stay.end(), holds));
+}
+
+/// Whether a group that stops does so without the help of others: it is requested no more, by a requester that goes
+/// on, or by the program; or its conditions are lost; or this is so of a group above it, with which it stops.
+bool Watch::ends_by_itself(Index group, const Machine& machine) const {
+  const Engine& engine = machine.engine();
+  const Tables& t = ground_.tables;
+  for (std::size_t steps = 0; group != nil && steps <= t.groups.size(); ++steps) {
+    const Index edge = before_[group].holder;
+    if (edge >= t.edges.size() || !before_[group].granted) return false;
+    const Range providers = t.groups[group].providers;
+    bool may = false;
+    for (Index p = providers.begin; p != providers.end; ++p) may = may || may_go_on(p, machine);
+    if (!may) return true;
+    if (engine.state(edge) != RunState::none) return false;
+    const Index requester = t.edges[edge].requester;
+    if (requester == nil || engine.active(requester) != nil) return true;
+    group = requester;
+  }
+  return false;
+}
+
+/// Whether a group that goes on has let go of what it held by this edge: it requests it no more, and none of its
+/// providers that may run needs it.
+bool Watch::let_go(Index edge, const Machine& machine) const {
+  const Tables& t = ground_.tables;
+  const Index requester = t.edges[edge].requester;
+  if (machine.engine().active(requester) == nil || machine.engine().state(edge) != RunState::none) return false;
+  const Range providers = t.groups[requester].providers;
+  for (Index p = providers.begin; p != providers.end; ++p) {
+    const auto needs = t.list(t.providers[p].needs);
+    if (std::find(needs.begin(), needs.end(), edge) != needs.end() && may_go_on(p, machine)) return false;
+  }
+  return true;
+}
+
 /// Whether the second one is granted, and thereby something is taken that the first one, live, held: a request or need
 /// of it; or something that a group above it held, so that it stops. Not if the first one continues to hold it through
-/// the second one.
+/// the second one, nor if it would have stopped, or let go of it, without the second one.
 bool Watch::hard_cut(const One& one, const Machine& machine) const {
   const Engine& engine = machine.engine();
   const Tables& t = ground_.tables;
   const Index from = one.groups.front(), to = one.groups.back();
   if (!engine.granted(to) || before_[to].granted || before_[from].active == nil) return false;
   const bool stops = engine.active(from) == nil;
+  if (stops && ends_by_itself(from, machine)) return false;
   // It, and what it was requested for: not if that goes on and requests it no more.
   std::vector<bool> holders(t.groups.size(), false);
   for (Index at = from; at != nil && !holders[at];) {
@@ -177,7 +266,9 @@ bool Watch::hard_cut(const One& one, const Machine& machine) const {
     for (std::size_t steps = 0; edge < t.edges.size() && steps <= t.groups.size(); ++steps) {
       const Index requester = t.edges[edge].requester;
       if (requester == nil) return false;
-      if (holders[requester]) return steps == 0 || (engine.active(t.edges[edge].target) == nil && !is_apart(t, edge));
+      if (holders[requester])
+        return !let_go(edge, machine) &&
+               (steps == 0 || (engine.active(t.edges[edge].target) == nil && !is_apart(t, edge)));
       if (steps > 0 && t.edges[edge].levels.begin != t.edges[edge].levels.end) return false;
       edge = before_[requester].holder;
     }
@@ -200,15 +291,8 @@ void Watch::note(const Machine& machine) {
   }
   const auto met = [&](Index provider) {
     const auto conditions = t.list(t.providers[provider].when);
-    return std::all_of(conditions.begin(), conditions.end(), [&](Index c) {
-      const director::Condition& row = t.conditions[c];
-      const std::int32_t value = engine.value(row.state);
-      if (value == unset) return false;
-      for (Index i = row.accepts.begin; i != row.accepts.end; ++i) {
-        if (t.intervals[i].low <= value && value <= t.intervals[i].high) return true;
-      }
-      return false;
-    });
+    return std::all_of(conditions.begin(), conditions.end(),
+                       [&](Index c) { return accepts(c, engine.value(t.conditions[c].state)); });
   };
   for (std::size_t i = 0; i < waiting_.size();) {
     const Index e = waiting_[i];

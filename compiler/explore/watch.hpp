@@ -6,6 +6,7 @@
 #include "compiler/explore/machine.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace director::compiler {
@@ -61,6 +62,11 @@ private:
   bool together(const One& one, const Machine& machine) const;
   bool blocked(const One& one, const Machine& machine);
   bool hard_cut(const One& one, const Machine& machine) const;
+  bool ends_by_itself(Index group, const Machine& machine) const;
+  bool let_go(Index edge, const Machine& machine) const;
+  bool may_go_on(Index provider, const Machine& machine) const;
+  bool accepts(Index condition, std::int32_t value) const;
+  std::optional<std::int32_t> decided_by(Index state, const Machine& machine) const;
   std::uint64_t remember(const One& one, const Machine& machine, std::uint64_t bits) const;
   bool requested(Index group, const Machine& machine) const;
   bool keeps_promise(Index provider, const Put& put) const;
@@ -70,8 +76,9 @@ private:
   const Ground& ground_;
   bool minds_puts_ = false;
   std::vector<One> watched_;
-  std::vector<Held> before_;
-  std::vector<Index> waiting_; ///< edges whose target was never granted for them yet
+  std::vector<Held> before_;         ///< of groups, before the micro-step
+  std::vector<std::int32_t> values_; ///< of states, likewise
+  std::vector<Index> waiting_;       ///< edges whose target was never granted for them yet
   std::uint64_t bits_ = 0;
 };
 

@@ -171,6 +171,55 @@ TEST_CASE("what its requester gives up is not cut off") {
             .find("proven: ") == 0);
 }
 
+TEST_CASE("what the program cancels, or what loses its condition, is not cut off by what runs then") {
+  const auto verdict = [](const std::string& walk, const std::string& kick) {
+    return verdict_of("states: {S: {values: [a, b], initial: a, external: true}}\n"
+                      "roots: {Walk: {priority: 20}, Kick: {priority: 10}}\ngroups:\n  Walk: " +
+                          walk + "\n  Kick: " + kick + "\n  Legs: {}\n",
+                      "soft: {from: Walk, to: Kick}");
+  };
+  CHECK(verdict("{tasks: [Legs]}", "{needs: [Legs]}").find("proven: it holds in all ") == 0);
+  CHECK(verdict("{when: [S == a], needs: [Legs]}", "{when: [S == b], needs: [Legs]}").find("proven: ") == 0);
+  CHECK(verdict("{providers: [{name: p, when: [S == a], needs: [Legs]}, {name: q}]}", "{needs: [Legs]}")
+            .find("proven: ") == 0);
+}
+
+TEST_CASE(
+    "what its requester leaves for another pack is not cut off, nor what stops with a requester that is cancelled") {
+  const std::string groups = "  Walk: {needs: [Legs]}\n  Kick: {needs: [Legs]}\n  Legs: {}\n";
+  CHECK(verdict_of("roots: [Play]\ngroups:\n  Play: {packs: {go: {Walk: {}}, shoot: {Kick: {}}}}\n" + groups,
+                   "soft: {from: Walk, to: Kick}")
+            .find("proven: ") == 0);
+  CHECK(verdict_of("roots: {Play: {priority: 20}, Kick: {priority: 10}}\ngroups:\n  Play: {tasks: [Walk]}\n" + groups,
+                   "soft: {from: Walk, to: Kick}")
+            .find("proven: ") == 0);
+}
+
+TEST_CASE("what could go on but for the other one is cut off, whichever provider it would go on with") {
+  const std::string groups =
+      "states: {S: {values: [a, b], initial: a, external: true}}\n"
+      "roots: {Walk: {priority: 10}, Kick: {priority: 20}}\ngroups:\n"
+      "  Walk: {providers: [{name: p, when: [S == a], needs: [Legs]}, {name: q, needs: [Legs]}]}\n"
+      "  Kick: {when: [S == b], needs: [Legs]}\n  Legs: {}\n";
+  CHECK(verdict_of(groups, "soft: {from: Walk, to: Kick}").find("refuted: after ") == 0);
+}
+
+TEST_CASE("what a handler sets afterwards is not why the group stopped") {
+  const std::string groups = "states: {S: {values: [a, b], initial: a}}\n"
+                             "roots: {Walk: {priority: 10}, Kick: {priority: 20}}\ngroups:\n"
+                             "  Walk: {when: [S == a], needs: [Legs], stop: {sets: [S == b]}}\n"
+                             "  Kick: {needs: [Legs]}\n  Legs: {}\n";
+  CHECK(verdict_of(groups, "soft: {from: Walk, to: Kick}").find("refuted: after request Walk; request Kick, ") == 0);
+}
+
+TEST_CASE("a group whose own state takes its condition away is not cut off by what runs then") {
+  const std::string groups = "states: {S: {values: [a, b], initial: a, of: Walk}}\n"
+                             "roots: {Walk: {priority: 20}, Kick: {priority: 10}}\ngroups:\n"
+                             "  Walk: {when: [S == a], needs: [Legs], sets: [S == b]}\n"
+                             "  Kick: {needs: [Legs]}\n  Legs: {}\n";
+  CHECK(verdict_of(groups, "soft: {from: Walk, to: Kick}").find("proven: it holds in all ") == 0);
+}
+
 TEST_CASE("each of many assertions about soft hand-overs is looked at") {
   const std::string groups =
       "triggers: [Tick]\nroots: {U: {priority: 1}, Walk: {priority: 2}, Kick: {priority: 3}}\ngroups:\n"
