@@ -57,10 +57,13 @@ void read_answer(Reader& reader, const YamlNode& mapping, CaseSpec& out) {
   for (std::size_t i = 0; i < answers.size() && out.answer.value == Answer::nothing; ++i)
     if (mapping.find(answers[i])) out.answer = {static_cast<Answer>(i + 1), Reader::key_of(mapping, answers[i]).span};
   out.pack = reader.word(mapping.find("pack"), "pack", "the name of a pack");
-  const YamlNode* with = mapping.find("with");
-  if (with && reader.lacks(mapping, "pack"))
-    reader.error("missing_key", Reader::key_of(mapping, "with").span, "`with` needs `pack`",
-                 "it says more about some tasks of a pack");
+  const auto needs_pack = [&](std::string_view key, const char* help) {
+    if (mapping.find(key) && reader.lacks(mapping, "pack"))
+      reader.error("missing_key", Reader::key_of(mapping, key).span, fmt::format("`{}` needs `pack`", key), help);
+  };
+  needs_pack("with", "it says more about some tasks of a pack");
+  needs_pack("without", "it leaves out some tasks of a pack");
+  out.without = reader.words(mapping.find("without"), "without", "the name of a group");
   const std::string_view list = out.answer.value == Answer::pack ? "with" : "tasks";
   out.tasks = read_requests(reader, mapping.find(list), list, request_keys);
   for (const std::string_view key : {"done", "failed", "continue"}) read_answer_flag(reader, mapping.find(key), key);
@@ -68,8 +71,8 @@ void read_answer(Reader& reader, const YamlNode& mapping, CaseSpec& out) {
 
 CaseSpec read_case(Reader& reader, const YamlNode& mapping, const Word& entry, bool handler) {
   static const Keys handler_keys{"data", "run", "set"};
-  static const Keys keys{"reason", "trigger", "data", "run",    "uses",     "pack", "tasks",
-                         "with",   "set",     "done", "failed", "continue", "wait"};
+  static const Keys keys{"reason", "trigger", "data", "run",  "uses",   "pack",     "tasks",
+                         "with",   "without", "set",  "done", "failed", "continue", "wait"};
   CaseSpec out;
   out.span = mapping.span;
   reader.know_keys(mapping, fmt::format("a case of `{}`", entry.value), handler ? handler_keys : keys);

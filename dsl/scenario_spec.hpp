@@ -52,6 +52,7 @@ struct CaseSpec {
   Located<Answer> answer;         ///< `continue: true` is `keep`
   std::optional<Word> pack;       ///< with Answer::pack
   std::vector<RequestSpec> tasks; ///< with Answer::tasks; with Answer::pack those of `with`
+  std::vector<Word> without;      ///< groups: entries of the pack that are left out
   std::vector<SettingSpec> set;
   std::optional<Located<Duration>> wait;
   Span span{};

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/explore/scenario_words.hpp"
 
+#include "compiler/play/resolve_case.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -80,18 +82,27 @@ void ScenarioWords::answer(const Provider& row, const RequestedPack& requests, b
   const Pack* pack = &row.packs.front();
   std::vector<std::string> entries;
   if (row.has_packs) {
+    const auto has = [&](const Task& task, const RequestedLevel& request) {
+      const Index level = request.level - g_.tables.edges[request.edge].levels.begin;
+      return request.edge == task.edge.value &&
+             std::any_of(task.levels.begin(), task.levels.end(),
+                         [&](const Task::NamedLevel& named) { return named.level == level; });
+    };
+    // The pack of which the fewest entries are left out.
+    std::size_t fewest = 0;
+    bool found = false;
     for (const Pack& each : row.packs) {
-      const bool same =
-          each.tasks.size() == requests.size() &&
-          std::equal(requests.begin(), requests.end(), each.tasks.begin(),
-                     [&](const RequestedLevel& request, const Task& task) {
-                       const Index level = request.level - g_.tables.edges[request.edge].levels.begin;
-                       return request.edge == task.edge.value &&
-                              std::any_of(task.levels.begin(), task.levels.end(),
-                                          [&](const Task::NamedLevel& named) { return named.level == level; });
-                     });
-      if (same) pack = &each;
-      if (same) break;
+      if (each.tasks.size() < requests.size() || (found && each.tasks.size() >= fewest)) continue;
+      auto next = requests.begin();
+      const bool rest_optional = std::all_of(each.tasks.begin(), each.tasks.end(), [&](const Task& task) {
+        if (next == requests.end() || !has(task, *next)) return may_be_left_out(m_, task);
+        ++next;
+        return true;
+      });
+      if (next != requests.end() || !rest_optional) continue;
+      found = true;
+      fewest = each.tasks.size();
+      pack = &each;
     }
     words.push_back("pack: " + pack->name);
     for (const RequestedLevel& request : requests) {
@@ -99,6 +110,12 @@ void ScenarioWords::answer(const Provider& row, const RequestedPack& requests, b
       if (word.find(':') != std::string::npos) entries.push_back(word);
     }
     if (!entries.empty()) words.push_back(fmt::format("with: [{}]", fmt::join(entries, ", ")));
+    std::vector<std::string> left_out;
+    for (const Task& task : pack->tasks) {
+      if (std::none_of(requests.begin(), requests.end(), [&](const auto& request) { return has(task, request); }))
+        left_out.push_back(m_.groups[task.target].name.value);
+    }
+    if (!left_out.empty()) words.push_back(fmt::format("without: [{}]", fmt::join(left_out, ", ")));
     return;
   }
   for (const RequestedLevel& request : requests) entries.push_back(request_entry(pack->tasks, request, kept));

@@ -66,9 +66,7 @@ Verdict by_search(const Ground& ground, std::size_t at, const Searched& searched
   }
   out.scenario = write_scenario(ground, out.way, head);
   if (!out.scenario) {
-    out.why =
-        "a way to it was found, but it could not be played as a scenario: timers are due in another order there, or "
-        "a body leaves out an optional entry of a pack";
+    out.why = "a way to it was found, but it could not be played as a scenario: timers are due in another order there";
     out.way.clear();
     return out;
   }

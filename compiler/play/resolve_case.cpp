@@ -58,6 +58,30 @@ void pack_is_missing(const dsl::CaseSpec& spec, ProviderId id, Names& names) {
               "`pack:` and one of " + dsl::list_of(known));
 }
 
+/// An entry of `without`.
+void leave_out(const Word& name, const dsl::CaseSpec& spec, const Pack& pack, Names& names, Case& out) {
+  const std::string owner = fmt::format("the pack `{}` has", pack.name);
+  const Task* task = names.task(pack.tasks, owner, name);
+  if (task == nullptr) return;
+  if (!may_be_left_out(names.model, *task)) {
+    std::vector<std::string> known;
+    for (const Task& each : pack.tasks) {
+      if (may_be_left_out(names.model, each)) known.push_back(names.model.groups[each.target].name.value);
+    }
+    names.undefined(name.span, fmt::format("{} no optional task called `{}`", owner, name.value), name.value, known)
+        .notes.push_back({task->span, "a body that requests the pack cannot leave out this one"});
+    return;
+  }
+  const auto more = std::find_if(spec.tasks.begin(), spec.tasks.end(),
+                                 [&](const dsl::RequestSpec& entry) { return entry.group.value == name.value; });
+  if (more != spec.tasks.end())
+    names
+        .error("exclusive_keys", name.span, fmt::format("`with` and `without` both name `{}`", name.value),
+               "leave it out of `with`, or request it")
+        .notes.push_back({more->group.span, "`with` names it here"});
+  std::erase_if(out.pack, [&](const RequestedTask& request) { return request.edge == task->edge; });
+}
+
 void resolve_answer(const dsl::CaseSpec& spec, ProviderId id, Names& names, Case& out) {
   const Provider& provider = names.model.providers[id];
   const std::string owner = fmt::format("`{}` requests", names.model.full_name(id));
@@ -75,6 +99,7 @@ void resolve_answer(const dsl::CaseSpec& spec, ProviderId id, Names& names, Case
     for (const dsl::RequestSpec& entry : spec.tasks) {
       if (auto request = names.request(pack->tasks, in_pack, entry)) add_request(out.pack, std::move(*request));
     }
+    for (const Word& name : spec.without) leave_out(name, spec, *pack, names, out);
     return;
   }
   case dsl::Answer::nothing:
@@ -141,6 +166,12 @@ void resolve_guards(const dsl::CaseSpec& spec, GroupId group, Names& names, Case
 }
 
 } // namespace
+
+bool may_be_left_out(const Model& model, const Task& task) {
+  const std::vector<Level>& levels = model.edges[task.edge].levels;
+  return std::any_of(task.levels.begin(), task.levels.end(),
+                     [&](const Task::NamedLevel& level) { return levels[level.level].optional; });
+}
 
 Case resolve_case(const dsl::CaseSpec& spec, ProviderId id, Names& names) {
   const Provider& provider = names.model.providers[id];

@@ -8,6 +8,9 @@ namespace director::compiler {
 
 Case resolve_case(const dsl::CaseSpec& spec, ProviderId provider, Names& names);
 
+/// Whether a body that requests the pack of this task may leave it out: it is optional at one of its levels.
+bool may_be_left_out(const Model& model, const Task& task);
+
 /// `which`: "start" or "stop"; `handler` is that of the group. The reader ensures that its cases have `data`, `run` and
 /// `set` only.
 Case resolve_handler_case(const dsl::CaseSpec& spec, GroupId group, std::string_view which, const Handler& handler,

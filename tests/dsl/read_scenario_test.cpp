@@ -44,7 +44,7 @@ TEST_CASE("A script's entries have guards and effects") {
     wait: 50 ms
   Kick:
     - {reason: subtask_done, trigger: Tick, data: 3, run: 2, uses: {Legs: done, Arms: queued}, done: true}
-    - {pack: attack, with: [Legs: {data: 3}]}
+    - {pack: attack, with: [Legs: {data: 3}], without: [Arms, Head]}
     - {failed: true}
     - {continue: true}
     - {}
@@ -84,6 +84,8 @@ TEST_CASE("A script's entries have guards and effects") {
   CHECK(kick[1].answer.value == Answer::pack);
   CHECK(kick[1].pack->value == "attack");
   CHECK(to_text(kick[1].tasks.at(0).data->value) == "3");
+  REQUIRE(kick[1].without.size() == 2);
+  CHECK(kick[1].without[1].value == "Head");
   CHECK(kick[2].answer.value == Answer::failed);
   CHECK(kick[3].answer.value == Answer::keep);
   CHECK(kick[4].answer.value == Answer::nothing);
@@ -208,6 +210,10 @@ TEST_CASE("What is wrong in a script is reported at its place") {
            Case{"{Kick: {with: [A]}}",
                 "2:17 `with` missing_key: `with` needs `pack` (it says more about some tasks of a "
                 "pack)\n"},
+           Case{"{Kick: {tasks: [B], without: [A]}}",
+                "2:29 `without` missing_key: `without` needs `pack` (it leaves out some tasks of a pack)\n"},
+           Case{"{Kick: {pack: a, without: A}}",
+                "2:35 `A` wrong_node_kind: `without`: expected a list, found `A` (write `[A]`)\n"},
            Case{"{Kick: {tasks: {A: {}}}}",
                 "2:24 `{A: {}}` wrong_node_kind: `tasks`: expected a list, found a mapping\n"},
            Case{"{Kick: {tasks: [[A], B: {dta: 3}]}}",

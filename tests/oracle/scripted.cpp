@@ -167,6 +167,10 @@ Commit Script::commit(const dsl::CaseSpec& spec, const compiler::Provider& provi
     table = &*named;
     out.pack = all_of(*table);
   }
+  for (const dsl::Word& name : spec.without) {
+    const compiler::EdgeId edge = asked(table->tasks, {name, {}, {}, {}}).edge;
+    std::erase_if(out.pack, [&](const Asked& each) { return each.edge == edge; });
+  }
   // The last request for an edge counts.
   for (const dsl::RequestSpec& request : spec.tasks) out.pack.push_back(asked(table->tasks, request));
   return out;

@@ -145,9 +145,19 @@ TEST_CASE("a body may leave out the optional entry that is in the way") {
       "roots: [Play]\ngroups:\n"
       "  Play: {packs: {go: {A: {optional: true, priority: 5}, B: {optional: true, priority: 1}}}}\n"
       "  A: {needs: [R]}\n  B: {needs: [R]}\n  R: {}\n";
-  CHECK(verdict_of(groups, "can_run: B") ==
-        "not decided: a way to it was found, but it could not be played as a scenario: timers are due in another order "
-        "there, or a body leaves out an optional entry of a pack");
+  CHECK(verdict_of(groups, "can_run: B") == "proven: it runs after: request Play");
+}
+
+TEST_CASE("a scenario names the pack of which a body leaves out an entry, and its levels") {
+  const auto compiled = director::tests::compile(
+      "behaviour: b\nlanguage: 1\nroots: [Play]\ngroups:\n"
+      "  Play: {packs: {none: {}, one: {C: {}}, go: {A: {optional: true, priority: 5}, C: {}, B: {levels: "
+      "{low: {optional: true, priority: 1}, high: {priority: 6}}}}}}\n"
+      "  A: {needs: [R]}\n  B: {needs: [R]}\n  C: {}\n  R: {}\nassertions: [{never_together: [B, C]}]\n");
+  const Verdict verdict = explore_all(Ground(compiled.model)).verdicts.front();
+  REQUIRE(verdict.scenario);
+  INFO(*verdict.scenario);
+  CHECK(verdict.kind == Verdict::Kind::refuted);
 }
 
 TEST_CASE("nothing is proven, nor refuted, by a search that does not try all that a body may request") {

@@ -44,6 +44,14 @@ steps:
              "> request Walk", "start Walk", "run Walk.walking new_task", "run Legs new_task"});
 }
 
+TEST_CASE("a body may leave out an optional entry of a pack") {
+  CHECK(play(walker, R"(given: {Pose: standing}
+script: {Kick: {pack: hard, with: [Legs: {level: fast}], without: [Arms]}}
+steps:
+  - request: Kick
+)") == Lines{"> request Kick", "run Kick new_task", "run Legs new_task"});
+}
+
 TEST_CASE("the first case whose guards hold is used, and without one it continues") {
   CHECK(play(walker, R"(
 script:

@@ -134,6 +134,18 @@ script:
 )"));
 }
 
+TEST_CASE("a case leaves out only optional entries of its pack, of which it says no more", "[golden]") {
+  check_golden("tests/compiler/play/golden/left_out.txt", findings(R"(
+script:
+  Kick:
+    - {run: 1, pack: hard, without: [Arms]}
+    - {run: 2, pack: hard, without: [Legs]}
+    - {run: 3, pack: soft, without: [Legs, Arms]}
+    - {run: 4, pack: hard, without: [Arm]}
+    - {pack: hard, with: [Arms: {data: 1}], without: [Arms]}
+)"));
+}
+
 TEST_CASE("what some provider of a group can do is no finding at an entry for the group") {
   CHECK(findings("script: {Walk: {set: {Pose: standing}}}\n") == "");
 }
