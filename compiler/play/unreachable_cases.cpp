@@ -41,18 +41,22 @@ bool listens(const Model& model, ProviderId id, const std::string& trigger) {
                      [&](const Use<TriggerId>& use) { return model.triggers[use.id].name == trigger; });
 }
 
-/// Why none of the providers ever runs so; empty: some may.
+/// Why none of the providers, which are of one group, ever runs so; empty: some may. A trigger is a reason for the
+/// group: if its provider changes before the run, the other one sees what fired for the first.
 std::string never(const CaseSpec& spec, const std::vector<ProviderId>& providers, const Model& model) {
-  const auto none = [&](const auto& may) {
-    return !providers.empty() && std::none_of(providers.begin(), providers.end(), may);
+  if (providers.empty()) return {}; // a handler
+  const Group& group = model.groups[model.providers[providers.front()].group];
+  const auto none = [](const std::vector<ProviderId>& of, const auto& may) {
+    return std::none_of(of.begin(), of.end(), may);
   };
-  if (spec.trigger && none([&](ProviderId id) { return listens(model, id, spec.trigger->value); }))
-    return fmt::format("none of its providers listens to `{}`", spec.trigger->value);
-  if (spec.reason && spec.reason->value == dsl::Reason::trigger &&
-      none([&](ProviderId id) { return !model.providers[id].triggers.empty() || model.providers[id].every; }))
-    return "none of its providers listens to a trigger or has `every`";
+  if (spec.trigger && none(group.providers, [&](ProviderId id) { return listens(model, id, spec.trigger->value); }))
+    return fmt::format("no provider of `{}` listens to `{}`", group.name.value, spec.trigger->value);
+  if (spec.reason && spec.reason->value == dsl::Reason::trigger && none(group.providers, [&](ProviderId id) {
+        return !model.providers[id].triggers.empty() || model.providers[id].every;
+      }))
+    return fmt::format("no provider of `{}` listens to a trigger or has `every`", group.name.value);
   if (spec.reason && spec.reason->value == dsl::Reason::pushed &&
-      none([&](ProviderId id) { return !model.providers[id].causing.empty(); }))
+      none(providers, [&](ProviderId id) { return !model.providers[id].causing.empty(); }))
     return "none of its providers has `causing`, so none is ever pushed";
   return {};
 }
