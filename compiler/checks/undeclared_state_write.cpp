@@ -37,6 +37,15 @@ std::vector<std::string> undeclared(const State& state, const CodeWord& word, co
   return out;
 }
 
+std::string where_to_declare(const BodyOf& body) {
+  switch (body.kind) {
+  case BodyOf::Kind::start: return "declare it under `sets` of the handler: `start: {sets: ...}`";
+  case BodyOf::Kind::stop: return "declare it under `sets` of the handler: `stop: {sets: ...}`";
+  case BodyOf::Kind::provider: break;
+  }
+  return "declare it under `sets`";
+}
+
 } // namespace
 
 void undeclared_state_write(const CodeInput& input, Findings& findings) {
@@ -54,7 +63,7 @@ void undeclared_state_write(const CodeInput& input, Findings& findings) {
           findings.add(word->span, fmt::format("{} sets {} to {}, which it does not declare", name_of(model, body.of),
                                                name_of(model, state->second), list_of(values, "or")));
       finding.notes.push_back({span_of(model, body.of), fmt::format("{} is declared here", name_of(model, body.of))});
-      finding.help = declared.words.empty() ? "declare it under `sets`"
+      finding.help = declared.words.empty() ? where_to_declare(body.of)
                                             : fmt::format("what it declares is {}", list_of(declared.words));
     }
   }

@@ -143,8 +143,9 @@ bool declares(const Model& model, const std::vector<ConditionUse>& uses, const S
   });
 }
 
+/// `handler`: start or stop; empty for a provider.
 void resolve_set(const dsl::CaseSpec& spec, const std::string& owner, const std::vector<ConditionUse>& declared,
-                 Names& names, Case& out) {
+                 std::string_view handler, Names& names, Case& out) {
   for (const dsl::SettingSpec& each : spec.set) {
     const std::optional<Setting> setting = names.setting(each);
     if (!setting) continue;
@@ -152,11 +153,13 @@ void resolve_set(const dsl::CaseSpec& spec, const std::string& owner, const std:
     if (declares(names.model, declared, *setting)) continue;
     std::vector<std::string> texts;
     for (const ConditionUse& use : declared) texts.push_back(names.model.conditions[use.id].text);
+    const std::string sets = fmt::format("sets: [{} == {}]", each.state.value, each.value.value);
     names.error(
         "undeclared_state_write", each.value.span,
         fmt::format("{} sets `{}` to `{}`, which it does not declare", owner, each.state.value, each.value.value),
-        texts.empty() ? fmt::format("declare it: `sets: [{} == {}]`", each.state.value, each.value.value)
-                      : fmt::format("what it declares is `{}`", fmt::join(texts, "`, `")));
+        !texts.empty()    ? fmt::format("what it declares is `{}`", fmt::join(texts, "`, `"))
+        : handler.empty() ? fmt::format("declare it: `{}`", sets)
+                          : fmt::format("declare it: `{}: {{{}}}`", handler, sets));
   }
 }
 
@@ -183,7 +186,7 @@ Case resolve_case(const dsl::CaseSpec& spec, ProviderId id, Names& names) {
   resolve_answer(spec, id, names, out);
   std::vector<ConditionUse> declared = provider.causing;
   declared.insert(declared.end(), provider.sets.begin(), provider.sets.end());
-  resolve_set(spec, fmt::format("`{}`", names.model.full_name(id)), declared, names, out);
+  resolve_set(spec, fmt::format("`{}`", names.model.full_name(id)), declared, {}, names, out);
   if (spec.wait) out.wait = spec.wait->value.microseconds();
   return out;
 }
@@ -193,7 +196,7 @@ Case resolve_handler_case(const dsl::CaseSpec& spec, GroupId group, std::string_
   const std::string owner = fmt::format("the {} handler of `{}`", which, names.model.groups[group].name.value);
   Case out;
   resolve_guards(spec, group, names, out);
-  resolve_set(spec, owner, handler.sets, names, out);
+  resolve_set(spec, owner, handler.sets, which, names, out);
   return out;
 }
 
