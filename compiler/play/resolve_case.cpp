@@ -163,6 +163,16 @@ void resolve_set(const dsl::CaseSpec& spec, const std::string& owner, const std:
   }
 }
 
+std::optional<TriggerId> resolve_trigger(const Word& name, Names& names) {
+  const auto& triggers = names.model.triggers;
+  const bool listed =
+      std::any_of(triggers.begin(), triggers.end(), [&](const Trigger& trigger) { return trigger.name == name.value; });
+  if (listed || !find_promise(names.model, name.value)) return names.trigger(name, false);
+  names.error("undefined_name", name.span, fmt::format("no provider listens to `{}`", name.value),
+              "list it in the `triggers` of the provider that reacts to it");
+  return std::nullopt;
+}
+
 void resolve_guards(const dsl::CaseSpec& spec, GroupId group, Names& names, Case& out) {
   if (spec.data && names.has_data(group, spec.data->span)) out.data = spec.data->value;
   if (spec.run) out.run = spec.run->value;
@@ -176,12 +186,22 @@ bool may_be_left_out(const Model& model, const Task& task) {
                      [&](const Task::NamedLevel& level) { return levels[level.level].optional; });
 }
 
+std::optional<ProviderId> find_promise(const Model& model, std::string_view trigger) {
+  for (const ProviderId id : model.providers.ids()) {
+    const Provider& provider = model.providers[id];
+    const bool in_time = std::any_of(provider.causing.begin(), provider.causing.end(),
+                                     [](const ConditionUse& use) { return use.within.has_value(); });
+    if (in_time && trigger == fmt::format("{}.{}.broken", model.group_of(id).name.value, provider.name)) return id;
+  }
+  return std::nullopt;
+}
+
 Case resolve_case(const dsl::CaseSpec& spec, ProviderId id, Names& names) {
   const Provider& provider = names.model.providers[id];
   Case out;
   resolve_guards(spec, provider.group, names, out);
   if (spec.reason) out.reason = spec.reason->value;
-  if (spec.trigger) out.trigger = names.trigger(*spec.trigger, false);
+  if (spec.trigger) out.trigger = resolve_trigger(*spec.trigger, names);
   resolve_uses(spec, id, names, out);
   resolve_answer(spec, id, names, out);
   std::vector<ConditionUse> declared = provider.causing;

@@ -154,7 +154,14 @@ private:
       for (const dsl::SettingSpec& each : spec.set) resolve_external(each, input);
       break;
     case InputKind::trigger:
-      if (const auto trigger = names_.trigger(spec.name, true)) input.trigger = *trigger;
+      if (const auto promise = find_promise(model_, spec.name.value)) {
+        names_.error("undefined_name", spec.name.span,
+                     fmt::format("a step cannot fire `{}`: only the engine does", spec.name.value),
+                     fmt::format("let the script of `{}` not set what it promises, and `advance` beyond its `within`",
+                                 model_.full_name(*promise)));
+      } else if (const auto trigger = names_.trigger(spec.name, true)) {
+        input.trigger = *trigger;
+      }
       break;
     case InputKind::enable:
     case InputKind::disable:

@@ -146,6 +146,29 @@ script:
 )"));
 }
 
+TEST_CASE("the trigger of a broken promise is fired by the engine, for those that listen to it") {
+  const char* const brakes = R"(behaviour: brakes
+language: 1
+states: {Motion: {values: [still, rolling], initial: rolling}}
+roots: [Drive]
+groups:
+  Drive: {providers: [{name: brake, causing: [Motion == still within 1 s]}]}
+)";
+  CHECK(
+      load_scenario(brakes, "script: {Drive: {trigger: Drive.brake.broken}}\nsteps: [{trigger: Drive.brake.broken}]\n")
+          .findings ==
+      R"(test.scenario.yaml:2:27: error: no provider listens to `Drive.brake.broken` [undefined_name]
+    2 | script: {Drive: {trigger: Drive.brake.broken}}
+      |                           ^~~~~~~~~~~~~~~~~~
+  help: list it in the `triggers` of the provider that reacts to it
+test.scenario.yaml:3:19: error: a step cannot fire `Drive.brake.broken`: only the engine does [undefined_name]
+    3 | steps: [{trigger: Drive.brake.broken}]
+      |                   ^~~~~~~~~~~~~~~~~~
+  help: let the script of `Drive.brake` not set what it promises, and `advance` beyond its `within`
+2 errors
+)");
+}
+
 TEST_CASE("what some provider of a group can do is no finding at an entry for the group") {
   CHECK(findings("script: {Walk: {set: {Pose: standing}}}\n") == "");
 }
