@@ -50,7 +50,7 @@ private:
       if (!group || !entry.part) continue;
       if (entry.part->value == "start" || entry.part->value == "stop") {
         resolve_handler(entry, *group);
-      } else if (const auto provider = names_.provider(*group, *entry.part)) {
+      } else if (const auto provider = resolve_part(*group, *entry.part)) {
         scripted_.insert(*provider);
         resolve_cases(entry, {*provider});
       }
@@ -62,6 +62,23 @@ private:
     for (const ProviderId id : model_.providers.ids()) {
       if (!scripted_.contains(id)) out_.scenario.bodies[id] = {unscripted(model_, id)};
     }
+  }
+
+  /// A provider; a handler would be possible too.
+  std::optional<ProviderId> resolve_part(GroupId id, const Word& name) {
+    const Group& group = model_.groups[id];
+    if (!group.start && !group.stop) return names_.provider(id, name);
+    std::vector<std::string> known;
+    for (const ProviderId each : group.providers) {
+      if (model_.providers[each].name == name.value) return each;
+      known.push_back(model_.providers[each].name);
+    }
+    if (group.start) known.emplace_back("start");
+    if (group.stop) known.emplace_back("stop");
+    names_.undefined(name.span,
+                     fmt::format("the group `{}` has no provider or handler called `{}`", group.name.value, name.value),
+                     name.value, known);
+    return std::nullopt;
   }
 
   void resolve_group_entry(const dsl::ScriptEntrySpec& entry, GroupId group) {

@@ -146,6 +146,20 @@ script:
 )"));
 }
 
+TEST_CASE("a handler of the group is among the names that may be meant") {
+  CHECK(findings("script: {Walk.stp: {}, Walk.rest: {}}\n") ==
+        R"(test.scenario.yaml:2:15: error: the group `Walk` has no provider or handler called `stp` [undefined_name]
+    2 | script: {Walk.stp: {}, Walk.rest: {}}
+      |               ^~~
+  help: did you mean `stop`?
+test.scenario.yaml:2:29: error: the group `Walk` has no provider or handler called `rest` [undefined_name]
+    2 | script: {Walk.stp: {}, Walk.rest: {}}
+      |                             ^~~~
+  help: one of walking, halting, start, stop
+2 errors
+)");
+}
+
 TEST_CASE("the trigger of a broken promise is fired by the engine, for those that listen to it") {
   const char* const brakes = R"(behaviour: brakes
 language: 1
