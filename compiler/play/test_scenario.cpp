@@ -26,9 +26,10 @@ ScenarioResult test_scenario(const Scenario& scenario, const Model& model, const
     if (i + 1 == last && result.played.refused) break; // it ended in the middle of this one
     const bool exhausted = i + 1 == last && result.played.budget_exhausted;
     if (!step.expect && !exhausted) continue;
-    std::vector<std::string> expected;
+    std::optional<std::vector<std::string>> expected;
     if (step.expect) {
-      for (const Word& line : step.expect->lines) expected.push_back(line.value);
+      expected.emplace();
+      for (const Word& line : step.expect->lines) expected->push_back(line.value);
     }
     if (!exhausted && expected == happened[i]) continue;
     const Span span = step.expect ? step.expect->span : step.span;
@@ -52,6 +53,15 @@ std::string_view colour_of(std::string_view line) {
   return "";
 }
 
+/// For a step that expects nothing.
+std::vector<std::string> first_of(std::vector<std::string> lines, std::size_t most) {
+  if (lines.size() <= most) return lines;
+  const std::size_t more = lines.size() - most;
+  lines.resize(most);
+  lines.push_back(fmt::format("... and {} more lines", more));
+  return lines;
+}
+
 } // namespace
 
 std::string render(const ScenarioResult& result, const dsl::Sources& sources, bool has_colours) {
@@ -67,7 +77,10 @@ std::string render(const ScenarioResult& result, const dsl::Sources& sources, bo
     else if (mismatch.exhausted)
       out += fmt::format("    it did not come to rest within {} micro-steps\n", play_budget);
     const std::size_t most_lines = mismatch.exhausted ? 30 : 200;
-    for (const std::string& line : unified_diff(mismatch.expected, mismatch.happened, most_lines)) {
+    const std::vector<std::string> lines = mismatch.expected
+                                               ? unified_diff(*mismatch.expected, mismatch.happened, most_lines)
+                                               : first_of(mismatch.happened, most_lines);
+    for (const std::string& line : lines) {
       out += "    " + dsl::painted(dsl::harmless(line), colour_of(line), has_colours) + "\n";
     }
   }
@@ -87,13 +100,14 @@ Json to_json(const ScenarioResult& result, const std::string& file, const std::s
   Json list = Json::list({});
   for (const Mismatch& mismatch : result.mismatches) {
     const dsl::Place place = sources[mismatch.span.file].place(mismatch.span.begin);
-    list.add(Json::object({{"step", Json::number(mismatch.step)},
-                           {"line", Json::number(place.line)},
-                           {"column", Json::number(place.column)},
-                           {"inputs", texts(mismatch.shown)},
-                           {"exhausted", Json::boolean(mismatch.exhausted)},
-                           {"expected", texts(mismatch.expected)},
-                           {"happened", texts(mismatch.happened)}}));
+    Json row = Json::object({{"step", Json::number(mismatch.step)},
+                             {"line", Json::number(place.line)},
+                             {"column", Json::number(place.column)},
+                             {"inputs", texts(mismatch.shown)},
+                             {"exhausted", Json::boolean(mismatch.exhausted)}});
+    if (mismatch.expected) row.add("expected", texts(*mismatch.expected));
+    row.add("happened", texts(mismatch.happened));
+    list.add(std::move(row));
   }
   out.add("mismatches", std::move(list));
   return out;

@@ -6,6 +6,7 @@
 #include "compiler/play/play.hpp"
 #include "dsl/source_file.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,12 +14,13 @@ namespace director::compiler {
 
 /// A step that did not happen as expected.
 struct Mismatch {
-  std::uint32_t step = 1;         ///< counts from 1
-  bool exhausted = false;         ///< the budget ran out in it
-  bool too_many_stops = false;    ///< ... that of stops, and not of micro-steps
-  std::vector<std::string> shown; ///< the text of the step
-  Span span{};                    ///< of its `expect`, or of the step if it has none
-  std::vector<std::string> expected, happened;
+  std::uint32_t step = 1;                           ///< counts from 1
+  bool exhausted = false;                           ///< the budget ran out in it
+  bool too_many_stops = false;                      ///< ... that of stops, and not of micro-steps
+  std::vector<std::string> shown;                   ///< the text of the step
+  Span span{};                                      ///< of its `expect`, or of the step if it has none
+  std::optional<std::vector<std::string>> expected; ///< empty: it has no `expect`
+  std::vector<std::string> happened;
 };
 
 struct ScenarioResult {

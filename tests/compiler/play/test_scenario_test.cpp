@@ -84,15 +84,12 @@ steps:
   CHECK(!tested.holds);
   const std::string begin = R"(test.scenario.yaml:5:5: step 1: request A
     it did not come to rest within 10000 micro-steps
-    --- expected
-    +++ happened
-    @@ -0,0 +1,14999 @@
-    +run A new_task
-    +run B new_task
-    +done B
+    run A new_task
+    run B new_task
+    done B
 )";
   CHECK(tested.text.substr(0, begin.size()) == begin);
-  CHECK(tested.text.ends_with("\n    ... and 14972 more lines\n"));
+  CHECK(tested.text.ends_with("\n    ... and 14969 more lines\n"));
 }
 
 TEST_CASE("a scenario that advances time beyond the limit fails") {
@@ -115,13 +112,10 @@ steps:
   CHECK(!result.holds());
   CHECK(render(result, loaded.behaviour.sources) == R"(test.scenario.yaml:7:5: step 3: advance 100000000 min
     something is due at more than 1000000 times within it
-    --- expected
-    +++ happened
-    @@ -0,0 +1,4 @@
-    +run A trigger
-    +run A trigger
-    +run A trigger
-    +budget_exhausted
+    run A trigger
+    run A trigger
+    run A trigger
+    budget_exhausted
 )");
 }
 
