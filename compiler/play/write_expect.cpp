@@ -143,12 +143,28 @@ private:
       for (; gone > 0; --gone, ++next) keep();
     }
     if (!old.events.empty()) keep();
+    bring_to(own, out);
     const std::size_t remark = std::min(old.head.find_first_of(" \t"), old.head.size());
     if (std::all_of(out.begin(), out.end(), is_blank)) return "\"\"" + std::string(old.head.substr(remark));
     std::string head(old.head.substr(0, remark));
     if (old.indent.empty()) std::erase_if(head, [](char c) { return c >= '1' && c <= '9'; }); // `|4`
     head += old.head.substr(remark);
     return head + newline_ + fmt::format("{}", fmt::join(out, newline_));
+  }
+
+  /// The first line that is not blank determines the indentation of a block: no line may be indented less, and no blank
+  /// line before it more.
+  static void bring_to(const std::string& own, std::vector<std::string>& lines) {
+    const auto spaces = [](const std::string& line) { return std::min(line.find_first_not_of(' '), line.size()); };
+    const auto first =
+        std::find_if(lines.begin(), lines.end(), [](const std::string& line) { return !is_blank(line); });
+    std::fill(lines.begin(), first, "");
+    if (first == lines.end() || spaces(*first) <= spaces(own)) return;
+    for (auto at = first; at != lines.end(); ++at) { // comments, and the first event
+      if (is_blank(*at)) continue;
+      *at = own + at->substr(at->find_first_not_of(" \t"));
+      if ((*at)[own.size()] != '#') return;
+    }
   }
 
   std::string block(const std::vector<std::string>& lines, std::size_t indent) const {

@@ -134,6 +134,19 @@ TEST_CASE("what happens is written below the comments of a step that expects not
         "steps:\n  - request: Lamp\n    expect: |\n      # it shines\n\n      # at once\n      run Lamp new_task\n");
 }
 
+TEST_CASE("what comes first in a block is not indented deeper than what follows") {
+  check("steps:\n  - request: Lamp\n    expect: |\n      run Bell new_task\n        # light\n          # at once\n"
+        "      run Lamp new_task\n",
+        "steps:\n  - request: Lamp\n    expect: |\n      # light\n      # at once\n      run Lamp new_task\n");
+  check("steps:\n  - request: Lamp\n    expect: |\n      run Bell new_task\n         \n      run Lamp new_task\n",
+        "steps:\n  - request: Lamp\n    expect: |\n\n      run Lamp new_task\n");
+  check("steps:\n  - request: [Lamp, Bell]\n    expect: |\n      stop Lamp\n        run Lamp new_task\n"
+        "      run Bell new_task\n",
+        "steps:\n  - request: [Lamp, Bell]\n    expect: |\n      run Lamp new_task\n      run Bell new_task\n");
+  check("steps:\n  - request: Lamp\n    expect: |\n      # light\n        # at once\n      run Bell new_task\n",
+        "steps:\n  - request: Lamp\n    expect: |\n      # light\n        # at once\n      run Lamp new_task\n");
+}
+
 TEST_CASE("line breaks stay what they are") {
   check("steps:\r\n  - request: Lamp\r\n    expect: | # on\r\n      # light\r\n      run Bell new_task\r\n",
         "steps:\r\n  - request: Lamp\r\n    expect: | # on\r\n      # light\r\n      run Lamp new_task\r\n");
