@@ -120,17 +120,8 @@ std::optional<RequestedTask> Names::request(const std::vector<Task>& tasks, std:
   const std::optional<std::uint32_t> at = level(*found, spec.level);
   if (!at) return std::nullopt;
   RequestedTask out{found->edge, *at, std::nullopt, spec.keep.value};
-  if (spec.data && has_data(found->target, spec.data->span)) out.data = spec.data->value;
+  if (spec.data) out.data = spec.data->value;
   return out;
-}
-
-bool Names::has_data(GroupId id, const Span& place) {
-  const Group& group = model.groups[id];
-  if (!group.data.empty()) return true;
-  error("undefined_name", place, fmt::format("the task `{}` carries no data", group.name.value),
-        "`data: TYPE` at the group declares what it carries")
-      .notes.push_back({group.name.span, "it is declared here, without `data`"});
-  return false;
 }
 
 } // namespace director::compiler

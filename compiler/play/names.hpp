@@ -26,9 +26,6 @@ public:
   std::optional<RequestedTask> request(const std::vector<Task>& tasks, std::string_view owner,
                                        const dsl::RequestSpec& spec);
 
-  /// Whether tasks of this group carry data; reports it if not. `place`: of the data.
-  bool has_data(GroupId group, const Span& place);
-
   dsl::Diagnostic& error(std::string_view id, Span span, std::string message, std::string help);
   /// Reports undefined_name, with the nearest of `known` as its help, or with all of them.
   dsl::Diagnostic& undefined(Span span, std::string message, std::string_view name,

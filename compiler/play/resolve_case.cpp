@@ -173,8 +173,8 @@ std::optional<TriggerId> resolve_trigger(const Word& name, Names& names) {
   return std::nullopt;
 }
 
-void resolve_guards(const dsl::CaseSpec& spec, GroupId group, Names& names, Case& out) {
-  if (spec.data && names.has_data(group, spec.data->span)) out.data = spec.data->value;
+void resolve_guards(const dsl::CaseSpec& spec, Case& out) {
+  if (spec.data) out.data = spec.data->value;
   if (spec.run) out.run = spec.run->value;
 }
 
@@ -199,7 +199,7 @@ std::optional<ProviderId> find_promise(const Model& model, std::string_view trig
 Case resolve_case(const dsl::CaseSpec& spec, ProviderId id, Names& names) {
   const Provider& provider = names.model.providers[id];
   Case out;
-  resolve_guards(spec, provider.group, names, out);
+  resolve_guards(spec, out);
   if (spec.reason) out.reason = spec.reason->value;
   if (spec.trigger) out.trigger = resolve_trigger(*spec.trigger, names);
   resolve_uses(spec, id, names, out);
@@ -215,7 +215,7 @@ Case resolve_handler_case(const dsl::CaseSpec& spec, GroupId group, std::string_
                           Names& names) {
   const std::string owner = fmt::format("the {} handler of `{}`", which, names.model.groups[group].name.value);
   Case out;
-  resolve_guards(spec, group, names, out);
+  resolve_guards(spec, out);
   resolve_set(spec, owner, handler.sets, which, names, out);
   return out;
 }

@@ -23,11 +23,10 @@ groups:
       - {name: walking, needs: [Legs], sets: [Pose == moving], tasks: [Legs], uses: [Legs], triggers: [Bell]}
       - {name: halting, needs: [Legs], causing: [Pose == standing], tasks: [Legs]}
   Kick:
-    data: int
     when: [Pose == standing]
     packs: {hard: {Legs: {priority: {slow: 1, fast: 2}}, Arms: {optional: true}}, soft: {Legs: {}}}
     needs: [Legs]
-  Legs: {data: int}
+  Legs: {}
   Arms: {}
 )";
 

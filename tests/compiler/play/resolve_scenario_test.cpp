@@ -19,7 +19,6 @@ roots:
   Kick: {priority: 20}
 groups:
   Walk:
-    data: int
     start: true
     stop: {sets: [Pose == moving]}
     providers:
@@ -29,7 +28,7 @@ groups:
     when: [Pose == standing]
     packs: {hard: {Legs: {}, Arms: {optional: true}}, soft: {Legs: {}}}
     triggers: [Bell]
-  Legs: {data: int}
+  Legs: {}
   Arms: {}
 )";
 
@@ -55,41 +54,6 @@ steps:
   - inputs: [{disable: Walk.halting}, {enable: Kick.default}]
   - advance: 10 ms
 )") == "");
-}
-
-TEST_CASE("data of a task that carries none are refused, as in a request and in a guard") {
-  CHECK(findings("script:\n  Kick: [{data: 1, pack: hard}, {pack: hard, with: [Arms: {data: 2}]}]\n"
-                 "  Arms: {data: {x: 1}, done: true}\nsteps:\n  - request: {Kick: {data: 3}}\n") ==
-        R"(test.scenario.yaml:3:17: error: the task `Kick` carries no data [undefined_name]
-    3 |   Kick: [{data: 1, pack: hard}, {pack: hard, with: [Arms: {data: 2}]}]
-      |                 ^
-test.yaml:19:3: note: it is declared here, without `data`
-   19 |   Kick:
-      |   ^~~~
-  help: `data: TYPE` at the group declares what it carries
-test.scenario.yaml:3:66: error: the task `Arms` carries no data [undefined_name]
-    3 |   Kick: [{data: 1, pack: hard}, {pack: hard, with: [Arms: {data: 2}]}]
-      |                                                                  ^
-test.yaml:24:3: note: it is declared here, without `data`
-   24 |   Arms: {}
-      |   ^~~~
-  help: `data: TYPE` at the group declares what it carries
-test.scenario.yaml:4:16: error: the task `Arms` carries no data [undefined_name]
-    4 |   Arms: {data: {x: 1}, done: true}
-      |                ^~~~~~
-test.yaml:24:3: note: it is declared here, without `data`
-   24 |   Arms: {}
-      |   ^~~~
-  help: `data: TYPE` at the group declares what it carries
-test.scenario.yaml:6:28: error: the task `Kick` carries no data [undefined_name]
-    6 |   - request: {Kick: {data: 3}}
-      |                            ^
-test.yaml:19:3: note: it is declared here, without `data`
-   19 |   Kick:
-      |   ^~~~
-  help: `data: TYPE` at the group declares what it carries
-4 errors
-)");
 }
 
 TEST_CASE("unknown names are found wherever they are, with the nearest known one", "[golden]") {
