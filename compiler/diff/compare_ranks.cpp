@@ -7,6 +7,7 @@
 // Where a level is requested, and its name, say which levels of the two sides are the same.
 #include "compiler/base/and_list.hpp"
 #include "compiler/diff/contests.hpp"
+#include "compiler/diff/shifts.hpp"
 #include "compiler/diff/side.hpp"
 
 #include <fmt/format.h>
@@ -21,79 +22,6 @@
 namespace director::compiler::diff {
 
 namespace {
-
-/// What has become of taking one group. Gains come first.
-enum class Shift { gained, always, more, more_in_passing, lost, not_always, fewer, fewer_in_passing };
-
-ChangeKind kind_of(Shift shift) {
-  return shift < Shift::lost ? ChangeKind::takeover_gained : ChangeKind::takeover_lost;
-}
-
-std::string sentence(Shift shift, const std::string& winner, const std::string& what, const std::string& losers) {
-  const auto [can, cases] = [&]() -> std::pair<const char*, const char*> {
-    switch (shift) {
-    case Shift::gained: return {"can now", ""};
-    case Shift::always: return {"can now always", ""};
-    case Shift::more: return {"can", " in more cases now"};
-    case Shift::lost: return {"can no longer", ""};
-    case Shift::not_always: return {"can no longer always", ""};
-    case Shift::fewer: return {"can", " in fewer cases now"};
-    case Shift::more_in_passing: return {"can", " in more cases now, while control passes"};
-    case Shift::fewer_in_passing: break;
-    }
-    return {"can", " in fewer cases now, while control passes"};
-  }();
-  return fmt::format("{} {} take {} from {}{}", winner, can, what, losers, cases);
-}
-
-enum class Extent { never, sometimes, always };
-
-Extent extent_of(const Meetings& meetings) {
-  const auto wins = std::count_if(meetings.begin(), meetings.end(), [](const auto& each) { return each.second; });
-  return wins == 0                                          ? Extent::never
-         : static_cast<std::size_t>(wins) < meetings.size() ? Extent::sometimes
-                                                            : Extent::always;
-}
-
-std::vector<Shift> shifts(const Meetings& before, const Meetings& now) {
-  const Extent was = extent_of(before), is = extent_of(now);
-  if (was != is) {
-    if (was == Extent::never) return {Shift::gained};
-    if (is == Extent::never) return {Shift::lost};
-    return {is == Extent::always ? Shift::always : Shift::not_always};
-  }
-  if (was != Extent::sometimes) return {};
-  bool more = false, fewer = false;
-  auto old = before.begin();
-  for (const auto& [meeting, wins] : now) {
-    while (old != before.end() && old->first < meeting) ++old;
-    if (old == before.end() || old->first != meeting) continue;
-    more = more || (wins && !old->second);
-    fewer = fewer || (!wins && old->second);
-  }
-  std::vector<Shift> out;
-  if (more) out.push_back(Shift::more);
-  if (fewer) out.push_back(Shift::fewer);
-  return out;
-}
-
-/// A member of a unit that makes a difference, where nothing else does.
-struct Mate {
-  std::uint32_t name = 0; ///< its number; 0: none
-  bool is_losers = false;
-  auto operator<=>(const Mate&) const = default;
-};
-
-Mate differing_mate(const Meetings& before, const Meetings& now) {
-  const auto [was, is] = std::mismatch(before.begin(), before.end(), now.begin(), now.end());
-  Mate out; // those without a mate come first
-  for (const Meeting* each : {was == before.end() ? nullptr : &was->first, is == now.end() ? nullptr : &is->first}) {
-    if (each == nullptr) continue;
-    if (each->mate == 0) return {};
-    out = {each->mate, each->is_losers};
-  }
-  return out;
-}
 
 std::string rank_text(const Edge& edge) {
   std::vector<std::string> out;

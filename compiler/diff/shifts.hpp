@@ -1,0 +1,32 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// What has become of one task's taking a group from another one, and how that is told.
+
+#include "compiler/diff/contests.hpp"
+
+#include <compare>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace director::compiler::diff {
+
+/// Gains come first. In passing: while control passes from one pack, provider or requester to another.
+enum class Shift { gained, always, more, more_in_passing, lost, not_always, fewer, fewer_in_passing };
+
+ChangeKind kind_of(Shift shift);
+/// "WINNER can now take WHAT from LOSERS"
+std::string sentence(Shift shift, const std::string& winner, const std::string& what, const std::string& losers);
+
+/// Of one group. Meetings that only one side has count only for whether it is taken never, sometimes or always.
+std::vector<Shift> shifts(const Meetings& before, const Meetings& now);
+
+/// A member of a unit that makes a difference, where nothing else does.
+struct Mate {
+  std::uint32_t name = 0; ///< its number; 0: none
+  bool is_losers = false;
+  auto operator<=>(const Mate&) const = default;
+};
+Mate differing_mate(const Meetings& before, const Meetings& now);
+
+} // namespace director::compiler::diff
