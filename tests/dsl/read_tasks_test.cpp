@@ -148,7 +148,7 @@ TEST_CASE("What is allowed needs a reason, and is allowed all the same") {
   CHECK(silent.file().roots->at(0).allow.size() == 1);
   for (const std::string empty : {"", " "})
     CHECK(with_roots("{Walk: {allow: [equal_priority], because: \"" + empty + "\"}}").findings() ==
-          "3:42 `\"" + empty + "\"` wrong_node_kind: `because`: expected a reason, found the text `" + empty +
+          "3:50 `\"" + empty + "\"` wrong_node_kind: `because`: expected a reason, found the text `" + empty +
               "` (say why it is wanted: `because: ...`)\n");
 }
 
