@@ -212,26 +212,48 @@ private:
     out.condition = condition;
     any_member(out, [&](Index member) { return has_condition(member, condition, out.provider); });
     out.group = target(out.member);
+    int best = 0;
     for (const Index causer : causers(t_, condition)) {
-      if (v_.enabled[causer] == 0) continue;
+      const int likely = v_.enabled[causer] != 0 ? likelihood(causer, out.group) : 0;
+      if (likely <= best) continue;
+      best = likely;
       out.causer = causer;
       out.causer_group = t_.providers[causer].group;
-      break;
     }
   }
 
-  /// Finds the provider of a choice that has the condition.
+  /// How likely the provider is to cause what the group waits for: it is pushed, it is active, it may become active, or
+  /// it is a provider of the group itself.
+  int likelihood(Index causer, Index waiting) const {
+    const Index group = t_.providers[causer].group;
+    const GroupAssignment& row = v_.assignment[group];
+    if (group == waiting) return 1;
+    return row.push.edge != nil && row.push.provider == causer ? 4 : row.active == causer ? 3 : 2;
+  }
+
+  /// Finds the provider that has the condition in the first choice whose groups are available: that one waits.
   bool has_condition(Index member, Index condition, Index& provider) const {
-    const auto has = [&](const Entry& last) {
+    const auto accept = [&](const Entry& entry) { return !held(entry, member) && !is_of_another(entry, member); };
+    const auto first = [&](const Entry& last) {
       for (const Entry* entry = &last; entry != nullptr; entry = entry->before) {
         const auto when = t_.list(t_.providers[entry->provider].when);
-        if (!any(when, [&](Index each) { return each == condition; })) continue;
-        provider = entry->provider;
-        return true;
+        if (any(when, [&](Index each) { return each == condition; })) provider = entry->provider;
       }
-      return false;
+      return true;
     };
-    return any_choice({.edge = member}, all, has);
+    return any_choice({.edge = member}, accept, first) && provider != nil;
+  }
+
+  /// Whether the group of the entry is held by an edge that is in the way of the member.
+  bool held(const Entry& entry, Index member) const {
+    const Index holder = v_.holder(target(entry.edge));
+    return holder != nil && holder != entry.edge && stands_in_the_way(holder, member);
+  }
+
+  /// Whether the group of the entry is the target of another member of the unit.
+  bool is_of_another(const Entry& entry, Index member) const {
+    return !alone(member) && any(t_.groups[requester(member)].edges.rows(),
+                                 [&](Index e) { return e != member && in_unit(e) && target(e) == target(entry.edge); });
   }
 
   void blocked(Because& out) {
@@ -291,15 +313,11 @@ private:
   /// Whether every choice has a held group: that of the first choice, and the provider that needs it (nil: the target).
   bool is_held(Index member, Index& group, Index& provider) const {
     group = provider = nil;
-    const auto held = [&](const Entry& entry) {
-      const Index holder = v_.holder(target(entry.edge));
-      return holder != nil && holder != entry.edge && stands_in_the_way(holder, member);
-    };
-    const auto accept = [&](const Entry& entry) { return group == nil || !held(entry); };
+    const auto accept = [&](const Entry& entry) { return group == nil || !held(entry, member); };
     const auto found = [&](const Entry& last) {
       const Entry* first = nullptr;
       for (const Entry* entry = &last; entry != nullptr; entry = entry->before) {
-        if (held(*entry)) first = entry;
+        if (held(*entry, member)) first = entry;
       }
       if (first == nullptr) return true;
       group = target(first->edge);

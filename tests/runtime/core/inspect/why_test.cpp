@@ -238,6 +238,66 @@ groups:
         "(priority 1)");
 }
 
+TEST_CASE("a condition is that of the first provider whose groups are available, and not of another one") {
+  Machine machine(R"(
+behaviour: robot
+language: 1
+states: {Ball: {values: [far, near], initial: far, external: true}}
+roots: [Play]
+groups:
+  Play: {packs: {go: {Look: {}, Kick: {}}}}
+  Look: {providers: [{name: around}, {name: down, when: [Ball == near]}]}
+  Kick: {when: [Ball == near]}
+)");
+  machine.request("Play");
+  machine.step();
+  CHECK(why(machine, "Look") ==
+        "Look waits (Play>Look): it comes with Play>Kick, and until Ball == near, which no enabled provider promises");
+  CHECK(why(machine, "Kick") == "Kick waits (Play>Kick): until Ball == near, which no enabled provider promises");
+}
+
+TEST_CASE("the place of a condition is in the provider that waits, not in one whose groups are held") {
+  Machine machine(R"(
+behaviour: robot
+language: 1
+states:
+  Ball: {values: [far, near], initial: far}
+  Heat: {values: [low, high], initial: low, external: true}
+roots: {Hold: {priority: 30}, Look: {priority: 20}, Bring: {priority: 10}}
+groups:
+  Hold: {needs: [Legs]}
+  Look:
+    providers:
+      - {name: running, when: [Ball == near, Heat == high], needs: [Legs]}
+      - {name: standing, when: [Ball == near]}
+  Bring: {providers: [{name: resting}, {name: fetching, causing: [Ball == near]}]}
+  Legs: {}
+)");
+  machine.body("Bring.fetching", [](Run& run) { return run.keep(); });
+  for (const char* task : {"Hold", "Bring", "Look"}) machine.request(task);
+  machine.step();
+  const Because because = why(view_of(machine.engine()), machine.group("Look"));
+  REQUIRE(because.kind == Because::Kind::condition);
+  CHECK(machine.model().providers[compiler::ProviderId{because.provider}].name == "standing");
+}
+
+TEST_CASE("of several providers that could make a condition true the answer has the one that is pushed") {
+  Machine machine(R"(
+behaviour: robot
+language: 1
+states: {Ball: {values: [far, near], initial: far}}
+roots: {Look: {priority: 20}, Bring: {priority: 10}}
+groups:
+  Look: {when: [Ball == near], causing: [Ball == near]}
+  Bring: {providers: [{name: resting}, {name: fetching, causing: [Ball == near]}]}
+)");
+  machine.body("Bring.fetching", [](Run& run) { return run.keep(); });
+  machine.request("Look");
+  machine.request("Bring");
+  machine.step();
+  CHECK(why(machine, "Look") == "Look waits (root>Look): until Ball == near, which Bring.fetching could cause");
+}
+
 TEST_CASE("between micro-steps the answer has the group that is about to run, and limbo") {
   Machine machine(R"(
 behaviour: heirs
