@@ -205,6 +205,10 @@ Code tables_part(const CppEmission& e) {
     }
     return names;
   };
+  const std::size_t most_rows =
+      std::max({t.groups.size(), t.providers.size(), t.edges.size(), t.levels.size(), t.conditions.size(),
+                t.intervals.size(), t.states.size(), t.triggers.size(), t.promises.size(), t.lists.size(),
+                t.components.size(), t.plan_groups.size(), t.listened.size()});
   Code code;
   code.comment("The tables; see runtime/core/base/tables.hpp. A column that is not named has its initial value.", "//");
   code.line("namespace {");
@@ -217,6 +221,10 @@ Code tables_part(const CppEmission& e) {
   const auto state = [&](std::size_t i) { return m.states[StateId{id(i)}].name.value; };
   const auto trigger = [&](std::size_t i) { return m.triggers[TriggerId{id(i)}].name; };
   const auto promise = [&](std::size_t i) { return provider(t.promises[i].provider); };
+  if (most_rows >= 65'535) // fewer rows than that can be told apart in any program
+    code.line(fmt::format("static_assert({} < static_cast<director::TableIndex>(-1), \"more rows than a TableIndex can "
+                          "tell apart: compile without DIRECTOR_SMALL_INDEX, or for another processor\");",
+                          most_rows));
   table(code, "Group", "groups", t.groups, group_row, group);
   table(code, "Provider", "providers", t.providers, provider_row, provider);
   table(code, "Edge", "edges", t.edges, edge_row, edge);

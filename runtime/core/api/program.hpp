@@ -22,7 +22,8 @@ namespace director {
 /// Not to be copied or moved: bodies and the inbox point into it.
 template <class Facts>
 class Program {
-  static_assert(Facts::shape.edges + Facts::shape.groups < nil, "more rows than an Index can tell apart");
+  static_assert(Facts::shape.edges + Facts::shape.groups < nil && Facts::shape.timers() < nil,
+                "more rows than an Index can tell apart: compile without DIRECTOR_SMALL_INDEX");
 
 public:
   using Snapshot = director::Snapshot<Facts>; ///< what other threads may read; filled by show()

@@ -8,6 +8,8 @@
 #include "compiler/lower/lower.hpp"
 #include "tests/compiler/support/compiled.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace {
@@ -99,6 +101,22 @@ TEST_CASE("a column with its default is left out of a row") {
   const Emitted out = emitted("roots: [Lamp]\ngroups: {Lamp: {stop: true, tasks: [Bulb]}, Bulb: {}}\n");
   CHECK(has(out.source, "  {.requester = 0, .target = 1, .levels = {1, 2}}, // Lamp>Bulb\n"));
   CHECK(has(out.source, "      case 0: return stop<Lamp::Stop>(behaviour, handling);\n      default: return;\n"));
+}
+
+TEST_CASE("tables with more rows than a small index can tell apart say so to the C++ compiler") {
+  std::string text = "roots: [Top]\ngroups:\n  Top: {tasks: {";
+  for (int i = 0; i < 230; ++i) text += fmt::format("P{}: {{apart: true, priority: {}}}, ", i, i);
+  text += "}}\n";
+  for (int i = 0; i < 230; ++i) text += fmt::format("  P{}: {{needs: [X]}}\n", i);
+  std::string resources;
+  for (int i = 0; i < 300; ++i) resources += fmt::format("R{}, ", i);
+  text += "  X: {needs: [" + resources + "]}\n";
+  for (int i = 0; i < 300; ++i) text += fmt::format("  R{}: {{}}\n", i);
+  const Emitted out = emitted(text);
+  const auto rows = out.lowered.lists.size();
+  REQUIRE(rows > 65'535);
+  CHECK(has(out.source, fmt::format("static_assert({} < static_cast<director::TableIndex>(-1), \"more rows", rows)));
+  CHECK(!has(emitted("roots: []\n").source, "TableIndex>(-1)"));
 }
 
 TEST_CASE("the manifest has what was read, and where a generated line comes from") {
