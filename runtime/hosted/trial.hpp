@@ -175,9 +175,12 @@ public:
                   "`causing` and `sets` of this provider or handler do not name this state");
     return value_of(Whole::States::template row<Value>) != unset;
   }
-  /// Whether try_set refused this value.
+  /// Whether try_set refused this value. With DIRECTOR_NO_OBSERVER this does not compile.
   template <class Value>
   bool refuses(Value value) const {
+    static_assert(observable && sizeof(Value) != 0,
+                  "a refused value is seen by an observer: compile this test and the runtime without "
+                  "DIRECTOR_NO_OBSERVER");
     const Setting setting = declared(value);
     return std::any_of(rig_->refused.begin(), rig_->refused.end(), [&](const Setting& other) {
       return other.state == setting.state && other.value == setting.value;
