@@ -124,7 +124,7 @@ public:
     return outside() ? saved::load<Facts>(engine_, data_, from, microseconds_begun(now)) : LoadResult::refused;
   }
 
-  /// Limits the micro-steps of one step(), which then returns budget_exhausted.
+  /// Limits the micro-steps of one step(), which then returns budget_exhausted. 0: no limit.
   void set_budget(std::uint32_t micro_steps) { engine_.set_budget(micro_steps); }
 
   /// Limits the work of one step(), which then returns budget_exhausted: groups placed, tasks decided, choices tried.

@@ -34,7 +34,8 @@ public:
   /// Sets the observer. If a program does not call this, reports are not linked.
   void observe(Observer observer);
 
-  void set_budget(std::uint32_t micro_steps) { budget_ = micro_steps; }
+  /// Limits the micro-steps of one step. 0: no limit.
+  void set_budget(std::uint32_t micro_steps) { budget_ = micro_steps != 0 ? micro_steps : ~std::uint32_t{0}; }
   /// Limits the work() of one step; tested between micro-steps, so that the last one may exceed it. 0: no limit.
   void set_work_budget(std::uint64_t work) { work_budget_ = work; }
 

@@ -129,6 +129,35 @@ TEST_CASE("what a body throws leaves step after its micro-step, and the behaviou
         Lines{"run Rest.default", "start Walk", "fault Walk", "run Walk.default", "fault Walk", "run Sing.default"});
 }
 
+TEST_CASE("what a handler set before it threw counts") {
+  Office office;
+  office.plans.deliver = [](Deliver::Default& run) { return run.enter(Open{}, Walk{post::Steps{}}); };
+  office.skills.unlocking = [](Open::Unlocking& run) {
+    run.set(courier::Door::open);
+    return run.keep();
+  };
+  office.skills.on_stop = [](Walk::Stop& run) {
+    run.set(courier::Door::shut);
+    throw std::runtime_error("no brake");
+  };
+  office.behaviour.request(Deliver{parcel(1)});
+  office.behaviour.step(0s);
+  CHECK(office.behaviour.engine().value(1) == static_cast<std::int32_t>(courier::Door::open));
+  office.behaviour.cancel<Deliver>();
+  CHECK_THROWS_WITH(office.behaviour.step(0s), "no brake");
+  CHECK(office.behaviour.step(0s) == StepResult::quiescent);
+  CHECK(office.behaviour.engine().value(1) == static_cast<std::int32_t>(courier::Door::shut));
+}
+
+TEST_CASE("a budget of 0 is no limit") {
+  Office office;
+  office.behaviour.set_budget(1);
+  office.behaviour.request<Rest>();
+  CHECK(office.behaviour.step(0s) == StepResult::budget_exhausted);
+  office.behaviour.set_budget(0);
+  CHECK(office.behaviour.step(0s) == StepResult::quiescent);
+}
+
 TEST_CASE("from inside a body only post reaches the behaviour") {
   Office office;
   bool direct = true, posted = false;
