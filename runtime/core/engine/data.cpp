@@ -1,4 +1,4 @@
-// docs/bounds.md: moves the data of tasks when they are requested.
+// runtime/core/README.md, The memory: moves the data of tasks when they are requested.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/engine/notes.hpp"

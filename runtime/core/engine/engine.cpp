@@ -1,4 +1,4 @@
-// docs/semantics.md, section 6: the state between micro-steps, and the contexts of bodies and handlers.
+// docs/semantics.md, sections 2 and 6: the state between micro-steps, and the contexts of bodies and handlers.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/engine/engine.hpp"

@@ -220,7 +220,7 @@ private:
 
   bool answered(Index edge, std::uint8_t answer) const;
 
-  // reports.cpp: section 6. All but the first only if observed().
+  // reports.cpp: docs/programs.md, Observers. All but the first only if observed().
   void report(Event::Kind kind, Index group = nil, Index provider = nil, Reasons reasons = {}) const {
     if (observed()) report_run(kind, group, provider, reasons);
   }

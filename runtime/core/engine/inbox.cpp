@@ -1,4 +1,4 @@
-// docs/semantics.md, section 7: the queue of posted inputs.
+// docs/semantics.md, section 3, Inputs: the queue of posted inputs.
 // SPDX-License-Identifier: MIT
 //
 // The sequence number of a cell says who may use it: if it equals a writer's position, that writer; one more, the

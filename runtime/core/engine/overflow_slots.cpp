@@ -1,4 +1,4 @@
-// docs/semantics.md, section 7: inputs that a full inbox does not refuse.
+// docs/semantics.md, Inputs that are lost: inputs that a full inbox does not refuse.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/engine/inbox.hpp"

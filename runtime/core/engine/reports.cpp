@@ -1,4 +1,4 @@
-// docs/semantics.md, section 6: events for an observer. Without one, no code here is linked.
+// docs/programs.md, Observers: events for an observer. Without one, no code here is linked.
 // SPDX-License-Identifier: MIT
 
 #include "runtime/core/engine/engine.hpp"

@@ -12,7 +12,8 @@ namespace testing {
 struct Access;
 }
 
-/// The place of a task's data (docs/bounds.md): an edge has a slot and a staging slot, a group has one slot.
+/// The place of a task's data (runtime/core/README.md, The memory): an edge has a slot and a staging slot, a group has
+/// one slot.
 struct DataPlace {
   enum class Slot : std::uint8_t { edge, staging, group };
   Slot slot = Slot::group;

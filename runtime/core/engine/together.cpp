@@ -1,4 +1,4 @@
-// docs/semantics.md, section 7: inputs of several records, which are taken together.
+// docs/semantics.md, section 3, Inputs: inputs of several records, which are taken together.
 // SPDX-License-Identifier: MIT
 //
 // In overflow slots the records of one input are published from the last to the first, the leader, after all places are
