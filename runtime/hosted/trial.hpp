@@ -43,6 +43,7 @@ struct Access {
   static Handling handling(Engine& engine, Index group, Reasons reasons) { return {engine, group, reasons}; }
   static Time wait(const Run& run) { return run.wait_; }
   static std::uint16_t pack(const Run& run) { return run.pack_; }
+  static std::uint8_t call(const Run& run) { return run.call_; }
 };
 
 namespace detail {
@@ -344,7 +345,7 @@ public:
       answer.outcome_ = module.provide(context).kind();
       answer.wait_ = Access::wait(run);
       answer.pack_ = Access::pack(run);
-      if (answer.outcome_ == Outcome::Kind::pack) commit();
+      if (answer.outcome_ == Outcome::Kind::pack) commit(Access::call(run));
     }
     return answer;
   }
@@ -365,13 +366,15 @@ private:
     detail::Rig<Whole>& rig;
   };
 
-  /// Makes the staged requests the current ones, and no others.
-  void commit() {
+  /// Makes the requests of the last call in the run the current ones, and no others.
+  void commit(std::uint8_t call) {
     const State& state = rig_->state();
     const Tables& tables = rig_->engine.tables();
     const Range edges = tables.groups[group].edges;
     for (Index e = edges.begin; e != edges.end; ++e) {
-      state.request[e].level = state.staged_request[e - edges.begin].level;
+      Staged& staged = state.staged_request[e - edges.begin];
+      if (staged.call != call) staged = {};
+      state.request[e].level = staged.level;
       GroupAssignment& target = state.last[tables.edges[e].target];
       if (state.request[e].level == nil && target.holder == e) target = {};
     }

@@ -86,10 +86,12 @@ bool ask_for(Run& run, Data& data, Kept<Task>& request) {
   return ask_for<Pack>(run, data, request.task, true);
 }
 
-/// Requests all given tasks and no others. A level that the requester does not declare for a task is a fault of the
-/// body: nothing is requested, the observer is called, and step() returns StepResult::fault.
+/// Requests all given tasks and no others, also none of an earlier call in the same run. A level that the requester
+/// does not declare for a task is a fault of the body: nothing is requested, the observer is called, and step() returns
+/// StepResult::fault.
 template <class Pack, class Data, class... Given>
 Outcome ask(Run& run, Data& data, std::uint16_t number, Given&... requests) {
+  run.begin_pack();
   const bool declared = (ask_for<Pack>(run, data, requests) && ...);
   return declared ? run.pack(number) : run.fault();
 }

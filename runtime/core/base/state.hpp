@@ -191,8 +191,9 @@ struct UnmetCondition {
 
 /// The request of the running body through an edge.
 struct Staged {
-  Index level = nil; ///< nil: no request
-  bool keep = false; ///< a request of that level is kept
+  Index level = nil;     ///< nil: no request
+  bool keep = false;     ///< a request of that level is kept
+  std::uint8_t call = 0; ///< as Run::call_
 };
 
 struct Counters {

@@ -35,11 +35,13 @@ public:
   void set(Index state, std::int32_t value);    ///< the last value counts; the caller checks that it is declared
   void refuse(Index state, std::int32_t value); ///< reports a value that is not declared
   void wait(Time duration);                     ///< above 0; the last call counts
+  /// Begins an answer that requests tasks: what an earlier one of this run requested does not count.
+  void begin_pack() { ++call_; }
   /// Requests the target of an edge of this group at a level (of Tables::levels); the last call for an edge counts.
   /// True: this is a new task for the target; false: `keep` leaves a request of that level as it is.
   bool request(Index edge, Index level, bool keep = false) {
     const bool leave = keep && request_[edge].level == level;
-    staged_[edge - first_edge_] = {level, leave};
+    staged_[edge - first_edge_] = {level, leave, call_};
     return !leave;
   }
 
@@ -70,6 +72,7 @@ private:
   Index first_edge_; ///< the first edge of its group
   Index group_, provider_;
   Reasons reasons_;
+  std::uint8_t call_ = 0; ///< how many answers that request tasks were begun, modulo 256
   std::uint16_t pack_ = 0;
   Time wait_ = 0;
 };

@@ -8,17 +8,17 @@ namespace director {
 
 const char part::several = 0;
 
-/// Carries out the requests and withdrawals of a run.
-void Engine::commit_pack(Range edges) {
+/// Carries out the requests and withdrawals of a run. Only its last request counts, with this number.
+void Engine::commit_pack(Range edges, std::uint8_t call) {
   Staged* staged = x_.s.staged_request;
   for (Index e = edges.begin; e != edges.end; ++e, ++staged) {
-    const Index level = staged->level;
+    const Index level = staged->call == call ? staged->level : nil;
+    staged->level = nil;
     if (level == nil) {
       if (observed() && x_.s.request[e].level != nil) report_request(Event::Kind::withdraw, e);
       withdraw(e);
       continue;
     }
-    staged->level = nil;
     if (observed()) report_request(staged->keep ? Event::Kind::keep : Event::Kind::ask, e, level);
     if (staged->keep) continue;
     if (edges.size() != 1 || !repeats_request(e, level)) {

@@ -53,6 +53,44 @@ TEST_CASE("a kept entry leaves the request and its data as they are") {
   CHECK(steps == std::vector<int>{1});
 }
 
+TEST_CASE("of several requests in one run the last one counts alone") {
+  Office office;
+  std::vector<int> steps;
+  office.plans.rest = [](Rest::Default& run) {
+    Outcome answer = run.request(Walk{post::Steps{1}}, Sing{});
+    answer = run.request(Sing{});
+    return answer;
+  };
+  office.plans.deliver = [](Deliver::Default& run) {
+    Outcome answer = run.enter(Open{}, Walk{post::Steps{2}});
+    answer = run.carry(Walk{post::Steps{3}});
+    return answer;
+  };
+  office.skills.walk = [&](Walk::Default& run) {
+    steps.push_back(run.task().count);
+    return run.keep();
+  };
+  office.behaviour.request<Rest>();
+  office.behaviour.step(0s);
+  CHECK(office.record.take() == Lines{"run Rest.default", "run Sing.default"});
+  office.behaviour.request(Deliver{parcel(1)});
+  office.behaviour.step(0s);
+  CHECK(steps == std::vector<int>{3});
+  CHECK(office.record.take() == Lines{"run Deliver.default", "start Walk", "run Walk.default"});
+}
+
+TEST_CASE("a request that is a fault leaves nothing to the next one of the same run") {
+  Office office;
+  office.plans.rest = [](Rest::Default& run) {
+    Outcome answer = run.request(Sing{}, Walk{post::Steps{}, Walk::fast});
+    if (answer.kind() == Outcome::Kind::fault) answer = run.request(Walk{post::Steps{}});
+    return answer;
+  };
+  office.behaviour.request<Rest>();
+  CHECK(office.behaviour.step(0s) == StepResult::quiescent);
+  CHECK(office.record.take() == Lines{"run Rest.default", "start Walk", "run Walk.default"});
+}
+
 TEST_CASE("a level that the requester does not declare is a fault, and nothing is requested") {
   Office office;
   office.plans.rest = [](Rest::Default& run) { return run.request(Walk{post::Steps{}, Walk::fast}, Sing{}); };

@@ -40,6 +40,21 @@ TEST_CASE("a body alone: its task, and what it requests, with data and levels") 
   CHECK(deliver.task(parcel(1)).run(plans).data<Walk>().count == 2);
 }
 
+TEST_CASE("a body alone: of several requests in one run the last one counts alone") {
+  Plans plans;
+  plans.deliver = [](Deliver::Default& run) {
+    Outcome answer = run.enter(Open{}, Walk{post::Steps{1}});
+    answer = run.carry(Walk{post::Steps{2}});
+    return answer;
+  };
+  Trial<Deliver::Default> deliver{parcel(21)};
+  const auto answer = deliver.run(plans);
+  CHECK(answer.pack() == "carry");
+  CHECK(answer.count() == 1);
+  CHECK(answer.data<Walk>().count == 2);
+  CHECK(!answer.requests<Open>());
+}
+
 TEST_CASE("a body alone: the reasons for its run, only that time") {
   Plans plans;
   std::vector<Reasons> seen;
