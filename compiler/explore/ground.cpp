@@ -221,7 +221,7 @@ private:
     for (const auto& options : places) {
       for (std::size_t i = 1; i < options.size(); ++i) g_.requests.push_back({*options[i]});
     }
-    leave_out("several root tasks in one input (they are queued one after another)");
+    g_.narrowed.push_back("several root tasks in one input (they are queued one after another)");
   }
 
   void find_sets() {
@@ -243,7 +243,7 @@ private:
     for (std::size_t i = 0; all && i < all->size(); ++i) {
       if ((*all)[i].size() > 1) g_.sets.push_back((*all)[i]);
     }
-    if (!all) leave_out("several states that are set in one input (they are queued one after another)");
+    if (!all) g_.narrowed.push_back("several states that are set in one input (they are queued one after another)");
   }
 
   void find_expiries() {

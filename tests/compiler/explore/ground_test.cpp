@@ -68,6 +68,19 @@ TEST_CASE("of more than eight flat tasks not every subset is tried") {
   CHECK(std::count(ground.left_out.begin(), ground.left_out.end(), words) == 1);
 }
 
+TEST_CASE("of many external states, or root tasks, not every combination is one input") {
+  std::string behaviour = "behaviour: b\nlanguage: 1\nstates:\n";
+  for (const char state : std::string("STUVWX"))
+    behaviour += std::string("  ") + state + ": {values: [low, high], initial: low, external: true}\n";
+  behaviour += "roots: [A, B, C, D, E, F]\ngroups:\n"
+               "  A: {when: [S == low, T == low, U == low, V == low, W == low, X == low]}\n";
+  for (const char group : std::string("BCDEF")) behaviour += std::string("  ") + group + ": {}\n";
+  const auto compiled = director::tests::compile(behaviour);
+  CHECK(Ground(compiled.model).narrowed ==
+        std::vector<std::string>{"several root tasks in one input (they are queued one after another)",
+                                 "several states that are set in one input (they are queued one after another)"});
+}
+
 TEST_CASE("a body usually keeps its promise and sets nothing else") {
   const auto compiled = director::tests::compile(R"(behaviour: b
 language: 1
