@@ -113,7 +113,7 @@ std::optional<Moment> moment_in(const LoadedScenario& loaded, std::uint32_t step
     print_findings({*played.refused}, sources, console.err, console.err_colours, console.err_width);
     return {};
   }
-  if (played.budget_exhausted && (step == 0 || step > played.last_step)) {
+  if (played.budget_exhausted && (step == 0 || step >= played.last_step)) {
     print_early_end(played, sources[loaded.file].path(), console);
     return {};
   }
@@ -141,6 +141,11 @@ int draw_moments(const DrawGraph& request, Console& console) {
   if (loaded.status != clean) return loaded.status;
   const auto steps = static_cast<std::uint32_t>(loaded.scenario.steps.size());
   if (!has_moment(loaded, request.file, request.step, request.time, console)) return misused;
+  if (request.frames && steps == 0) {
+    print_message(console, fmt::format("directorc: `{}` has no steps, so there is nothing to draw after them\n",
+                                       shown_path(request.file)));
+    return misused;
+  }
   const Graph graph = with_possible_pushes(loaded.model, loaded.graph);
   const Subject subject{loaded.model, loaded.graph, graph, true, nullptr};
   std::optional<PictureOptions> options = options_of(request, subject, console);

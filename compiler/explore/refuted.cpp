@@ -20,7 +20,12 @@ std::vector<dsl::Diagnostic> refuted_assertions(const Model& model, const std::v
       finding.help = "`directorc explore FILE --output FOLDER` writes a scenario that shows it";
     } else {
       const std::string& group = model.groups[assertion.groups.front().id].name.value;
-      finding.help = fmt::format("`directorc check FILE --explain-reachable={}` tells what it would take", group);
+      finding.help =
+          verdicts[i].explored
+              ? fmt::format(
+                    "`directorc why SCENARIO {}` tells what keeps it from running, in a scenario that requests it",
+                    group)
+              : fmt::format("`directorc check FILE --explain-reachable={}` tells what it would take", group);
     }
     out.push_back(std::move(finding));
   }

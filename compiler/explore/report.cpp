@@ -16,7 +16,11 @@ namespace director::compiler {
 
 namespace {
 
-std::string file_name(std::string words) {
+/// Limit: file systems take 255 bytes, and a name gets an ending and a number.
+constexpr std::size_t longest_name = 200;
+
+/// `number`: of several names that would be the same; 0: none.
+std::string file_name(const std::string& words, std::size_t number = 0) {
   std::string out;
   for (const char c : words) {
     if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_')
@@ -24,7 +28,9 @@ std::string file_name(std::string words) {
     else if (!out.empty() && out.back() != '_')
       out += '_';
   }
+  out.resize(std::min(out.size(), longest_name));
   while (!out.empty() && out.back() == '_') out.pop_back();
+  if (number != 0) out += fmt::format("_{}", number);
   return out + ".scenario.yaml";
 }
 
@@ -142,14 +148,19 @@ std::string to_text(const Exploration& exploration, const Ground& ground) {
 
 std::vector<std::pair<std::string, std::string>> scenarios_of(const Exploration& exploration, const Ground& ground) {
   std::vector<std::pair<std::string, std::string>> out;
+  std::set<std::string> taken;
+  const auto add = [&](const std::string& words, const std::string& text) {
+    std::string name = file_name(words);
+    for (std::size_t number = 2; !taken.insert(name).second; ++number) name = file_name(words, number);
+    out.emplace_back(std::move(name), text);
+  };
   for (std::size_t i = 0; i < exploration.verdicts.size(); ++i) {
     const Verdict& verdict = exploration.verdicts[i];
-    if (verdict.scenario)
-      out.emplace_back(file_name(words_of(ground.model.assertions[i], ground.model)), *verdict.scenario);
+    if (verdict.scenario) add(words_of(ground.model.assertions[i], ground.model), *verdict.scenario);
   }
   for (std::size_t i = 0; i < exploration.oscillations.size(); ++i) {
     if (exploration.oscillations[i].scenario)
-      out.emplace_back(file_name(fmt::format("never_at_rest_{}", i + 1)), *exploration.oscillations[i].scenario);
+      add(fmt::format("never_at_rest_{}", i + 1), *exploration.oscillations[i].scenario);
   }
   return out;
 }

@@ -26,7 +26,7 @@ namespace director::compiler {
 namespace {
 
 constexpr std::size_t slice_size = 1'024;
-constexpr std::size_t most_cycles = 8;
+constexpr std::size_t most_cycles = 64;
 
 struct Origin {
   Number parent = none;

@@ -51,6 +51,31 @@ steps:
 )");
 }
 
+TEST_CASE("scenarios that would get the same name are numbered, and long names are cut") {
+  std::string roots = "A, A_B, B, B_C, C", list, name = "never_together";
+  for (const char digit : std::string("123456789")) {
+    const std::string group = std::string(31, 'L') + digit;
+    roots += ", " + group;
+    list += (list.empty() ? "" : ", ") + group;
+    name += "_" + group;
+  }
+  std::string groups;
+  for (const std::string& group :
+       {std::string("A"), std::string("A_B"), std::string("B"), std::string("B_C"), std::string("C")})
+    groups += "  " + group + ": {}\n";
+  for (const char digit : std::string("123456789")) groups += "  " + std::string(31, 'L') + digit + ": {}\n";
+  World world =
+      with("roots: [" + roots + "]\ngroups:\n" + groups +
+           "assertions: [{never_together: [A_B, C]}, {never_together: [A, B_C]}, {never_together: [" + list + "]}]\n");
+  CHECK(world.directorc({"explore", "b.yaml", "--bound", "2000", "--output", "found"}) == 1);
+  std::vector<std::string> written;
+  for (const auto& [path, text] : world.outputs.files) written.push_back(path);
+  const std::string folder = "found/", end = ".scenario.yaml";
+  CHECK(written == std::vector<std::string>{folder + "never_together_A_B_C" + end,
+                                            folder + "never_together_A_B_C_2" + end,
+                                            folder + name.substr(0, 200) + end});
+}
+
 TEST_CASE("a scenario of an earlier run that this one did not write is named") {
   World world = with(two + "assertions: [{never_together: [A, B]}]\n");
   const auto add = [&](const std::string& path, const std::string& text) {

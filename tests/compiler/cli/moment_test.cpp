@@ -119,6 +119,9 @@ TEST_CASE("an unknown moment, or a file that is no scenario, is reported") {
         "2 directorc: --frames writes many files: -o names a folder for them\n");
   CHECK(told({"graph", "s.yaml", "--step=1", "--frames", "-o", "x"}) == "2 directorc graph: --step excludes --frames\n"
                                                                         "Try `directorc graph --help`.\n");
+  world.files.add("still.yaml", "behaviour: rover.yaml\n");
+  CHECK(told({"graph", "still.yaml", "--frames", "-o", "x"}) ==
+        "2 directorc: `still.yaml` has no steps, so there is nothing to draw after them\n");
   CHECK(told({"graph", "none.yaml", "--step=1"}).starts_with("2 directorc: "));
   CHECK(told({"graph", "rover.yaml", "--step=1"}).starts_with("1 rover.yaml:"));
 }

@@ -68,3 +68,25 @@ groups:
   REQUIRE_FALSE(exploration.oscillations.empty());
   CHECK(exploration.oscillations.front().scenario.has_value());
 }
+
+TEST_CASE("a cycle is reported although another one goes round in many states") {
+  const auto compiled = director::tests::compile(R"(behaviour: b
+language: 1
+states:
+  S: {values: [a, b], initial: a}
+  T: {values: [a, b], initial: a}
+  X: {values: [a, b], initial: a, external: true}
+  Y: {values: [a, b], initial: a, external: true}
+  Z: {values: [a, b], initial: a, external: true}
+roots: [One, Two, Look]
+groups:
+  One: {providers: [{name: up, when: [S == a], causing: [S == b]}, {name: down, causing: [S == a]}]}
+  Two: {when: [Z == b], tasks: [Flip]}
+  Flip: {providers: [{name: up, when: [T == a], causing: [T == b]}, {name: down, causing: [T == a]}]}
+  Look: {providers: [{name: first, when: [X == a, Y == a]}, {name: second, when: [X == b, Y == a]}, {name: third}]}
+)");
+  const Ground ground(compiled.model);
+  const std::string text = to_text(explore_all(ground, 100'000), ground);
+  for (const std::string groups : {"One.down, One.up", "Flip.down, Flip.up"})
+    CHECK(text.find("micro-steps: " + groups + "\n") != std::string::npos);
+}
