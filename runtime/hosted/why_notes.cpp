@@ -41,7 +41,7 @@ private:
     return own == "default" ? of : of + "." + std::string(own);
   }
   std::string value(Index state) const {
-    const std::int32_t number = v_.value(state);
+    const std::int32_t number = v_.values[state].value;
     if (number == unset) return "unset";
     const std::string name = n_.value(n_.self, state, number);
     return name.empty() ? std::to_string(number) : name;
@@ -80,7 +80,7 @@ private:
   void others(const Because& because) {
     for (const Index row : t_.list(t_.providers[because.provider].when)) {
       const Condition& other = t_.conditions[row];
-      if (row == because.condition || t_.accepts(other, v_.value(other.state))) continue;
+      if (row == because.condition || t_.accepts(other, v_.values[other.state].value)) continue;
       const bool caused = any(causers(t_, row), [&](Index provider) { return v_.enabled[provider] != 0; });
       add(std::string(n_.condition(n_.self, row)) + " is false too" +
               (caused ? "" : ", and no enabled provider promises it, so nothing is pushed"),

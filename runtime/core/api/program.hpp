@@ -57,10 +57,11 @@ public:
   [[nodiscard]] bool set(Value value, More... more) {
     if constexpr (sizeof...(More) == 0 && Post::template external<Value>()) {
       const Setting setting = Facts::States::setting(value);
-      if (Facts::States::domains[setting.state].has(setting.value) && engine_.set_ahead(setting.state, setting.value))
+      if (Facts::States::domains[setting.state].has(setting.value) &&
+          engine_.take_at_once(setting.state, setting.value))
         return true;
     }
-    return post_values(value, more...);
+    return outside() && local_post().set(value, more...);
   }
   /// Fires a trigger. False: the inbox is full.
   template <class Trigger>
@@ -152,11 +153,6 @@ protected:
   void observer_threw() { engine_.end_with_fault(); }
 
 private:
-  /// Not inlined, so that set() is short.
-  template <class... Values>
-  [[gnu::noinline]] bool post_values(Values... values) {
-    return outside() && local_post().set(values...);
-  }
   Post local_post() { return {inbox_, data_, &engine_}; }
 
   static StepResult checked(StepResult result) {

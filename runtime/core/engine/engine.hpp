@@ -49,7 +49,6 @@ public:
   /// up to rest before the next. An earlier `now` counts as the last one, `never` as last_time.
   StepResult step(Time now) {
     Counters& c = *x_.s.counters;
-    inbox_.end_ahead();
     if (now >= c.quiet_until || !inbox_.empty()) return take_step(now);
     if (now > c.until) c.until = c.now = now;
     return StepResult::quiescent;
@@ -57,22 +56,19 @@ public:
   /// The same without advancing the time.
   StepResult step() {
     const Counters& c = *x_.s.counters; // timers due later than `now` stay pending
-    inbox_.end_ahead();
     return c.quiet_until == first_time || !inbox_.empty() ? take_step(c.now) : StepResult::quiescent;
   }
 
   // For the thread that calls step().
 
-  /// Sets a state ahead of the next step, if that would take this input first and only its value would change. Until
-  /// then the input counts as waiting, and all that is read is as before. One at a time. False: post it.
-  bool set_ahead(Index state, std::int32_t value) {
+  /// Sets a state at once, if the next step would take that input first and only its value would change. Else: post.
+  bool take_at_once(Index state, std::int32_t value) {
     Counters& c = *x_.s.counters;
-    StateValue& row = x_.s.values[state];
-    if (c.quiet_until == first_time || observed() || !row.unchanged.has(value) || x_.t.states[state].expires != 0 ||
-        !inbox_.put_ahead(state, row.value)) // inside a step, quiet_until is first_time
+    if (c.quiet_until == first_time || observed() || inside_ || !x_.s.values[state].unchanged.has(value) ||
+        x_.t.states[state].expires != 0 || !inbox_.empty())
       return false;
     ++c.micro_step;
-    row.value = value;
+    x_.s.values[state].value = value;
     return true;
   }
 
@@ -92,10 +88,7 @@ public:
   Time next_due() const { return x_.s.counters->next_due; }
 
   // The state between steps.
-  std::int32_t value(Index state) const {
-    const Input* const ahead = inbox_.ahead();
-    return ahead != nullptr && ahead->thing == state ? ahead->value : x_.s.values[state].value;
-  }
+  std::int32_t value(Index state) const { return x_.s.values[state].value; }
   bool enabled(Index provider) const { return x_.s.enabled[provider] != 0; }
   RunState state(Index edge) const;                                   ///< of a request: running, queued or none
   Index holder(Index group) const { return x_.s.last[group].holder; } ///< edge; >= edges.size(): limbo; nil
@@ -104,13 +97,10 @@ public:
   bool in_force(Index group) const { return x_.s.last[group].in_force(); }
   Queued queued(Index edge) const { return x_.s.queued[edge]; } ///< why it is queued
   Time now() const { return x_.s.counters->now; }
-  /// Micro-steps so far.
-  std::uint64_t micro_steps() const { return x_.s.counters->micro_step - (inbox_.ahead() != nullptr ? 1 : 0); }
+  std::uint64_t micro_steps() const { return x_.s.counters->micro_step; } ///< micro-steps so far
   std::uint64_t passes() const { return passes_; } ///< passes over a component, and loads, so far
   bool inside() const { return inside_; } ///< a body, handler or observer is running; for the thread that calls step()
-  bool inputs_wait() const { return inbox_.waits(); } ///< for that thread as well
-  /// The state that is set ahead of the next step, with its value before; in memory() it has the next one. Or null.
-  const Input* ahead() const { return inbox_.ahead(); }
+  bool inputs_wait() const { return inbox_.waits(); }  ///< for that thread as well
   std::uint32_t lost() const { return inbox_.lost(); } ///< inputs lost so far; from any thread
   std::uint64_t decided() const { return x_.decided; } ///< units of arbitration so far, again where a pass is repeated
   /// Groups placed, units decided, and choices and plans tried so far, including those of searches for pushes.

@@ -101,31 +101,15 @@ public:
 
   /// Adds an input of one record, to be taken before all that is posted later. False: another waits already.
   bool put_first(const Input& record) {
-    if (first_waits_ || ahead_ || !empty() || held_count_ != 0) return false;
-    put_before(record);
-    return true;
-  }
-  /// The same, before all that waits. No other must have been put first.
-  void put_before(const Input& record) {
+    if (first_waits_ || !empty() || held_count_ != 0) return false;
     record_.kind = record.kind; // one by one: a copy of the whole would wait until it was written
     record_.more = false;
     record_.thing = record.thing;
     record_.handle = record.handle;
     record_.value = record.value;
     first_waits_ = true;
-  }
-
-  /// Notes that the engine set this state ahead of the next step, and its value before. Until then it counts as an
-  /// input that waits. False: another input waits.
-  bool put_ahead(Index state, std::int32_t before) {
-    if (ahead_ || !empty()) return false;
-    record_.thing = state;
-    record_.value = before;
-    ahead_ = true;
     return true;
   }
-  const Input* ahead() const { return ahead_ ? &record_ : nullptr; }
-  void end_ahead() { ahead_ = false; }
 
   /// Makes what is in the inbox now available until it is opened again. The tail is read first: a reader that sees a
   /// record sees the overflow slots that its writer published before.
@@ -153,7 +137,7 @@ public:
   /// not taken, or if a step ended before they were taken, and then the next step looks for them anyway.
   bool empty() const { return waiting() == 0 && unseen_.load(std::memory_order_relaxed) == 0; }
   /// Whether any input waits.
-  bool waits() const { return !empty() || due() || ahead_; }
+  bool waits() const { return !empty() || due(); }
 
 private:
   /// Replaces the number by next(number) atomically; returns the old one.
@@ -193,7 +177,6 @@ private:
   std::uint32_t limit_ = 0;  ///< the reader takes cells up to this position
   bool closed_ = false;      ///< nothing is due, or the next record is not complete
   bool first_waits_ = false; ///< there is a record that was put first, in `record_`
-  bool ahead_ = false;       ///< `record_` has a state that was set ahead, and its value before
   bool by_slot_ = false;     ///< the record taken last came from an overflow slot
   Input record_;             ///< the record that was put first, or taken last
   std::span<OverflowSlot> slots_;

@@ -14,8 +14,6 @@ View view_of(const Engine& engine) {
           .micro_step = engine.micro_steps(),
           .passes = engine.passes(),
           .lost = engine.lost(),
-          .set_ahead = engine.ahead() == nullptr ? nil : engine.ahead()->thing,
-          .value_before = engine.ahead() == nullptr ? unset : engine.ahead()->value,
           .request = memory.request,
           .values = memory.values,
           .assignment = memory.last.group,

@@ -30,18 +30,15 @@ struct View {
   std::uint64_t micro_step = 0; ///< micro-steps taken
   std::uint64_t passes = 0;     ///< passes so far, and loads: these may restore the number of an earlier micro-step
   std::uint32_t lost = 0; ///< inputs that were refused so far, because the inbox was full, or replaced by a later one
-  Index set_ahead = nil;  ///< the state that is set ahead of the next step
-  std::int32_t value_before = unset; ///< its value
 
   // One row for each group, edge, provider or state; see State.
   const Requested* request = nullptr;
-  const StateValue* values = nullptr; ///< read by value()
+  const StateValue* values = nullptr;
   const GroupAssignment* assignment = nullptr;
   const Queued* queued_edge = nullptr; ///< why it is queued, by the last pass
   const RunQueueEntry* run_queue = nullptr;
   const Bits* enabled = nullptr;
 
-  std::int32_t value(Index state) const { return state == set_ahead ? value_before : values[state].value; }
   bool is_limbo(Index edge) const { return edge != nil && edge >= tables->edges.size(); }
   Index holder(Index group) const { return assignment[group].holder; }
   bool granted(Index group) const { return assignment[group].granted(); }

@@ -110,11 +110,6 @@ public:
         s_(saved::memory_of(engine)),
         head_(saved::read<saved::HeadRow>(from, 0)),
         now_(now > last_time ? last_time : now) {
-    if (const Input* const ahead = engine_.ahead(); ahead != nullptr) { // it waits, like the inbox
-      const Index state = ahead->thing;
-      engine_.inbox_.end_ahead();
-      engine_.inbox_.put_before({.kind = Input::Kind::set, .thing = state, .value = s_.values[state].value});
-    }
     const std::uint64_t passes = engine_.passes_; // not reset, like all counters of what the engine did
     engine_.reset();
     engine_.passes_ = passes + 1; // so that a reader of both numbers sees that the state is another (View::passes)

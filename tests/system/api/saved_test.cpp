@@ -115,46 +115,6 @@ TEST_CASE(
   CHECK(second.state<watch::Lamp>() == RunState::running);
 }
 
-TEST_CASE("a state that is set waits for the next step, also if it is loaded before, with an observer and without") {
-  const auto play = [](watch::Behaviour& behaviour) {
-    const auto rain = [&] { return behaviour.engine().value(2); };
-    Bytes bytes, more;
-    behaviour.step(0s);
-    REQUIRE(behaviour.save(bytes) == SaveResult::saved);
-    const auto steps = behaviour.engine().micro_steps();
-    CHECK(behaviour.set(watch::Rain{5}));
-    CHECK(rain() == 0);
-    CHECK(behaviour.seen().view().value(2) == 0);
-    CHECK(behaviour.engine().micro_steps() == steps);
-    CHECK(behaviour.save(more) == SaveResult::inputs_wait);
-    REQUIRE(behaviour.load(bytes, 0s) == LoadResult::loaded);
-    CHECK(rain() == 0);
-    CHECK(behaviour.save(more) == SaveResult::inputs_wait);
-    behaviour.step(1s);
-    CHECK(rain() == 5);
-
-    CHECK(behaviour.set(watch::Rain{6}));
-    const auto before = behaviour.engine().micro_steps();
-    behaviour.step(2s);
-    CHECK(rain() == 6);
-    CHECK(behaviour.engine().micro_steps() == before + 1);
-    CHECK(behaviour.set(watch::Rain{7}));
-    CHECK(behaviour.set(watch::Rain{8}));
-    behaviour.request<watch::Round>();
-    CHECK(behaviour.post().set(watch::Rain{9}));
-    CHECK(rain() == 6);
-    REQUIRE(behaviour.load(bytes, 0s) == LoadResult::loaded);
-    behaviour.step(0s);
-    CHECK(rain() == 9);
-    CHECK(behaviour.state<watch::Round>() == RunState::running);
-    CHECK(behaviour.save(bytes) == SaveResult::saved);
-  };
-  Guard guard;
-  watch::Behaviour alone{guard}, observed{guard, {[](void*, const Event&) {}, nullptr}};
-  play(alone);
-  play(observed);
-}
-
 TEST_CASE("a span that is too small, or bytes of another behaviour, are refused, and nothing changes") {
   Guard guard;
   watch::Behaviour first{guard}, second{guard};
