@@ -212,7 +212,7 @@ private:
       options.emplace_back();
       for (Index level = levels.begin; level != levels.end; ++level) options.push_back(RequestedLevel{edge, level});
     }
-    if (auto all = product(places, 32)) {
+    if (auto all = product(places, most_combinations)) {
       for (RequestedPack& pack : *all) {
         if (!pack.empty()) g_.requests.push_back(std::move(pack));
       }

@@ -94,7 +94,7 @@ std::string rounded(std::string_view numbers) {
 }
 
 void round_coordinates(std::string& svg) {
-  for (const std::string_view attribute : {" d=\"", " points=\""}) {
+  for (const std::string_view attribute : {" d=\"", " points=\"", " font-size=\""}) {
     std::string out;
     std::size_t from = 0;
     for (std::size_t at = svg.find(attribute); at != nowhere; at = svg.find(attribute, from)) {
@@ -116,6 +116,7 @@ std::string svg_part(std::string svg) {
   if (begin != nowhere) svg.erase(0, begin);
   erase_all(svg, " font-family=\"Helvetica,sans-Serif\"");
   erase_all(svg, " text-anchor=\"start\"");
+  erase_all(svg, " stroke=\"transparent\""); // as without
   erase_from_to(svg, " id=\"", "\"");
   erase_from_to(svg, "<!--", "-->");
   drop_inner_links(svg);

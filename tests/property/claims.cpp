@@ -219,12 +219,21 @@ private:
                                               [&](const auto& entry) { return has(entry.provider); });
     });
     if (!lacked || !has(ProviderId{claim_.provider})) return "nothing that it takes has that condition";
+    // The first one that is pushed, or else active, or else of another group, or else of the group that waits.
+    const auto likelihood = [&](ProviderId p) {
+      const GroupAssignment& row = view_.assignment[parts_.group_of(p).value];
+      if (parts_.group_of(p) == member_target()) return 1;
+      if (row.push.edge != nil && row.push.provider == p.value) return 4;
+      return row.active == p.value ? 3 : 2;
+    };
+    std::optional<ProviderId> expected;
     for (const ProviderId p : model().providers.ids()) {
       if (view_.enabled[p.value] == 0 || !parts_.causes(p, id)) continue;
-      return claim_.causer == p.value && claim_.causer_group == parts_.group_of(p).value ? ""
-                                                                                         : "another could cause it";
+      if (!expected || likelihood(p) > likelihood(*expected)) expected = p;
     }
-    return claim_.causer == nil ? "" : "nobody could cause it";
+    if (!expected) return claim_.causer == nil ? "" : "nobody could cause it";
+    const bool right = claim_.causer == expected->value && claim_.causer_group == parts_.group_of(*expected).value;
+    return right ? "" : "another could cause it";
   }
 
   const Because& claim_;

@@ -127,8 +127,9 @@ public:
   /// Limits the micro-steps of one step(), which then returns budget_exhausted. 0: no limit.
   void set_budget(std::uint32_t micro_steps) { engine_.set_budget(micro_steps); }
 
-  /// Limits the work of one step(), which then returns budget_exhausted: groups placed, tasks decided, choices tried.
-  /// It is tested between micro-steps, so that the last one may exceed it by the work of one micro-step. 0: no limit.
+  /// Limits the work of one step(), which then returns budget_exhausted: groups placed, tasks decided, choices tried,
+  /// groups visited (eight are a unit). It is tested between micro-steps, so that the last one may exceed it by the
+  /// work of one micro-step. 0: no limit.
   void set_work_budget(std::uint64_t work) { engine_.set_work_budget(work); }
 
   /// What holds between steps, by number (the generated `names` are the names of these numbers).

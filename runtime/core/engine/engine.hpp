@@ -103,7 +103,7 @@ public:
   bool inputs_wait() const { return inbox_.waits(); }  ///< for that thread as well
   std::uint32_t lost() const { return inbox_.lost(); } ///< inputs lost so far; from any thread
   std::uint64_t decided() const { return x_.decided; } ///< units of arbitration so far, again where a pass is repeated
-  /// Groups placed, units decided, and choices and plans tried so far, including those of searches for pushes.
+  /// The work done so far, including searches for pushes; docs/bounds.md says what is counted.
   std::uint64_t work() const { return x_.work; }
   /// Makes the next pass over each component begin from nothing, for tests.
   void forget_trail() { arbitration::forget_trail(x_); }

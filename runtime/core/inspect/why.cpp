@@ -210,7 +210,11 @@ private:
   void waits(Because& out, Index condition) {
     out.kind = Kind::condition;
     out.condition = condition;
-    any_member(out, [&](Index member) { return has_condition(member, condition, out.provider); });
+    // The choice that waits is the first one that was available; by now another one may be.
+    for (const bool available : {true, false}) {
+      if (any_member(out, [&](Index member) { return has_condition(member, condition, available, out.provider); }))
+        break;
+    }
     out.group = target(out.member);
     int best = 0;
     for (const Index causer : causers(t_, condition)) {
@@ -231,17 +235,19 @@ private:
     return row.push.edge != nil && row.push.provider == causer ? 4 : row.active == causer ? 3 : 2;
   }
 
-  /// Finds the provider that has the condition in the first choice whose groups are available: that one waits.
-  bool has_condition(Index member, Index condition, Index& provider) const {
-    const auto accept = [&](const Entry& entry) { return !held(entry, member) && !is_of_another(entry, member); };
-    const auto first = [&](const Entry& last) {
+  /// Finds the provider that has the condition in a choice. `available`: in the first one whose groups are available.
+  bool has_condition(Index member, Index condition, bool available, Index& provider) const {
+    const auto accept = [&](const Entry& entry) {
+      return !available || (!held(entry, member) && !is_of_another(entry, member));
+    };
+    const auto look = [&](const Entry& last) {
       for (const Entry* entry = &last; entry != nullptr; entry = entry->before) {
         const auto when = t_.list(t_.providers[entry->provider].when);
         if (any(when, [&](Index each) { return each == condition; })) provider = entry->provider;
       }
-      return true;
+      return available || provider != nil;
     };
-    return any_choice({.edge = member}, accept, first) && provider != nil;
+    return any_choice({.edge = member}, accept, look) && provider != nil;
   }
 
   /// Whether the group of the entry is held by an edge that is in the way of the member.

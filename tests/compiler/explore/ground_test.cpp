@@ -72,9 +72,9 @@ TEST_CASE("of many external states, or root tasks, not every combination is one 
   std::string behaviour = "behaviour: b\nlanguage: 1\nstates:\n";
   for (const char state : std::string("STUVWX"))
     behaviour += std::string("  ") + state + ": {values: [low, high], initial: low, external: true}\n";
-  behaviour += "roots: [A, B, C, D, E, F]\ngroups:\n"
+  behaviour += "roots: [A, B, C, D, E, F, G, H, K]\ngroups:\n"
                "  A: {when: [S == low, T == low, U == low, V == low, W == low, X == low]}\n";
-  for (const char group : std::string("BCDEF")) behaviour += std::string("  ") + group + ": {}\n";
+  for (const char group : std::string("BCDEFGHK")) behaviour += std::string("  ") + group + ": {}\n";
   const auto compiled = director::tests::compile(behaviour);
   CHECK(Ground(compiled.model).narrowed ==
         std::vector<std::string>{"several root tasks in one input (they are queued one after another)",

@@ -7,6 +7,7 @@ using director::compiler::page::svg_part;
 
 TEST_CASE("of a file of Graphviz a page has the picture alone, without ids, comments and what is so anyway") {
   CHECK(svg_part("<?xml?>\n<!-- a -->\n<svg role=\"x\" id=\"s\">\n<!-- b -->\n<text text-anchor=\"start\" x=\"1\" "
+                 "stroke=\"transparent\" "
                  "font-family=\"Helvetica,sans-Serif\">a</text>\n</svg>\n") ==
         "<svg role=\"x\">\n\n<text x=\"1\">a</text>\n</svg>");
 }
@@ -26,4 +27,6 @@ TEST_CASE("coordinates of lines are written to a tenth of a point") {
             "2,3\"/><text x=\"1.25\">594.07</text></svg>") ==
         "<svg><path d=\"M594.1,-1774.8C597.1,-1743.6 605,-0 8,1.2\"/><polygon points=\"654.3,-1593 2,3\"/>"
         "<text x=\"1.25\">594.07</text></svg>");
+  CHECK(svg_part("<svg><text font-size=\"12.00\">12.00</text></svg>") ==
+        "<svg><text font-size=\"12\">12.00</text></svg>");
 }
