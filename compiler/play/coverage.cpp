@@ -181,11 +181,18 @@ private:
   template <class Enough>
   bool any_rivalry(const analysis::Together& together, const Task& taker, const Task& loser, Enough enough) {
     const analysis::Claims &of_taker = claims(taker.target), &of_loser = claims(loser.target);
+    const std::vector<GroupId>& others = of_loser.groups(); // both in order
+    auto other = others.begin();
     for (const GroupId group : of_taker.groups()) {
+      other = std::lower_bound(other, others.end(), group);
+      if (other == others.end()) break;
+      if (*other != group) continue;
       for (const analysis::Reach takes : analysis::all_reaches) {
+        const analysis::Claim* const first = of_taker.find(group, takes);
+        if (first == nullptr) continue;
         for (const analysis::Reach loses : analysis::all_reaches) {
-          const analysis::Claim *first = of_taker.find(group, takes), *second = of_loser.find(group, loses);
-          if (first == nullptr || second == nullptr || !analysis::compatible(first->region, second->region)) continue;
+          const analysis::Claim* const second = of_loser.find(group, loses);
+          if (second == nullptr || !analysis::compatible(first->region, second->region)) continue;
           Rivalry each{together.provider, together.pack, together.tasks, &taker, &loser, nullptr,
                        nullptr,           group,         takes,          loses,  {}};
           if (any_levels(each, together, enough)) return true;
