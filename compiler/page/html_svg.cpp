@@ -94,7 +94,7 @@ std::string rounded(std::string_view numbers) {
 }
 
 void round_coordinates(std::string& svg) {
-  for (const std::string_view attribute : {" d=\"", " points=\"", " font-size=\""}) {
+  for (const std::string_view attribute : {" d=\"", " points=\""}) {
     std::string out;
     std::size_t from = 0;
     for (std::size_t at = svg.find(attribute); at != nowhere; at = svg.find(attribute, from)) {
