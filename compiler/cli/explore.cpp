@@ -79,8 +79,7 @@ int run(const Explore& request, Console& console) {
   console.out << dsl::harmless_lines(to_text(exploration, ground));
   if (!request.output.empty() && !write_scenarios(request, scenarios_of(exploration, ground), console)) return misused;
   if (any(exploration, Verdict::Kind::refuted)) return found;
-  const bool tried_all = exploration.searched.complete && ground.narrowed.empty();
-  return any(exploration, Verdict::Kind::undecided) || !tried_all ? undecided : clean;
+  return any(exploration, Verdict::Kind::undecided) || !tried_all(ground, exploration.searched) ? undecided : clean;
 }
 
 } // namespace director::compiler::cli

@@ -113,7 +113,7 @@ std::optional<Moment> moment_in(const LoadedScenario& loaded, std::uint32_t step
     print_findings({*played.refused}, sources, console.err, console.err_colours, console.err_width);
     return {};
   }
-  if (played.budget_exhausted && (step == 0 || step >= played.last_step)) {
+  if (played.budget_exhausted) {
     print_early_end(played, sources[loaded.file].path(), console);
     return {};
   }

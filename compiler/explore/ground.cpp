@@ -4,6 +4,7 @@
 
 #include "compiler/lower/lower.hpp"
 #include "compiler/lower/steps.hpp"
+#include "compiler/play/resolve_case.hpp"
 
 #include <fmt/format.h>
 
@@ -135,7 +136,7 @@ private:
               std::any_of(options.begin(), options.end(), [&](const auto& o) { return o->level == row; });
           if (!twice) options.push_back(RequestedLevel{edge, row});
         }
-        if (!provider.has_packs || may_leave_out(options)) {
+        if (!provider.has_packs || may_be_left_out(model_, task)) {
           options.emplace_back();
         } else {
           required.push_back(edge);
@@ -159,11 +160,6 @@ private:
     std::move(rare.begin(), rare.end(), std::back_inserter(out.packs));
     out.puts = puts(provider.causing, provider.sets);
     return out;
-  }
-
-  bool may_leave_out(const std::vector<std::optional<RequestedLevel>>& options) const {
-    return std::any_of(options.begin(), options.end(),
-                       [&](const auto& option) { return g_.lowered.levels[option->level].optional; });
   }
 
   std::vector<Puts> handler(const std::optional<Handler>& handler) {

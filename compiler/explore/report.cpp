@@ -98,7 +98,7 @@ Exploration explore(const Ground& ground, const ExploreOptions& options) {
   }
   for (const EdgeId id : model.edges.ids()) {
     const bool waits = out.searched.happened.runnable[id.value] && !out.searched.happened.granted[id.value];
-    if (out.searched.complete && ground.narrowed.empty() && waits) out.starved.push_back(id);
+    if (tried_all(ground, out.searched) && waits) out.starved.push_back(id);
   }
   std::set<std::string> reported; // of several ways into one cycle the shortest is enough
   for (const Searched::Cycle& cycle : out.searched.cycles) {
@@ -113,9 +113,9 @@ std::string to_text(const Exploration& exploration, const Ground& ground) {
   const Searched& searched = exploration.searched;
   std::string out = fmt::format("{} states, {} of them explored ({}), {} micro-steps, {} at most\n", searched.states,
                                 searched.explored,
-                                !searched.complete        ? "the bound was reached"
-                                : ground.narrowed.empty() ? "all there are"
-                                                          : "all of what is tried",
+                                tried_all(ground, searched) ? "all there are"
+                                : searched.complete         ? "all of what is tried"
+                                                            : "the bound was reached",
                                 searched.micro_steps, megabytes(searched.most_bytes));
   for (const RootSet& set : searched.root_sets) {
     std::vector<std::string> names;
@@ -129,7 +129,7 @@ std::string to_text(const Exploration& exploration, const Ground& ground) {
     const Verdict& verdict = exploration.verdicts[i];
     out += fmt::format("  {}: {}: {}\n", name_of(verdict.kind), words_of(model.assertions[i], model), verdict.why);
   }
-  const std::string_view so_far = searched.complete && ground.narrowed.empty() ? "" : " so far";
+  const std::string_view so_far = tried_all(ground, searched) ? "" : " so far";
   if (!exploration.never_ran.empty()) {
     std::vector<std::string> names;
     for (const ProviderId id : exploration.never_ran) names.push_back(model.full_name(id));

@@ -58,6 +58,11 @@ struct Searched {
   explicit Searched(const Tables& tables) : happened(tables) {}
 };
 
+/// Whether all that may happen was tried: what was not seen then does not happen.
+inline bool tried_all(const Ground& ground, const Searched& searched) {
+  return searched.complete && ground.narrowed.empty();
+}
+
 /// More than `most_soft` assertions of the kind `soft` are searched for in groups, from the start for each group: the
 /// numbers and what happened are those of the first search, and it is complete if all of them are, or have seen theirs.
 Searched search(const Ground& ground, const SearchOptions& options);

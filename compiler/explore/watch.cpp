@@ -157,15 +157,6 @@ bool is_apart(const Tables& t, Index edge) {
 
 } // namespace
 
-bool Watch::accepts(Index condition, std::int32_t value) const {
-  const Range row = ground_.tables.conditions[condition].accepts;
-  for (Index i = row.begin; value != unset && i != row.end; ++i) {
-    const director::Interval& interval = ground_.tables.intervals[i];
-    if (interval.low <= value && value <= interval.high) return true;
-  }
-  return false;
-}
-
 /// The value by which was decided who holds what: handlers set others afterwards, and states of a group that stops
 /// return to their first. Empty: it is not known.
 std::optional<std::int32_t> Watch::decided_by(Index state, const Machine& machine) const {
@@ -199,7 +190,7 @@ bool Watch::may_go_on(Index provider, const Machine& machine) const {
   const auto own = t.list(row.causing);
   const auto holds = [&](Index c) {
     const std::optional<std::int32_t> value = decided_by(t.conditions[c].state, machine);
-    return !value || accepts(c, *value);
+    return !value || t.accepts(t.conditions[c], *value);
   };
   const auto when = t.list(row.when), stay = t.list(row.stay);
   const bool begins = std::all_of(when.begin(), when.end(), [&](Index c) {
@@ -292,7 +283,7 @@ void Watch::note(const Machine& machine) {
   const auto met = [&](Index provider) {
     const auto conditions = t.list(t.providers[provider].when);
     return std::all_of(conditions.begin(), conditions.end(),
-                       [&](Index c) { return accepts(c, engine.value(t.conditions[c].state)); });
+                       [&](Index c) { return t.accepts(t.conditions[c], engine.value(t.conditions[c].state)); });
   };
   for (std::size_t i = 0; i < waiting_.size();) {
     const Index e = waiting_[i];

@@ -65,7 +65,6 @@ private:
   bool ends_by_itself(Index group, const Machine& machine) const;
   bool let_go(Index edge, const Machine& machine) const;
   bool may_go_on(Index provider, const Machine& machine) const;
-  bool accepts(Index condition, std::int32_t value) const;
   std::optional<std::int32_t> decided_by(Index state, const Machine& machine) const;
   std::uint64_t remember(const One& one, const Machine& machine, std::uint64_t bits) const;
   bool requested(Index group, const Machine& machine) const;
