@@ -9,7 +9,7 @@
 #include "compiler/model/lost_names.hpp"
 #include "compiler/model/named_types.hpp"
 #include "compiler/model/resolve.hpp"
-#include "dsl/read_behaviour.hpp"
+#include "dsl/reading/read_behaviour.hpp"
 
 #include <fmt/format.h>
 

@@ -6,8 +6,8 @@
 #include "compiler/facts/types.hpp"
 #include "compiler/graph/graph.hpp"
 #include "compiler/model/model.hpp"
-#include "dsl/file_access.hpp"
-#include "dsl/source_file.hpp"
+#include "dsl/source/file_access.hpp"
+#include "dsl/source/source_file.hpp"
 #include "dsl/spec.hpp"
 
 #include <cstddef>

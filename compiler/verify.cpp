@@ -12,7 +12,7 @@
 #include "compiler/facts/scanner.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/model/cpp_names.hpp"
-#include "dsl/load_file.hpp"
+#include "dsl/source/load_file.hpp"
 
 #include <fmt/format.h>
 

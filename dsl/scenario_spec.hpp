@@ -3,8 +3,8 @@
 // A scenario file as it is written: no name resolved. Source: the second half of the language page.
 
 #include "dsl/data.hpp"
-#include "dsl/duration.hpp"
-#include "dsl/span.hpp"
+#include "dsl/lexical/duration.hpp"
+#include "dsl/source/span.hpp"
 
 #include <cstdint>
 #include <optional>

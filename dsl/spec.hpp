@@ -4,8 +4,8 @@
 // page. A `span` covers a whole thing, from its key (or dash) to its last character; `name.span` is its name alone.
 // Lists keep the order of the file.
 
-#include "dsl/duration.hpp"
-#include "dsl/span.hpp"
+#include "dsl/lexical/duration.hpp"
+#include "dsl/source/span.hpp"
 
 #include <cstdint>
 #include <optional>

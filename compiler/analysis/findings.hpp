@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Collects the findings of one check.
 
-#include "dsl/diagnostic.hpp"
+#include "dsl/source/diagnostic.hpp"
 
 #include <string>
 #include <string_view>

@@ -1,8 +1,8 @@
-// Header: compiler/base/html.hpp. Test: tests/compiler/base/html_test.cpp, tests/compiler/cli/picture_svg_test.cpp.
-// SPDX-License-Identifier: MIT
+// Header: compiler/base/html.hpp. Test: tests/compiler/base/html_test.cpp,
+// tests/compiler/cli/commands/picture_svg_test.cpp. SPDX-License-Identifier: MIT
 #include "compiler/base/html.hpp"
 
-#include "dsl/characters.hpp"
+#include "dsl/lexical/characters.hpp"
 
 namespace director::compiler {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Percent-encoding, for paths in addresses (RFC 3986, section 2.1).
 
-#include "dsl/characters.hpp"
+#include "dsl/lexical/characters.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/code_check.hpp"
-#include "dsl/names.hpp"
+#include "dsl/lexical/names.hpp"
 
 #include <fmt/format.h>
 

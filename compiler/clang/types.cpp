@@ -7,8 +7,8 @@
 #include "compiler/clang/places.hpp"
 #include "compiler/clang/subcommands.hpp"
 #include "compiler/clang/units.hpp"
-#include "dsl/cpp_type.hpp"
-#include "dsl/names.hpp"
+#include "dsl/lexical/cpp_type.hpp"
+#include "dsl/lexical/names.hpp"
 
 #include <clang/AST/ASTContext.h>
 #include <clang/AST/DeclTemplate.h>

@@ -1,9 +1,9 @@
-// Header: the command line. Test: tests/compiler/cli/parse_test.cpp.
+// Header: the command line. Test: tests/compiler/cli/options/parse_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/cli/parse.hpp"
-#include "compiler/cli/wrapping.hpp"
+#include "compiler/cli/options/parse.hpp"
+#include "compiler/cli/system/wrapping.hpp"
 #include "compiler/facts/scanner.hpp"
-#include "dsl/harmless.hpp"
+#include "dsl/source/harmless.hpp"
 
 #include <fcntl.h>
 #include <sys/auxv.h>

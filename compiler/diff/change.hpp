@@ -3,7 +3,7 @@
 // A change of meaning between two behaviours, and its kind. Things with the same name are the same; ids of the two
 // models are unrelated.
 
-#include "dsl/span.hpp"
+#include "dsl/source/span.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -1,4 +1,4 @@
-// Header: compiler/diff/diff.hpp. Test: tests/compiler/cli/diff_test.cpp.
+// Header: compiler/diff/diff.hpp. Test: tests/compiler/cli/commands/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Changes as text, as JSON and as SARIF.

@@ -8,7 +8,7 @@
 #include "compiler/diff/change.hpp"
 #include "compiler/emit/findings_sarif.hpp"
 #include "compiler/pipeline.hpp"
-#include "dsl/source_file.hpp"
+#include "dsl/source/source_file.hpp"
 
 #include <set>
 #include <string>

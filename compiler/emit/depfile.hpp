@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 
-#include "dsl/source_file.hpp"
+#include "dsl/source/source_file.hpp"
 
 #include <optional>
 #include <string>

@@ -1,8 +1,8 @@
-// Header: compiler/emit/findings_json.hpp. Test: tests/compiler/cli/check_test.cpp.
+// Header: compiler/emit/findings_json.hpp. Test: tests/compiler/cli/commands/check_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/findings_json.hpp"
 
-#include "dsl/shortened.hpp"
+#include "dsl/source/shortened.hpp"
 
 namespace director::compiler {
 

@@ -3,8 +3,8 @@
 // Findings for other programs: lines and columns from 1, columns in UTF-8 bytes, ends exclusive.
 
 #include "compiler/base/json.hpp"
-#include "dsl/diagnostic.hpp"
-#include "dsl/source_file.hpp"
+#include "dsl/source/diagnostic.hpp"
+#include "dsl/source/source_file.hpp"
 
 #include <vector>
 

@@ -5,8 +5,8 @@
 #include "compiler/base/percent.hpp"
 #include "compiler/base/sha256.hpp"
 #include "compiler/base/version.hpp"
-#include "dsl/characters.hpp"
-#include "dsl/shortened.hpp"
+#include "dsl/lexical/characters.hpp"
+#include "dsl/source/shortened.hpp"
 
 #include <fmt/format.h>
 

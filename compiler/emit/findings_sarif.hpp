@@ -3,8 +3,8 @@
 // Findings as SARIF 2.1.0, for services that show them in a review. Source: the OASIS standard of that name.
 
 #include "compiler/base/json.hpp"
-#include "dsl/diagnostic.hpp"
-#include "dsl/source_file.hpp"
+#include "dsl/source/diagnostic.hpp"
+#include "dsl/source/source_file.hpp"
 
 #include <string>
 #include <vector>

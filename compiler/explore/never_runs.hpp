@@ -4,7 +4,7 @@
 
 #include "compiler/explore/search.hpp"
 #include "compiler/model/model.hpp"
-#include "dsl/diagnostic.hpp"
+#include "dsl/source/diagnostic.hpp"
 
 #include <cstddef>
 #include <string>

@@ -3,7 +3,7 @@
 // Reports assertions that are not true. Their page: compiler/checks/assertion_failed.md.
 
 #include "compiler/explore/verdict.hpp"
-#include "dsl/diagnostic.hpp"
+#include "dsl/source/diagnostic.hpp"
 
 namespace director::compiler {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/explore/scenario_draft.hpp"
 
-#include "dsl/duration.hpp"
+#include "dsl/lexical/duration.hpp"
 
 #include <fmt/format.h>
 

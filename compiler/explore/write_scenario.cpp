@@ -6,9 +6,9 @@
 #include "compiler/lower/lower.hpp"
 #include "compiler/play/play.hpp"
 #include "compiler/play/resolve_scenario.hpp"
-#include "dsl/file_access.hpp"
-#include "dsl/read_scenario.hpp"
-#include "dsl/yaml_text.hpp"
+#include "dsl/reading/read_scenario.hpp"
+#include "dsl/source/file_access.hpp"
+#include "dsl/yaml/yaml_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

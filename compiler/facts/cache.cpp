@@ -3,7 +3,7 @@
 #include "compiler/facts/cache.hpp"
 
 #include "compiler/base/sha256.hpp"
-#include "dsl/load_file.hpp"
+#include "dsl/source/load_file.hpp"
 
 namespace director::compiler {
 

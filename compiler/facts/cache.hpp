@@ -6,7 +6,7 @@
 // kept: a missing file may exist the next time.
 
 #include "compiler/base/json.hpp"
-#include "dsl/file_access.hpp"
+#include "dsl/source/file_access.hpp"
 
 #include <cstdint>
 #include <map>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/facts/code.hpp"
 
-#include "dsl/load_file.hpp"
+#include "dsl/source/load_file.hpp"
 
 #include <algorithm>
 

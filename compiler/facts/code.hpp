@@ -6,8 +6,8 @@
 // earlier `return`, is not counted.
 
 #include "compiler/base/json.hpp"
-#include "dsl/file_access.hpp"
-#include "dsl/source_file.hpp"
+#include "dsl/source/file_access.hpp"
+#include "dsl/source/source_file.hpp"
 
 #include <map>
 #include <optional>

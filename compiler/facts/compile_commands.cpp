@@ -3,7 +3,7 @@
 #include "compiler/facts/compile_commands.hpp"
 
 #include "compiler/base/json.hpp"
-#include "dsl/load_file.hpp"
+#include "dsl/source/load_file.hpp"
 
 #include <fmt/format.h>
 

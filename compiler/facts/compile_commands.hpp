@@ -3,8 +3,8 @@
 // compile_commands.json: how each file of a build is compiled. Source:
 // clang.llvm.org/docs/JSONCompilationDatabase.html.
 
-#include "dsl/file_access.hpp"
-#include "dsl/result.hpp"
+#include "dsl/source/file_access.hpp"
+#include "dsl/source/result.hpp"
 
 #include <string>
 #include <string_view>

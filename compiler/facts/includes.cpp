@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/facts/includes.hpp"
 
-#include "dsl/load_file.hpp"
+#include "dsl/source/load_file.hpp"
 
 #include <algorithm>
 #include <filesystem>

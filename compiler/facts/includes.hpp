@@ -3,7 +3,7 @@
 // Decides whether a file may include another, by the text alone: much faster than Clang, which takes a second for a
 // file unrelated to the behaviour. Conditional includes count, and a file that includes a macro may include anything.
 
-#include "dsl/file_access.hpp"
+#include "dsl/source/file_access.hpp"
 
 #include <functional>
 #include <map>

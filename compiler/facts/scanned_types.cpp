@@ -3,8 +3,8 @@
 #include "compiler/facts/scanned_types.hpp"
 
 #include "compiler/base/version.hpp"
-#include "dsl/cpp_type.hpp"
-#include "dsl/load_file.hpp"
+#include "dsl/lexical/cpp_type.hpp"
+#include "dsl/source/load_file.hpp"
 
 #include <fmt/format.h>
 

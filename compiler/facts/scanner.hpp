@@ -6,7 +6,7 @@
 
 #include "compiler/base/json.hpp"
 #include "compiler/facts/programs.hpp"
-#include "dsl/result.hpp"
+#include "dsl/source/result.hpp"
 
 #include <string>
 

@@ -3,7 +3,7 @@
 // Limits the depth of needs: a plan holds all of them at once, and a search for one recurses as deep.
 
 #include "compiler/graph/graph.hpp"
-#include "dsl/diagnostic.hpp"
+#include "dsl/source/diagnostic.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/model/cpp_names.hpp"
 
-#include "dsl/names.hpp"
+#include "dsl/lexical/names.hpp"
 
 #include <fmt/format.h>
 

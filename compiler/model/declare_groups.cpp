@@ -1,7 +1,7 @@
 // Header: compiler/model/resolver.hpp. Test: tests/compiler/model/resolve_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/model/resolver.hpp"
-#include "dsl/shortened.hpp"
+#include "dsl/source/shortened.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/model/lost_names.hpp"
 
-#include "dsl/characters.hpp"
+#include "dsl/lexical/characters.hpp"
 
 #include <algorithm>
 #include <set>

@@ -3,8 +3,8 @@
 // Removes findings caused by unreadable text: a name that is declared there is not in the Spec, and seems to be
 // undefined.
 
-#include "dsl/diagnostic.hpp"
-#include "dsl/source_file.hpp"
+#include "dsl/source/diagnostic.hpp"
+#include "dsl/source/source_file.hpp"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/model/model.hpp"
 
-#include "dsl/reader.hpp"
+#include "dsl/reading/reader.hpp"
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 #include "compiler/model/ids.hpp"
 #include "compiler/model/listed_values.hpp"
 #include "compiler/model/value_set.hpp"
-#include "dsl/span.hpp"
+#include "dsl/source/span.hpp"
 #include "dsl/spec.hpp"
 
 #include <algorithm>

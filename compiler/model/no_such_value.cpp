@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/model/no_such_value.hpp"
 
-#include "dsl/reader.hpp"
-#include "dsl/shortened.hpp"
-#include "dsl/suggest.hpp"
+#include "dsl/lexical/suggest.hpp"
+#include "dsl/reading/reader.hpp"
+#include "dsl/source/shortened.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 // The finding for a value that a state cannot have.
 
 #include "compiler/model/model.hpp"
-#include "dsl/diagnostic.hpp"
+#include "dsl/source/diagnostic.hpp"
 
 #include <cstddef>
 

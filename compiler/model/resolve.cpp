@@ -4,8 +4,8 @@
 
 #include "compiler/model/cpp_names.hpp"
 #include "compiler/model/resolver.hpp"
-#include "dsl/cpp_type.hpp"
-#include "dsl/names.hpp"
+#include "dsl/lexical/cpp_type.hpp"
+#include "dsl/lexical/names.hpp"
 
 #include <fmt/format.h>
 

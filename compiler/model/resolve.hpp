@@ -6,8 +6,8 @@
 
 #include "compiler/facts/types.hpp"
 #include "compiler/model/model.hpp"
-#include "dsl/diagnostic.hpp"
-#include "dsl/source_file.hpp"
+#include "dsl/source/diagnostic.hpp"
+#include "dsl/source/source_file.hpp"
 #include "dsl/spec.hpp"
 
 #include <string>

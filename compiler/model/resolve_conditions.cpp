@@ -1,7 +1,7 @@
 // Header: compiler/model/resolver.hpp. Test: compiler/checks/value_outside_domain.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/model/resolver.hpp"
-#include "dsl/read_condition.hpp"
+#include "dsl/reading/read_condition.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // Header: compiler/model/resolver.hpp. Test: tests/compiler/model/resolve_modules_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/model/resolver.hpp"
-#include "dsl/characters.hpp"
-#include "dsl/names.hpp"
+#include "dsl/lexical/characters.hpp"
+#include "dsl/lexical/names.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 // Header: compiler/model/resolver.hpp. Test: tests/compiler/model/resolve_names_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/model/resolver.hpp"
-#include "dsl/cpp_type.hpp"
-#include "dsl/duration.hpp"
-#include "dsl/names.hpp"
-#include "dsl/suggest.hpp"
+#include "dsl/lexical/cpp_type.hpp"
+#include "dsl/lexical/duration.hpp"
+#include "dsl/lexical/names.hpp"
+#include "dsl/lexical/suggest.hpp"
 
 #include <fmt/format.h>
 

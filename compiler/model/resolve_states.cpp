@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/model/no_such_value.hpp"
 #include "compiler/model/resolver.hpp"
-#include "dsl/cpp_type.hpp"
+#include "dsl/lexical/cpp_type.hpp"
 
 #include <fmt/format.h>
 

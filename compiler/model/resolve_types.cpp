@@ -1,8 +1,8 @@
 // Header: compiler/model/resolver.hpp. Test: tests/compiler/model/types_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/model/resolver.hpp"
-#include "dsl/shortened.hpp"
-#include "dsl/suggest.hpp"
+#include "dsl/lexical/suggest.hpp"
+#include "dsl/source/shortened.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 // this.
 
 #include "compiler/model/resolve.hpp"
-#include "dsl/names.hpp"
+#include "dsl/lexical/names.hpp"
 
 #include <cstdint>
 #include <map>

@@ -3,7 +3,7 @@
 #include "compiler/page/relations.hpp"
 
 #include "compiler/page/words.hpp"
-#include "dsl/duration.hpp"
+#include "dsl/lexical/duration.hpp"
 
 #include <fmt/format.h>
 

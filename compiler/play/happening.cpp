@@ -3,8 +3,8 @@
 #include "compiler/play/happening.hpp"
 
 #include "compiler/base/json.hpp"
-#include "dsl/colours.hpp"
-#include "dsl/harmless.hpp"
+#include "dsl/source/colours.hpp"
+#include "dsl/source/harmless.hpp"
 #include "runtime/hosted/decision_printer.hpp"
 
 #include <fmt/format.h>

@@ -3,8 +3,8 @@
 #include "compiler/play/names.hpp"
 
 #include "compiler/model/no_such_value.hpp"
-#include "dsl/shortened.hpp"
-#include "dsl/suggest.hpp"
+#include "dsl/lexical/suggest.hpp"
+#include "dsl/source/shortened.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

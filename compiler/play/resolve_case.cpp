@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/play/resolve_case.hpp"
 
-#include "dsl/shortened.hpp"
+#include "dsl/source/shortened.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -4,8 +4,8 @@
 
 #include "compiler/model/model.hpp"
 #include "dsl/data.hpp"
-#include "dsl/diagnostic.hpp"
 #include "dsl/scenario_spec.hpp"
+#include "dsl/source/diagnostic.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -3,8 +3,8 @@
 #include "compiler/play/test_scenario.hpp"
 
 #include "compiler/play/line_diff.hpp"
-#include "dsl/colours.hpp"
-#include "dsl/harmless.hpp"
+#include "dsl/source/colours.hpp"
+#include "dsl/source/harmless.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -4,7 +4,7 @@
 
 #include "compiler/base/json.hpp"
 #include "compiler/play/play.hpp"
-#include "dsl/source_file.hpp"
+#include "dsl/source/source_file.hpp"
 
 #include <optional>
 #include <string>

@@ -3,8 +3,8 @@
 // Finds cases of a script that never apply: they look as if they tested something.
 
 #include "compiler/model/model.hpp"
-#include "dsl/diagnostic.hpp"
 #include "dsl/scenario_spec.hpp"
+#include "dsl/source/diagnostic.hpp"
 
 #include <vector>
 

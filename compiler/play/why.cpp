@@ -1,10 +1,10 @@
-// Header: compiler/play/why.hpp. Test: tests/compiler/cli/why_test.cpp.
+// Header: compiler/play/why.hpp. Test: tests/compiler/cli/commands/why_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/play/why.hpp"
 
 #include "compiler/lower/row_names.hpp"
-#include "dsl/colours.hpp"
-#include "dsl/harmless.hpp"
+#include "dsl/source/colours.hpp"
+#include "dsl/source/harmless.hpp"
 #include "runtime/hosted/trace/event_text.hpp"
 #include "runtime/hosted/why_notes.hpp"
 

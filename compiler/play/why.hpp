@@ -6,7 +6,7 @@
 #include "compiler/base/json.hpp"
 #include "compiler/lower/lowered.hpp"
 #include "compiler/model/model.hpp"
-#include "dsl/source_file.hpp"
+#include "dsl/source/source_file.hpp"
 #include "runtime/core/inspect/why.hpp"
 
 #include <string>

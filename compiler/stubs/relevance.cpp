@@ -3,7 +3,7 @@
 #include "compiler/stubs/relevance.hpp"
 
 #include "compiler/stubs/merge.hpp"
-#include "dsl/characters.hpp"
+#include "dsl/lexical/characters.hpp"
 
 #include <filesystem>
 #include <string>

@@ -4,7 +4,7 @@
 
 #include "compiler/emit/cpp/parts.hpp"
 #include "compiler/model/cpp_names.hpp"
-#include "dsl/names.hpp"
+#include "dsl/lexical/names.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// Header: compiler/trace/recorded_names.hpp. Test: tests/compiler/cli/trace_test.cpp.
+// Header: compiler/trace/recorded_names.hpp. Test: tests/compiler/cli/commands/trace_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/trace/recorded_names.hpp"
 

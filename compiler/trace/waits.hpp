@@ -7,7 +7,7 @@
 #include "compiler/lower/lowered.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/trace/replay.hpp"
-#include "dsl/source_file.hpp"
+#include "dsl/source/source_file.hpp"
 
 #include <compare>
 #include <string>

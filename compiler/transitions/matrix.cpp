@@ -7,7 +7,7 @@
 #include "compiler/transitions/matrix.hpp"
 
 #include "compiler/transitions/judge.hpp"
-#include "dsl/yaml_text.hpp"
+#include "dsl/yaml/yaml_text.hpp"
 
 #include <fmt/format.h>
 

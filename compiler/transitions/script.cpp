@@ -5,7 +5,7 @@
 // and from then on what leads to the column. Where the two chains part, it keeps the one task and requests the other.
 #include "compiler/transitions/script.hpp"
 
-#include "dsl/yaml_text.hpp"
+#include "dsl/yaml/yaml_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

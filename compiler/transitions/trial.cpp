@@ -5,8 +5,8 @@
 #include "compiler/play/play.hpp"
 #include "compiler/play/resolve_scenario.hpp"
 #include "compiler/play/why.hpp"
-#include "dsl/file_access.hpp"
-#include "dsl/read_scenario.hpp"
+#include "dsl/reading/read_scenario.hpp"
+#include "dsl/source/file_access.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include "compiler/transitions/words.hpp"
 
 #include "compiler/base/and_list.hpp"
-#include "dsl/duration.hpp"
+#include "dsl/lexical/duration.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

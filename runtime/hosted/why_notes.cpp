@@ -1,4 +1,4 @@
-// Header: runtime/hosted/why_notes.hpp. Test: tests/compiler/cli/why_test.cpp,
+// Header: runtime/hosted/why_notes.hpp. Test: tests/compiler/cli/commands/why_test.cpp,
 // tests/runtime/live/moment_lines_test.cpp. SPDX-License-Identifier: MIT
 #include "runtime/hosted/why_notes.hpp"
 

@@ -2,7 +2,7 @@
 // Tests tests/bench/project.hpp.
 #include "compiler/lower/lower.hpp"
 #include "compiler/pipeline.hpp"
-#include "dsl/render.hpp"
+#include "dsl/source/render.hpp"
 #include "tests/bench/project.hpp"
 
 #include <catch2/catch.hpp>

@@ -4,8 +4,8 @@
 
 #include "compiler/lower/lower.hpp"
 #include "compiler/model/resolve.hpp"
-#include "dsl/read_behaviour.hpp"
-#include "dsl/render.hpp"
+#include "dsl/reading/read_behaviour.hpp"
+#include "dsl/source/render.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -3,7 +3,7 @@
 #include "tests/defects/trial.hpp"
 
 #include "compiler/pipeline.hpp"
-#include "dsl/render.hpp"
+#include "dsl/source/render.hpp"
 #include "tests/compiler/support/scenario_findings.hpp"
 
 #include <algorithm>

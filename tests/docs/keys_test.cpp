@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The reference of the language against the schemas, which have every key.
 #include "compiler/reference/explain_key.hpp"
-#include "dsl/yaml_tree.hpp"
+#include "dsl/yaml/yaml_tree.hpp"
 #include "tests/docs/markdown.hpp"
 #include "tests/support/golden.hpp"
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Bytes as behaviour files: they are read or refused, and what is read is the same when it is printed and read again.
-#include "dsl/print_spec.hpp"
-#include "dsl/read_behaviour.hpp"
-#include "tests/dsl/without_places.hpp"
+#include "dsl/reading/print_spec.hpp"
+#include "dsl/reading/read_behaviour.hpp"
+#include "tests/dsl/reading/without_places.hpp"
 #include "tests/fuzz/files.hpp"
 
 using namespace director;

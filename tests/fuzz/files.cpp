@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/fuzz/files.hpp"
 
-#include "dsl/render.hpp"
+#include "dsl/source/render.hpp"
 
 #include <cstdio>
 #include <cstdlib>

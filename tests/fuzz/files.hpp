@@ -3,9 +3,9 @@
 // The bytes that a fuzzer makes up, as files: a line `--- # name` begins the next file, as `directorc dump
 // --stage=spec` prints it. What stands before the first such line is the file that is read.
 
-#include "dsl/diagnostic.hpp"
-#include "dsl/file_access.hpp"
-#include "dsl/source_file.hpp"
+#include "dsl/source/diagnostic.hpp"
+#include "dsl/source/file_access.hpp"
+#include "dsl/source/source_file.hpp"
 
 #include <cstddef>
 #include <cstdint>

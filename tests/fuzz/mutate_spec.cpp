@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/fuzz/mutate_spec.hpp"
 
-#include "dsl/print_spec.hpp"
-#include "dsl/read_behaviour.hpp"
+#include "dsl/reading/print_spec.hpp"
+#include "dsl/reading/read_behaviour.hpp"
 #include "tests/fuzz/files.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests tests/fuzz/mutate_spec.hpp and tests/fuzz/files.hpp.
-#include "dsl/read_behaviour.hpp"
+#include "dsl/reading/read_behaviour.hpp"
 #include "tests/fuzz/files.hpp"
 #include "tests/fuzz/mutate_spec.hpp"
 

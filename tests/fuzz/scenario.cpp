@@ -6,7 +6,7 @@
 #include "compiler/pipeline.hpp"
 #include "compiler/play/resolve_scenario.hpp"
 #include "compiler/play/test_scenario.hpp"
-#include "dsl/read_scenario.hpp"
+#include "dsl/reading/read_scenario.hpp"
 #include "tests/fuzz/files.hpp"
 
 using namespace director;

@@ -3,8 +3,8 @@
 //
 // fuzz_seeds FOLDER: the behaviours, scenarios and blocks of pages of this project, as files that the fuzzers can begin
 // with, in FOLDER/behaviour, FOLDER/scenario and FOLDER/pipeline.
-#include "dsl/read_behaviour.hpp"
-#include "dsl/read_scenario.hpp"
+#include "dsl/reading/read_behaviour.hpp"
+#include "dsl/reading/read_scenario.hpp"
 #include "tests/fuzz/files.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/schemas/corpus.hpp"

@@ -6,7 +6,7 @@
 #include "compiler/lower/lower.hpp"
 #include "compiler/lower/print_tables.hpp"
 #include "compiler/pipeline.hpp"
-#include "dsl/render.hpp"
+#include "dsl/source/render.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/model/resolve.hpp"
-#include "dsl/read_behaviour.hpp"
-#include "dsl/read_scenario.hpp"
+#include "dsl/reading/read_behaviour.hpp"
+#include "dsl/reading/read_scenario.hpp"
 #include "tests/oracle/scripted.hpp"
 #include "tests/support/golden.hpp"
 

@@ -3,7 +3,7 @@
 #include "tests/oracle/text.hpp"
 
 #include "compiler/model/resolve.hpp"
-#include "dsl/read_behaviour.hpp"
+#include "dsl/reading/read_behaviour.hpp"
 
 #include <stdexcept>
 

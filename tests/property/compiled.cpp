@@ -5,8 +5,8 @@
 #include "compiler/lower/lower.hpp"
 #include "compiler/model/resolve.hpp"
 #include "compiler/play/resolve_scenario.hpp"
-#include "dsl/read_behaviour.hpp"
-#include "dsl/read_scenario.hpp"
+#include "dsl/reading/read_behaviour.hpp"
+#include "dsl/reading/read_scenario.hpp"
 #include "tests/oracle/parts.hpp"
 
 #include <algorithm>

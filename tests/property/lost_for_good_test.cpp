@@ -8,7 +8,7 @@
 //   DIRECTOR_LONG   set: more of them
 //   DIRECTOR_SHOW   set: each behaviour whose conditions are never lost together
 #include "compiler/pipeline.hpp"
-#include "dsl/render.hpp"
+#include "dsl/source/render.hpp"
 #include "tests/property/small_behaviour.hpp"
 #include "tests/property/verdicts.hpp"
 #include "tests/support/environment.hpp"

@@ -9,7 +9,7 @@
 //   DIRECTOR_SHOW   set: each behaviour in which it is never seen to wait
 #include "compiler/explore/search.hpp"
 #include "compiler/pipeline.hpp"
-#include "dsl/render.hpp"
+#include "dsl/source/render.hpp"
 #include "tests/property/draft.hpp"
 #include "tests/property/random.hpp"
 #include "tests/support/environment.hpp"

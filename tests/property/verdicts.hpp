@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What findings say never happens, in terms of an exploration; and for what was never reached, what it depends on.
 
-#include "dsl/diagnostic.hpp"
+#include "dsl/source/diagnostic.hpp"
 #include "tests/property/reached.hpp"
 
 #include <optional>

@@ -23,7 +23,7 @@
 //   DIRECTOR_SHOW   set: each contradiction and each silence, with its seed; to a seed: its behaviour; to an id or a
 //                   kind of silence: the smallest behaviours that show the same
 #include "compiler/pipeline.hpp"
-#include "dsl/render.hpp"
+#include "dsl/source/render.hpp"
 #include "tests/property/shrink.hpp"
 #include "tests/property/small_behaviour.hpp"
 #include "tests/property/verdicts.hpp"

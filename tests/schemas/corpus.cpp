@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/schemas/corpus.hpp"
 
-#include "dsl/yaml_tree.hpp"
+#include "dsl/yaml/yaml_tree.hpp"
 #include "tests/compiler/checks/page.hpp"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 // Prints one JSON object a line for each file of the corpus: what it is, and the ids of the errors that the reader
 // finds.
 #include "compiler/base/json.hpp"
-#include "dsl/read_behaviour.hpp"
-#include "dsl/read_scenario.hpp"
+#include "dsl/reading/read_behaviour.hpp"
+#include "dsl/reading/read_scenario.hpp"
 #include "tests/schemas/corpus.hpp"
 
 #include <iostream>

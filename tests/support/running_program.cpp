@@ -1,4 +1,4 @@
-// Header: tests/support/running_program.hpp. Test: tests/compiler/cli/watch_test.cpp.
+// Header: tests/support/running_program.hpp. Test: tests/compiler/cli/commands/watch_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/support/running_program.hpp"
 

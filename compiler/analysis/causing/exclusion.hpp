@@ -4,7 +4,7 @@
 // they exclude each other, or the conditions of the groups above it.
 
 #include "compiler/analysis/facts/facts.hpp"
-#include "dsl/diagnostic.hpp"
+#include "dsl/source/diagnostic.hpp"
 
 #include <vector>
 

@@ -5,7 +5,7 @@
 #include "compiler/analysis/causing/wants.hpp"
 #include "compiler/analysis/chains/claims.hpp"
 #include "compiler/analysis/plans/plans.hpp"
-#include "dsl/diagnostic.hpp"
+#include "dsl/source/diagnostic.hpp"
 
 #include <optional>
 #include <vector>

@@ -4,7 +4,7 @@
 // never becomes true again.
 
 #include "compiler/analysis/input.hpp"
-#include "dsl/diagnostic.hpp"
+#include "dsl/source/diagnostic.hpp"
 
 #include <optional>
 #include <vector>

@@ -4,7 +4,7 @@
 // not.
 
 #include "compiler/analysis/input.hpp"
-#include "dsl/diagnostic.hpp"
+#include "dsl/source/diagnostic.hpp"
 
 #include <optional>
 

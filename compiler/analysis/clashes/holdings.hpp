@@ -3,7 +3,7 @@
 // Finds what a provider holds as long as it runs, and the groups that it leads to.
 
 #include "compiler/analysis/input.hpp"
-#include "dsl/diagnostic.hpp"
+#include "dsl/source/diagnostic.hpp"
 
 #include <vector>
 

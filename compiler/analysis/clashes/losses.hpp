@@ -6,7 +6,7 @@
 #include "compiler/analysis/causing/wants.hpp"
 #include "compiler/analysis/input.hpp"
 #include "compiler/analysis/states/sources.hpp"
-#include "dsl/diagnostic.hpp"
+#include "dsl/source/diagnostic.hpp"
 
 #include <optional>
 #include <vector>

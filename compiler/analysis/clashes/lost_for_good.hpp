@@ -5,7 +5,7 @@
 // are assumed possible. Unknown is only whether the conditions are ever lost together.
 
 #include "compiler/analysis/input.hpp"
-#include "dsl/diagnostic.hpp"
+#include "dsl/source/diagnostic.hpp"
 
 #include <optional>
 #include <vector>

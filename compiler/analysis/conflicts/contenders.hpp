@@ -5,7 +5,7 @@
 
 #include "compiler/analysis/input.hpp"
 #include "compiler/analysis/shared/shared.hpp"
-#include "dsl/diagnostic.hpp"
+#include "dsl/source/diagnostic.hpp"
 
 #include <optional>
 #include <vector>

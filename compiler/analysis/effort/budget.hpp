@@ -4,7 +4,7 @@
 // predicted. Each search has a limit of its own, and all of them together have one too, so that a file of many hard
 // questions ends as well. Work is counted in steps, not in time: equal input has equal findings on every machine.
 
-#include "dsl/span.hpp"
+#include "dsl/source/span.hpp"
 
 #include <algorithm>
 #include <cstdint>

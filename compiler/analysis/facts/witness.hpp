@@ -4,7 +4,7 @@
 // support. Like facts.hpp, an over-approximation.
 
 #include "compiler/analysis/facts/facts.hpp"
-#include "dsl/diagnostic.hpp"
+#include "dsl/source/diagnostic.hpp"
 
 #include <optional>
 #include <variant>

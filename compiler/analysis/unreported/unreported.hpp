@@ -5,7 +5,7 @@
 // reported; if a pack is never granted whole, the pack instead of its members.
 
 #include "compiler/model/model.hpp"
-#include "dsl/diagnostic.hpp"
+#include "dsl/source/diagnostic.hpp"
 
 #include <map>
 #include <set>

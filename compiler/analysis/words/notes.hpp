@@ -3,7 +3,7 @@
 // Notes that several checks use, each at the place of the declaration.
 
 #include "compiler/analysis/chains/step.hpp"
-#include "dsl/diagnostic.hpp"
+#include "dsl/source/diagnostic.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -3,7 +3,7 @@
 // Generated code as a value: lines with their indent, wrapped to the page width when they are added, so that no caller
 // handles line breaks. A line may have the place of the specification that it comes from; the manifest lists these.
 
-#include "dsl/span.hpp"
+#include "dsl/source/span.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -4,7 +4,7 @@
 
 #include "compiler/lower/lowered.hpp"
 #include "compiler/model/model.hpp"
-#include "dsl/source_file.hpp"
+#include "dsl/source/source_file.hpp"
 
 #include <cstdint>
 #include <string>

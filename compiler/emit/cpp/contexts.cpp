@@ -4,7 +4,7 @@
 // The contexts of bodies and handlers: their common part is in runtime/core/api/body.hpp, the packs are here.
 #include "compiler/base/and_list.hpp"
 #include "compiler/emit/cpp/parts.hpp"
-#include "dsl/duration.hpp"
+#include "dsl/lexical/duration.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/emit/cpp/parts.hpp"
-#include "dsl/cpp_type.hpp"
+#include "dsl/lexical/cpp_type.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// Header: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/graph_test.cpp.
+// Header: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/commands/graph_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // A group is an HTML table: its rows are ports for the arrows of single providers. A layer is a band of as many ranks

@@ -1,4 +1,4 @@
-// Header: compiler/emit/graph/dot_box.hpp. Test: tests/compiler/cli/graph_test.cpp.
+// Header: compiler/emit/graph/dot_box.hpp. Test: tests/compiler/cli/commands/graph_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/graph/dot_box.hpp"
 

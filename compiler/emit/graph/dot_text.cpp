@@ -5,7 +5,7 @@
 #include "compiler/base/html.hpp"
 #include "compiler/base/percent.hpp"
 #include "compiler/emit/graph/palette.hpp"
-#include "dsl/shortened.hpp"
+#include "dsl/source/shortened.hpp"
 
 #include <fmt/format.h>
 

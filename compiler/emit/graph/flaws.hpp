@@ -5,8 +5,8 @@
 
 #include "compiler/emit/graph/picture_options.hpp"
 #include "compiler/model/model.hpp"
-#include "dsl/diagnostic.hpp"
-#include "dsl/source_file.hpp"
+#include "dsl/source/diagnostic.hpp"
+#include "dsl/source/source_file.hpp"
 #include "dsl/spec.hpp"
 
 #include <vector>

@@ -4,7 +4,7 @@
 
 #include "compiler/base/json.hpp"
 #include "compiler/emit/graph/picture.hpp"
-#include "dsl/diagnostic.hpp"
+#include "dsl/source/diagnostic.hpp"
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
-// Header: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/graph_test.cpp. Schema: schemas/graph.schema.json.
-// SPDX-License-Identifier: MIT
+// Header: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/commands/graph_test.cpp. Schema:
+// schemas/graph.schema.json. SPDX-License-Identifier: MIT
 #include "compiler/emit/artefact/notice.hpp"
 #include "compiler/emit/findings_json.hpp"
 #include "compiler/emit/graph/formats.hpp"

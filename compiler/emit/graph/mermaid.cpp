@@ -1,4 +1,4 @@
-// Header: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/graph_test.cpp.
+// Header: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/commands/graph_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // A layer is a subgraph, and so is a group with several providers. Their ids are numbers: names may be keywords of

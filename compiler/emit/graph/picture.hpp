@@ -7,7 +7,7 @@
 #include "compiler/emit/graph/picture_options.hpp"
 #include "compiler/graph/graph.hpp"
 #include "compiler/model/model.hpp"
-#include "dsl/source_file.hpp"
+#include "dsl/source/source_file.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -4,7 +4,7 @@
 
 #include "compiler/lower/contention.hpp"
 #include "compiler/model/ids.hpp"
-#include "dsl/span.hpp"
+#include "dsl/source/span.hpp"
 
 #include <cstddef>
 #include <optional>

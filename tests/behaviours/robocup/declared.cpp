@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/behaviours/robocup/declared.hpp"
 
-#include "dsl/read_behaviour.hpp"
-#include "dsl/render.hpp"
+#include "dsl/reading/read_behaviour.hpp"
+#include "dsl/source/render.hpp"
 
 #include <catch2/catch.hpp>
 

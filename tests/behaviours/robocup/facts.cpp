@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/behaviours/robocup/facts.hpp"
 
-#include "dsl/render.hpp"
-#include "dsl/source_file.hpp"
+#include "dsl/source/render.hpp"
+#include "dsl/source/source_file.hpp"
 #include "tests/behaviours/robocup/notation.hpp"
 #include "tests/support/golden.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // The notation of facts/*.yaml, explained at their beginning, in terms of our language.
 
-#include "dsl/yaml_tree.hpp"
+#include "dsl/yaml/yaml_tree.hpp"
 #include "tests/behaviours/robocup/graph.hpp"
 
 #include <string>

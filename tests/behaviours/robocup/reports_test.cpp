@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/pipeline.hpp"
-#include "dsl/render.hpp"
+#include "dsl/source/render.hpp"
 #include "tests/behaviours/robocup/declared.hpp"
 #include "tests/support/golden.hpp"
 

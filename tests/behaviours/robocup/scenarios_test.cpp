@@ -3,8 +3,8 @@
 #include "compiler/pipeline.hpp"
 #include "compiler/play/resolve_scenario.hpp"
 #include "compiler/play/test_scenario.hpp"
-#include "dsl/read_scenario.hpp"
-#include "dsl/render.hpp"
+#include "dsl/reading/read_scenario.hpp"
+#include "dsl/source/render.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The coverage by the scenarios of soccer, as `directorc test --coverage` prints it.
-#include "compiler/cli/parse.hpp"
+#include "compiler/cli/options/parse.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/pipeline.hpp"
-#include "dsl/render.hpp"
+#include "dsl/source/render.hpp"
 #include "tests/compiler/checks/page.hpp"
 #include "tests/compiler/support/scenario_findings.hpp"
 

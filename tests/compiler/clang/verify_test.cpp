@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What `directorc verify` reads of a build, and how it reports.
 #include "compiler/base/json.hpp"
-#include "compiler/cli/load.hpp"
+#include "compiler/cli/input/load.hpp"
 #include "tests/compiler/clang/workshop.hpp"
 
 #include <catch2/catch.hpp>

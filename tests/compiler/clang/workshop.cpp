@@ -2,7 +2,7 @@
 #include "tests/compiler/clang/workshop.hpp"
 
 #include "compiler/base/json.hpp"
-#include "compiler/cli/parse.hpp"
+#include "compiler/cli/options/parse.hpp"
 #include "tests/support/golden.hpp"
 
 #include <filesystem>

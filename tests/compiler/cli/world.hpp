@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // A world in memory for the command line: files to read, files that were written, the output.
 
-#include "compiler/cli/parse.hpp"
+#include "compiler/cli/options/parse.hpp"
 
 #include <sstream>
 

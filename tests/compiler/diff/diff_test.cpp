@@ -2,7 +2,7 @@
 // Which changes of meaning are reported, with which text. Planted defects and changes without meaning:
 // tests/defects/meaning.
 #include "compiler/diff/diff.hpp"
-#include "dsl/file_access.hpp"
+#include "dsl/source/file_access.hpp"
 
 #include <catch2/catch.hpp>
 

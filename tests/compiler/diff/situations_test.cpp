@@ -3,7 +3,7 @@
 // changes in tests/defects/meaning.
 #include "compiler/diff/diff.hpp"
 #include "compiler/diff/situations.hpp"
-#include "dsl/file_access.hpp"
+#include "dsl/source/file_access.hpp"
 #include "tests/support/environment.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/findings_sarif.hpp"
-#include "dsl/source_file.hpp"
+#include "dsl/source/source_file.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>

@@ -3,7 +3,7 @@
 #include "compiler/lower/lower.hpp"
 #include "compiler/play/resolve_scenario.hpp"
 #include "compiler/play/test_scenario.hpp"
-#include "dsl/read_scenario.hpp"
+#include "dsl/reading/read_scenario.hpp"
 #include "tests/compiler/explore/explored.hpp"
 
 using namespace director::compiler;

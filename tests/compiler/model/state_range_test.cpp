@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/model/resolve.hpp"
-#include "dsl/read_behaviour.hpp"
-#include "dsl/render.hpp"
+#include "dsl/reading/read_behaviour.hpp"
+#include "dsl/source/render.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/pipeline.hpp"
-#include "dsl/render.hpp"
-#include "dsl/yaml_text.hpp"
+#include "dsl/source/render.hpp"
+#include "dsl/yaml/yaml_text.hpp"
 
 #include <catch2/catch.hpp>
 

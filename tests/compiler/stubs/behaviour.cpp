@@ -4,7 +4,7 @@
 
 #include "compiler/lower/lower.hpp"
 #include "compiler/model/resolve.hpp"
-#include "dsl/read_behaviour.hpp"
+#include "dsl/reading/read_behaviour.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -3,7 +3,7 @@
 // Files in memory through the whole pipeline, for tests.
 
 #include "compiler/pipeline.hpp"
-#include "dsl/render.hpp"
+#include "dsl/source/render.hpp"
 
 #include <map>
 #include <string>

@@ -3,8 +3,8 @@
 // A behaviour from its text to its Model, for tests of later stages.
 
 #include "compiler/model/resolve.hpp"
-#include "dsl/read_behaviour.hpp"
-#include "dsl/render.hpp"
+#include "dsl/reading/read_behaviour.hpp"
+#include "dsl/source/render.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -5,7 +5,7 @@
 #include "compiler/lower/lower.hpp"
 #include "compiler/play/play.hpp"
 #include "compiler/play/resolve_scenario.hpp"
-#include "dsl/read_scenario.hpp"
+#include "dsl/reading/read_scenario.hpp"
 
 #include <string>
 #include <vector>

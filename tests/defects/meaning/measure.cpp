@@ -12,7 +12,7 @@
 #include "compiler/diff/situations.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/transitions/matrix.hpp"
-#include "dsl/file_access.hpp"
+#include "dsl/source/file_access.hpp"
 #include "tests/defects/meaning/expected.hpp"
 #include "tests/defects/meaning/vary.hpp"
 #include "tests/defects/trial.hpp"

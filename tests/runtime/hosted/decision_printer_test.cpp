@@ -6,7 +6,7 @@
 #include "compiler/pipeline.hpp"
 #include "compiler/play/play.hpp"
 #include "compiler/play/resolve_scenario.hpp"
-#include "dsl/read_scenario.hpp"
+#include "dsl/reading/read_scenario.hpp"
 #include "runtime/core/api/event_names.hpp"
 #include "runtime/hosted/decision_printer.hpp"
 #include "tests/support/command.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Scenarios and the tables of their behaviours as the constants of tests/system/arm/target/plan.hpp.
 
-#include "compiler/cli/load_scenario.hpp"
+#include "compiler/cli/input/load_scenario.hpp"
 #include "compiler/emit/artefact/code.hpp"
 
 #include <map>

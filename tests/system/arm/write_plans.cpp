@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // write_plans OUT.cpp OUT.txt SCENARIO...: the scenarios as constants for the target, and their events on the host.
-#include "compiler/cli/load_scenario.hpp"
+#include "compiler/cli/input/load_scenario.hpp"
 #include "compiler/play/play.hpp"
 #include "tests/system/arm/plan_text.hpp"
 

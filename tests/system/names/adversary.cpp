@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/system/names/adversary.hpp"
 
-#include "dsl/names.hpp"
+#include "dsl/lexical/names.hpp"
 
 #include <fmt/format.h>
 

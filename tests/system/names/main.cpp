@@ -7,7 +7,7 @@
 #include "compiler/lower/lower.hpp"
 #include "compiler/model/cpp_names.hpp"
 #include "compiler/pipeline.hpp"
-#include "dsl/names.hpp"
+#include "dsl/lexical/names.hpp"
 #include "tests/support/environment.hpp"
 #include "tests/system/names/adversary.hpp"
 #include "tests/system/names/words.hpp"

@@ -4,7 +4,7 @@
 #include "compiler/pipeline.hpp"
 #include "compiler/play/play.hpp"
 #include "compiler/play/resolve_scenario.hpp"
-#include "dsl/read_scenario.hpp"
+#include "dsl/reading/read_scenario.hpp"
 #include "tests/compiler/support/compiled.hpp"
 #include "tests/support/golden.hpp"
 

@@ -2,7 +2,7 @@
 // The 2,000 orders of tests/compiler/stubs with director-clang itself, with a small header equivalent to the generated
 // one. All run in parallel step by step, so that it is started once for each step. Other orders and more of them:
 // DIRECTOR_ORDERS=10000 DIRECTOR_ORDERS_FROM=2000. A failing one is printed with a minimal set of its steps.
-#include "compiler/cli/console.hpp"
+#include "compiler/cli/system/console.hpp"
 #include "compiler/stubs/merge.hpp"
 #include "compiler/stubs/scan.hpp"
 #include "tests/compiler/stubs/cheap_cpp.hpp"

@@ -1,0 +1,109 @@
+// Header: compiler/cli/options/commands.hpp. Test: tests/compiler/cli/commands/diff_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/base/absolute_path.hpp"
+#include "compiler/cli/input/load.hpp"
+#include "compiler/cli/system/git_files.hpp"
+#include "dsl/source/harmless.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace director::compiler::cli {
+
+namespace {
+
+std::optional<Checked> load_from(dsl::FileAccess& files, const std::string& file, const Diff& request,
+                                 dsl::Sources& sources, Console& console) {
+  Console other = with_files(console, files, console.outputs);
+  return load(file, {}, sources, other, request.cpp);
+}
+
+std::optional<Checked> load_before(const Diff& request, dsl::Sources& sources, Console& console) {
+  if (request.revision.empty()) {
+    FilesBeside files(console.files, shown_path(request.before), shown_path(request.after));
+    return load_from(files, request.before, request, sources, console);
+  }
+  GitFiles files(console.programs, console.files, request.revision);
+  if (const std::optional<std::string> wrong =
+          files.open(request.after, request.staged ? Newer::staged : Newer::lying_there)) {
+    print_message(console, fmt::format("directorc: {}\n", *wrong));
+    return {};
+  }
+  Diff there = request;
+  for (std::string* path : {&there.cpp.build, &there.cpp.flags}) {
+    if (!path->empty()) *path = absolute_path(*path).string(); // it is no part of a revision
+  }
+  std::optional<Checked> out = load_from(files, files.path(), there, sources, console);
+  if (!out)
+    print_message(
+        console, fmt::format("  help: where it was called otherwise, `git add {}` lets git see that; any two files are "
+                             "compared with `directorc diff OLD NEW`\n",
+                             shown_path(request.after)));
+  return out;
+}
+
+std::optional<Checked> load_after(const Diff& request, dsl::Sources& sources, Console& console) {
+  if (!request.staged) return load(request.after, {}, sources, console, request.cpp);
+  StagedFiles files(console.programs, console.files);
+  if (const std::optional<std::string> wrong = files.open(request.after)) {
+    print_message(console, fmt::format("directorc: {}\n", *wrong));
+    return {};
+  }
+  return load_from(files, request.after, request, sources, console);
+}
+
+/// git's difftool names no file for a new or deleted one. The text for that; empty: there are two files.
+std::string only_side(const Diff& request) {
+  const std::string nothing = "/dev/null";
+  if (request.before == nothing) return fmt::format("`{}` is new: there is nothing to compare\n", request.after);
+  if (request.after == nothing) return fmt::format("`{}` is gone: there is nothing to compare\n", request.before);
+  return {};
+}
+
+void print(const std::vector<BehaviourChange>& changes, const Diff& request, const dsl::Sources& sources,
+           Console& console) {
+  switch (request.format) {
+  case Format::json: console.out << to_lines(changes_json(changes, request.breaking, sources)); return;
+  case Format::sarif: console.out << to_lines(changes_sarif(changes, request.breaking, sources)); return;
+  default: console.out << dsl::harmless_lines(changes_text(changes, request.breaking, sources)); return;
+  }
+}
+
+} // namespace
+
+int run(const Diff& request, Console& console) {
+  dsl::Sources sources;
+  if (const std::string text = only_side(request); !text.empty()) {
+    if (request.format == Format::text)
+      console.out << dsl::harmless_lines(text);
+    else
+      print({}, request, sources, console);
+    return clean;
+  }
+  const std::optional<Checked> before = load_before(request, sources, console);
+  if (!before) return misused;
+  const std::optional<Checked> after = load_after(request, sources, console);
+  if (!after) return misused;
+  if (!before->resolved && !after->resolved) {
+    console.err << "directorc: neither of the two can be compared: both have errors in their text or their names\n";
+    for (const Checked* side : {&*before, &*after})
+      print_findings(errors_of(side->findings), sources, console.err, console.err_colours, console.err_width);
+    return found;
+  }
+  TransitionsPlayed transitions;
+  const std::vector<BehaviourChange> changes = find_changes(*before, *after, &transitions);
+  print(changes, request, sources, console);
+  if (transitions.played < transitions.wanted)
+    print_message(console,
+                  fmt::format("directorc: not compared: {} of {} transitions between groups that may have changed; "
+                              "the behaviour is too large to play them all\n",
+                              transitions.wanted - transitions.played, transitions.wanted));
+  const bool breaks = std::any_of(changes.begin(), changes.end(), [&](const BehaviourChange& change) {
+    return request.breaking.has(change) || change.kind == ChangeKind::refused;
+  });
+  return breaks ? found : clean;
+}
+
+} // namespace director::compiler::cli

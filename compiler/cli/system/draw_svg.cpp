@@ -1,0 +1,26 @@
+// Header: compiler/cli/system/draw_svg.hpp. Test: tests/compiler/cli/commands/graph_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/cli/system/draw_svg.hpp"
+
+#include <fmt/format.h>
+
+namespace director::compiler::cli {
+
+std::optional<std::string> draw_svg(const Picture& picture, const PictureLinks& links, std::string_view wish,
+                                    std::string_view instead, Console& console) {
+  const Answer answer = console.programs.run({"dot", "-Tsvg"}, dot(picture, links));
+  if (!answer.started) {
+    print_message(console,
+                  fmt::format("directorc: {} needs the program `dot` of Graphviz, which is not installed (on Debian: "
+                              "apt-get install graphviz); {} needs nothing\n",
+                              wish, instead));
+    return {};
+  }
+  if (answer.status != 0) {
+    print_message(console, fmt::format("directorc: `dot` could not draw the graph (exit status {})\n", answer.status));
+    return {};
+  }
+  return finish_svg(picture, answer.output);
+}
+
+} // namespace director::compiler::cli

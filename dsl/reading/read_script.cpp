@@ -1,0 +1,163 @@
+// Header: dsl/reading/read_script.hpp. Test: tests/dsl/reading/read_scenario_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "dsl/reading/read_script.hpp"
+
+#include "dsl/reading/read_data.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace director::dsl {
+
+namespace {
+
+/// The value of an enum that is written as one of `names`, which are in its order.
+template <class Enum, std::size_t size>
+std::optional<Located<Enum>> read_choice(Reader& reader, const YamlNode* node, std::string_view subject,
+                                         const std::array<std::string_view, size>& names) {
+  if (!node) return std::nullopt;
+  const auto name = std::find(names.begin(), names.end(), node->text);
+  if (node->kind == YamlNode::Kind::scalar && name != names.end())
+    return Located<Enum>{static_cast<Enum>(name - names.begin()), node->span};
+  reader.unexpected(*node, subject, fmt::format("one of {}", fmt::join(names, ", ")));
+  return std::nullopt;
+}
+
+constexpr std::array<std::string_view, 5> reasons{"new_task", "pushed", "subtask_done", "wait", "trigger"};
+constexpr std::array<std::string_view, 5> use_states{"running", "queued", "none", "done", "failed"};
+
+std::vector<UseGuardSpec> read_use_guards(Reader& reader, const YamlNode* node) {
+  std::vector<UseGuardSpec> out;
+  if (!reader.is_mapping(node, "uses", "a mapping such as {Kick: done}")) return out;
+  for (const YamlPair& pair : node->pairs)
+    if (const auto state = read_choice<UseState>(reader, &pair.value, pair.key.value, use_states))
+      out.push_back({reader.name(pair), *state});
+  return out;
+}
+
+/// Reads `done: true` and the like: only true is a value.
+bool read_answer_flag(Reader& reader, const YamlNode* node, std::string_view key) {
+  const auto flag = reader.flag(node, key);
+  if (flag && !flag->value) reader.unexpected(*node, key, "true", "leave it out where it is not so");
+  return flag && flag->value;
+}
+
+void read_answer(Reader& reader, const YamlNode& mapping, CaseSpec& out) {
+  static const Keys request_keys{"level", "data", "keep"};
+  constexpr std::array<std::string_view, 5> answers{"pack", "tasks", "done", "failed",
+                                                    "continue"}; // in the order of Answer
+  for (std::size_t i = 0; i < answers.size(); ++i)
+    for (std::size_t j = i + 1; j < answers.size(); ++j)
+      reader.exclude(mapping, answers[i], answers[j], "a case gives one answer: leave out the others");
+  out.answer.span = mapping.span;
+  for (std::size_t i = 0; i < answers.size() && out.answer.value == Answer::nothing; ++i)
+    if (mapping.find(answers[i])) out.answer = {static_cast<Answer>(i + 1), Reader::key_of(mapping, answers[i]).span};
+  out.pack = reader.word(mapping.find("pack"), "pack", "the name of a pack");
+  const auto needs_pack = [&](std::string_view key, const char* help) {
+    if (mapping.find(key) && reader.lacks(mapping, "pack"))
+      reader.error("missing_key", Reader::key_of(mapping, key).span, fmt::format("`{}` needs `pack`", key), help);
+  };
+  needs_pack("with", "it says more about some tasks of a pack");
+  needs_pack("without", "it leaves out some tasks of a pack");
+  out.without = reader.words(mapping.find("without"), "without", "the name of a group");
+  const std::string_view list = out.answer.value == Answer::pack ? "with" : "tasks";
+  out.tasks = read_requests(reader, mapping.find(list), list, request_keys);
+  for (const std::string_view key : {"done", "failed", "continue"}) read_answer_flag(reader, mapping.find(key), key);
+}
+
+CaseSpec read_case(Reader& reader, const YamlNode& mapping, const Word& entry, bool handler) {
+  static const Keys handler_keys{"data", "run", "set"};
+  static const Keys keys{"reason", "trigger", "data", "run",  "uses",   "pack",     "tasks",
+                         "with",   "without", "set",  "done", "failed", "continue", "wait"};
+  CaseSpec out;
+  out.span = mapping.span;
+  reader.know_keys(mapping, fmt::format("a case of `{}`", entry.value), handler ? handler_keys : keys);
+  out.run = reader.number(mapping.find("run"), "run", {1});
+  if (const YamlNode* data = mapping.find("data")) out.data = {read_data(reader, *data, "data"), data->span};
+  out.set = read_settings(reader, mapping.find("set"), "set");
+  out.answer.span = mapping.span;
+  if (handler) return out;
+  out.reason = read_choice<Reason>(reader, mapping.find("reason"), "reason", reasons);
+  out.trigger = reader.word(mapping.find("trigger"), "trigger", "the name of a trigger");
+  out.uses = read_use_guards(reader, mapping.find("uses"));
+  out.wait = reader.duration(mapping.find("wait"), "wait");
+  read_answer(reader, mapping, out);
+  return out;
+}
+
+RequestSpec read_request(Reader& reader, const YamlPair& pair, const Keys& keys) {
+  RequestSpec out;
+  out.group = reader.name(pair);
+  out.keep.span = pair.key.span;
+  if (!reader.is_mapping(&pair.value, pair.key.value)) return out;
+  reader.know_keys(pair.value, fmt::format("a request of `{}`", pair.key.value), keys);
+  out.level = reader.word(pair.value.find("level"), "level", "the name of a level");
+  if (const YamlNode* data = pair.value.find("data")) out.data = {read_data(reader, *data, "data"), data->span};
+  if (std::find(keys.begin(), keys.end(), "keep") != keys.end())
+    if (const auto keep = reader.flag(pair.value.find("keep"), "keep")) out.keep = *keep;
+  return out;
+}
+
+} // namespace
+
+std::vector<SettingSpec> read_settings(Reader& reader, const YamlNode* node, std::string_view subject) {
+  std::vector<SettingSpec> out;
+  if (!reader.is_mapping(node, subject, "a mapping of states to values")) return out;
+  for (const YamlPair& pair : node->pairs)
+    if (auto value = reader.word(&pair.value, pair.key.value, "a value of the state"))
+      out.push_back({reader.name(pair), std::move(*value)});
+  return out;
+}
+
+std::vector<RequestSpec> read_request_mapping(Reader& reader, const YamlNode& node, const Keys& keys) {
+  std::vector<RequestSpec> out;
+  for (const YamlPair& pair : node.pairs) out.push_back(read_request(reader, pair, keys));
+  return out;
+}
+
+std::vector<RequestSpec> read_requests(Reader& reader, const YamlNode* node, std::string_view subject,
+                                       const Keys& keys) {
+  std::vector<RequestSpec> out;
+  if (!reader.is_list(node, subject)) return out;
+  for (const YamlNode& item : node->items) {
+    if (item.kind == YamlNode::Kind::mapping)
+      for (RequestSpec& request : read_request_mapping(reader, item, keys)) out.push_back(std::move(request));
+    else if (auto name = reader.word(&item, subject, "the name of a group, or {Group: {data: 1}}"))
+      out.push_back({*name, {}, {}, {false, name->span}});
+  }
+  return out;
+}
+
+std::pair<Word, Word> split_at_dot(const Word& name, bool plain) {
+  const std::size_t dot = std::min(name.value.find('.'), name.value.size());
+  Word first{name.value.substr(0, dot), name.span}, second{"", name.span};
+  if (dot < name.value.size()) second.value = name.value.substr(dot + 1);
+  if (plain) { // no quotes or escapes: bytes of the text are bytes of the file
+    first.span.end = first.span.begin + static_cast<std::uint32_t>(dot);
+    second.span.begin = second.span.end - static_cast<std::uint32_t>(second.value.size());
+  }
+  return {std::move(first), std::move(second)};
+}
+
+ScriptEntrySpec read_script_entry(Reader& reader, const YamlPair& pair) {
+  ScriptEntrySpec out;
+  out.span = pair.span;
+  const Word name = reader.name(pair);
+  auto [group, part] = split_at_dot(name, pair.key_style == YamlNode::Style::plain);
+  out.group = std::move(group);
+  if (name.value.find('.') != std::string::npos) out.part = std::move(part);
+  const bool handler = out.part && (out.part->value == "start" || out.part->value == "stop");
+  if (pair.value.kind == YamlNode::Kind::mapping) {
+    out.cases.push_back(read_case(reader, pair.value, name, handler));
+  } else if (reader.is_list(&pair.value, name.value, "a case or a list of cases")) {
+    for (const YamlNode& item : pair.value.items)
+      if (reader.is_mapping(&item, name.value, "a case")) out.cases.push_back(read_case(reader, item, name, handler));
+  }
+  return out;
+}
+
+} // namespace director::dsl

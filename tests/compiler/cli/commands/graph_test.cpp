@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/emit/artefact/notice.hpp"
+#include "tests/compiler/cli/world.hpp"
+#include "tests/support/golden.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using director::compiler::notice_words;
+using director::tests::check_golden;
+using director::tests::World;
+
+World walker() {
+  World world;
+  world.files.add("walker.yaml", R"(behaviour: walker
+language: 1
+layers: [skill, limb]
+states: {Pose: {values: [moving, standing]}}
+roots: {Walk: {priority: 1}, Kick: {priority: 2}}
+groups:
+  Walk:
+    layer: skill
+    providers:
+      - {name: walking, needs: [Legs], sets: [Pose == moving], tasks: [Legs]}
+      - {name: halting, needs: [Legs], causing: [Pose == standing], tasks: [Legs]}
+  Kick: {layer: skill, when: [Pose == standing], needs: [Legs], tasks: {Legs: {}, Eyes: {optional: true}}}
+  Legs: {layer: limb, data: "std::array<int, 2>"}
+  Eyes: {layer: limb}
+)");
+  return world;
+}
+
+TEST_CASE("the graph for Graphviz and for Mermaid, whole", "[golden]") {
+  World world = walker();
+  REQUIRE(world.directorc({"graph", "walker.yaml"}) == 0);
+  check_golden("tests/compiler/cli/commands/golden/walker.dot", world.out);
+  REQUIRE(world.directorc({"graph", "walker.yaml", "--link=https://example.org/{file}?a=1&b#L{line}"}) == 0);
+  check_golden("tests/compiler/cli/commands/golden/walker_linked.dot", world.out);
+  REQUIRE(world.directorc({"graph", "--format=mermaid", "walker.yaml", "--link=https://example.org/{file}#L{line}"}) ==
+          0);
+  check_golden("tests/compiler/cli/commands/golden/walker.mmd", world.out);
+}
+
+TEST_CASE("unknown names for a picture are reported with the known ones") {
+  World world = walker();
+  const auto told = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"graph", "walker.yaml"});
+    return std::to_string(world.directorc(words)) + " " + world.err;
+  };
+  CHECK(told({"--focus=Wlak"}) == "2 directorc: --focus: there is no group called `Wlak`; did you mean `Walk`?\n");
+  CHECK(told({"--view=x"}) == "2 directorc graph: --view: x not in {all,tasks,needs,pushes,takes}\n"
+                              "Try `directorc graph --help`.\n");
+  CHECK(told({"--collapse=x"}) == "2 directorc graph: --collapse: x not in {module,layer}\n"
+                                  "Try `directorc graph --help`.\n");
+  CHECK(told({"--depth=1"}) == "2 directorc graph: --depth requires --focus\nTry `directorc graph --help`.\n");
+  CHECK(told({"--link=x"}) == "2 directorc: --link needs {file} in it, and {line}: "
+                              "--link='https://example.org/{file}#L{line}'\n");
+  world.files.add("walker.yaml", "behaviour: walker\nlanguage: 1\ngroups: {Walk: {}}\n");
+  CHECK(told({"--view=takes"}) ==
+        "2 directorc: --view=takes needs a behaviour that can run: with `roots` and without errors\n");
+}
+
+TEST_CASE("a picture is drawn by the program dot, and what it answers is written") {
+  World world = walker();
+  REQUIRE(world.directorc({"graph", "--format=svg", "walker.yaml", "-o", "walker.svg"}) == 0);
+  CHECK(world.programs.command == std::vector<std::string>{"dot", "-Tsvg"});
+  CHECK(world.programs.input.substr(0, 18) == "digraph \"walker\" {");
+  CHECK(world.outputs.files.at("walker.svg") == "<!-- " + notice_words("walker.yaml") + " -->\n<svg/>");
+}
+
+TEST_CASE("the file's name decides the format of a picture if none is named") {
+  World world = walker();
+  const auto written = [&](const std::string& file, std::vector<std::string> words = {}) {
+    words.insert(words.begin(), {"graph", "walker.yaml", "-o", file});
+    REQUIRE(world.directorc(words) == 0);
+    return world.outputs.files.at(file).substr(0, 4);
+  };
+  CHECK(written("walker.svg") == "<!--");
+  CHECK(written("walker.json") == "{\n  ");
+  CHECK(written("walker_page.json", {"--page"}) == "{\n  ");
+  CHECK(written("walker.mmd") == "%% G");
+  CHECK(written("walker.dot") == "// G");
+  CHECK(written("walker") == "// G");
+  CHECK(written("dot.svg", {"--format=dot"}) == "// G");
+  CHECK(world.directorc({"graph", "walker.yaml", "-o", "walker.png"}) == 2);
+  CHECK(world.err == "directorc: `walker.png`: there is no format png; Graphviz makes it: "
+                     "directorc graph walker.yaml | dot -Tpng -o walker.png\n");
+  CHECK_FALSE(world.outputs.files.contains("walker.png"));
+}
+
+TEST_CASE("without Graphviz a picture is refused with what to do") {
+  World world = walker();
+  world.programs.answer = {};
+  CHECK(world.directorc({"graph", "--format=svg", "walker.yaml"}) == 2);
+  CHECK(world.err == "directorc: --format=svg needs the program `dot` of Graphviz, which is not installed (on Debian: "
+                     "apt-get install graphviz); --format=dot needs nothing\n");
+  world.programs.answer = {true, 3, ""};
+  CHECK(world.directorc({"graph", "--format=svg", "walker.yaml"}) == 2);
+  CHECK(world.err == "directorc: `dot` could not draw the graph (exit status 3)\n");
+}
+
+TEST_CASE("the list of groups of a focus ends with the word, and can be given several times") {
+  World world = walker();
+  REQUIRE(world.directorc({"graph", "--focus=Eyes,Walk", "walker.yaml"}) == 0);
+  const std::string both = world.out;
+  REQUIRE(world.directorc({"graph", "--focus", "Eyes,Walk", "walker.yaml"}) == 0);
+  CHECK(world.out == both);
+  REQUIRE(world.directorc({"graph", "--focus", "Eyes", "--focus", "Walk", "walker.yaml"}) == 0);
+  CHECK(world.out == both);
+  REQUIRE(world.directorc({"docs", "--transitions", "Walk,Eyes", "walker.yaml", "-o", "p", "--format=markdown"}) == 0);
+}
+
+TEST_CASE("the graph as JSON, whole, also with a view or a focus", "[golden]") {
+  World world = walker();
+  REQUIRE(world.directorc({"graph", "--format=json", "walker.yaml"}) == 0);
+  check_golden("tests/compiler/cli/commands/golden/walker.json", world.out);
+  const std::string whole = world.out;
+  REQUIRE(world.directorc({"graph", "--format=json", "walker.yaml", "--focus=Eyes", "--view=tasks"}) == 0);
+  CHECK(world.out == whole);
+}
+
+} // namespace

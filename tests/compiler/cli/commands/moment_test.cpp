@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// Pictures of a moment of a scenario.
+#include "tests/compiler/cli/world.hpp"
+#include "tests/support/golden.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using director::tests::check_golden;
+using director::tests::World;
+
+World photographer() {
+  World world;
+  world.files.add("rover.yaml", R"(behaviour: rover
+language: 1
+states:
+  Motion: {values: [still, rolling], initial: still}
+  Weather: {values: [dry, wet], external: true}
+roots:
+  Explore: {priority: 10}
+  Photograph: {priority: 20}
+groups:
+  Explore: {tasks: [Drive]}
+  Photograph: {when: [Motion == still], needs: [Wheels], tasks: [Wheels, Camera]}
+  Drive:
+    providers:
+      - {name: rolling, needs: [Wheels], sets: [Motion == rolling], tasks: [Wheels]}
+      - {name: braking, needs: [Wheels], causing: [Motion == still], tasks: [Wheels]}
+  Wheels: {}
+  Camera: {}
+)");
+  world.files.add("s.yaml", R"(scenario: a picture
+behaviour: rover.yaml
+script:
+  Drive.rolling: {set: {Motion: rolling}, tasks: [Wheels]}
+  Drive.braking:
+    - {reason: wait, set: {Motion: still}, continue: true}
+    - {wait: 1 s, tasks: [Wheels]}
+steps:
+  - request: Explore
+  - request: Photograph
+  - advance: 2 s
+)");
+  return world;
+}
+
+TEST_CASE("a picture of a moment shows what runs, what waits for what, and what is pushed", "[golden]") {
+  World world = photographer();
+  REQUIRE(world.directorc({"graph", "s.yaml", "--step=2"}) == 0);
+  check_golden("tests/compiler/cli/commands/golden/moment.dot", world.out);
+  REQUIRE(world.directorc({"graph", "s.yaml", "--step=2", "--format=mermaid"}) == 0);
+  check_golden("tests/compiler/cli/commands/golden/moment.mmd", world.out);
+}
+
+TEST_CASE("a moment at a time is within the step that passes it") {
+  World world = photographer();
+  REQUIRE(world.directorc({"graph", "s.yaml", "--at=500 ms"}) == 0);
+  const auto has = [&](const std::string& piece) { return world.out.find(piece) != std::string::npos; };
+  CHECK(has("<B>rover, in step 3 (advance 2 s), at 0.5 s</B>"));
+  CHECK(has(">Motion == rolling<"));
+  CHECK(has(">Weather is unset<"));
+  REQUIRE(world.directorc({"graph", "s.yaml", "--at=1500 ms"}) == 0);
+  CHECK(has("<B>rover, in step 3 (advance 2 s), at 1.5 s</B>"));
+  CHECK_FALSE(has("pushed to"));
+}
+
+TEST_CASE("frames are a file for each step") {
+  World world = photographer();
+  REQUIRE(world.directorc({"graph", "s.yaml", "--frames", "-o", "out", "--format=mermaid"}) == 0);
+  CHECK(world.out.empty());
+  CHECK(world.outputs.written == std::vector<std::string>{"out/step_1.mmd", "out/step_2.mmd", "out/step_3.mmd"});
+}
+
+TEST_CASE("frames of an earlier run that had more of them are named") {
+  World world = photographer();
+  REQUIRE(world.directorc({"graph", "s.yaml", "--frames", "-o", "out", "--format=mermaid"}) == 0);
+  CHECK(world.err.empty());
+  const std::string frame = world.outputs.files.at("out/step_3.mmd");
+  for (const char* path : {"out/step_4.mmd", "out/step_12.mmd", "out/step_4.svg", "out/step_.mmd", "out/step_x.mmd",
+                           "out/old/step_5.mmd", "other/step_6.mmd"}) {
+    world.outputs.files[path] = frame;
+    world.files.add(path, frame);
+  }
+  world.outputs.files["out/step_7.mmd"] = "of the user";
+  world.files.add("out/step_7.mmd", "of the user");
+  REQUIRE(world.directorc({"graph", "s.yaml", "--frames", "-o", "out/", "--format=mermaid"}) == 0);
+  CHECK(world.err == "directorc: note: `out/` also has 2 frames of an earlier run: `step_12.mmd`, `step_4.mmd`; remove "
+                     "them if you do not need them\n");
+}
+
+TEST_CASE("a push that priorities forbid is not drawn; of a module, which has none, each is") {
+  const auto pushes = [](const std::string& roots) {
+    World world;
+    world.files.add(
+        "r.yaml", "behaviour: r\nlanguage: 1\nstates: {Motion: {values: [still, rolling], initial: still}}\n" + roots +
+                      "groups:\n  Photograph: {when: [Motion == still]}\n  Drive:\n    providers:\n"
+                      "      - {name: rolling, sets: [Motion == rolling]}\n"
+                      "      - {name: braking, causing: [Motion == still]}\n");
+    REQUIRE(world.directorc({"graph", "r.yaml", "--view=pushes"}) <= 1); // that there is none may be an error
+    return world.out.find("\"Photograph\" -> \"Drive\":\"braking\"") != std::string::npos;
+  };
+  CHECK(pushes("roots: {Photograph: {priority: 20}, Drive: {priority: 10}}\n"));
+  CHECK_FALSE(pushes("roots: {Photograph: {priority: 10}, Drive: {priority: 20}}\n"));
+  CHECK(pushes(""));
+}
+
+TEST_CASE("an unknown moment, or a file that is no scenario, is reported") {
+  World world = photographer();
+  const auto told = [&](const std::vector<std::string>& words) {
+    return std::to_string(world.directorc(words)) + " " + world.err;
+  };
+  CHECK(told({"graph", "s.yaml", "--step=4"}) == "2 directorc: `s.yaml` has 3 steps\n");
+  CHECK(told({"graph", "s.yaml", "--at=2 s"}) == "0 ");
+  CHECK(told({"graph", "s.yaml", "--at=2000001 us"}) == "2 directorc: `s.yaml` ends at 2 s, before 2.000001 s\n");
+  CHECK(told({"graph", "s.yaml", "--at=soon"}) ==
+        "2 directorc: `soon` is no time: a whole number and us, ms, s or min\n");
+  CHECK(told({"graph", "s.yaml", "--frames"}) ==
+        "2 directorc: --frames writes many files: -o names a folder for them\n");
+  CHECK(told({"graph", "s.yaml", "--step=1", "--frames", "-o", "x"}) == "2 directorc graph: --step excludes --frames\n"
+                                                                        "Try `directorc graph --help`.\n");
+  world.files.add("still.yaml", "behaviour: rover.yaml\n");
+  CHECK(told({"graph", "still.yaml", "--frames", "-o", "x"}) ==
+        "2 directorc: `still.yaml` has no steps, so there is nothing to draw after them\n");
+  CHECK(told({"graph", "none.yaml", "--step=1"}).starts_with("2 directorc: "));
+  CHECK(told({"graph", "rover.yaml", "--step=1"}).starts_with("1 rover.yaml:"));
+}
+
+} // namespace
