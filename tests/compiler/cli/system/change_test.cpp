@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Folder : OwnFolder {
-  Folder() : OwnFolder("stubs-change") {}
+  Folder() : OwnFolder("cli-change") {}
   std::size_t files() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(path), fs::directory_iterator()));
   }

@@ -24,8 +24,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Folder : director::tests::OwnFolder {
-  Folder() : OwnFolder("cli-write") {}
+struct WrittenFolder : director::tests::OwnFolder {
+  WrittenFolder() : OwnFolder("cli-write") {}
   /// Names, sorted, with their content; `?` for a temporary file.
   std::string all() const {
     std::set<std::string> lines;
@@ -64,7 +64,7 @@ int in_child(const std::function<int()>& act) {
 }
 
 /// The exit status of directorc in this folder; its output is in `said`.
-int directorc(const Folder& folder, const std::string& words) {
+int directorc(const WrittenFolder& folder, const std::string& words) {
   const std::string program = (binary_dir() / "bin/directorc").string();
   const std::string command = "cd '" + folder.path.string() + "' && timeout 20 '" + program + "' " + words;
   const int status = std::system(command.c_str());
@@ -77,7 +77,7 @@ const std::string bot = "behaviour: bot\nlanguage: 1\nroots: [Walk]\ngroups: {Wa
 
 TEST_CASE("whenever writing is cut off, each file is the old one or the new one, and the next time sets it right") {
   const std::vector<std::string> names{"a", "b", "c"};
-  const auto outputs = [&](const Folder& folder, const std::string& text) {
+  const auto outputs = [&](const WrittenFolder& folder, const std::string& text) {
     std::vector<Output> out;
     for (const std::string& name : names) out.push_back({folder.at(name), text, anything});
     return out;
@@ -92,7 +92,7 @@ TEST_CASE("whenever writing is cut off, each file is the old one or the new one,
       "a new; b new; c new; ",
   };
   for (std::size_t moment = 0; moment < expected.size(); ++moment) {
-    const Folder folder;
+    const WrittenFolder folder;
     for (const std::string& name : names) folder.write(name, "old");
     const int status = in_child([&] {
       write_on_disk(outputs(folder, "new"), killed_at(static_cast<int>(moment) + 1));
@@ -106,7 +106,7 @@ TEST_CASE("whenever writing is cut off, each file is the old one or the new one,
 }
 
 TEST_CASE("a signal that ends the program is deferred until all is written") {
-  const Folder folder;
+  const WrittenFolder folder;
   for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
     for (const char* name : {"a", "b"}) folder.write(name, "old");
     const int status = in_child([&] {
@@ -119,7 +119,7 @@ TEST_CASE("a signal that ends the program is deferred until all is written") {
 }
 
 TEST_CASE("a disk that is full takes nothing away") {
-  const Folder folder;
+  const WrittenFolder folder;
   folder.write("a", "old");
   const int status = in_child([&] {
     std::signal(SIGXFSZ, SIG_IGN);
@@ -134,7 +134,7 @@ TEST_CASE("a disk that is full takes nothing away") {
 }
 
 TEST_CASE("what is not an ordinary file, or not generated, is neither opened nor replaced, nor is anything else") {
-  const Folder folder;
+  const WrittenFolder folder;
   fs::create_directory(folder.at("folder"));
   ::mkfifo(folder.at("pipe").c_str(), 0600);
   fs::create_symlink("nowhere", folder.at("link"));
@@ -160,7 +160,7 @@ TEST_CASE("what is not an ordinary file, or not generated, is neither opened nor
 }
 
 TEST_CASE("a set has one text for each file") {
-  const Folder folder;
+  const WrittenFolder folder;
   CHECK(write_on_disk({{folder.at("a"), "one"}, {folder.at("./a"), "two"}}) ==
         "`" + folder.at("./a") + "`: two different texts would go there");
   CHECK(folder.all().empty());
@@ -179,7 +179,7 @@ TEST_CASE("a depfile is known by its shape") {
 }
 
 TEST_CASE("no command overwrites foreign files, but each its own") {
-  const Folder folder;
+  const WrittenFolder folder;
   folder.write("bot.yaml", bot + "assertions:\n  - can_run: Walk\n  - never_together: [Walk, Turn]\n");
   const std::string turning = "behaviour: bot\nlanguage: 1\nroots: [Walk, Turn]\ngroups: {Walk: {}, Turn: {}}\n"
                               "assertions:\n  - never_together: [Walk, Turn]\n";
@@ -236,7 +236,7 @@ TEST_CASE("no command overwrites foreign files, but each its own") {
 }
 
 TEST_CASE("a folder or a pipe at the place of a file is reported, with status 2") {
-  const Folder folder;
+  const WrittenFolder folder;
   folder.write("bot.yaml", bot);
   fs::create_directories(folder.at("out/bot.hpp"));
   ::mkfifo(folder.at("pipe").c_str(), 0600);
@@ -250,14 +250,14 @@ TEST_CASE("a folder or a pipe at the place of a file is reported, with status 2"
 }
 
 /// A folder with a scenario that holds.
-void write_walk(const Folder& folder, const std::string& walks, const std::string& scenario) {
+void write_walk(const WrittenFolder& folder, const std::string& walks, const std::string& scenario) {
   folder.write("bot.yaml", bot);
   fs::create_directories(folder.at(walks));
   folder.write(walks + "/" + scenario, "behaviour: ../bot.yaml\nsteps: [{request: Walk, expect: run Walk new_task}]\n");
 }
 
 TEST_CASE("what ends in a slash is no file, and no folder is made of it") {
-  const Folder folder;
+  const WrittenFolder folder;
   folder.write("bot.yaml", bot);
   for (const char* words : {"graph bot.yaml -o new/", "generate bot.yaml -o out --depfile new/"}) {
     CAPTURE(words);
@@ -269,14 +269,14 @@ TEST_CASE("what ends in a slash is no file, and no folder is made of it") {
 }
 
 TEST_CASE("a folder may be called as files are") {
-  const Folder folder;
+  const WrittenFolder folder;
   write_walk(folder, "walks.yaml", "walk.scenario.yml");
   CHECK(directorc(folder, "test walks.yaml > out") == 0);
   CHECK(read_file(folder.at("out")) == "holds walks.yaml/walk.scenario.yml\n");
 }
 
 TEST_CASE("a scenario that is a dangling link is reported, and other links are followed") {
-  const Folder folder;
+  const WrittenFolder folder;
   write_walk(folder, "walks", "walk.scenario.yaml");
   fs::create_directory_symlink("..", folder.at("walks/round"));
   CHECK(directorc(folder, "test walks > out 2> err") == 0);
@@ -288,7 +288,7 @@ TEST_CASE("a scenario that is a dangling link is reported, and other links are f
 }
 
 TEST_CASE("a scenario that comes out of a pipe is read from its beginning") {
-  const Folder folder;
+  const WrittenFolder folder;
   folder.write("bot.yaml", bot);
   folder.write("walk",
                "behaviour: " + folder.at("bot.yaml") + "\nsteps: [{request: Walk, expect: run Walk new_task}]\n");
@@ -300,7 +300,7 @@ TEST_CASE("a scenario that comes out of a pipe is read from its beginning") {
 }
 
 TEST_CASE("in a folder without anything there is nothing to test either") {
-  const Folder folder;
+  const WrittenFolder folder;
   fs::create_directories(folder.at("empty/inner"));
   CHECK(directorc(folder, "test empty 2> err") == 2);
   CHECK(read_file(folder.at("err")) ==
@@ -308,7 +308,7 @@ TEST_CASE("in a folder without anything there is nothing to test either") {
 }
 
 TEST_CASE("what cannot be printed ends with status 2, wherever it should have gone") {
-  const Folder folder;
+  const WrittenFolder folder;
   folder.write("bot.yaml", bot + "triggers: [unused]\n"); // which is a lint
   CHECK(directorc(folder, "check --lint bot.yaml > /dev/full 2> err") == 2);
   CHECK(read_file(folder.at("err")) == "directorc: the output cannot be written\n");
@@ -318,7 +318,7 @@ TEST_CASE("what cannot be printed ends with status 2, wherever it should have go
 }
 
 TEST_CASE("where the working directory is gone nothing can be written there, and what is named wholly is read") {
-  const Folder folder;
+  const WrittenFolder folder;
   folder.write("bot.yaml", bot);
   const std::string program = (binary_dir() / "bin/directorc").string();
   const auto from_nowhere = [&](const std::string& words) {
@@ -336,7 +336,7 @@ TEST_CASE("where the working directory is gone nothing can be written there, and
 
 TEST_CASE("too little memory is reported, with status 2") {
   if (director::tests::is_sanitized) return; // it takes more than any limit for itself
-  const Folder folder;
+  const WrittenFolder folder;
   constexpr std::size_t many = 14'000'000;
   std::string text = bot;
   for (std::size_t i = 0; i < many; ++i) text += "# x\n";
@@ -347,7 +347,7 @@ TEST_CASE("too little memory is reported, with status 2") {
 }
 
 TEST_CASE("a file may have the longest name that the file system takes") {
-  const Folder folder;
+  const WrittenFolder folder;
   folder.write("bot.yaml", bot);
   const std::string name = std::string(251, 'n') + ".dot";
   CHECK(directorc(folder, "graph bot.yaml -o " + name + " 2>err") == 0);
@@ -356,7 +356,7 @@ TEST_CASE("a file may have the longest name that the file system takes") {
 }
 
 TEST_CASE("a trace is not written over itself, by whatever path") {
-  const Folder folder;
+  const WrittenFolder folder;
   folder.write("bot.yaml", bot);
   folder.write("bot.scenario.yaml", "behaviour: bot.yaml\nsteps: [{request: Walk}]\n");
   REQUIRE(directorc(folder, "simulate bot.scenario.yaml --trace t.jsonl >out") == 0);
@@ -374,7 +374,7 @@ TEST_CASE("a trace is not written over itself, by whatever path") {
 }
 
 TEST_CASE("a part of a set that cannot be written leaves the set as it was") {
-  const Folder folder;
+  const WrittenFolder folder;
   folder.write("bot.yaml", bot);
   REQUIRE(directorc(folder, "generate bot.yaml -o out") == 0);
   const std::string header = read_file(folder.at("out/bot.hpp")), source = read_file(folder.at("out/bot.cpp"));
@@ -389,7 +389,7 @@ TEST_CASE("a part of a set that cannot be written leaves the set as it was") {
 }
 
 TEST_CASE("folders that were made for what cannot be written are gone again") {
-  const Folder folder;
+  const WrittenFolder folder;
   const std::string deep = folder.at("new/deep");
   // The first one cannot be moved to its place, as the second one makes a folder of it.
   CHECK(write_on_disk({{deep + "/a", "one"}, {deep + "/a/b", "two"}}) == "`" + deep + "/a`: Is a directory");
@@ -400,7 +400,7 @@ TEST_CASE("folders that were made for what cannot be written are gone again") {
 }
 
 TEST_CASE("a line break in a path does not break the line in which it is reported") {
-  const Folder folder;
+  const WrittenFolder folder;
   CHECK(directorc(folder, "check \"$(printf 'a\\nb.yaml')\" 2> err") == 2);
   CHECK(read_file(folder.at("err")) == "directorc: cannot read `a\\x0Ab.yaml`: No such file or directory\n");
 }
