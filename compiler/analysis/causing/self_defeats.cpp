@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/self_defeats.hpp"
 
+#include "compiler/analysis/states/at_rest.hpp"
 #include "compiler/analysis/states/region.hpp"
 
 #include <algorithm>
@@ -63,14 +64,7 @@ private:
   /// Values that the state may have when the group starts: a state of the group has the value that its stop left.
   ValueSet values_before(GroupId group, StateId id) const {
     const State& state = model_.states[id];
-    if (!state.of || state.of->id != group) return facts_.values[id];
-    ValueSet out = ValueSet::single(*state.initial);
-    if (state.expires && state.expires->to) out = out.united(ValueSet::single(*state.expires->to));
-    if (!model_.groups[group].stop) return out;
-    for (const ConditionUse& entry : model_.groups[group].stop->sets) {
-      if (model_.conditions[entry.id].state == id) out = out.united(model_.conditions[entry.id].accepts);
-    }
-    return out;
+    return state.of && state.of->id == group ? values_at_rest(model_, state).values : facts_.values[id];
   }
 
   void look_at_start(GroupId group, const ConditionUse& entry) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/requests/standstill.hpp"
 
+#include "compiler/analysis/states/at_rest.hpp"
+
 #include <algorithm>
 
 namespace director::analysis {
@@ -13,9 +15,10 @@ bool Standstill::may_wait(const Request& request, ProviderId waiter, const Condi
     Box start = box_of(facts_, region);
     Possible& here = possible(condition.state, start);
     const State& state = model_.states[condition.state];
-    // A state of a group that does not run has its initial value.
-    if (state.of && std::find(absent.begin(), absent.end(), state.of->id) != absent.end())
-      here = {here.values.intersected(ValueSet::single(*state.initial)), false};
+    if (state.of && std::find(absent.begin(), absent.end(), state.of->id) != absent.end()) {
+      const Possible at_rest = values_at_rest(model_, state);
+      here = {here.values.intersected(at_rest.values), here.unset && at_rest.unset};
+    }
     here.values = here.values.without(condition.accepts);
     for (const ConditionUse& other : model_.providers[waiter].when) {
       const Condition& besides = model_.conditions[other.id];

@@ -21,7 +21,7 @@ public:
 
   /// Whether, while this request exists, there are states with which no provider of its group can run, this condition
   /// is false, and `waiter` might push for it: what the waiter lacks besides does not depend only on inputs. `absent`:
-  /// a state of one of these groups has its initial value.
+  /// groups that do not run.
   bool may_wait(const Request& request, ProviderId waiter, const ConditionUse& use,
                 const std::vector<GroupId>& absent = {});
 

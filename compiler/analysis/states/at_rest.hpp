@@ -1,0 +1,14 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// The value of a group's state (`of`) while the group does not run.
+
+#include "compiler/analysis/states/covering.hpp"
+#include "compiler/model/model.hpp"
+
+namespace director::analysis {
+
+/// The initial value, what the group's stop handler may have set, and what that expires to. The state must have an
+/// `of`.
+Possible values_at_rest(const Model& model, const State& state);
+
+} // namespace director::analysis
