@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace director::compiler {
 
 namespace {
@@ -28,13 +30,11 @@ bool is_expressible(const std::string& path) { return path.find_first_of(";|\t\n
 
 std::optional<std::string> inexpressible_path(const std::vector<std::string>& outputs, const dsl::Sources& sources,
                                               const std::vector<std::string>& others) {
-  for (const std::string& path : outputs)
-    if (!is_expressible(path)) return path;
-  for (const dsl::SourceFile& file : sources)
-    if (!is_expressible(file.path())) return file.path();
-  for (const std::string& path : others)
-    if (!is_expressible(path)) return path;
-  return std::nullopt;
+  std::vector<std::string> paths = outputs;
+  for (const dsl::SourceFile& file : sources) paths.push_back(file.path());
+  paths.insert(paths.end(), others.begin(), others.end());
+  const auto wrong = std::find_if_not(paths.begin(), paths.end(), is_expressible);
+  return wrong == paths.end() ? std::nullopt : std::optional(*wrong);
 }
 
 std::string no_depfile(const std::string& path, const std::string& depfile, const std::string& result) {
