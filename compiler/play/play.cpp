@@ -60,11 +60,12 @@ public:
     run_engine(); // time begins: what expires counts from here
     for (const ScenarioStep& step : scenario_.steps) {
       if (options_.steps != 0 && step_ == options_.steps) break;
+      const bool is_beyond = options_.until && step.advance && advanced(now_, *step.advance) > *options_.until;
+      if (is_beyond && now_ == *options_.until) break;
       recorder_.begin_step(++step_);
       recorder_.now(now_);
       for (const std::string& shown : step.shown) recorder_.input(shown);
-      if (!(step.advance ? advance(*step.advance) : take(step.inputs))) break;
-      if (options_.until && now_ >= *options_.until && step.advance) break;
+      if (!(step.advance ? advance(*step.advance) : take(step.inputs)) || is_beyond) break;
     }
     if (options_.end) options_.end(engine_);
     return {step_, exhausted_, too_many_stops_, bodies_.refused()};

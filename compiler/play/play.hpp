@@ -23,7 +23,7 @@ struct PlayOptions {
   const Onlooker* onlooker = nullptr; ///< null: none; the events are the same
   std::uint64_t most_stops = stops_of_advance;
   std::uint32_t steps = 0;                  ///< play no more than so many; 0: all
-  std::optional<Time> until{};              ///< play no further than this time
+  std::optional<Time> until{};              ///< play all that happens until this time, itself included
   Observer events{};                        ///< called for every event of the engine, before `sink`
   std::function<void(const Engine&)> end{}; ///< called with the final state of the engine
 };

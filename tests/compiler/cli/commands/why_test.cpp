@@ -57,6 +57,20 @@ TEST_CASE("a group that only needs another one may not request it") {
                      "that for the program, priority 0 (head.yaml:5)\n");
 }
 
+TEST_CASE("what happens at the time itself counts, and nothing after it") {
+  World world = rover();
+  world.files.add("at.yaml", "behaviour: rover.yaml\nsteps: [{advance: 1 s}, {request: Explore}, {advance: 1 s}, "
+                             "{cancel: Explore}]\n");
+  CHECK(world.directorc({"why", "at.yaml", "Explore", "--time=999 ms"}) == 0);
+  CHECK(world.out == "nothing requests Explore\n  the program may (rover.yaml:6)\n");
+  CHECK(world.directorc({"why", "at.yaml", "Explore", "--time=1 s"}) == 0);
+  CHECK(world.out.starts_with("Explore runs"));
+  CHECK(world.directorc({"why", "at.yaml", "Explore", "--time=1500 ms"}) == 0);
+  CHECK(world.out.starts_with("Explore runs"));
+  CHECK(world.directorc({"why", "at.yaml", "Explore", "--time=2 s"}) == 0);
+  CHECK(world.out == "nothing requests Explore\n  the program may (rover.yaml:6)\n");
+}
+
 TEST_CASE("why a group runs, and for which requester") {
   World world = rover();
   CHECK(world.directorc({"why", "s.yaml", "Drive", "--step=1"}) == 0);
