@@ -79,7 +79,10 @@ void leave_out(const Word& name, const dsl::CaseSpec& spec, const Pack& pack, Na
         .error("exclusive_keys", name.span, fmt::format("`with` and `without` both name `{}`", name.value),
                "leave it out of `with`, or request it")
         .notes.push_back({more->group.span, "`with` names it here"});
-  std::erase_if(out.pack, [&](const RequestedTask& request) { return request.edge == task->edge; });
+  const std::size_t erased =
+      std::erase_if(out.pack, [&](const RequestedTask& request) { return request.edge == task->edge; });
+  if (erased == 0 && more == spec.tasks.end())
+    names.error("redefined_name", name.span, fmt::format("`{}` is listed twice", name.value), "remove one of them");
 }
 
 void resolve_answer(const dsl::CaseSpec& spec, ProviderId id, Names& names, Case& out) {

@@ -48,6 +48,7 @@ Make trace_options(CLI::App& app) {
       ->type_name("FILE");
   add_link(app, request->link);
   add_cpp(app, request->cpp);
+  const CLI::App* const subcommand = &app;
   return [=]() -> Request {
     const std::string by_ending = format_by_ending(request->output, {{".json", "json"},
                                                                      {".jsonl", "json"},
@@ -55,9 +56,10 @@ Make trace_options(CLI::App& app) {
                                                                      {".perfetto-trace", "perfetto"},
                                                                      {".pftrace", "perfetto"}});
     if (to->empty() && !by_ending.empty()) request->to = by_ending;
-    if (request->to != "html" && !(request->behaviour.empty() && request->link.empty()))
-      return Message{
-          fmt::format("directorc: {} is for --to=html\n", request->behaviour.empty() ? "--link" : "--behaviour"), true};
+    for (const char* option : {"--behaviour", "--link", "--build", "--flags"}) {
+      if (request->to != "html" && !subcommand->get_option(option)->empty())
+        return Message{fmt::format("directorc: {} is for --to=html\n", option), true};
+    }
     if (const std::optional<Message> wrong = wrong_link(request->link)) return *wrong;
     if (request->output == standard_output) request->output.clear();
     return *request;

@@ -106,6 +106,7 @@ script:
     - {run: 2, pack: hard, without: [Legs]}
     - {run: 3, pack: soft, without: [Legs, Arms]}
     - {run: 4, pack: hard, without: [Arm]}
+    - {run: 5, pack: hard, without: [Arms, Arms]}
     - {pack: hard, with: [Arms: {data: 1}], without: [Arms]}
 )"));
 }
