@@ -41,7 +41,7 @@ const std::map<std::string, Providers, std::less<>>& standard_names() {
     for (const auto& [headers, names] : std::initializer_list<std::pair<std::string_view, std::string_view>>{
              {"algorithm",
               "all_of any_of none_of binary_search clamp copy copy_if copy_n count count_if equal equal_range fill "
-              "find find_if "
+              "find find_if find_if_not "
               "for_each includes is_sorted lexicographical_compare lower_bound max max_element merge min min_element "
               "mismatch partition_point "
               "remove_if replace reverse rotate set_difference set_intersection set_union sort stable_partition "
