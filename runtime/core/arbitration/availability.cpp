@@ -25,16 +25,6 @@ bool alive(const Context& x, Index edge) {
   }
 }
 
-/// Undoes the sweep over the whole component; only which denials are forgotten remains.
-void undo_sweep(Context& x) {
-  for (const Index g : opened(x)) {
-    x.s.group_marks[g] &= mark::forgotten | mark::listed;
-    clear(x, g);
-  }
-  for (const Index e : x.t.list(x.row.edges)) x.s.edge_marks[e] = 0;
-  if (x.pushed_count != 0) mark_pushers(x);
-}
-
 } // namespace
 
 /// Whether an equal of this edge holds the group and may keep it: equals never take from each other.
@@ -59,10 +49,10 @@ bool kept_by_equal(Context& x, Index group, Index edge, bool record) {
 bool denied_in_vain(Context& x) {
   for (const Index group : std::span<const Index>{x.s.denied, x.denied_count}) {
     if (x.s.now[group].holder == x.s.last[group].holder || injected(Fault::denials_are_final)) continue;
-    if (x.whole || injected(Fault::denials_of_unchanged_units_are_overlooked)) {
+    if (!x.whole && injected(Fault::denials_of_unchanged_units_are_overlooked)) continue;
+    if (x.whole) {
       x.s.group_marks[group] |= mark::forgotten;
-      x.s.group_trail[group] |= trail::disturbed; // the next pass takes its last holder into account again
-      undo_sweep(x);
+      open_all(x, mark::forgotten);
     } else {
       x.s.news_count[x.component] = nil;
       begin(x);

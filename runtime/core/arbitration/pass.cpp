@@ -16,19 +16,6 @@ void begin_sweep(Context& x) {
   x.first_moved = x.top = x.rest = x.undecided = nil;
 }
 
-void open_all(Context& x) {
-  x.pushed_count = x.s.on_last[x.component] = 0;
-  for (const Index g : x.t.list(x.row.groups)) {
-    x.s.group_trail[g] = trail::opened;
-    x.s.group_marks[g] = 0;
-    if (x.s.last[g].push.edge != nil) list_push(x, g);
-    clear(x, g);
-  }
-  for (const Index e : x.t.list(x.row.edges)) x.s.edge_marks[e] = x.s.edge_trail[e] = 0;
-  x.s.flipped[x.component] = x.s.rerequested[x.component] = nil;
-  if (x.pushed_count != 0) mark_pushers(x);
-}
-
 /// Keeps the last result.
 void keep_all(Context& x) {
   x.walking = false;
@@ -61,13 +48,26 @@ void finish(Context& x) {
 
 } // namespace
 
+void open_all(Context& x, std::uint8_t kept) {
+  x.pushed_count = x.s.on_last[x.component] = 0;
+  for (const Index g : x.t.list(x.row.groups)) {
+    x.s.group_trail[g] = trail::opened;
+    x.s.group_marks[g] &= kept;
+    if (x.s.last[g].push.edge != nil) list_push(x, g);
+    clear(x, g);
+  }
+  for (const Index e : x.t.list(x.row.edges)) x.s.edge_marks[e] = x.s.edge_trail[e] = 0;
+  x.s.flipped[x.component] = x.s.rerequested[x.component] = nil;
+  if (x.pushed_count != 0) mark_pushers(x);
+}
+
 /// Opens the groups that have to be examined: all of them if the trail of the last pass is not known.
 void begin(Context& x) {
   x.whole = x.s.news_count[x.component] == nil;
   x.walking = !x.whole;
   x.disturbed = x.settled = false;
   x.opened_count = x.reached_count = x.kept_count = x.stale_kept = x.line_count = x.opened_end = x.placed = 0;
-  x.whole ? open_all(x) : begin_trail(x);
+  x.whole ? open_all(x, 0) : begin_trail(x);
   x.depends_on_all_stale = false;
   x.depends_on_last = x.pushed_count != 0 || x.s.on_last[x.component] != 0;
 }

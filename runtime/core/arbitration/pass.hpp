@@ -18,6 +18,9 @@ void decide(Context& x, Index component);
 /// Begins a pass, or begins it again after a sweep with denials in vain.
 void begin(Context& x);
 
+/// Opens all groups, with none of their marks but `kept`, and undoes a sweep over them.
+void open_all(Context& x, std::uint8_t kept);
+
 /// Notes for the next pass what this one found, after the engine has compared the result with the last one.
 void end(Context& x);
 

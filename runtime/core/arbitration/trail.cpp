@@ -209,7 +209,7 @@ void end_trail(Context& x) {
   for (const Index g : opened(x)) {
     const GroupAssignment& now = x.s.now[g];
     Bits& bits = x.s.group_trail[g];
-    if (any_moved) bits |= trail::disturbed;
+    if (any_moved || x.s.group_marks[g].has(mark::forgotten)) bits |= trail::disturbed; // its last holder counts again
     if (now.holder != nil && may_be_opened_next(x, g)) bits |= trail::again;
     if (now.holder == nil && x.s.last[g].holder != nil && !x.whole) {
       for (const Index e : x.t.groups[g].edges.rows()) leave_unvisited(x, e);
