@@ -156,14 +156,14 @@ void reach_by_request(Context& x, Index edge, bool with_siblings) {
     for (const Index e : x.t.groups[from].edges.rows()) reach_edge(x, e);
     reach_unit(x, from);
   }
-  disturb(x);
+  x.disturbed = true;
   reach_pushes_of(x, edge);
   if (x.s.last[group].holder == edge) reach_all_below(x, group);
 }
 
 /// Reaches the units that depend on the last assignment of the group, which the last pass changed.
 void reach_by_last_result(Context& x, Index group) {
-  disturb(x);
+  x.disturbed = true;
   if (injected(Fault::the_last_result_is_overlooked)) return;
   each_user_edge(x, group, [&](Index e) {
     if (is_in_line(x, e)) return;
@@ -174,7 +174,7 @@ void reach_by_last_result(Context& x, Index group) {
 void reach_users(Context& x, Index group) {
   if (x.s.group_trail[group].has(trail::disturbed)) return;
   x.s.group_trail[group] |= trail::disturbed;
-  disturb(x);
+  x.disturbed = true;
   open(x, group);
   bool line = false;
   const bool has_room = x.line_count < x.lines.size();

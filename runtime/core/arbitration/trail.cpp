@@ -20,34 +20,15 @@ bool any_edge(const Context& x, Index group, const Is& is) {
   return any(x.t.groups[group].edges.rows(), is);
 }
 
-/// Whether the edge searched for a provider to push: it is decided again whenever anything differs.
-bool waits(const Context& x, Index edge) { return x.s.edge_trail[edge].has(trail::waits); }
-
-/// Whether the edge is decided in every pass, or in every pass in which anything differs.
+/// Whether the edge is decided in every pass, or, as it searched for a provider to push, as soon as anything differs.
 bool is_decided_again(const Context& x, Index edge) {
-  return waits(x, edge) || x.s.edge_trail[edge].has(trail::on_stale);
+  return x.s.edge_trail[edge].has(trail::on_stale | trail::waits);
 }
 
-/// Whether a group noted by the last pass need not be opened before it has run, or something differs.
-bool need_not_be_opened(const Context& x, Index group) {
-  if (x.had_limbo && was_in_limbo(x, group)) return false;
-  if (is_marked_stale(x, group) && !becomes_stale(x, group)) return false;
-  return !any_edge(x, group, [&](Index e) { // optional edges are behind all others in the order
-    return x.s.edge_trail[e].has(trail::on_stale) || optional(x, e);
-  });
-}
-
-/// Opens the groups with an edge that is decided again as soon as anything differs.
-void open_waiting(Context& x) {
-  for (Index i = 0; i < x.kept_count; ++i) {
-    const Index g = x.s.news[x.row.order + i];
-    if (!is_opened(x, g) && any_edge(x, g, [&](Index e) { return waits(x, e); })) open(x, g);
-  }
-}
-
-/// Whether the request ended because its requester stopped, but the edge still holds the group as a need.
-bool became_a_need(const Context& x, Index edge) {
-  return x.s.last[x.s.request[edge].target].holder == edge && !injected(Fault::ended_requests_are_overlooked);
+/// Whether the pass has to open the group, whatever differs: an edge is decided again, or is optional and so ordered
+/// elsewhere.
+bool is_always_opened(const Context& x, Index group) {
+  return any_edge(x, group, [&](Index e) { return is_decided_again(x, e) || optional(x, e); });
 }
 
 /// Whether the pass follows only from a change of the assignment by the last one, on which no decision depends.
@@ -55,9 +36,8 @@ bool is_settled(const Context& x) {
   if (x.s.component[x.component].has(work::changed)) return false;
   if (injected(Fault::the_last_result_is_always_settled)) return true;
   if (x.pushed_count != 0 || x.had_limbo || x.reached_count != 0) return false;
-  for (Index e = x.s.rerequested[x.component]; e != nil; e = x.s.next_rerequested[e]) {
-    if (became_a_need(x, e)) return false;
-  }
+  // Requests that ended because their requester stopped: it may still hold their targets, as needs.
+  if (x.s.rerequested[x.component] != nil && !injected(Fault::ended_requests_are_overlooked)) return false;
   for (Index e = x.s.first_root[x.component]; e != nil; e = x.s.next_root[e]) {
     if (is_decided_again(x, e)) return false;
   }
@@ -69,11 +49,10 @@ bool is_settled(const Context& x) {
   return true;
 }
 
-/// Whether the next pass may have to open the group: an edge is decided again, or is optional and so ordered elsewhere.
+/// Whether the next pass may have to open the group.
 bool may_be_opened_next(const Context& x, Index group) {
-  if (injected(Fault::permanent_decisions_are_overlooked)) return false;
-  return is_marked_stale(x, group) ||
-         any_edge(x, group, [&](Index e) { return is_decided_again(x, e) || optional(x, e); });
+  return !injected(Fault::permanent_decisions_are_overlooked) &&
+         (is_marked_stale(x, group) || is_always_opened(x, group));
 }
 
 /// Clears the marks of edges that the walk may have visited, and of groups that it may have passed by.
@@ -124,15 +103,14 @@ void begin_trail(Context& x) {
   Index kept = 0;
   for (Index i = 0; i < x.kept_count; ++i) {
     const Index g = rows[i];
-    if (need_not_be_opened(x, g)) {
+    const bool stays_stale = is_marked_stale(x, g) && becomes_stale(x, g);
+    if (stays_stale && !is_always_opened(x, g) && !(x.had_limbo && was_in_limbo(x, g))) {
       rows[kept++] = g;
-      if (is_marked_stale(x, g)) ++x.stale_kept;
     } else {
       open(x, g);
     }
   }
   x.kept_count = kept;
-  if (x.disturbed) open_waiting(x);
   for (Index g = std::exchange(x.s.flipped[x.component], nil); g != nil; g = x.s.next_flipped[g]) {
     x.s.group_trail[g].remove(trail::touched);
     reach(x, g);
@@ -158,13 +136,6 @@ bool is_passed(const Context& x, Index group) {
     if (x.s.group_trail[group].has(trail::passed)) return true;
   }
   return false;
-}
-
-/// Notes that something differs from the last pass, or may.
-void disturb(Context& x) {
-  if (x.disturbed) return;
-  x.disturbed = true;
-  open_waiting(x);
 }
 
 void open_with_above(Context& x, Index group) {
