@@ -28,7 +28,6 @@ void try_members(Context& x, Index count, bool below_stale) {
 void grant(Context& x, Index count) {
   for (Index at = 0; at < count; ++at) {
     const Index edge = x.s.member[at].edge, group = x.t.edges[edge].target;
-    claim(x, group, edge);
     grant_target(x, edge, x.s.member[at].provider);
     const Index begin = entries_begin(x, at), end = x.s.member[at].entries_end;
     if (begin != end) claim_plan(x, group, x.s.member[at].provider, begin, end);

@@ -19,14 +19,14 @@ void explain(Context& x, Index count, Why why, Index condition = nil);
 
 /// Claims a group that is free, or that this edge has claimed already.
 DIRECTOR_ONE_COPY inline void claim(Context& x, Index group, Index edge) {
-  if (!is_opened(x, group)) open(x, group);
-  GroupAssignment& now = x.s.now[group];
-  now.holder = edge;
+  open(x, group);
+  x.s.now[group].holder = edge;
 }
 
-/// Marks the target of an edge, which is claimed, as granted with this provider.
+/// Claims the target of an edge, and marks it as granted with this provider.
 DIRECTOR_ONE_COPY inline void grant_target(Context& x, Index edge, Index provider) {
   const Index group = x.t.edges[edge].target;
+  claim(x, group, edge);
   GroupAssignment& now = x.s.now[group];
   const GroupAssignment& last = x.s.last[group];
   now.active = now.planned = provider;

@@ -248,7 +248,6 @@ void claim_again(Context& x, Index edge) {
   x.s.edge_marks[edge] |= mark::visited;
   if (was_granted(x, edge)) {
     const Index group = target(x, edge), provider = x.s.last[group].active;
-    claim(x, group, edge);
     grant_target(x, edge, provider);
     const Index end = x.t.providers[provider].needs.empty() ? Index{0} : entries_of(x, group, x.s.last);
     if (end != 0) claim_plan(x, group, provider, 0, end);

@@ -45,7 +45,6 @@ void visit(Context& x, Index edge, std::uint8_t marks) {
       try_unit(x, edge, (marks & mark::below_stale) != 0);
     } else if (is_granted_again(x, edge)) {
       x.s.edge_marks[edge] |= mark::visited;
-      claim(x, group, edge);
       grant_target(x, edge, x.t.groups[group].providers.begin);
     } else if (stands(x, edge)) {
       const bool was_held = x.s.last[group].holder == edge;
