@@ -11,16 +11,6 @@ namespace director::arbitration {
 
 namespace {
 
-Parting parting(const Context& x, Place a, Place b, Index length_a, Index length_b) {
-  return parting(
-      a, b, length_a, length_b, [&](Place place) { return above(x, place); },
-      [&](Index edge) { return !is_limbo(x, edge) && optional(x, edge); });
-}
-
-inline int compare_parted(const Context& x, const Parting& at, Index length_a, Index length_b, bool in_order) {
-  return at.a.edge == nil ? compare_heights(length_a, length_b).order : compare_siblings(x, at.a, at.b, in_order);
-}
-
 /// Whether the holder of group `a` goes before that of `b`, in order.
 bool before_in_order(const Context& x, Index a, Index b, Chains along) {
   const Assignment& held = along == Chains::current ? x.s.now : x.s.last;
@@ -49,7 +39,11 @@ int compare_chains(const Context& x, Place a, Place b, bool in_order) {
   const Chain of_a = chain(x, a), of_b = chain(x, b);
   const bool limbo_a = is_limbo(x, of_a.top), limbo_b = is_limbo(x, of_b.top);
   if (limbo_a != limbo_b) return limbo_a ? 1 : -1;
-  return compare_parted(x, parting(x, a, b, of_a.length, of_b.length), of_a.length, of_b.length, in_order);
+  const Parting at = parting(
+      a, b, of_a.length, of_b.length, [&](Place place) { return above(x, place); },
+      [&](Index edge) { return !is_limbo(x, edge) && optional(x, edge); });
+  return at.a.edge == nil ? compare_heights(of_a.length, of_b.length).order
+                          : compare_siblings(x, at.a, at.b, in_order);
 }
 
 void sort_by_holders(const Context& x, std::span<Index> groups, Chains along) {
