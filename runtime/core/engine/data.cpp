@@ -18,8 +18,7 @@ bool Engine::take_request_with_data(const Input& record) {
 /// Moves the data of a new request to the slot of its edge. Data there that a group still uses are retained.
 void Engine::settle_data(Index edge) {
   const Index group = x_.t.edges[edge].target;
-  const bool given = granted(group) && x_.s.last[group].holder == edge;
-  if (!given && x_.s.last[group].active != nil && x_.s.data_from[group] == edge) {
+  if (!arbitration::was_granted(x_, edge) && x_.s.last[group].active != nil && x_.s.data_from[group] == edge) {
     bodies_.data(bodies_.self, Bodies::Data::retain, edge, nil);
     use_data_of(group, nil);
   }

@@ -28,13 +28,13 @@ void Engine::reset() {
   for (Index p = 0; p < x_.t.providers.size(); ++p) s.enabled[p] = 1;
   for (Index e = 0; e < x_.t.edges.size(); ++e) {
     s.request[e].target = x_.t.edges[e].target;
-    s.request[e].level = s.queued[e].condition = s.last_queued[e].condition = nil;
+    s.request[e].level = s.queued[e].condition = nil;
   }
   for (Index i = 0; i <= x_.t.most_edges; ++i) s.staged_request[i].level = nil;
-  for (Index slot = 0; slot < x_.t.plan_groups.size(); ++slot) s.last.plan[slot] = s.now.plan[slot] = nil;
+  for (Index slot = 0; slot < x_.t.plan_groups.size(); ++slot) s.last.plan[slot] = nil;
   for (Index g = 0; g < x_.t.groups.size(); ++g) {
     const Group& row = x_.t.groups[g];
-    s.last[g] = s.now[g] = {};
+    s.last[g] = {};
     s.trial[g] = s.data_from[g] = nil;
     if (!x_.t.promises.empty()) s.promised[g] = {};
     RunQueueEntry& entry = s.run_queue[g];
@@ -61,13 +61,12 @@ void Engine::reset() {
 }
 
 RunState Engine::state(Index edge) const {
-  const Index group = x_.t.edges[edge].target;
-  if (granted(group) && x_.s.last[group].holder == edge) return RunState::running;
+  if (arbitration::was_granted(x_, edge)) return RunState::running;
   return x_.s.request[edge].level != nil ? RunState::queued : RunState::none;
 }
 
 bool Engine::answered(Index edge, std::uint8_t answer) const {
-  return x_.s.run_queue[x_.t.edges[edge].target].done.has(answer) && state(edge) == RunState::running;
+  return x_.s.run_queue[x_.t.edges[edge].target].done.has(answer) && arbitration::was_granted(x_, edge);
 }
 
 /// The place of the group's data. A start handler may run for a request of this micro-step, whose data are still
