@@ -240,53 +240,53 @@ struct State {
   Bits* fired = nullptr;                  ///< listening slot (Group::listens): whether the trigger fired
 
   // Scratch memory of one pass, commit or act.
+  Assignment now;                    ///< the assignment of this pass
+  Bits* edge_marks = nullptr;        ///< edge: bits of `mark`
+  Bits* edge_trail = nullptr;        ///< edge: bits of `trail`, from pass to pass
+  Queued* queued = nullptr;          ///< edge: why it is queued, by the last pass; see View::queued
+  Queued* last_queued = nullptr;     ///< edge: why it was queued before this pass, for an observer
+  Bits* anew = nullptr;              ///< edge: 1: it was requested anew in this micro-step
+  Index* renewed = nullptr;          ///< edges that were requested anew
+  Index* candidate = nullptr;        ///< stack of the walk, the next edge last; optional edges at the end
+  Index* reached = nullptr;          ///< edges with trail::reached
+  Index* next_rerequested = nullptr; ///< such an edge: the next one of its component; nil
+  Bits* group_marks = nullptr;       ///< group: bits of `mark`
+  Bits* group_trail = nullptr;       ///< group: likewise
+  Index* trial = nullptr;            ///< group: edge that would claim it in the current combination
+  PlanEntry* entry = nullptr;        ///< plans of the current members; at most one entry for each group
+  Index* reach = nullptr;            ///< groups: work list of a search, or of the act
+  Index* denied = nullptr;           ///< groups in the order in which they were denied because of their holder
+  Index* touched = nullptr;          ///< groups that got a reason to run since the last act
+  Index* next_order = nullptr;       ///< as `order`
+  Index* extent = nullptr;           ///< claimed group: the number of groups that it and all below it are
+  Index* differing = nullptr;        ///< groups whose assignment differs
+  Index* next_flipped = nullptr;     ///< such a group: the next one of its component; nil
+  TableIndex* opened = nullptr;      ///< as `order`: groups that this pass has opened
+  Index* news = nullptr;             ///< as `order`: groups that the next pass has to examine
+  Index* pushed = nullptr;           ///< as `order`: groups with a push, in the last assignment or in this one
+  Index* next_count = nullptr;       ///< as `order_count`
+  Index* first_moved = nullptr;      ///< component: the first place at which that order differs
+  Index* rerequested = nullptr;      ///< component: the first edge with trail::changed; nil
+  Index* flipped = nullptr;          ///< component: the first group with trail::touched; nil
+  Index* news_count = nullptr;       ///< component: the number of these; nil: the last pass is unknown
+  Index* on_last = nullptr;          ///< component: how many edges have trail::on_last
+  Index* pushed_count = nullptr;     ///< component: the number of these
+  Index* unit = nullptr;             ///< most_edges + 1: edges that are tried together
+  TriedMember* member = nullptr;     ///< the current members
+  Staged* staged_request = nullptr;  ///< edge of the running group, by its place among them
+  UnmetCondition* unmet = nullptr;   ///< false conditions of the current combination
+  Push* own = nullptr;               ///< row of State::pushed of the component: pushes of the current unit
+  Push* first = nullptr;             ///< likewise: new pushes of the current unit
+  Bits* condition_marks = nullptr;   ///< condition: bits of `mark`
+  Index* lacked = nullptr;           ///< conditions that the searched chain may have to make true
   std::uint64_t* cost = nullptr;     ///< condition: length of the shortest chain of pushes that makes it true
   Index* cost_at = nullptr;          ///< condition: first provider of that chain
   Index* cost_plan = nullptr;        ///< condition: number of its plan
   Index* cost_next = nullptr;        ///< condition: the first condition that the chain lacks; nil: none
-  Assignment now;                    ///< the assignment of this pass
-  Push* own = nullptr;               ///< row of State::pushed of the component: pushes of the current unit
-  Push* first = nullptr;             ///< likewise: new pushes of the current unit
-  Index* touched = nullptr;          ///< groups that got a reason to run since the last act
-  Index* staged = nullptr;           ///< states that the running body set
-  Requested* before = nullptr;       ///< requests before this micro-step changed them; target: the edge
-  Bits* anew = nullptr;              ///< edge: 1: it was requested anew in this micro-step
-  Index* renewed = nullptr;          ///< edges that were requested anew
-  Index* next_order = nullptr;       ///< as `order`
-  Index* next_count = nullptr;       ///< as `order_count`
-  Index* first_moved = nullptr;      ///< component: the first place at which that order differs
-  Index* extent = nullptr;           ///< claimed group: the number of groups that it and all below it are
-  Index* differing = nullptr;        ///< groups whose assignment differs
-  Index* trial = nullptr;            ///< group: edge that would claim it in the current combination
-  PlanEntry* entry = nullptr;        ///< plans of the current members; at most one entry for each group
-  Index* unit = nullptr;             ///< most_edges + 1: edges that are tried together
-  TriedMember* member = nullptr;     ///< the current members
-  Index* candidate = nullptr;        ///< stack of the walk, the next edge last; optional edges at the end
-  Index* reach = nullptr;            ///< groups: work list of a search, or of the act
-  Index* denied = nullptr;           ///< groups in the order in which they were denied because of their holder
-  Staged* staged_request = nullptr;  ///< edge of the running group, by its place among them
-  UnmetCondition* unmet = nullptr;   ///< false conditions of the current combination
-  Queued* queued = nullptr;          ///< edge: why it is queued, by the last pass; see View::queued
-  Queued* last_queued = nullptr;     ///< edge: why it was queued before this pass, for an observer
-  Bits* edge_marks = nullptr;        ///< edge: bits of `mark`
-  Bits* group_marks = nullptr;       ///< group: bits of `mark`
-  Bits* condition_marks = nullptr;   ///< condition: bits of `mark`
-  Bits* edge_trail = nullptr;        ///< edge: bits of `trail`, from pass to pass
-  Bits* group_trail = nullptr;       ///< group: likewise
-  Index* reached = nullptr;          ///< edges with trail::reached
-  Index* rerequested = nullptr;      ///< component: the first edge with trail::changed; nil
-  Index* next_rerequested = nullptr; ///< such an edge: the next one of its component; nil
-  Index* flipped = nullptr;          ///< component: the first group with trail::touched; nil
-  Index* next_flipped = nullptr;     ///< such a group: the next one of its component; nil
-  TableIndex* opened = nullptr;      ///< as `order`: groups that this pass has opened
-  Index* news = nullptr;             ///< as `order`: groups that the next pass has to examine
-  Index* news_count = nullptr;       ///< component: the number of these; nil: the last pass is unknown
-  Index* on_last = nullptr;          ///< component: how many edges have trail::on_last
-  Index* pushed = nullptr;           ///< as `order`: groups with a push, in the last assignment or in this one
-  Index* pushed_count = nullptr;     ///< component: the number of these
-  Index* lacked = nullptr;           ///< conditions that the searched chain may have to make true
   Index* causers = nullptr;          ///< providers that cause one of these conditions
   Bits* provider_marks = nullptr;    ///< provider: bits of `mark`
+  Index* staged = nullptr;           ///< states that the running body set
+  Requested* before = nullptr;       ///< requests before this micro-step changed them; target: the edge
   std::byte* end = nullptr;          ///< end of the block
 
   /// Calls visit(pointer to member, count) for every array in order; `scratch()` behind the decision state.
@@ -303,20 +303,16 @@ struct State {
     rows(n.components, s.work, s.component), rows(n.providers, s.enabled), rows(n.conditions, s.truth);
     rows(n.listen_slots, s.fired);
     scratch();
-    rows(n.conditions, s.cost, s.cost_at, s.cost_plan, s.cost_next);
-    rows(n.groups, s.now.group), rows(n.plan_slots, s.now.plan), rows(n.pushable, s.own, s.first);
-    rows(n.groups, s.touched), rows(n.states, s.staged), rows(n.altered, s.before), rows(n.edges, s.anew, s.renewed);
-    rows(n.groups, s.next_order), rows(n.components, s.next_count, s.first_moved);
-    rows(n.groups, s.extent, s.differing, s.trial, s.entry);
-    rows(n.most_edges + 1, s.unit, s.member), rows(n.edges, s.candidate), rows(n.groups, s.reach, s.denied);
-    rows(n.most_edges + 1, s.staged_request), rows(n.lacking, s.unmet), rows(n.edges, s.queued, s.last_queued);
-    rows(n.edges, s.edge_marks), rows(n.groups, s.group_marks), rows(n.conditions, s.condition_marks);
-    rows(n.edges, s.edge_trail), rows(n.groups, s.group_trail), rows(n.edges, s.reached);
-    rows(n.components, s.rerequested), rows(n.edges, s.next_rerequested);
-    rows(n.components, s.flipped), rows(n.groups, s.next_flipped, s.opened, s.news),
-        rows(n.components, s.news_count, s.on_last);
-    rows(n.groups, s.pushed), rows(n.components, s.pushed_count), rows(n.conditions, s.lacked);
-    rows(n.providers, s.causers, s.provider_marks);
+    rows(n.groups, s.now.group), rows(n.plan_slots, s.now.plan);
+    rows(n.edges, s.edge_marks, s.edge_trail, s.queued, s.last_queued, s.anew, s.renewed, s.candidate, s.reached,
+         s.next_rerequested);
+    rows(n.groups, s.group_marks, s.group_trail, s.trial, s.entry, s.reach, s.denied, s.touched, s.next_order, s.extent,
+         s.differing, s.next_flipped, s.opened, s.news, s.pushed);
+    rows(n.components, s.next_count, s.first_moved, s.rerequested, s.flipped, s.news_count, s.on_last, s.pushed_count);
+    rows(n.most_edges + 1, s.unit, s.member, s.staged_request), rows(n.lacking, s.unmet);
+    rows(n.pushable, s.own, s.first);
+    rows(n.conditions, s.condition_marks, s.lacked, s.cost, s.cost_at, s.cost_plan, s.cost_next);
+    rows(n.providers, s.causers, s.provider_marks), rows(n.states, s.staged), rows(n.altered, s.before);
   }
 
   static constexpr std::size_t arrays = 70;
