@@ -52,11 +52,11 @@ namespace work {
 inline constexpr std::uint8_t changed = 1;       ///< a request, value or flag that it depends on has changed
 inline constexpr std::uint8_t unsettled = 2;     ///< a pass over the last result may decide differently
 inline constexpr std::uint8_t stale_matters = 4; ///< decisions of the last pass depended on which groups are stale
-inline constexpr std::uint8_t listed = 8;        ///< it is listed in State::work
 inline constexpr std::uint8_t passed = 16;       ///< it was decided in this micro-step
 inline constexpr std::uint8_t reordered = 32;    ///< the order of its edges of root may have changed
 inline constexpr std::uint8_t pushes = 64;       ///< with `passed`: it has pushes, or had them before
 inline constexpr std::uint8_t kept = stale_matters | reordered; ///< bits that stay when it need not be decided
+inline constexpr std::uint8_t listed = changed | unsettled | passed; ///< with any of them it is listed in State::work
 } // namespace work
 
 /// Bits of RunQueueEntry::pending, as Reason.
@@ -233,7 +233,7 @@ struct State {
   RunQueueEntry* run_queue = nullptr;     ///< group
   Index* data_from = nullptr;             ///< group: edge whose slot has its data; nil: its own slot
   Promised* promised = nullptr;           ///< group; no rows if there are no promises
-  Index* work = nullptr;                  ///< components with a bit of work::changed, work::unsettled or work::listed
+  Index* work = nullptr;                  ///< components with a bit of work::listed
   Bits* component = nullptr;              ///< component: bits of `work`
   Bits* enabled = nullptr;                ///< provider
   Bits* truth = nullptr;                  ///< condition: whether it holds

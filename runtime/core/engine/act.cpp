@@ -6,9 +6,7 @@
 namespace director {
 
 void Engine::arbitrate() {
-  Counters& c = *x_.s.counters;
-  forget_work();
-  const Index passes = c.work_count;
+  const Index passes = x_.s.counters->work_count;
   if (passes > 1) sort_work();
   bool stops = false;
   differing_ = 0;
@@ -22,7 +20,7 @@ void Engine::arbitrate() {
     std::uint8_t left = x_.depends_on_all_stale ? work::stale_matters : 0;
     if (other && x_.depends_on_last) left |= work::unsettled;
     if (x_.pushed_count != 0) left |= work::pushes;
-    x_.s.component[component] = left | work::listed | work::passed;
+    x_.s.component[component] = left | work::passed;
   }
   act(passes, stops);
   if (x_.before_count != 0) forget_altered();

@@ -46,10 +46,8 @@ inline void Engine::leave_queue(Index group) {
 
 DIRECTOR_ONE_COPY inline void Engine::mark(Index component, std::uint8_t bits) {
   Bits& all = x_.s.component[component];
+  if (!all.has(work::listed)) x_.s.work[x_.s.counters->work_count++] = component;
   all |= bits;
-  if (all.has(work::listed)) return;
-  all |= work::listed;
-  x_.s.work[x_.s.counters->work_count++] = component;
 }
 
 /// Notes that the group becomes stale, or stale no longer, if a decision of the last pass depended on it.

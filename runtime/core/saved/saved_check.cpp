@@ -59,7 +59,9 @@ private:
   bool fits(const PromiseRow&, Index) const { return true; } // any time is possible
   bool fits(const EnabledRow& row, Index) const { return row.set <= 1; }
   bool fits(const FiredRow& row, Index) const { return row.set <= 1; }
-  bool fits(const ComponentRow& row, Index) const { return (row.bits & ~component_bits) == 0; }
+  bool fits(const ComponentRow& row, Index) const {
+    return (row.bits & ~component_bits) == 0 && (row.work_place != nil) == ((row.bits & work::listed) != 0);
+  }
 
   bool holder(Index g, Index by) const {
     return by == nil || by == t_.edges.size() + g || (by < t_.edges.size() && t_.edges[by].target == g);

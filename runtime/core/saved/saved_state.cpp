@@ -169,7 +169,6 @@ private:
     for (Index c = 0; c < t_.components.size(); ++c) {
       s_.component[c] |= work::reordered;
       if (s_.reach[c] != nil) {
-        s_.component[c] |= work::listed;
         s_.work[s_.reach[c]] = c;
         ++s_.counters->work_count;
       }
