@@ -70,6 +70,11 @@ function(director_add_behaviour)
     message(FATAL_ERROR "director_add_behaviour: ${target} compiles nothing, so that nothing can be added to it; it takes an executable or a library with sources")
   endif()
 
+  get_property(languages GLOBAL PROPERTY ENABLED_LANGUAGES)
+  if(NOT "CXX" IN_LIST languages)
+    message(FATAL_ERROR "director_add_behaviour: the generated code is C++, and the project has no such language; say project(NAME LANGUAGES CXX) with CXX among its languages")
+  endif()
+
   cmake_path(ABSOLUTE_PATH given BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE OUTPUT_VARIABLE file)
   if(NOT EXISTS ${file})
     message(FATAL_ERROR "director_add_behaviour: there is no file ${file}; a relative path begins at the folder of the CMakeLists.txt that calls")

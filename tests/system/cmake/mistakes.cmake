@@ -12,7 +12,7 @@ endforeach()
 set(wrong "")
 
 function(mistake calls expected)
-  cmake_parse_arguments(PARSE_ARGV 2 it "" "COMPONENTS;FUNCTION;PREFIX" "OPTIONS")
+  cmake_parse_arguments(PARSE_ARGV 2 it "" "COMPONENTS;FUNCTION;PREFIX;LANGUAGES" "OPTIONS")
   if(NOT it_FUNCTION)
     set(it_FUNCTION director_add_behaviour)
   endif()
@@ -22,7 +22,10 @@ function(mistake calls expected)
   if(NOT it_COMPONENTS)
     set(it_COMPONENTS runtime compiler)
   endif()
-  execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build_${it_PREFIX} -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${WORK}/${it_PREFIX}
+  if(NOT it_LANGUAGES)
+    set(it_LANGUAGES CXX)
+  endif()
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build_${it_PREFIX} -D LANGUAGES=${it_LANGUAGES} -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${WORK}/${it_PREFIX}
                           -D "CALLS=${calls}" "-DCOMPONENTS=${it_COMPONENTS}" -D FUNCTION=${it_FUNCTION} ${it_OPTIONS} --no-warn-unused-cli
                   RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE said)
   string(REGEX REPLACE "[ \n]+" " " said "${said}")
@@ -73,6 +76,11 @@ if(EXISTS ${WORK}/whole/lib/cmake/Director/DirectorLiveTargets.cmake)
   mistake("" "the component live comes only with the installed runtime: not for another machine than that is for, nor with DIRECTOR_NO_OBSERVER or DIRECTOR_SMALL_INDEX."
           COMPONENTS "runtime;compiler;live" PREFIX whole OPTIONS -D CMAKE_SYSTEM_NAME=Linux -D CMAKE_SYSTEM_PROCESSOR=other)
 endif()
+mistake("robot kiosk.yaml"
+        "director_add_behaviour: the generated code is C++, and the project has no such language; say project(NAME LANGUAGES CXX) with CXX among its languages"
+        LANGUAGES C)
+mistake("" "the component runtime needs the language CXX: project(NAME LANGUAGES CXX); a project that compiles no C++ finds directorc with COMPONENTS compiler."
+        LANGUAGES NONE)
 mistake("robot kiosk.yaml WERROR" "nothing")
 mistake("robot kiosk.yaml PAGE LINK a" "nothing")
 set(usage "director_add_docs(<target> <file.yaml>... [FORMAT html|markdown] [OUTPUT <folder>] [LINK <address>] [BUILD <folder>])")
@@ -84,6 +92,7 @@ mistake("robot kiosk.yaml" "director_add_docs: there is a target robot already; 
 mistake("pages kiosc.yaml" "director_add_docs: there is no file kiosc.yaml; a relative path begins at the folder of the CMakeLists.txt that calls"
         FUNCTION director_add_docs)
 mistake("pages kiosk.yaml" "nothing" FUNCTION director_add_docs)
+mistake("pages kiosk.yaml" "nothing" FUNCTION director_add_docs COMPONENTS compiler LANGUAGES NONE)
 if(wrong)
   message(FATAL_ERROR "${wrong}")
 endif()
