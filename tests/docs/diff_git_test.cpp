@@ -208,6 +208,19 @@ TEST_CASE("the hook reports changes, and refuses the configured ones") {
   CHECK(silent.status == 0);
 }
 
+TEST_CASE("the hook compares a behaviour whose file ends in .yml") {
+  const Repository repository;
+  repository.write("robot/runner.yml", Repository::walker("[Legs]"));
+  REQUIRE(repository.run("git add . && git commit --quiet -m runner").status == 0);
+  REQUIRE(
+      repository.run("cp '" + (source_dir() / "docs/hooks/pre-commit").string() + "' .git/hooks/pre-commit").status ==
+      0);
+  repository.write("robot/runner.yml", Repository::walker("[Legs, Arms]"));
+  const Ran refused = repository.run("git config director.breaking all && git commit --quiet -a -m second");
+  CHECK(refused.output.starts_with("robot/runner.yml:\nneeds_added: A provider needs one more group.\n"));
+  CHECK(refused.status == 1);
+}
+
 TEST_CASE("what is staged is compared, with what it imports, not the files on the disk") {
   const Repository repository;
   repository.write("robot/walker.yaml", Repository::walker("[Legs, Arms]"));
