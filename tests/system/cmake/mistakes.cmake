@@ -60,6 +60,7 @@ mistake("headers kiosk.yaml"
         "director_add_behaviour: headers compiles nothing, so that nothing can be added to it; it takes an executable or a library with sources")
 mistake("robot kiosc.yaml"
         "director_add_behaviour: there is no file kiosc.yaml; a relative path begins at the folder of the CMakeLists.txt that calls")
+mistake("robot /nowhere/kiosk.yaml" "director_add_behaviour: there is no file /nowhere/kiosk.yaml; it must exist when CMake configures")
 mistake("robot ../mistakes" "director_add_behaviour: ${SOURCE} is a folder; name the behaviour's file in it")
 mistake("robot counter.yaml"
         "director_add_behaviour: counter.yaml has no line `behaviour: NAME` that begins in the first column; only a behaviour can be generated, not a module alone")
@@ -91,6 +92,7 @@ mistake("pages kiosk.yaml FORMAT pdf" "director_add_docs: there is no format pdf
 mistake("robot kiosk.yaml" "director_add_docs: there is a target robot already; the pages are a target of their own" FUNCTION director_add_docs)
 mistake("pages kiosc.yaml" "director_add_docs: there is no file kiosc.yaml; a relative path begins at the folder of the CMakeLists.txt that calls"
         FUNCTION director_add_docs)
+mistake("pages /nowhere/kiosk.yaml" "director_add_docs: there is no file /nowhere/kiosk.yaml; it must exist when CMake configures" FUNCTION director_add_docs)
 mistake("pages kiosk.yaml" "nothing" FUNCTION director_add_docs)
 mistake("pages kiosk.yaml" "nothing" FUNCTION director_add_docs COMPONENTS compiler LANGUAGES NONE)
 if(wrong)
