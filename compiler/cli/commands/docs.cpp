@@ -53,7 +53,7 @@ int run(const Docs& request, Console& console) {
     auto [page, result] = page_of(file, request, console);
     if (result == misused) return misused;
     status = status == found || result == found ? found : std::max(status, result);
-    if (page) outputs.push_back({path, std::move(*page), has_notice});
+    if (page) outputs.push_back({path, std::move(*page), is_document});
   }
   return write(outputs, console) ? status : misused;
 }

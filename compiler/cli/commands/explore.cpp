@@ -34,7 +34,7 @@ bool write_scenarios(const Explore& request, const std::vector<std::pair<std::st
   const std::string behaviour = fs::path(request.file).filename().string();
   std::vector<Output> outputs;
   for (const auto& [name, text] : scenarios)
-    outputs.push_back({(fs::path(request.output) / name).string(), with_notice(behaviour, "# ", text), has_notice});
+    outputs.push_back({(fs::path(request.output) / name).string(), with_notice(behaviour, "# ", text), is_document});
   if (!write(outputs, console, "no scenario is written; ")) return false;
   for (const Output& output : outputs) console.out << fmt::format("wrote {}\n", dsl::harmless(output.path));
   const std::string from = fmt::format(" from {}. DO NOT EDIT.\n", behaviour); // others may have the same folder

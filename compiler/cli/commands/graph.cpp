@@ -94,7 +94,7 @@ std::optional<std::string> drawn(const Subject& subject, const dsl::Sources& sou
 
 /// Writes to the requested file, or to the terminal.
 int hand_over(const std::string& text, const std::string& output, Console& console) {
-  if (!output.empty()) return write({{output, text, has_notice}}, console) ? clean : misused;
+  if (!output.empty()) return write({{output, text, is_document}}, console) ? clean : misused;
   console.out << text;
   return clean;
 }
@@ -166,7 +166,7 @@ int draw_moments(const DrawGraph& request, Console& console) {
     if (!text) return misused;
     if (!request.frames) return hand_over(*text, request.output, console);
     const std::string name = fmt::format("step_{:0{}}.{}", frames.size() + 1, digits, ending_of(request.format));
-    frames.push_back({(std::filesystem::path(request.output) / name).string(), *text, has_notice});
+    frames.push_back({(std::filesystem::path(request.output) / name).string(), *text, is_document});
   }
   if (!write(frames, console)) return misused;
   const auto is_frame = [&](std::string_view name, std::string_view) {

@@ -48,7 +48,7 @@ int put(const Trace& request, std::string text, int status, Console& console) {
     console.out << text;
     return status;
   }
-  const auto is_own = request.to == "html" ? has_notice : is_trace;
+  const auto is_own = request.to == "html" ? is_document : is_trace;
   if (!write({{request.output, std::move(text), is_own}}, console)) return misused;
   if (request.to == "perfetto" && console.err_width != 0)
     print_message(console,

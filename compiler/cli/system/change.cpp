@@ -1,6 +1,8 @@
-// Header: compiler/cli/system/change.hpp. Test: tests/compiler/cli/system/change_test.cpp,
-// tests/compiler/cli/system/write_test.cpp. SPDX-License-Identifier: MIT
+// Header: compiler/cli/system/change.hpp. Test: tests/compiler/cli/system/change_test.cpp, write_test.cpp.
+// SPDX-License-Identifier: MIT
 #include "compiler/cli/system/change.hpp"
+
+#include "compiler/emit/artefact/notice.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -158,9 +160,8 @@ void take_back(std::vector<Written>& all, const std::vector<fs::path>& made) {
       ::rename(each.temporary.c_str(), each.target.c_str());
     }
   }
-  for (auto each = made.rbegin(); each != made.rend(); ++each)
-    ::rmdir(each->c_str()); // fails if something else uses
-                            // it
+  // This fails if something else uses the folder.
+  for (auto each = made.rbegin(); each != made.rend(); ++each) ::rmdir(each->c_str());
 }
 
 /// Blocks the signals that end the program during its lifetime.
@@ -217,14 +218,18 @@ Fault plan(const Output& output, std::vector<Step>& steps) {
   const std::optional<std::string> text = text_of(output.path);
   if (!text) return std::strerror(errno);
   if (*text == output.text && !output.newest) return {};
-  if (output.is_own != nullptr && !text->empty() && !output.is_own(*text)) return foreign;
+  if (output.is_own != nullptr && !text->empty() && !output.is_own(*text)) return why_not_replaced(*text);
   steps.push_back({{output.path, text, output.text}, true});
   return {};
 }
 
 } // namespace
 
-const char* const foreign = "what is there was not written by directorc; move it away, or name another place";
+const char* why_not_replaced(std::string_view text) {
+  const bool own = has_notice(text) || is_depfile(text) || is_trace(text);
+  return own ? "what is there is an output of directorc of another kind; move it away, or name another place"
+             : "what is there was not written by directorc; move it away, or name another place";
+}
 
 bool is_depfile(std::string_view text) {
   const std::size_t targets = text.find(": ");

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // The only place that writes files: all of a set or none, each file atomically, without losing what was there. A user's
-// file changes only if it has not changed meanwhile; a generated file replaces nothing but an earlier generated one.
+// file changes only if it has not changed meanwhile; a generated file replaces nothing but an earlier one of its kind.
 
 #include <functional>
 #include <optional>
@@ -27,8 +27,8 @@ struct Output {
 /// Whether a text is a depfile, which has no comment that marks it as generated.
 bool is_depfile(std::string_view text);
 
-/// The message for an output that would replace a file of the user.
-extern const char* const foreign;
+/// The message for an output that would replace a file of the user, or an output of another kind, with this text.
+const char* why_not_replaced(std::string_view text);
 
 /// Called after each file that is written beside its place, and after each move: tests end there.
 using Watch = std::function<void()>;

@@ -86,7 +86,7 @@ std::optional<std::string> MemoryOutputs::write(const std::vector<Output>& outpu
   for (const Output& each : outputs) {
     const auto at = files.find(each.path);
     if (at == files.end() || at->second == each.text || each.is_own == nullptr || each.is_own(at->second)) continue;
-    return "`" + each.path + "`: " + foreign;
+    return "`" + each.path + "`: " + why_not_replaced(at->second);
   }
   for (const Output& each : outputs) {
     const auto at = files.find(each.path);

@@ -77,6 +77,15 @@ bool has_notice(std::string_view text) {
   return is_old(text);
 }
 
+bool is_document(std::string_view text) {
+  if (!has_notice(text)) return false;
+  constexpr std::size_t beginning = 1000;
+  if (text.starts_with('{')) return text.substr(0, beginning).find("\n  \"namespace\": \"") == text.npos; // a manifest
+  if (!text.starts_with("// ")) return !text.starts_with("#pragma once\n");
+  take_line(text);
+  return text.starts_with("digraph "); // DOT has comments as C++ has
+}
+
 bool is_trace(std::string_view text) {
   if (text.empty() || text.starts_with("{\"director_trace\":")) return true;
   if (text.starts_with('[')) { // a line of text: `[    0.000000] run Walk new_task`

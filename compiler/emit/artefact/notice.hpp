@@ -25,6 +25,10 @@ Json generated_by();
 /// Whether a text has the notice of any version.
 bool has_notice(std::string_view text);
 
+/// Whether it has the notice and is no part of a program, as what `generate` writes is: a picture, a page or a
+/// scenario.
+bool is_document(std::string_view text);
+
 /// Whether it is a trace in any of its formats (JSON lines, text, Perfetto's), which have no place for a notice, or is
 /// empty.
 bool is_trace(std::string_view text);

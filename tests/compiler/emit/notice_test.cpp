@@ -42,3 +42,18 @@ TEST_CASE("what directorc wrote is known in each of its forms, of each version")
         "{\"behaviour\": \"x\", \"director\": 1}", "{\n  \"behaviour\": \"x\"\n}\n"})
     CHECK_FALSE(has_notice(text));
 }
+
+TEST_CASE("pictures, pages and scenarios are told from the parts of a program") {
+  for (const std::string& text :
+       {with_notice("x.yaml", "// ", "digraph \"x\" {\n"), with_notice("x.yaml", "%% ", "flowchart\n"),
+        with_notice("x.yaml", "# ", "scenario: it runs\n"), html_notice("x.yaml"),
+        std::string("{\n  \"generated_by\": \"directorc 0.1.0\",\n  \"behaviour\": \"x\",\n  \"place\": {}\n}\n")})
+    CHECK(is_document(text));
+  for (const std::string& text :
+       {with_notice("x.yaml", "// ", "#include \"x.hpp\"\n"), with_notice("x.yaml", "// ", "//\n// In this order:\n"),
+        std::string("#pragma once\n// Written by directorc 0.1.0 from x.yaml."),
+        std::string(
+            "{\n  \"generated_by\": \"directorc 0.1.0\",\n  \"behaviour\": \"x\",\n  \"namespace\": \"x\"\n}\n"),
+        std::string("digraph x {}\n"), std::string()})
+    CHECK_FALSE(is_document(text));
+}

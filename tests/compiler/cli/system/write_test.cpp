@@ -148,7 +148,7 @@ TEST_CASE("what is not an ordinary file, or not generated, is neither opened nor
   refused("folder", "a folder is in the way");
   refused("pipe", "it is no ordinary file");
   refused("link", "it is a link that leads nowhere");
-  refused("own", foreign);
+  refused("own", why_not_replaced("by hand"));
   refused("file/below", "Not a directory");
   CHECK(!write_on_disk({{folder.at("own"), "by hand", nothing}})); // which it is already
   folder.write("empty", "");
@@ -189,7 +189,9 @@ TEST_CASE("no command overwrites foreign files, but each its own") {
     const std::string err = read_file(folder.at("err"));
     return std::to_string(status) + " " + err;
   };
-  const std::string why = std::string(": ") + foreign + "\n";
+  const std::string why = ": what is there was not written by directorc; move it away, or name another place\n";
+  const std::string another_kind =
+      ": what is there is an output of directorc of another kind; move it away, or name another place\n";
   for (const std::string format : {"dot", "mermaid", "json"}) {
     CHECK(told("graph --format=" + format + " bot.yaml -o bot.yaml") == "2 directorc: cannot write `bot.yaml`" + why);
     CHECK(read_file(folder.at("bot.yaml")) == turning);
@@ -222,7 +224,17 @@ TEST_CASE("no command overwrites foreign files, but each its own") {
   const auto play = [&](const std::string& to) { return told("simulate --trace " + to + " it.scenario.yaml"); };
   for (const std::string name : {"bot.yaml", "it.scenario.yaml", "bot.hpp"}) {
     const std::string before = read_file(folder.at(name));
-    CHECK(play(name) == "2 directorc: cannot write `" + name + "`" + why);
+    CHECK(play(name) == "2 directorc: cannot write `" + name + "`" + (name == "bot.hpp" ? another_kind : why));
+    CHECK(read_file(folder.at(name)) == before);
+  }
+  for (const std::string name : {"bot.hpp", "bot.facts.hpp", "bot.cpp", "manifest.json"}) {
+    const std::string before = read_file(folder.at(name));
+    CHECK(told("generate bot.yaml -o other --depfile " + name) ==
+          "2 directorc: nothing is written; cannot write `" + name + "`" + another_kind);
+    for (const std::string format : {"dot", "json"}) {
+      CHECK(told("graph bot.yaml --format=" + format + " -o " + name) ==
+            "2 directorc: cannot write `" + name + "`" + another_kind);
+    }
     CHECK(read_file(folder.at(name)) == before);
   }
   folder.write("empty", "");
