@@ -184,7 +184,6 @@ struct Assertion {
 struct Allowance {
   Word id;
   Span scope{};
-  bool with_because = false;
 };
 
 struct Model {

@@ -98,7 +98,7 @@ void add_allowances(Resolver& r, const std::vector<dsl::AllowSpec>& specs, Span 
       report_undefined(r, "check", spec.id, known);
       continue;
     }
-    r.model.allowances.push_back({spec.id, scope, spec.because.has_value()});
+    r.model.allowances.push_back({spec.id, scope});
   }
 }
 
