@@ -26,6 +26,7 @@
 // can_run: the facts of the checks decide for every provider whether it may ever run; they are an over-approximation.
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/plans/plans.hpp"
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/explore/verdict.hpp"
 #include "compiler/graph/graph.hpp"
 #include "compiler/lower/plans.hpp"
@@ -49,8 +50,6 @@ Verdict proven(std::string why) {
   out.why = std::move(why);
   return out;
 }
-
-std::string quoted(const Model& model, GroupId group) { return fmt::format("`{}`", model.groups[group].name.value); }
 
 /// A group that is in every plan of both; empty if there is none.
 std::optional<GroupId> shared_part(const Model& model, const analysis::Indispensable& parts, GroupId a, GroupId b) {
@@ -111,7 +110,7 @@ std::optional<Verdict> never_together(const Assertion& assertion, const Model& m
       if (!part && (a == b || !exclude(model, a, b))) return {};
       excluded = excluded || !part;
       if (!part) continue;
-      std::string word = quoted(model, *part);
+      std::string word = analysis::name_of(model, *part);
       if (std::find(shared.begin(), shared.end(), word) == shared.end()) shared.push_back(std::move(word));
     }
   }
@@ -139,10 +138,6 @@ std::optional<EdgeId> only_root_edge(const Model& model, GroupId group) {
   return requesters.front();
 }
 
-bool may_be_optional(const Edge& edge) {
-  return std::any_of(edge.levels.begin(), edge.levels.end(), [](const Level& level) { return level.optional; });
-}
-
 std::optional<Verdict> beats(const Assertion& assertion, const Model& model) {
   const GroupId winner = assertion.groups.front().id, loser = assertion.groups.back().id;
   const std::optional<EdgeId> first = only_root_edge(model, winner), second = only_root_edge(model, loser);
@@ -153,9 +148,9 @@ std::optional<Verdict> beats(const Assertion& assertion, const Model& model) {
       std::max_element(low.begin(), low.end(), priority)->priority)
     return {};
   const bool always_optional = std::all_of(low.begin(), low.end(), [](const Level& level) { return level.optional; });
-  bool optional = may_be_optional(model.edges[*first]);
+  bool optional = model.edges[*first].has_optional();
   for (const GroupId group : below(model, winner)) {
-    for (const EdgeId edge : model.groups[group].edges) optional = optional || may_be_optional(model.edges[edge]);
+    for (const EdgeId edge : model.groups[group].edges) optional = optional || model.edges[edge].has_optional();
   }
   if (optional && !always_optional) return {};
   return proven("both are requested by the program alone, and at root its side always goes first");
@@ -219,7 +214,7 @@ std::optional<Verdict> latch(const Model& model, GroupId from, GroupId to) {
     if (!one) return {};
     by = one;
   }
-  return proven(fmt::format("{} waits for what only `{}` sets, and only while that runs", quoted(model, to),
+  return proven(fmt::format("{} waits for what only `{}` sets, and only while that runs", analysis::name_of(model, to),
                             model.full_name(*by)));
 }
 
@@ -232,8 +227,9 @@ std::optional<Verdict> can_run(const Assertion& assertion, const Model& model) {
     return {};
   Verdict out;
   out.kind = Verdict::Kind::refuted;
-  out.why = facts.requested.contains(group) ? fmt::format("no provider of {} can ever run", quoted(model, group))
-                                            : fmt::format("nothing that runs requests {}", quoted(model, group));
+  out.why = facts.requested.contains(group)
+                ? fmt::format("no provider of {} can ever run", analysis::name_of(model, group))
+                : fmt::format("nothing that runs requests {}", analysis::name_of(model, group));
   return out;
 }
 
@@ -274,7 +270,7 @@ std::optional<Verdict> soft(const Assertion& assertion, const Model& model) {
   const bool apart = std::none_of(takes.begin(), takes.end(), [&](GroupId group) { return has(stakes, group); });
   if (!apart) return latch(model, from, to);
   return proven(fmt::format("being granted, {} takes nothing that {} requests or needs, or a group above it needs",
-                            quoted(model, to), quoted(model, from)));
+                            analysis::name_of(model, to), analysis::name_of(model, from)));
 }
 
 } // namespace

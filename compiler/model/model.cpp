@@ -53,6 +53,10 @@ bool Edge::has_mandatory() const {
   return std::any_of(levels.begin(), levels.end(), [](const Level& level) { return !level.optional; });
 }
 
+bool Edge::has_optional() const {
+  return std::any_of(levels.begin(), levels.end(), [](const Level& level) { return level.optional; });
+}
+
 std::optional<GroupId> Model::find_group(std::string_view text) const { return find_named(groups, text); }
 
 std::optional<StateId> Model::find_state(std::string_view text) const { return find_named(states, text); }

@@ -155,6 +155,7 @@ struct Edge {
   bool needed = false;        ///< some provider of the requester needs the target
   Span span{};                ///< where it was declared first
   bool has_mandatory() const; ///< a level
+  bool has_optional() const;  ///< the same
 };
 
 struct Trigger {

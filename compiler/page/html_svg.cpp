@@ -121,7 +121,7 @@ std::string svg_part(std::string svg) {
   erase_from_to(svg, "<!--", "-->");
   drop_inner_links(svg);
   round_coordinates(svg);
-  return trimmed(std::move(svg));
+  return without_trailing_blanks(std::move(svg));
 }
 
 } // namespace director::compiler::page

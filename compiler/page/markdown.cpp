@@ -170,7 +170,7 @@ private:
     const std::string doc = provider["doc"].as_text();
     if (name != "default" || !doc.empty())
       out_ += fmt::format("- **{}**{}\n", escaped(provider_name(group, provider)),
-                          doc.empty() ? "" : ": " + escaped(trimmed(doc)));
+                          doc.empty() ? "" : ": " + escaped(without_trailing_blanks(doc)));
     // Python-Markdown, used by MkDocs, treats less than four as the same list.
     const std::string indent = name != "default" || !doc.empty() ? "    " : "";
     const auto line = [&](std::string_view title, const std::string& text) {

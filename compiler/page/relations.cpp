@@ -89,7 +89,7 @@ std::string manner_of(const Json& task) {
     if (level["optional"].as_boolean()) out += ", optional";
     if (level["apart"].as_boolean()) out += ", apart";
   }
-  if (!task["doc"].is_null()) out += ": " + trimmed(task["doc"].as_text());
+  if (!task["doc"].is_null()) out += ": " + without_trailing_blanks(task["doc"].as_text());
   return out;
 }
 

@@ -116,7 +116,7 @@ std::size_t mark_of(std::string_view line, DocBlock::Kind& kind) {
 std::vector<DocBlock> doc_blocks(const Json& thing) {
   std::vector<DocBlock> out;
   bool is_open = false; // the last one
-  const std::string text = trimmed(thing["doc"].as_text());
+  const std::string text = without_trailing_blanks(thing["doc"].as_text());
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
     std::string_view line = std::string_view(text).substr(at, end - at);
@@ -169,7 +169,7 @@ std::vector<Rivals> rivals_in(const Json& ranks) {
   return out;
 }
 
-std::string trimmed(std::string text) {
+std::string without_trailing_blanks(std::string text) {
   while (text.ends_with('\n') || text.ends_with(' ')) text.pop_back();
   return text;
 }

@@ -63,6 +63,6 @@ inline constexpr std::string_view takes_intro =
 inline constexpr std::string_view limited_intro = "Rows and columns are only the groups that were named.";
 
 /// The lines of a text without what is blank at its end.
-std::string trimmed(std::string text);
+std::string without_trailing_blanks(std::string text);
 
 } // namespace director::compiler::page

@@ -3,6 +3,7 @@
 #include "compiler/play/write_expect.hpp"
 
 #include "compiler/play/line_diff.hpp"
+#include "dsl/lexical/characters.hpp"
 
 #include <fmt/format.h>
 
@@ -18,11 +19,6 @@ struct LineEdit {
   std::size_t begin = 0, end = 0;
   std::string text;
 };
-
-std::size_t column(std::string_view text, std::size_t at) {
-  const std::size_t newline = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
-  return newline == std::string_view::npos ? at : at - newline - 1;
-}
 
 /// Before the line break, and before a carriage return that belongs to it.
 std::size_t end_of_line(std::string_view text, std::size_t at) {
@@ -92,7 +88,7 @@ public:
   LineEdit edit(const ScenarioStep& step, const std::vector<std::string>& lines) const {
     const std::size_t begin = step.span.begin, end = step.span.end;
     const bool flow = text_[begin] == '{';
-    const std::size_t indent = column(text_, begin);
+    const std::size_t indent = dsl::column_of(text_, begin);
     if (step.expect) {
       const Span place = step.expect->span;
       const std::size_t rest = end_of_line(text_, place.end);

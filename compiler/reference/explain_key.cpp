@@ -5,6 +5,9 @@
 // 100 ms`, documents keys; a link in that cell leads to the section with the details.
 #include "compiler/reference/explain_key.hpp"
 
+#include "compiler/base/contains.hpp"
+#include "dsl/lexical/characters.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -118,10 +121,7 @@ std::vector<std::string_view> cells_of(std::string_view line) {
   for (std::size_t at = 1; at < line.size(); ++at) {
     if (line[at] == '`') code = !code;
     if (line[at] != '|' || code) continue;
-    std::string_view cell = line.substr(begin, at - begin);
-    while (cell.starts_with(' ')) cell.remove_prefix(1);
-    while (cell.ends_with(' ')) cell.remove_suffix(1);
-    out.push_back(cell);
+    out.push_back(dsl::trimmed(line.substr(begin, at - begin)));
     begin = at + 1;
   }
   return out;
@@ -210,10 +210,6 @@ private:
   bool code_ = false, comment_ = false, in_table_ = false;
 };
 
-bool has(const std::vector<std::string>& words, std::string_view word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
 /// Pieces, with a blank line between two unless both are entries of one list.
 void write(std::string& out, const Piece& piece) {
   const bool entry = piece.text.starts_with("- ");
@@ -252,7 +248,7 @@ std::optional<std::string> explain_key(std::string_view page, std::string_view k
   bool known = false;
   for (const Section& section : sections) {
     for (const Row& row : section.rows) {
-      if (!has(row.keys, key)) continue;
+      if (!contains(row.keys, key)) continue;
       known = true;
       rows += fmt::format("- {} ({}, under \"{}\")\n", row.text, row.head, section.title);
       leads.insert(row.sections.begin(), row.sections.end());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/stubs/merge.hpp"
 
+#include "compiler/base/contains.hpp"
 #include "compiler/stubs/layout.hpp"
 #include "compiler/stubs/leftovers.hpp"
 #include "compiler/stubs/text_place.hpp"
@@ -18,10 +19,6 @@ namespace director::compiler::stubs {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool contains(const std::vector<std::string>& words, const std::string& word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 bool serves(const FoundFunction& row, const WantedFunction& function) {
   return row.known && row.name == name_of(function.kind) && row.context == function.context;

@@ -3,6 +3,7 @@
 #include "compiler/stubs/stale.hpp"
 
 #include "compiler/emit/artefact/code.hpp"
+#include "dsl/lexical/characters.hpp"
 
 #include <fmt/format.h>
 
@@ -25,14 +26,8 @@ struct CommentFacts {
   std::vector<std::string> items; ///< `- needs: Legs`, each with single blanks, without line breaks
 };
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 void add_words(std::string& out, std::string_view text) {
-  while (!(text = trimmed(text)).empty()) {
+  while (!(text = dsl::trimmed(text, blanks)).empty()) {
     const std::size_t end = std::min(text.find_first_of(blanks), text.size());
     if (!out.empty()) out += ' ';
     out += text.substr(0, end);
@@ -57,7 +52,7 @@ std::optional<CommentFacts> read(const std::vector<std::string_view>& lines) {
   std::string opening;
   CommentFacts out;
   for (const std::string_view line : lines) {
-    const bool begins = trimmed(line).starts_with("- ");
+    const bool begins = dsl::trimmed(line, blanks).starts_with("- ");
     if (out.items.empty() && out.place.empty() && begins) out.place = place_in(opening);
     if (out.place.empty()) {
       add_words(opening, line);
@@ -73,7 +68,7 @@ std::optional<CommentFacts> read(const std::vector<std::string_view>& lines) {
 
 /// The text behind `//` or `///`; empty: the line is not only a comment.
 std::optional<std::string_view> comment_in(std::string_view line) {
-  line = trimmed(line);
+  line = dsl::trimmed(line, blanks);
   if (!line.starts_with("//")) return {};
   line.remove_prefix(line.starts_with("///") ? 3 : 2);
   return line;

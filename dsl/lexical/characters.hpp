@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Classes of ASCII characters, independent of the locale; characters beyond ASCII are in none of them.
+// Classes of ASCII characters, independent of the locale; characters beyond ASCII are in none of them. What stands in a
+// text around a character.
 
 #include <cstddef>
 #include <string_view>
@@ -17,6 +18,18 @@ constexpr bool is_word(char c) { return is_alphanumeric(c) || c == '_'; }
 /// Whether `text` is not empty and has only these characters.
 constexpr bool all_among(std::string_view text, std::string_view characters) {
   return !text.empty() && text.find_first_not_of(characters) == std::string_view::npos;
+}
+
+/// Without the blanks at both ends.
+constexpr std::string_view trimmed(std::string_view text, std::string_view blanks = " ") {
+  const std::size_t first = text.find_first_not_of(blanks);
+  return first == std::string_view::npos ? std::string_view{}
+                                         : text.substr(first, text.find_last_not_of(blanks) + 1 - first);
+}
+/// The bytes before this one in its line.
+constexpr std::size_t column_of(std::string_view text, std::size_t at) {
+  const std::size_t newline = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
+  return newline == std::string_view::npos ? at : at - newline - 1;
 }
 
 /// The length in bytes of the well-formed UTF-8 character at `at` (Unicode, table 3-7); 0 if there is none.

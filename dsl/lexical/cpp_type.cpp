@@ -302,6 +302,12 @@ bool is_same_type(std::string_view first, std::string_view second) {
   return one.now().empty() && other.now().empty();
 }
 
+std::string plain_type(std::string_view name) {
+  std::string out(name);
+  std::erase(out, ' ');
+  return out.starts_with("::") ? out.substr(2) : out;
+}
+
 std::vector<FirstWord> first_words(std::string_view type) {
   TypeParser parser(type);
   parser.whole();

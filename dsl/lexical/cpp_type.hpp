@@ -43,5 +43,7 @@ std::vector<FirstWord> first_words(std::string_view type);
 
 /// Whether the two are spelled alike but for blanks.
 bool is_same_type(std::string_view first, std::string_view second);
+/// The name of a type without blanks, and without `::` before it.
+std::string plain_type(std::string_view name);
 
 } // namespace director::dsl

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsl/lexical/duration.hpp"
 
+#include "dsl/lexical/characters.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,12 +27,6 @@ constexpr std::array units{
     Unit{TimeUnit::s, "s", 1'000'000, 999'999'999'999}, Unit{TimeUnit::min, "min", 60'000'000, 9'999'999'999}};
 
 constexpr const Unit& row(TimeUnit unit) { return units[static_cast<std::size_t>(unit)]; }
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  return first == std::string_view::npos ? std::string_view()
-                                         : text.substr(first, text.find_last_not_of(' ') + 1 - first);
-}
 
 struct Written {
   std::optional<std::int64_t> amount; ///< nothing: it is beyond all bounds

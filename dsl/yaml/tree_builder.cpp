@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsl/yaml/tree_builder.hpp"
 
+#include "dsl/lexical/characters.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,11 +19,6 @@ constexpr std::string_view blanks = " \t\r\n";
 /// The end of a word, which is a byte of `ends`.
 std::size_t end_of_word(std::string_view text, std::size_t at, std::string_view ends) {
   return std::min(text.find_first_of(ends, at), text.size());
-}
-
-std::size_t column_of(std::string_view text, std::size_t at) {
-  const std::size_t newline = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
-  return newline == std::string_view::npos ? at : at - newline - 1;
 }
 
 /// The length of the word at the beginning that YAML reads as null; 0 if there is none.

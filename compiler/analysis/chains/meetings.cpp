@@ -7,14 +7,6 @@
 
 namespace director::analysis {
 
-namespace {
-
-bool has_optional(const Edge& edge) {
-  return std::any_of(edge.levels.begin(), edge.levels.end(), [](const Level& level) { return level.optional; });
-}
-
-} // namespace
-
 std::vector<Together> find_together(const Model& model, const std::function<bool(ProviderId)>& counts) {
   std::vector<Together> out;
   if (!model.roots.empty()) out.push_back({std::nullopt, &model.roots, {}, false});
@@ -52,7 +44,7 @@ std::vector<Chains::Above> Chains::above(GroupId waiter, End end) const {
       const Edge& edge = model_.edges[task->edge];
       const bool direct = is_first && end == End::pushing;
       if (edge.has_mandatory()) reach(requester, here.optional, direct);
-      if (has_optional(edge)) reach(requester, true, direct);
+      if (edge.has_optional()) reach(requester, true, direct);
     }
     if (is_first && end != End::held) continue; // a waiting task was requested, not only needed
     if (here.direct) continue;

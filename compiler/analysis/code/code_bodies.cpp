@@ -7,6 +7,7 @@
 #include "compiler/analysis/code/code.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/model/cpp_names.hpp"
+#include "dsl/lexical/cpp_type.hpp"
 
 #include <fmt/format.h>
 
@@ -19,11 +20,6 @@
 namespace director::analysis {
 
 namespace {
-
-std::string without_blanks(std::string text) {
-  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
-  return text.starts_with("::") ? text.substr(2) : text;
-}
 
 /// Functions that a call of a virtual function may reach.
 using Overriders = std::map<std::string, std::vector<const CodeFunction*>, std::less<>>;
@@ -126,7 +122,7 @@ CodeNames::CodeNames(const Model& model, const CodeFacts& code) {
     states.emplace(name, id);
     const auto alias = code.aliases.find(name);
     if (alias != code.aliases.end()) states.emplace(alias->second, id);
-    if (model.states[id].type) states.emplace(without_blanks(*model.states[id].type), id);
+    if (model.states[id].type) states.emplace(dsl::plain_type(*model.states[id].type), id);
   }
   for (const ModuleId id : model.modules.ids()) modules.emplace(full(module_type(model, id)), id);
 }

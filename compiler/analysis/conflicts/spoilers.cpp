@@ -109,8 +109,7 @@ bool Spoilers::may_hold(const Edge& edge) const {
   if (edge.needed && early_.count(*edge.requester) != 0) return true;
   if (is_before_below_ && edge.needed && has(input_.shared.units().needed(over_), *edge.requester)) return true;
   if (goes_before_over_ || !has(input_.shared.claims(over_).groups(), *edge.requester)) return false;
-  return edge.needed ||
-         std::any_of(edge.levels.begin(), edge.levels.end(), [](const Level& level) { return !level.optional; });
+  return edge.needed || edge.has_mandatory();
 }
 
 } // namespace director::analysis

@@ -47,18 +47,11 @@ void subtract(const Box& box, const Region& region, std::vector<Box>& out) {
   }
 }
 
-bool within(const Region& inner, const Region& outer) {
-  return std::all_of(outer.states.begin(), outer.states.end(), [&](const auto& entry) {
-    const auto at = inner.states.find(entry.first);
-    return at != inner.states.end() && at->second.subset_of(entry.second);
-  });
-}
-
 /// Adds a way unless another one includes it.
 void add_way(std::vector<Region>& ways, Region way) {
   if (way.empty()) return;
-  if (std::any_of(ways.begin(), ways.end(), [&](const Region& other) { return within(way, other); })) return;
-  ways.erase(std::remove_if(ways.begin(), ways.end(), [&](const Region& other) { return within(other, way); }),
+  if (std::any_of(ways.begin(), ways.end(), [&](const Region& other) { return contains(other, way); })) return;
+  ways.erase(std::remove_if(ways.begin(), ways.end(), [&](const Region& other) { return contains(way, other); }),
              ways.end());
   ways.push_back(std::move(way));
 }

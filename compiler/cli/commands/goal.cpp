@@ -3,6 +3,7 @@
 #include "compiler/cli/commands/goal.hpp"
 
 #include "compiler/play/names.hpp"
+#include "dsl/lexical/characters.hpp"
 #include "dsl/reading/read_condition.hpp"
 
 #include <fmt/format.h>
@@ -66,16 +67,10 @@ private:
   Names names_;
 };
 
-std::string trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  if (first == std::string_view::npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(' ') + 1 - first));
-}
-
 } // namespace
 
 ParsedGoal parse_goal(const Model& model, const std::string& words) {
-  GoalReader reader(model, trimmed(words));
+  GoalReader reader(model, std::string(dsl::trimmed(words)));
   ParsedGoal out{reader.goal(), {}};
   if (out.goal) return out;
   const Diagnostic& wrong = reader.findings.front();

@@ -4,6 +4,7 @@
 // A state with values becomes an enum class, one with a range a struct with a number, one with a type the user's own
 // enum.
 #include "compiler/emit/cpp/parts.hpp"
+#include "dsl/lexical/cpp_type.hpp"
 
 #include <fmt/format.h>
 
@@ -13,16 +14,11 @@ namespace director::compiler {
 
 namespace {
 
-std::string without_blanks(std::string text) {
-  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
-  return text.starts_with("::") ? text.substr(2) : text;
-}
-
 void declare_state(Code& code, const CppEmission& e, StateId id) {
   const State& state = e.model.states[id];
   const std::string name = state_type(e.model, id);
   if (state.type) {
-    if (without_blanks(*state.type) == fmt::format("{}::{}", e.model.name_space, name)) return; // it has that name
+    if (dsl::plain_type(*state.type) == fmt::format("{}::{}", e.model.name_space, name)) return; // it has that name
     document(code, e, state.doc, state.name.span);
     code.line(fmt::format("using {} = {};", name, *state.type), state.name.span);
   } else if (state.is_range) {

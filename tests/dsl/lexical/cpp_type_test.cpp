@@ -122,6 +122,11 @@ TEST_CASE("The first word of each name in a type is known, and how it is looked 
   CHECK(first_words("const int*").empty());
 }
 
+TEST_CASE("A plain type has neither blanks nor `::` before it") {
+  CHECK(plain_type(":: g :: Phase ") == "g::Phase");
+  CHECK(plain_type("g::Phase") == "g::Phase");
+}
+
 TEST_CASE("Two spellings of a type are the same but for blanks") {
   CHECK(is_same_type("g::Phase", "g :: Phase "));
   CHECK(is_same_type("g::Tm<int>::E", "g::Tm< int >::E"));
