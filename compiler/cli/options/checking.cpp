@@ -36,11 +36,11 @@ Make check_options(CLI::App& app) {
   CLI::Option* verbose =
       app.add_flag("--verbose", request->verbose, "also print how much memory, work and time the engine may need");
   app.add_option("--work-ns", request->work_ns,
-                 "with --verbose: what a unit of work costs on your machine, in nanoseconds, as ./bench measures it")
+                 "with --verbose: what a unit of work costs on your machine, in nanoseconds, as ./bench measures it; "
+                 "without it 150")
       ->type_name("N")
       ->check(is_number)
       ->check(CLI::Range(0.01, 1e9))
-      ->capture_default_str()
       ->needs(verbose);
   auto explore = std::make_shared<bool>(false);
   auto bound = std::make_shared<std::size_t>(Explore{}.bound);

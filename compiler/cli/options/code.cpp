@@ -53,7 +53,10 @@ Make stubs_options(CLI::App& app) {
   app.footer(
       "Each module gets a class in a .hpp and a .cpp. Where the program has one already, only the functions that\n"
       "it lacks are added; what nothing requests any more is reported. To read what is there, director-clang is\n"
-      "needed.");
+      "needed.\n"
+      "\n"
+      "Exit status: 0 clean; 1 the behaviour has errors, something is in the way, or, with --check, something is\n"
+      "missing; 2 wrong usage, or a file that cannot be read or written.");
   return [=]() -> Request {
     if (const std::optional<Message> wrong = wrong_place("-o", "a folder", request->folder)) return *wrong;
     return *request;

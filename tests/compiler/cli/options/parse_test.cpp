@@ -40,6 +40,16 @@ TEST_CASE("help and version go to the output and are no mistake") {
   }
 }
 
+TEST_CASE("the help of each subcommand has the exit statuses") {
+  World world;
+  for (const std::string word : {"check", "generate", "graph", "docs", "diff", "explain", "checks", "simulate", "trace",
+                                 "replay", "why", "test", "explore", "stubs", "verify", "dump"}) {
+    CHECK(world.directorc({word, "--help"}) == 0);
+    INFO(word);
+    CHECK(world.out.find("\nExit status: 0 ") != std::string::npos);
+  }
+}
+
 TEST_CASE("the usage shows what is required, and what may be repeated") {
   World world;
   const auto usage = [&](const std::string& word) {
