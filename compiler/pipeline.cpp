@@ -99,7 +99,10 @@ Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sou
   if (options.types != nullptr) {
     if (const auto question = named_types(out.spec, options.types->thorough())) types = options.types->read(*question);
   }
-  if (types) out.headers = types->files;
+  if (types) {
+    out.headers = types->files;
+    out.types_fault = types->fault;
+  }
 
   // Resolve the names.
   Resolved resolved = resolve(out.spec, sources, {ids_of_checks(), options.types, types ? &*types : nullptr});

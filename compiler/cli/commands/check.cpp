@@ -104,6 +104,7 @@ public:
     print(*checked);
     const bool unreachable = explained_ && !explained_->steps;
     const bool is_open = print_undecided(checked->undecided, console_);
+    print_unchecked_types(*checked, request_.cpp, console_);
     if (dsl::has_errors(checked->findings) || unreachable) return found;
     return is_open ? undecided : clean;
   }

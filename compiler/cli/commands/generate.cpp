@@ -22,6 +22,7 @@ int run(const Generate& request, Console& console) {
   if (!checked) return misused;
   print_findings(checked->findings, sources, console.err, console.err_colours, console.err_width);
   const bool is_open = print_undecided(checked->undecided, console);
+  print_unchecked_types(*checked, request.cpp, console);
   if (dsl::has_errors(checked->findings)) return found;
   if (is_open) return undecided;
   if (!checked->model.deployment) {

@@ -162,6 +162,12 @@ bool print_undecided(const std::vector<std::string>& lines, Console& console) {
   return !lines.empty();
 }
 
+/// A build passes `--flags` whether or not director-clang is installed, and it may generate the headers only later.
+void print_unchecked_types(const Checked& checked, const CppSource& cpp, Console& console) {
+  if (cpp.build.empty() || checked.types_fault.empty() || dsl::has_errors(checked.findings)) return;
+  print_message(console, fmt::format("directorc: types of C++ are not checked: {}\n", checked.types_fault));
+}
+
 std::vector<dsl::Diagnostic> errors_of(const std::vector<dsl::Diagnostic>& findings) {
   std::vector<dsl::Diagnostic> errors;
   std::copy_if(findings.begin(), findings.end(), std::back_inserter(errors),

@@ -30,6 +30,9 @@ void print_findings(const std::vector<dsl::Diagnostic>& findings, const dsl::Sou
 /// Prints what was not decided, a line each, on the error stream. False if there is nothing.
 bool print_undecided(const std::vector<std::string>& lines, Console& console);
 
+/// Prints on the error stream why the types of C++ were not checked, where `-p` asked for that and no finding says it.
+void print_unchecked_types(const Checked& checked, const CppSource& cpp, Console& console);
+
 /// Only the errors among them.
 std::vector<dsl::Diagnostic> errors_of(const std::vector<dsl::Diagnostic>& findings);
 

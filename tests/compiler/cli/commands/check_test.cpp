@@ -44,6 +44,27 @@ TEST_CASE("a build or flags that cannot be read are reported, also if no type is
   CHECK(world.err == "directorc: `build/compile_commands.json` is wrong: it is no JSON list\n");
 }
 
+TEST_CASE("types that -p should have checked and that cannot be read are reported, where no finding says it") {
+  World world;
+  const std::string head = "behaviour: lamp\nlanguage: 1\ncpp: {headers: [types.hpp]}\nroots: [Lamp]\n";
+  world.files.add("lamp.yaml", head + "groups: {Lamp: {data: Nowhere}}\n");
+  world.files.add("build/compile_commands.json", "[]");
+  const std::string told = "directorc: types of C++ are not checked: `build/compile_commands.json` compiles no C++\n";
+  CHECK(world.directorc({"check", "-p", "build", "lamp.yaml"}) == 0);
+  CHECK(world.out.empty());
+  CHECK(world.err == told);
+  CHECK(world.directorc({"generate", "-p", "build", "-o", "out", "lamp.yaml"}) == 0);
+  CHECK(world.err == told);
+  world.files.add("flags", "g++\n");
+  CHECK(world.directorc({"check", "--flags", "flags", "lamp.yaml"}) == 0);
+  CHECK(world.err.empty());
+  world.files.add("mode.yaml",
+                  head + "states: {Mode: {type: Mode, external: true}}\ngroups: {Lamp: {when: [Mode == a]}}\n");
+  CHECK(world.directorc({"check", "-p", "build", "mode.yaml"}) == 1);
+  CHECK(world.out.find("compiles no C++ [type_needs_scanner]") != std::string::npos);
+  CHECK(world.err.empty());
+}
+
 TEST_CASE("an import that is not there is a finding") {
   World world;
   world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nimports: [bulb.yaml]\nroots: []\n");
