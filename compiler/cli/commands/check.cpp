@@ -137,7 +137,7 @@ private:
     }
     case Format::sarif: {
       std::vector<SarifWitness> witnesses;
-      if (explained_ && explained_->steps) witnesses.push_back({explained_->title(), *explained_->steps});
+      if (explained_ && !explained_->notes().empty()) witnesses.push_back({explained_->title(), explained_->notes()});
       console_.out << to_lines(findings_sarif(checked.findings, witnesses, sources_, sarif_rules(), checked.undecided));
       return;
     }

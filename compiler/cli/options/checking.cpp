@@ -51,6 +51,9 @@ Make check_options(CLI::App& app) {
   return [=]() -> Request {
     if (const std::optional<Message> wrong = unknown_id(*words)) return *wrong;
     if (const std::optional<Message> wrong = wrong_watch(request->watch, request->format)) return *wrong;
+    if (request->verbose && request->format == Format::sarif)
+      return Message{
+          "directorc: --verbose prints text or JSON, and SARIF has no place for it: leave out one of the two\n", true};
     request->selection = selection_of(*words);
     if (*explore || request->selection.lints.contains(never_runs)) {
       request->selection.lints.emplace(never_runs);

@@ -86,11 +86,13 @@ std::optional<Message> unknown_id(const SelectionWords& words) {
 }
 
 void add_cpp(CLI::App& app, CppSource& cpp) {
-  app.add_option("-p,--build", cpp.build,
-                 "also check the types of the C++, with the flags in compile_commands.json of this build folder")
-      ->type_name("FOLDER");
+  CLI::Option* build =
+      app.add_option("-p,--build", cpp.build,
+                     "also check the types of the C++, with the flags in compile_commands.json of this build folder");
+  build->type_name("FOLDER");
   app.add_option("--flags", cpp.flags, "the compiler and its flags, a word in each line, instead of a build folder")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->excludes(build);
 }
 
 CLI::Option* add_bound(CLI::App& app, std::size_t& bound) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A row of the table is a subcommand: its name, its line in the help, and a function that adds its options and returns
-// how they become a request; those are in options_*.cpp, by kind.
+// how they become a request; those are in the other files of this folder, by kind.
 #include "compiler/cli/options/parse.hpp"
 
 #include "compiler/base/version.hpp"
@@ -85,6 +85,17 @@ std::optional<Message> empty_value(const CLI::App& subcommand) {
   return {};
 }
 
+/// An error for `--werror ID`: such a flag takes a value only with `=`, and the id was taken for a file.
+std::optional<Message> id_without_equals(const std::vector<std::string>& arguments) {
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    const std::string &flag = arguments[i - 1], &id = arguments[i];
+    const bool takes_id = flag == "--werror" || flag == "--lint" || flag == "--allow";
+    if (!takes_id || checks::find_registered(id) == nullptr) continue;
+    return Message{fmt::format("directorc: `{}` is taken for a file: write `{}={}`\n", id, flag, id), true};
+  }
+  return {};
+}
+
 constexpr std::string_view exit_status =
     "Exit status: 0 clean; 1 errors were found, a scenario does not hold, an assertion is refuted, or too little is\n"
     "covered; 2 wrong usage, or a file named on the command line cannot be read or written; 3 not decided.";
@@ -128,6 +139,7 @@ Request parse(const std::vector<std::string>& arguments, const std::string& sche
   } catch (const CLI::CallForVersion&) {
     return Message{fmt::format("directorc {}\n", version()), false};
   } catch (const CLI::ParseError& error) {
+    if (const std::optional<Message> wrong = id_without_equals(arguments)) return *wrong;
     std::string with = "directorc";
     for (const CLI::App* subcommand : apps) {
       if (subcommand->parsed()) with += " " + subcommand->get_name();

@@ -104,6 +104,14 @@ TEST_CASE("a wrong condition is reported as in a behaviour") {
   CHECK(refused("Day") == "directorc: `Day` is a state; name one of its values: `Day == yes`\n");
 }
 
+TEST_CASE("SARIF too has what is missing") {
+  World world = lamp_and_bell();
+  CHECK(world.directorc({"check", "--format=sarif", "lamp.yaml", "--explain-reachable=Lamp"}) == 0);
+  CHECK(world.out.find("\"text\": \"`Lamp` may be reached:\"") != std::string::npos);
+  CHECK(world.directorc({"check", "--format=sarif", "lamp.yaml", "--explain-reachable=Bell"}) == 1);
+  CHECK(world.out.find("\"text\": \"`Bell` can never be reached:\"") != std::string::npos);
+}
+
 TEST_CASE("the same as JSON") {
   World world = lamp_and_bell();
   CHECK(world.directorc({"check", "--format=json", "lamp.yaml", "--explain-reachable=Lamp.default",

@@ -22,6 +22,13 @@ TEST_CASE("a wrong command line is reported, with a suggestion") {
   CHECK(world.directorc({"check", "x.yaml", "--lint=equal_priority"}) == 2);
   CHECK(world.err ==
         "directorc: `equal_priority` is no lint: it finds warnings, which are reported without `--lint`\n");
+  CHECK(world.directorc({"check", "--werror", "uncovered_state", "x.yaml"}) == 2);
+  CHECK(world.err == "directorc: `uncovered_state` is taken for a file: write `--werror=uncovered_state`\n");
+  CHECK(world.directorc({"check", "x.yaml", "-p", "build", "--flags", "flags"}) == 2);
+  CHECK(world.err == "directorc check: --build excludes --flags\nTry `directorc check --help`.\n");
+  CHECK(world.directorc({"check", "x.yaml", "--verbose", "--format=sarif"}) == 2);
+  CHECK(world.err ==
+        "directorc: --verbose prints text or JSON, and SARIF has no place for it: leave out one of the two\n");
   CHECK(world.directorc({"check", "x.yaml", "--allow"}) == 2);
   CHECK(world.err == "directorc: --allow needs the id of a check, --allow=<id>\n");
   CHECK(world.directorc({}) == 2);
