@@ -68,12 +68,20 @@ public:
     return true;
   }
 
+  template <class Task, class... More>
+  bool request(Kept<Task>, More...) const {
+    static_assert(sizeof(Task) == 0, "keep() is for bodies: a request from outside is always a new one");
+    return false;
+  }
+
   /// Requests root tasks without data, at their first level. `request<soccer::Striker>()`
   template <class Task, class... More>
   bool request() const {
+    constexpr bool are_roots = Roots::template takes<Task, More...>;
     constexpr bool without_data = !has_data<Task> && (!has_data<More> && ...);
-    static_assert(without_data, "a task with data is requested with them: `request(Task{data})`");
-    if constexpr (without_data) {
+    static_assert(are_roots, "only tasks that stand in `roots` can be requested from outside");
+    static_assert(!are_roots || without_data, "a task with data is requested with them: `request(Task{data})`");
+    if constexpr (are_roots && without_data) {
       return request(Task{}, More{}...);
     } else {
       return false;
