@@ -1,7 +1,7 @@
 // Header: compiler/emit/cpp/cpp.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// What the C++ compiler needs of the specification: numbers of rows, and what each body may request.
+// What the C++ compiler needs of the behaviour: numbers of rows, and what each body may request.
 #include "compiler/emit/cpp/cpp.hpp"
 #include "compiler/emit/cpp/parts.hpp"
 #include "runtime/core/base/state.hpp"
@@ -81,7 +81,7 @@ void state_facts(Code& code, const CppEmission& e) {
     rows.push_back(fmt::format("director::Row<{}, {}>", state_in(e.model, id), id.value));
   const bool typed = std::any_of(e.model.states.begin(), e.model.states.end(), [](const State& s) { return !!s.type; });
   if (typed) {
-    code.comment("An enumerator that the specification does not list is an error in `setting`.", "//");
+    code.comment("An enumerator that the behaviour does not list is an error in `setting`.", "//");
     code.line("#pragma GCC diagnostic push");
     code.line("#pragma GCC diagnostic error \"-Wswitch\"");
   }
@@ -228,11 +228,10 @@ Code facts(const Deployment& deployment) {
   const CppEmission e{deployment};
   Code code = first_lines(e);
   code.comment("", "//");
-  code.comment(
-      fmt::format("What the C++ compiler must know of the specification: rows of tables, and what each body may "
-                  "request. Only {} includes it, behind the types that it is about.",
-                  header_name(e.model.name)),
-      "//");
+  code.comment(fmt::format("What the C++ compiler must know of the behaviour: rows of tables, and what each body may "
+                           "request. Only {} includes it, behind the types that it is about.",
+                           header_name(e.model.name)),
+               "//");
   code.line("#pragma once");
   code.blank();
   code.line(fmt::format("namespace {} {{", e.model.name_space));

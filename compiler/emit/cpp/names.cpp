@@ -52,7 +52,7 @@ bool hidden_in(const CppEmission& e, const Provider& context, const std::string&
 Code first_lines(const CppEmission& e) {
   Code code;
   code.line(fmt::format("// {}", notice_words(portable_path(e.from, e.model.name_span.file))));
-  code.line("// SPDX-License-Identifier: MIT"); // the text is Director's, also in programs of others
+  // Without a licence, which the user chooses for it: docs/faq.md.
   return code;
 }
 
