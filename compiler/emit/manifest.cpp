@@ -33,15 +33,19 @@ Json memory(const Tables& tables) {
                        {"engine", Json::count(director::State::bytes(shape))}});
 }
 
-/// The bounds that `directorc check --verbose` prints; docs/bounds.md proves them.
+/// The bounds that `directorc check --verbose` prints; docs/bounds.md proves them, and says which key is which there.
 Json bounds(const Deployment& from, const Tables& tables) {
   const analysis::Bounds bounds = analysis::find_bounds(from.model, tables);
   return Json::object({{"runs_waiting", Json::number(bounds.runs_waiting)},
                        {"trials_for_a_decision", Json::number(bounds.trials)},
                        {"trials_in_a_pass", Json::number(bounds.trials_in_a_pass)},
+                       {"trials_counted", Json::boolean(bounds.counted)},
+                       {"work_in_a_pass", Json::number(bounds.work_in_a_pass)},
+                       {"work_in_a_micro_step", Json::number(bounds.work_in_a_micro_step)},
                        {"repeated_passes", Json::number(bounds.repetitions)},
                        {"micro_steps_to_first_run", Json::number(bounds.to_first_run)},
-                       {"micro_steps_for_a_calm_input", Json::number(bounds.calm_input)}});
+                       {"micro_steps_for_a_calm_input", Json::number(bounds.calm_input)},
+                       {"handlers_add_inputs", Json::boolean(bounds.handlers_set)}});
 }
 
 /// For each output: number of a line in it -> place in the specification.
