@@ -135,7 +135,7 @@ private:
   int write(const std::string& file, const std::string& title, const std::string& before, const Updated& updated) {
     const std::string path = shown_path(file);
     if (const auto failed = console_.outputs.change({{file, before, updated.text}})) {
-      print_message(console_, fmt::format("directorc: {}\n", *failed));
+      print_message(console_, fmt::format("directorc: cannot write {}\n", *failed));
       return misused;
     }
     std::vector<Json> steps;

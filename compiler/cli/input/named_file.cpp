@@ -23,7 +23,8 @@ bool is_called_trace(std::string_view path) { return path.ends_with(".jsonl"); }
 
 std::string file_instead(const std::string& path, bool (*is_wanted)(std::string_view), Console& console) {
   const auto read = console.files.read(path, 0, dsl::Kinds::ordinary);
-  if (!read && path == "-") return "; the standard input is called `/dev/stdin`";
+  if (!read && path == "-")
+    return "; the standard input is called `/dev/stdin`, and relative paths in it begin at `/dev`";
   if (read || read.error().kind != dsl::FileError::Kind::folder) return {};
   const fs::path folder = fs::path(path) / "";
   const std::string own = folder.parent_path().filename().string() + ".";

@@ -208,7 +208,7 @@ TEST_CASE("a scenario that cannot be written is reported, and so is one that a b
   World world = lamp("run Lamp pushed"); // the file on the disk has changed meanwhile
   world.outputs.files["s.yaml"] = "something else\n";
   CHECK(world.directorc({"test", "--update", "s.yaml"}) == 2);
-  CHECK(world.err == "directorc: `s.yaml`: it has changed meanwhile; run this again\n");
+  CHECK(world.err == "directorc: cannot write `s.yaml`: it has changed meanwhile; run this again\n");
 }
 
 TEST_CASE("text of a scenario cannot control a terminal") {

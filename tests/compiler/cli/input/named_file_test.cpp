@@ -61,7 +61,8 @@ TEST_CASE("if a folder is named instead of a file, the file that may be meant is
   CHECK(said(folder.path, {"check", "soccer"}) == begin + "another.yml`\n");
   CHECK(said(folder.path, {"check", "empty"}) == "2 directorc: cannot read `empty`: Is a directory; name a file\n");
   CHECK(said(folder.path, {"check", "-"}) ==
-        "2 directorc: cannot read `-`: No such file or directory; the standard input is called `/dev/stdin`\n");
+        "2 directorc: cannot read `-`: No such file or directory; the standard input is called `/dev/stdin`, and "
+        "relative paths in it begin at `/dev`\n");
   CHECK(said(folder.path, {"check", "none"}) == "2 directorc: cannot read `none`: No such file or directory\n");
 }
 
