@@ -12,7 +12,7 @@ namespace director::compiler::cli {
 class ChangeNotices {
 public:
   enum class By { system, looking };
-  /// `looking`: as if the system reported nothing.
+  /// `looking`, for tests: as if the system reported nothing.
   explicit ChangeNotices(By by = By::system);
   ~ChangeNotices();
   ChangeNotices(const ChangeNotices&) = delete;

@@ -1,7 +1,8 @@
 // Header: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// The class that a program instantiates. Its functions for inputs are in runtime/core/api/post.hpp and seen.hpp.
+// The class that a program instantiates. Its functions for inputs are in runtime/core/api/post.hpp and
+// behaviour_view.hpp.
 #include "compiler/emit/cpp/parts.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +34,7 @@ void define_steps(Code& code, const CppEmission& e) {
   code.close("}");
   if (uses_time(e.model)) return;
   code.blank();
-  code.comment("The same, where no body waits: nothing in the specification uses time.");
+  code.comment("The same, where no body waits: nothing in the behaviour uses time.");
   code.open("director::StepResult step() {");
   code.line("return hand_on(step_on());");
   code.close("}");

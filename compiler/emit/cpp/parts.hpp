@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The parts of the generated C++, one file each. Only compiler/emit/cpp and compiler/stubs include this; header.cpp and
-// source.cpp combine the parts. runtime/core documents the generated types: task.hpp, pack.hpp, body.hpp, post.hpp,
-// seen.hpp, program.hpp.
+// The parts of the generated C++, one file each. Only compiler/emit/cpp, compiler/stubs and tests include this;
+// header.cpp and source.cpp combine the parts. runtime/core/api documents the generated types: task.hpp, pack.hpp,
+// body.hpp, post.hpp, behaviour_view.hpp, program.hpp.
 
 #include "compiler/emit/artefact/code.hpp"
 #include "compiler/emit/artefact/deployment.hpp"
