@@ -1,5 +1,5 @@
 // Header: compiler/base/html.hpp. Test: tests/compiler/base/html_test.cpp,
-// tests/compiler/cli/commands/picture_svg_test.cpp. SPDX-License-Identifier: MIT
+// tests/compiler/emit/graph/svg_test.cpp. SPDX-License-Identifier: MIT
 #include "compiler/base/html.hpp"
 
 #include "dsl/lexical/characters.hpp"

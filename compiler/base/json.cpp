@@ -1,4 +1,4 @@
-// Header: compiler/base/json.hpp. Test: tests/compiler/emit/json_test.cpp.
+// Header: compiler/base/json.hpp. Test: tests/compiler/base/json_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/base/json.hpp"
 

@@ -1,4 +1,4 @@
-// Header: compiler/base/sha256.hpp. Test: tests/compiler/emit/sha256_test.cpp.
+// Header: compiler/base/sha256.hpp. Test: tests/compiler/base/sha256_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/base/sha256.hpp"
 

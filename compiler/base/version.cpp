@@ -1,4 +1,4 @@
-// Header: compiler/base/version.hpp. Test: tests/compiler/version_test.cpp.
+// Header: compiler/base/version.hpp. Test: tests/compiler/base/version_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/base/version.hpp"
 

@@ -1,4 +1,4 @@
-// Header: compiler/facts/code.hpp. Test: tests/compiler/checks/code_test.cpp.
+// Header: compiler/facts/code.hpp. Test: tests/compiler/checks/code_check_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/facts/code.hpp"
 

@@ -1,4 +1,4 @@
-// Header: compiler/play/moment.hpp. Test: tests/compiler/cli/commands/moment_test.cpp.
+// Header: compiler/play/moment.hpp. Test: tests/compiler/play/moment_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/play/moment.hpp"
 

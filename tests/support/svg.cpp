@@ -1,4 +1,4 @@
-// Header: tests/support/svg.hpp. Test: tests/compiler/cli/commands/picture_svg_test.cpp.
+// Header: tests/support/svg.hpp. Test: tests/compiler/emit/graph/svg_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "tests/support/svg.hpp"
 

@@ -1,4 +1,4 @@
-// Header: compiler/analysis/code/code.hpp. Test: tests/compiler/checks/code_test.cpp.
+// Header: compiler/analysis/code/code.hpp. Test: tests/compiler/checks/code_check_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Searches the calls from each body twice. For what it may request: over all calls, also of a lambda that may be called

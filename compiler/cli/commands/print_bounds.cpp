@@ -1,4 +1,4 @@
-// Header: compiler/cli/commands/print_bounds.hpp. Test: tests/compiler/cli/commands/bounds_test.cpp.
+// Header: compiler/cli/commands/print_bounds.hpp. Test: tests/compiler/cli/commands/print_bounds_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/commands/print_bounds.hpp"
 

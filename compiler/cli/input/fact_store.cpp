@@ -1,4 +1,4 @@
-// Header: compiler/cli/input/fact_store.hpp. Test: tests/compiler/cli/system/disk_test.cpp.
+// Header: compiler/cli/input/fact_store.hpp. Test: tests/compiler/cli/system/console_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/input/fact_store.hpp"
 

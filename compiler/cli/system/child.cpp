@@ -1,4 +1,4 @@
-// Header: compiler/cli/system/console.hpp. Test: tests/compiler/cli/system/disk_test.cpp.
+// Header: compiler/cli/system/console.hpp. Test: tests/compiler/cli/system/console_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // A child process with a pipe to it and one or two from it. All are served by poll, so that the two sides cannot block

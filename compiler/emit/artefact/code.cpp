@@ -1,4 +1,4 @@
-// Header: compiler/emit/artefact/code.hpp. Test: tests/compiler/emit/code_test.cpp.
+// Header: compiler/emit/artefact/code.hpp. Test: tests/compiler/emit/artefact/code_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/artefact/code.hpp"
 

@@ -1,4 +1,4 @@
-// Header: compiler/emit/artefact/notice.hpp. Test: tests/compiler/emit/notice_test.cpp.
+// Header: compiler/emit/artefact/notice.hpp. Test: tests/compiler/emit/artefact/notice_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/artefact/notice.hpp"
 

@@ -1,4 +1,4 @@
-// Header: compiler/emit/graph/flaws.hpp. Test: tests/compiler/cli/commands/flaws_test.cpp.
+// Header: compiler/emit/graph/flaws.hpp. Test: tests/compiler/emit/graph/flaws_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/graph/flaws.hpp"
 

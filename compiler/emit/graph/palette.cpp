@@ -1,4 +1,4 @@
-// Header: compiler/emit/graph/palette.hpp. Test: tests/compiler/cli/commands/picture_svg_test.cpp.
+// Header: compiler/emit/graph/palette.hpp. Test: tests/compiler/emit/graph/svg_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/graph/palette.hpp"
 

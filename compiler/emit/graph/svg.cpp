@@ -1,4 +1,4 @@
-// Header: compiler/emit/graph/formats.hpp. Test: tests/compiler/cli/commands/picture_svg_test.cpp.
+// Header: compiler/emit/graph/formats.hpp. Test: tests/compiler/emit/graph/svg_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Adds what Graphviz cannot draw: bands of the picture's whole width behind the layers, from the name of one to the
