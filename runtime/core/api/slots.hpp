@@ -9,6 +9,7 @@
 #include "runtime/core/engine/run.hpp"
 
 #include <new>
+#include <utility>
 
 namespace director {
 
@@ -32,8 +33,7 @@ public:
     other.clear();
   }
   void clear() noexcept {
-    if (full_) value().~T();
-    full_ = false;
+    if (std::exchange(full_, false)) value().~T(); // empty before the destructor, which may call post()
   }
 
   /// A byte that says whether it is full, then the value, or zeros. For trivially copyable types.

@@ -98,8 +98,8 @@ public:
   Queued queued(Index edge) const { return x_.s.queued[edge]; } ///< why it is queued
   Time now() const { return x_.s.counters->now; }
   std::uint64_t micro_steps() const { return x_.s.counters->micro_step; } ///< micro-steps so far
-  std::uint64_t passes() const { return passes_; } ///< passes over a component, and loads, so far
-  bool inside() const { return inside_; } ///< a body, handler or observer is running; for the thread that calls step()
+  std::uint64_t passes() const { return passes_; }     ///< passes over a component, and loads, so far
+  bool inside() const { return inside_; }              ///< a step is being taken; for the thread that calls step()
   bool inputs_wait() const { return inbox_.waits(); }  ///< for that thread as well
   std::uint32_t lost() const { return inbox_.lost(); } ///< inputs lost so far; from any thread
   std::uint64_t decided() const { return x_.decided; } ///< units of arbitration so far, again where a pass is repeated
@@ -252,7 +252,7 @@ private:
   Index differing_ = 0;             ///< rows of State::differing in use
   Index starting_ = nil;            ///< the group whose start handler runs; its data may still be staged
   std::uint32_t reported_lost_ = 0; ///< lost inputs that were reported
-  mutable bool inside_ = false;     ///< a body, handler or observer is running
+  bool inside_ = false;             ///< a step is being taken
   bool faulted_ = false;
 };
 

@@ -21,9 +21,7 @@ void Engine::handle(Index group, Reason reason) {
   if (starts ? !x_.t.groups[group].start : !x_.t.groups[group].stop) return;
   report(starts ? Event::Kind::start : Event::Kind::stop, group);
   Handling handling(*this, group, Reasons{static_cast<std::uint8_t>(reason)});
-  inside_ = true;
   (starts ? bodies_.start : bodies_.stop)(bodies_.self, handling);
-  inside_ = false;
   if (!handling.faulted_) return;
   report(Event::Kind::fault, group);
   end_with_fault();

@@ -13,10 +13,7 @@ void Engine::notify(Event&& event) const {
   event.time = x_.s.counters->now;
   event.until = x_.s.counters->until;
   event.micro_step = x_.s.counters->micro_step;
-  const bool inside = inside_;
-  inside_ = true;
   observer_.tell(observer_.self, event);
-  inside_ = inside;
 }
 
 void Engine::report_run(Kind kind, Index group, Index provider, Reasons reasons) const {

@@ -7,6 +7,16 @@
 
 namespace director {
 
+namespace {
+
+/// Clears a flag at its end.
+struct Inside {
+  bool& flag;
+  ~Inside() { flag = false; }
+};
+
+} // namespace
+
 /// Carries out all results of a run together.
 DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, std::uint8_t call, Outcome::Kind kind) {
   RunQueueEntry& entry = x_.s.run_queue[group];
@@ -45,9 +55,7 @@ DIRECTOR_INLINE Index Engine::run_next() {
   if (pushed && !x_.t.promises.empty()) take_promises(group);
   Run run(*this, x_.s, x_.t.groups[group].edges.begin, group, provider, Reasons{reasons});
   report(Event::Kind::run, group, provider, run.reasons());
-  inside_ = true;
   const Outcome outcome = bodies_.run(bodies_.self, run);
-  inside_ = false;
   if (observed()) report_answer(group, provider, outcome.kind(), run.pack_);
   commit(group, provider, run.wait_, run.call_, outcome.kind());
   return group;
@@ -99,8 +107,11 @@ DIRECTOR_INLINE bool Engine::micro_step() {
   return true;
 }
 
+/// Whatever the engine calls meanwhile, also a destructor of data, is inside.
 [[gnu::aligned(64)]] StepResult Engine::take_step(Time now) {
   if (inside_) return StepResult::refused;
+  inside_ = true;
+  const Inside until_it_returns{inside_};
   if (now > last_time) now = last_time;
   Counters& c = *x_.s.counters;
   if (!c.begun) {

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <utility>
 
 namespace post {
 
@@ -17,13 +19,17 @@ struct Steps {
   int count = 0;
 };
 
-/// Must be aligned, and counts its instances.
+/// Must be aligned, counts its instances, and reports its end if it was not moved on.
 struct alignas(64) Wax {
-  explicit Wax(int given) : grams(given) { ++alive; }
-  Wax(Wax&& other) noexcept : grams(other.grams) { ++alive; }
+  explicit Wax(int given, std::function<void()> at_end = {}) : grams(given), used_up(std::move(at_end)) { ++alive; }
+  Wax(Wax&& other) noexcept : grams(other.grams), used_up(std::exchange(other.used_up, {})) { ++alive; }
   Wax& operator=(Wax&&) = delete;
-  ~Wax() { --alive; }
+  ~Wax() {
+    --alive;
+    if (used_up) used_up();
+  }
   int grams;
+  std::function<void()> used_up;
   static inline int alive = 0;
 };
 

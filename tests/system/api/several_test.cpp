@@ -79,6 +79,29 @@ TEST_CASE("data that cannot be copied and need a boundary of their own are moved
   CHECK(post::Wax::alive == 0);
 }
 
+TEST_CASE("the destructor of data is inside of the step that replaces them: only post reaches the behaviour") {
+  Home home;
+  int ended = 0;
+  bool requested = true;
+  StepResult step = StepResult::quiescent;
+  home.behaviour.request(janitor::Polish{post::Wax{1, [&] {
+                                                     ++ended;
+                                                     requested = home.behaviour.request<janitor::Sweep>();
+                                                     step = home.behaviour.step();
+                                                     home.behaviour.post().request<janitor::Rest>();
+                                                   }}});
+  home.behaviour.step();
+  home.behaviour.request(janitor::Polish{post::Wax{2}}, janitor::Sweep{});
+  home.behaviour.step();
+  CHECK(ended == 1);
+  CHECK(!requested);
+  CHECK(step == StepResult::refused);
+  CHECK(home.behaviour.state<janitor::Rest>() == RunState::none);
+  home.behaviour.step();
+  CHECK(home.behaviour.state<janitor::Rest>() == RunState::running);
+  CHECK(home.house.wax == std::vector<int>{1, 2});
+}
+
 TEST_CASE("a behaviour may be stepped inside a body of another") {
   Office office;
   Home home;
