@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/live/server.hpp"
 
+#include "runtime/hosted/leave_real_time.hpp"
 #include "runtime/hosted/within_a_day.hpp"
 
 #include <poll.h>
@@ -34,8 +35,11 @@ bool has_ended(ssize_t moved) {
   return moved == 0 || (moved < 0 && errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR);
 }
 
-/// Viewers have a lower priority than the behaviour.
-void yield_to_others() { setpriority(PRIO_PROCESS, 0, 10); }
+/// Viewers have a lower priority than the behaviour, whatever that has.
+void yield_to_others() {
+  leave_real_time();
+  setpriority(PRIO_PROCESS, 0, std::clamp(getpriority(PRIO_PROCESS, 0) + 10, 10, 19));
+}
 
 } // namespace
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/hosted/trace/recorder.hpp"
 
+#include "runtime/hosted/leave_real_time.hpp"
 #include "runtime/hosted/within_a_day.hpp"
 
 #include <fcntl.h>
@@ -109,6 +110,7 @@ void Recorder::put_when_full(const Event& event) {
 
 /// The thread that steps does not wake the writer, which would be a system call: so the writer polls.
 void Recorder::write_all() {
+  leave_real_time();
   std::unique_lock lock(mutex_);
   while (!stop_) {
     lock.unlock();

@@ -6,6 +6,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/golden.hpp"
 #include "tests/support/no_new_threads.hpp"
+#include "tests/support/other_threads.hpp"
 
 #include <catch2/catch.hpp>
 #include <malloc.h>
@@ -353,6 +354,14 @@ TEST_CASE("a view whose thread cannot be started says so, and leaves the signals
   }
   pthread_sigmask(SIG_SETMASK, nullptr, &after);
   for (const int each : {SIGINT, SIGTERM, SIGHUP}) CHECK(sigismember(&after, each) == sigismember(&before, each));
+}
+
+TEST_CASE("the thread of a view has a lower priority than the one that made it, also if that is niced or real-time") {
+  const auto view = [] { return std::make_unique<LiveView>(soccer::names::all()); };
+  CHECK(scheduling_of_new_thread([] { return true; }, view) == Scheduling{SCHED_OTHER, 10});
+  CHECK(scheduling_of_new_thread(become_nice, view) == Scheduling{SCHED_OTHER, 19});
+  const Scheduling real_time = scheduling_of_new_thread(become_real_time, view);
+  if (real_time != Scheduling{}) CHECK(real_time == Scheduling{SCHED_OTHER, 10}); // not every user may be real-time
 }
 
 TEST_CASE("an error of a view is a sentence, and the behaviour continues") {

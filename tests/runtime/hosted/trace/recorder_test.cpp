@@ -7,6 +7,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/golden.hpp"
 #include "tests/support/no_new_threads.hpp"
+#include "tests/support/other_threads.hpp"
 
 #include <catch2/catch.hpp>
 #include <pthread.h>
@@ -226,6 +227,15 @@ TEST_CASE("a pipe whose reader has ended is an error of the recorder, and no sig
   sigtimedwait(&pipe, nullptr, &at_once);
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
   ::close(ends[1]);
+}
+
+TEST_CASE("the thread of a recorder is not real-time, and otherwise as nice as the one that made it") {
+  const TemporaryFolder folder;
+  const Lamp lamp;
+  const auto record = [&] { return std::make_unique<Recorder>(lamp.names, (folder.path() / "run.jsonl").string()); };
+  CHECK(scheduling_of_new_thread(become_nice, record) == Scheduling{SCHED_OTHER, 15});
+  const Scheduling real_time = scheduling_of_new_thread(become_real_time, record);
+  if (real_time != Scheduling{}) CHECK(real_time == Scheduling{SCHED_OTHER, 0}); // not every user may be real-time
 }
 
 TEST_CASE("a thread that waits for a place in a queue is released when the queue is closed") {
