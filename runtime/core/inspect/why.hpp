@@ -75,7 +75,7 @@ struct Names {
 };
 
 /// Writes one line without an end of line, such as `Kick waits (root>Kick): until Stability == standing, which
-/// Walk.halting could cause`, into `buffer`, which it returns; cut off if that is too small (at least one byte).
+/// Walk.halting could cause`, into `buffer`, which it returns; cut off if that is too small, and "" if it has no byte.
 const char* to_text(const Because& because, const Names& names, std::span<char> buffer);
 
 /// All providers that promise a condition, enabled or not.

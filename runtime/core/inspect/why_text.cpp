@@ -15,7 +15,7 @@ public:
 
   TextWriter& operator<<(const char* text) {
     for (; *text != 0 && at_ + 1 < buffer_.size(); ++text) buffer_[at_++] = *text;
-    buffer_[at_] = 0;
+    if (!buffer_.empty()) buffer_[at_] = 0;
     return *this;
   }
   TextWriter& operator<<(std::int32_t number) {
@@ -109,7 +109,7 @@ private:
 
 const char* to_text(const Because& because, const Names& names, std::span<char> buffer) {
   TextWriter(names, buffer).write(because);
-  return buffer.data();
+  return buffer.empty() ? "" : buffer.data();
 }
 
 } // namespace director

@@ -149,6 +149,8 @@ TEST_CASE("a program may query the holder of a task, and why one does not run, a
   office.behaviour.step(0s);
   CHECK(std::string(courier::names::why(office.behaviour.why<Deliver>(), buffer)) ==
         "Deliver waits (root>Deliver): no provider of Deliver is enabled");
+  CHECK(std::string(courier::names::why(office.behaviour.why<Deliver>(), std::span(buffer, 8))) == "Deliver");
+  CHECK(std::string(courier::names::why(office.behaviour.why<Deliver>(), {})).empty());
 }
 
 TEST_CASE("another thread sees what was shown last, whatever has happened since") {
