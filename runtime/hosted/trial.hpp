@@ -43,7 +43,6 @@ struct Access {
   static Handling handling(Engine& engine, Index group, Reasons reasons) { return {engine, group, reasons}; }
   static Time wait(const Run& run) { return run.wait_; }
   static std::uint16_t pack(const Run& run) { return run.pack_; }
-  static std::uint8_t call(const Run& run) { return run.call_; }
 };
 
 namespace detail {
@@ -345,7 +344,7 @@ public:
       answer.outcome_ = module.provide(context).kind();
       answer.wait_ = Access::wait(run);
       answer.pack_ = Access::pack(run);
-      if (answer.outcome_ == Outcome::Kind::pack) commit(Access::call(run));
+      if (answer.outcome_ == Outcome::Kind::pack) commit();
     }
     return answer;
   }
@@ -366,15 +365,13 @@ private:
     detail::Rig<Whole>& rig;
   };
 
-  /// Makes the requests of the last call in the run the current ones, and no others.
-  void commit(std::uint8_t call) {
+  /// Makes the requests of the run the current ones, and no others.
+  void commit() {
     const State& state = rig_->state();
     const Tables& tables = rig_->engine.tables();
     const Range edges = tables.groups[group].edges;
     for (Index e = edges.begin; e != edges.end; ++e) {
-      Staged& staged = state.staged_request[e - edges.begin];
-      if (staged.call != call) staged = {};
-      state.request[e].level = staged.level;
+      state.request[e].level = state.staged_request[e - edges.begin].level;
       GroupAssignment& target = state.last[tables.edges[e].target];
       if (state.request[e].level == nil && target.holder == e) target = {};
     }

@@ -191,9 +191,8 @@ struct UnmetCondition {
 
 /// The request of the running body through an edge.
 struct Staged {
-  Index level = nil;     ///< nil: no request
-  bool keep = false;     ///< a request of that level is kept
-  std::uint8_t call = 0; ///< as Run::call_
+  Index level = nil; ///< nil: no request
+  bool keep = false; ///< a request of that level is kept
 };
 
 struct Counters {

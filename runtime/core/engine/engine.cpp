@@ -86,6 +86,11 @@ bool Run::done(Index edge) const { return engine_.answered(edge, result::done); 
 bool Run::failed(Index edge) const { return engine_.answered(edge, result::failed); }
 DataPlace Run::data() const { return engine_.data_of(group_); }
 
+/// Only the last answer of a run counts.
+void Run::forget_pack() {
+  for (Index i = 0; i < engine_.x_.t.groups[group_].edges.size(); ++i) staged_[i].level = nil;
+}
+
 void Run::set(Index state, std::int32_t value) {
   const State& s = engine_.x_.s;
   if (s.values[state].staged == unset) s.staged[s.counters->staged_count++] = state;

@@ -128,7 +128,7 @@ private:
   bool micro_step();
   Taken take_next(Index& ran);
   Index run_next();
-  void commit(Index group, Index provider, Time wait, std::uint8_t call, Outcome::Kind kind);
+  void commit(Index group, Index provider, Time wait, Outcome::Kind kind);
   void answer(Index group, bool failed);
   StepResult come_to_rest();
 
@@ -194,7 +194,7 @@ private:
   void run_for_repeated_request(Index edge);
 
   // several.cpp
-  DIRECTOR_PART void commit_pack(Range edges, std::uint8_t call);
+  DIRECTOR_PART void commit_pack(Range edges);
   DIRECTOR_PART bool other_plan(Index group) const;
   DIRECTOR_PART void act_on_all_touched();
   DIRECTOR_PART void remember_request(Index edge);

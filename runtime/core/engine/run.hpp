@@ -36,12 +36,15 @@ public:
   void refuse(Index state, std::int32_t value); ///< reports a value that is not declared
   void wait(Time duration);                     ///< above 0; the last call counts
   /// Begins an answer that requests tasks: what an earlier one of this run requested does not count.
-  void begin_pack() { ++call_; }
+  void begin_pack() {
+    if (begun_) forget_pack();
+    begun_ = true;
+  }
   /// Requests the target of an edge of this group at a level (of Tables::levels); the last call for an edge counts.
   /// True: this is a new task for the target; false: `keep` leaves a request of that level as it is.
   bool request(Index edge, Index level, bool keep = false) {
     const bool leave = keep && request_[edge].level == level;
-    staged_[edge - first_edge_] = {level, leave, call_};
+    staged_[edge - first_edge_] = {level, leave};
     return !leave;
   }
 
@@ -66,13 +69,14 @@ private:
         group_(group),
         provider_(provider),
         reasons_(reasons) {}
+  [[gnu::cold]] void forget_pack();
   Engine& engine_;
   const Requested* request_;
   Staged* staged_;
   Index first_edge_; ///< the first edge of its group
   Index group_, provider_;
   Reasons reasons_;
-  std::uint8_t call_ = 0; ///< how many answers that request tasks were begun, modulo 256
+  bool begun_ = false; ///< an answer that requests tasks was begun
   std::uint16_t pack_ = 0;
   Time wait_ = 0;
 };

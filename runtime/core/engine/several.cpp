@@ -8,12 +8,11 @@ namespace director {
 
 const char part::several = 0;
 
-/// Carries out the requests and withdrawals of a run. Only its last request counts, with this number.
-void Engine::commit_pack(Range edges, std::uint8_t call) {
+/// Carries out the requests and withdrawals of a run.
+void Engine::commit_pack(Range edges) {
   Staged* staged = x_.s.staged_request;
   for (Index e = edges.begin; e != edges.end; ++e, ++staged) {
-    const Index level = staged->call == call ? staged->level : nil;
-    staged->level = nil;
+    const Index level = std::exchange(staged->level, nil);
     if (level == nil) {
       if (observed() && x_.s.request[e].level != nil) report_request(Event::Kind::withdraw, e);
       withdraw(e);

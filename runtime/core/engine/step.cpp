@@ -18,12 +18,12 @@ struct Inside {
 } // namespace
 
 /// Carries out all results of a run together.
-DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, std::uint8_t call, Outcome::Kind kind) {
+DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outcome::Kind kind) {
   RunQueueEntry& entry = x_.s.run_queue[group];
   forget_triggers(group);
   if (x_.s.counters->staged_count != 0) commit_states(kind == Outcome::Kind::fault);
   if (kind == Outcome::Kind::pack) {
-    if (const Range edges = x_.t.groups[group].edges; !edges.empty()) commit_pack(edges, call);
+    if (const Range edges = x_.t.groups[group].edges; !edges.empty()) commit_pack(edges);
     entry.done = 0;
     if (wait <= 0) end_wait(group);
   } else {
@@ -57,7 +57,7 @@ DIRECTOR_INLINE Index Engine::run_next() {
   report(Event::Kind::run, group, provider, run.reasons());
   const Outcome outcome = bodies_.run(bodies_.self, run);
   if (observed()) report_answer(group, provider, outcome.kind(), run.pack_);
-  commit(group, provider, run.wait_, run.call_, outcome.kind());
+  commit(group, provider, run.wait_, outcome.kind());
   return group;
 }
 

@@ -79,6 +79,21 @@ TEST_CASE("of several requests in one run the last one counts alone") {
   CHECK(office.record.take() == Lines{"run Deliver.default", "start Walk", "run Walk.default"});
 }
 
+TEST_CASE("of 257 requests in one run the last one counts alone") {
+  Office office;
+  int requests = 256;
+  office.plans.rest = [&](Rest::Default& run) {
+    Outcome answer = run.request(Sing{});
+    for (int i = 1; i < requests; ++i) answer = run.request();
+    return answer;
+  };
+  for (; requests <= 257; ++requests) {
+    office.behaviour.request<Rest>();
+    office.behaviour.step(0s);
+    CHECK(office.record.take() == Lines{"run Rest.default"});
+  }
+}
+
 TEST_CASE("a request that is a fault leaves nothing to the next one of the same run") {
   Office office;
   office.plans.rest = [](Rest::Default& run) {

@@ -53,6 +53,13 @@ TEST_CASE("a body alone: of several requests in one run the last one counts alon
   CHECK(answer.count() == 1);
   CHECK(answer.data<Walk>().count == 2);
   CHECK(!answer.requests<Open>());
+
+  plans.rest = [](Rest::Default& run) {
+    Outcome last = run.request(Sing{});
+    for (int i = 1; i < 257; ++i) last = run.request();
+    return last;
+  };
+  CHECK(Trial<Rest::Default>().run(plans).count() == 0);
 }
 
 TEST_CASE("a body alone: the reasons for its run, only that time") {
