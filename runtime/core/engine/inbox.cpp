@@ -56,8 +56,8 @@ bool Inbox::put(const Input& record, Index slot) {
 }
 
 const Input* Inbox::take_posted() {
-  by_slot_ = held_count_ != 0 && take_slot();
-  closed_ = !by_slot_ && (head_ == limit_ || !take_cell());
+  if (taken_ != nullptr) release();
+  closed_ = (held_count_ == 0 || !take_slot()) && (head_ == limit_ || !take_cell());
   return closed_ ? nullptr : &record_;
 }
 

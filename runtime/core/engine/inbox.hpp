@@ -161,11 +161,15 @@ private:
   Index reserve(Index slot);
   void publish(Index slot, const OverflowSlot::Note& note);
   void count_lost();
+  void count_replaced(std::uint32_t ticket);
   void open_slots();
   bool sweep();
   bool take_slot();
   void deliver(OverflowSlot& slot);
-  void release(OverflowSlot& slot);
+  void release();
+  Index move(OverflowSlot& slot, OverflowSlot::PlaceState from, OverflowSlot::PlaceState to);
+  void free(OverflowSlot& slot, Index place);
+  void lose(OverflowSlot& slot, Index place);
 
   // together.cpp
   DIRECTOR_PART void wait_for_leader(OverflowSlot& slot);
@@ -177,15 +181,15 @@ private:
   std::uint32_t limit_ = 0;  ///< the reader takes cells up to this position
   bool closed_ = false;      ///< nothing is due, or the next record is not complete
   bool first_waits_ = false; ///< there is a record that was put first, in `record_`
-  bool by_slot_ = false;     ///< the record taken last came from an overflow slot
+  Index held_count_ = 0;     ///< slots with a held place that was not taken
   Input record_;             ///< the record that was put first, or taken last
   std::span<OverflowSlot> slots_;
   std::atomic<std::uint32_t> tickets_{0};
   std::atomic<std::uint32_t> unseen_{
       0}; ///< not 0: there may be a record in a slot, or a loss, that the reader has not seen
-  std::atomic<std::uint32_t> lost_{0}; ///< inputs lost so far
-  Index held_count_ = 0;               ///< slots with a held place that was not taken
-  OverflowSlot* taken_ = nullptr;      ///< the slot whose record was taken last
+  std::atomic<std::uint32_t> lost_{0};       ///< inputs lost so far
+  std::atomic<std::uint32_t> replaced_{~0U}; ///< ticket of the input that was counted last because it was replaced
+  OverflowSlot* taken_ = nullptr;            ///< the slot whose record was taken last; null: a cell
 };
 
 } // namespace director

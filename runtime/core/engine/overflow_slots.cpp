@@ -19,29 +19,43 @@ bool Inbox::is_pending(Index slot) const {
   return slot < slots_.size() && OverflowSlot::any_published(slots_[slot].states.load(std::memory_order_acquire));
 }
 
+/// Gives a place that is in the one state the other, and returns it; nil: there is none.
+Index Inbox::move(OverflowSlot& slot, PlaceState from, PlaceState to) {
+  Index place = nil;
+  change(slot.states, [&](std::uint32_t now) {
+    place = OverflowSlot::find(now, from);
+    return place == nil ? now : OverflowSlot::with(now, place, to);
+  });
+  return place;
+}
+
+void Inbox::free(OverflowSlot& slot, Index place) {
+  change(slot.states, [&](std::uint32_t now) { return OverflowSlot::with(now, place, PlaceState::free); });
+}
+
 /// Reserves a handle for a record in this slot and its data, which only the caller has until it publishes. Nil: no
 /// place is left, because other writers are active; their records count as the later ones.
 Index Inbox::reserve(Index slot) {
-  Index place = nil;
-  const std::uint32_t before = change(slots_[slot].states, [&](std::uint32_t now) {
-    place = OverflowSlot::find(now, PlaceState::free);
-    if (place == nil) place = OverflowSlot::find(now, PlaceState::published); // it is about to be replaced
-    return place == nil ? now : OverflowSlot::with(now, place, PlaceState::filling);
-  });
-  if (place == nil || OverflowSlot::state_of(before, place) == PlaceState::published) count_lost();
-  return place == nil ? nil : static_cast<Index>(waiting_requests + place);
+  Index place = move(slots_[slot], PlaceState::free, PlaceState::filling);
+  if (place == nil) {
+    place = move(slots_[slot], PlaceState::published, PlaceState::filling); // it is about to be replaced
+    if (place == nil) return count_lost(), nil;
+    count_replaced(slots_[slot].notes[place].ticket);
+  }
+  return static_cast<Index>(waiting_requests + place);
 }
 
 /// Publishes a record in the reserved place, as the newest one of the slot.
 void Inbox::publish(Index slot, const OverflowSlot::Note& note) {
   const auto place = static_cast<Index>(note.input.handle - waiting_requests);
   slots_[slot].notes[place] = note;
-  const std::uint32_t before = change(slots_[slot].states, [&](std::uint32_t now) {
-    const Index last = OverflowSlot::find(now, PlaceState::published);
-    if (last != nil) now = OverflowSlot::with(now, last, PlaceState::free);
-    return OverflowSlot::with(now, place, PlaceState::published);
-  });
-  if (OverflowSlot::any_published(before)) count_lost();
+  const auto published = [&](std::uint32_t now) {
+    return OverflowSlot::any_published(now) ? now : OverflowSlot::with(now, place, PlaceState::published);
+  };
+  while (OverflowSlot::any_published(change(slots_[slot].states, published))) { // the later one counts
+    const Index last = move(slots_[slot], PlaceState::published, PlaceState::filling);
+    if (last != nil) lose(slots_[slot], last);
+  }
   unseen_.store(1, std::memory_order_release);
 }
 
@@ -49,6 +63,19 @@ void Inbox::publish(Index slot, const OverflowSlot::Note& note) {
 void Inbox::count_lost() {
   count(lost_);
   unseen_.store(1, std::memory_order_release);
+}
+
+/// Frees the place of a record that was replaced.
+void Inbox::lose(OverflowSlot& slot, Index place) {
+  count_replaced(slot.notes[place].ticket);
+  free(slot, place);
+}
+
+/// Counts an input of which a record was replaced, once for all of its records: these are mostly replaced together.
+void Inbox::count_replaced(std::uint32_t ticket) {
+  if (replaced_.load(std::memory_order_relaxed) == ticket) return;
+  replaced_.store(ticket, std::memory_order_relaxed);
+  count_lost();
 }
 
 /// Holds the newest record of every slot; a record published later waits for the next call.
@@ -66,19 +93,13 @@ bool Inbox::sweep() {
   bool found = false;
   for (OverflowSlot& slot : slots_) {
     if (!OverflowSlot::any_published(slot.states.load(std::memory_order_acquire))) continue;
-    if (taken_ == &slot) taken_ = nullptr, release(slot);
-    Index place = nil;
-    change(slot.states, [&](std::uint32_t now) {
-      place = OverflowSlot::find(now, PlaceState::published);
-      if (place == nil) return now; // a writer took it back to replace it
-      if (slot.held != nil) now = OverflowSlot::with(now, slot.held, PlaceState::free); // the later one counts
-      return OverflowSlot::with(now, place, PlaceState::held);
-    });
-    if (place == nil) continue;
+    if (taken_ == &slot) release();
+    const Index place = move(slot, PlaceState::published, PlaceState::held);
+    if (place == nil) continue; // a writer took it back to replace it
     if (slot.held == nil) {
       ++held_count_;
-    } else {
-      count_lost();
+    } else { // the later one counts
+      lose(slot, slot.held);
     }
     slot.held = place;
     found = true;
@@ -90,7 +111,7 @@ bool Inbox::sweep() {
 bool Inbox::take_slot() {
   OverflowSlot* first = nullptr;
   for (OverflowSlot& slot : slots_) {
-    if (slot.held == nil || &slot == taken_ || precedes(head_, slot.held_note().position)) continue;
+    if (slot.held == nil || precedes(head_, slot.held_note().position)) continue;
     if (first == nullptr || precedes(slot.held_note().ticket, first->held_note().ticket)) first = &slot;
   }
   if (first != nullptr) deliver(*first);
@@ -99,16 +120,18 @@ bool Inbox::take_slot() {
 
 /// Takes the record of the slot. Its place stays held until the next one is taken, so that its data can be moved.
 void Inbox::deliver(OverflowSlot& slot) {
-  if (taken_ != nullptr) release(*taken_);
+  if (taken_ != nullptr) release();
   taken_ = &slot;
   --held_count_;
   record_ = slot.held_note().input;
   if (record_.more) record_.more = first_of(slot.held_note().ticket) != nullptr;
 }
 
-void Inbox::release(OverflowSlot& slot) {
-  change(slot.states, [&](std::uint32_t now) { return OverflowSlot::with(now, slot.held, PlaceState::free); });
-  slot.held = nil;
+/// Frees the place of the record that was taken.
+void Inbox::release() {
+  free(*taken_, taken_->held);
+  taken_->held = nil;
+  taken_ = nullptr;
 }
 
 } // namespace director

@@ -16,7 +16,7 @@ void link(std::span<Input> records) {
 
 /// The next record is there: the writer published it before the first one.
 const Input* Inbox::take_more() {
-  if (!by_slot_) return take_cell() ? &record_ : nullptr;
+  if (taken_ == nullptr) return take_cell() ? &record_ : nullptr;
   OverflowSlot* const next = first_of(taken_->held_note().ticket);
   if (next != nullptr) deliver(*next);
   return next != nullptr ? &record_ : nullptr;
@@ -51,16 +51,16 @@ void Inbox::publish(std::span<const Input> records) {
 /// Puts a record back if the rest of its input is about to be published. If a later one has come, this one is lost.
 void Inbox::wait_for_leader(OverflowSlot& slot) {
   using PlaceState = OverflowSlot::PlaceState;
-  const OverflowSlot::Note& note = slot.held_note();
-  const OverflowSlot& first = slots_[note.leader];
-  if (first.held != nil && &first != taken_ && first.held_note().ticket == note.ticket) return;
+  const std::uint32_t ticket = slot.held_note().ticket;
+  const OverflowSlot& first = slots_[slot.held_note().leader];
+  if (first.held != nil && &first != taken_ && first.held_note().ticket == ticket) return;
   const std::uint32_t leading = first.states.load(std::memory_order_acquire);
   if (OverflowSlot::find(leading, PlaceState::filling) == nil && !OverflowSlot::any_published(leading)) return;
   const std::uint32_t before = change(slot.states, [&](std::uint32_t now) {
     const PlaceState next = OverflowSlot::any_published(now) ? PlaceState::free : PlaceState::published;
     return OverflowSlot::with(now, slot.held, next);
   });
-  if (OverflowSlot::any_published(before)) count_lost();
+  if (OverflowSlot::any_published(before)) count_replaced(ticket);
   slot.held = nil;
   --held_count_;
   unseen_.store(1, std::memory_order_relaxed);

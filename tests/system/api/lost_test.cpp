@@ -142,6 +142,22 @@ TEST_CASE("requests and cancels that take one another's slot are counted as well
   CHECK(flooded.after_the_flood() == Lines{"lost 3", "root>Rest"}); // a Bell too
 }
 
+TEST_CASE("a call of several tasks whose records are replaced is one lost input, whether by one call or by several") {
+  Flooded flooded;
+  const std::uint32_t before = flooded.behaviour.lost();
+  flooded.behaviour.request(Deliver{parcel(1)}, Rest{});
+  CHECK(flooded.behaviour.lost() == before);
+  flooded.behaviour.request(Deliver{parcel(2)}, Rest{});
+  CHECK(flooded.behaviour.lost() == before + 1);
+  flooded.behaviour.cancel<Deliver>();
+  CHECK(flooded.behaviour.lost() == before + 2);
+  flooded.behaviour.cancel<Rest>();
+  CHECK(flooded.behaviour.lost() == before + 2);
+  flooded.behaviour.request(Rest{}, Deliver{parcel(3)});
+  CHECK(flooded.behaviour.lost() == before + 4); // two cancels
+  CHECK(flooded.after_the_flood() == Lines{"lost 5", "root>Deliver", "root>Rest"});
+}
+
 TEST_CASE("what was lost is seen from other threads, and reported once") {
   Flooded flooded;
   courier::Behaviour::Snapshot snapshot;
