@@ -94,9 +94,10 @@ class Behaviour final : public director::Program<detail::Whole> {
 public:
   explicit Behaviour(Cart& module_0);
   /// With one that is told of every decision: without it, what tells is not linked.
+  template <bool reports = director::observable>
   Behaviour(Cart& module_0, director::Observer observer)
       : Behaviour(module_0) {
-    observe(observer);
+    observe<reports>(observer);
   }
 
   /// Takes the inputs that were posted before, then all that is due up to `now` (a duration since any start; an earlier
@@ -114,12 +115,13 @@ private:
     return result;
   }
   void throw_on();
+  template <bool reports>
   void observe(director::Observer observer) {
 #ifdef __cpp_exceptions
     observer_ = observer;
     if (observer.tell != nullptr) observer = {&tell, this};
 #endif
-    Program::observe(observer);
+    Program::observe<reports>(observer);
   }
 
   director::Modules<Cart> modules_;

@@ -815,11 +815,12 @@ public:
       Recovery& module_0, Safety& module_1, Locomotion& module_2, Kicking& module_3, Looking& module_4,
       Planning& module_5, Strategy& module_6, Limbs& module_7, Servos& module_8);
   /// With one that is told of every decision: without it, what tells is not linked.
+  template <bool reports = director::observable>
   Behaviour(
       Recovery& module_0, Safety& module_1, Locomotion& module_2, Kicking& module_3, Looking& module_4,
       Planning& module_5, Strategy& module_6, Limbs& module_7, Servos& module_8, director::Observer observer)
       : Behaviour(module_0, module_1, module_2, module_3, module_4, module_5, module_6, module_7, module_8) {
-    observe(observer);
+    observe<reports>(observer);
   }
 
   /// Takes the inputs that were posted before, then all that is due up to `now` (a duration since any start; an earlier
@@ -837,12 +838,13 @@ private:
     return result;
   }
   void throw_on();
+  template <bool reports>
   void observe(director::Observer observer) {
 #ifdef __cpp_exceptions
     observer_ = observer;
     if (observer.tell != nullptr) observer = {&tell, this};
 #endif
-    Program::observe(observer);
+    Program::observe<reports>(observer);
   }
 
   director::Modules<Recovery, Safety, Locomotion, Kicking, Looking, Planning, Strategy, Limbs, Servos> modules_;

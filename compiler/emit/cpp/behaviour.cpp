@@ -67,10 +67,11 @@ Code behaviour_part(const CppEmission& e) {
   };
   constructor(");");
   code.comment("With one that is told of every decision: without it, what tells is not linked.");
+  code.line("template <bool reports = director::observable>");
   parameters.push_back("director::Observer observer");
   constructor(")");
   code.list("    : Behaviour(", arguments, ") {");
-  code.line("  observe(observer);");
+  code.line("  observe<reports>(observer);");
   code.line("}");
   code.blank();
   define_steps(code, e);
@@ -82,12 +83,13 @@ Code behaviour_part(const CppEmission& e) {
   code.line("return result;");
   code.close("}");
   code.line("void throw_on();");
+  code.line("template <bool reports>");
   code.open("void observe(director::Observer observer) {");
   code.line("#ifdef __cpp_exceptions");
   code.line("observer_ = observer;");
   code.line("if (observer.tell != nullptr) observer = {&tell, this};");
   code.line("#endif");
-  code.line("Program::observe(observer);");
+  code.line("Program::observe<reports>(observer);");
   code.close("}");
   code.blank();
   code.list("director::Modules<", modules, "> modules_;");

@@ -149,7 +149,12 @@ protected:
   /// The slots of all tasks' data.
   typename Facts::Data& data() { return data_; }
   /// Sets the observer. Defined in the header: without an observer, no code that calls it is linked.
-  void observe(Observer observer) { engine_.observe(observer); }
+  template <bool reports>
+  void observe(Observer observer) {
+    static_assert(reports,
+                  "an observer is told nothing: compile the program and the runtime without DIRECTOR_NO_OBSERVER");
+    engine_.observe(observer);
+  }
   /// Ends the step, after an observer threw; generated code keeps the exception.
   void observer_threw() { engine_.end_with_fault(); }
 

@@ -3,7 +3,7 @@
 // The reports of the engine. An observer is a function and a pointer. It is called during a micro-step, and is as
 // restricted as a body in what it may call. An exception from it is kept by generated code until the micro-step is
 // over, like one from a body; it never passes through the engine. A program without an observer may define
-// DIRECTOR_NO_OBSERVER, in every file: then the engine is compiled without reports.
+// DIRECTOR_NO_OBSERVER, in every file: then the engine is compiled without reports, and a Behaviour takes no observer.
 
 #include "runtime/core/base/tables.hpp"
 #include "runtime/core/base/words.hpp"

@@ -19,7 +19,7 @@ class Bulb final : public lighthouse::Bulb {
   Outcome provide(lighthouse::Lamp::Burning& run) override { return run.keep(); }
 };
 
-void count(void* events, const director::Event&) { ++*static_cast<int*>(events); }
+[[maybe_unused]] void count(void* events, const director::Event&) { ++*static_cast<int*>(events); }
 
 } // namespace
 
@@ -28,8 +28,13 @@ int watch() {
   Bell bell;
   Keeper keeper;
   Bulb bulb;
+#ifdef DIRECTOR_NO_OBSERVER // then a Behaviour takes none
+  buoy::Behaviour first{bell};
+  lighthouse::Behaviour second{bulb, keeper};
+#else
   buoy::Behaviour first{bell, {count, &events}};
   lighthouse::Behaviour second{bulb, keeper, {count, &events}};
+#endif
   first.request(buoy::Ring{harbour::Sound{.hertz = 220}});
   first.step();
   second.request<lighthouse::Turn>();
