@@ -6,6 +6,7 @@
 #include "runtime/hosted/within_a_day.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <pthread.h>
 #include <unistd.h>
 
@@ -19,6 +20,7 @@ namespace director {
 namespace {
 
 constexpr std::size_t full_buffer = 1 << 20; ///< bytes in the buffer, after which they are written to the file
+constexpr std::chrono::seconds patience{1};  ///< of close() with the reader of a pipe who takes nothing
 
 /// While it lives, a write of this thread to a pipe without a reader, or beyond the limit of a file's size, is an error
 /// only: without it, the kernel also sends a signal that ends the program.
@@ -61,11 +63,11 @@ Recorder::Recorder(std::unique_ptr<TraceFormat> format, const std::string& path,
     : queue_(options.queue),
       format_(std::move(format)),
       options_(options),
-      file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+      file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK, 0666)) {
   if (file_ < 0) error_ = errno;
   options_.interval = within_a_day(options.interval);
   format_->begin(buffer_);
-  flush();
+  write_buffer();
   try {
     writer_ = std::thread([this] { write_all(); });
   } catch (const std::system_error& problem) {
@@ -135,18 +137,37 @@ void Recorder::write_waiting() {
   if (queue_.is_empty()) report(dropped); // no event was stored behind those, which would report them
 }
 
+/// Writes the whole buffer. A pipe may be full: then this waits for its reader, in close() not for ever.
 void Recorder::flush() {
-  if (buffer_.empty()) return;
+  auto last = std::chrono::steady_clock::now(); // of the last progress, or before close()
+  while (!write_buffer()) {
+    pollfd file{file_, POLLOUT, 0};
+    const bool moves = poll(&file, 1, 50) > 0;
+    const auto now = std::chrono::steady_clock::now();
+    const std::lock_guard lock(mutex_);
+    if (moves || !stop_) last = now;
+    if (now - last > patience) error_ = ETIMEDOUT;
+  }
+}
+
+/// Writes as much of the buffer as the file takes at once. False: there is a rest.
+bool Recorder::write_buffer() {
+  if (buffer_.empty()) return true;
   const NoSignalOfWrites guard;
   std::string_view rest = buffer_;
   while (!rest.empty() && good()) {
     const ssize_t written = ::write(file_, rest.data(), rest.size());
-    if (written >= 0)
+    if (written >= 0) {
       rest.remove_prefix(static_cast<std::size_t>(written));
-    else if (errno != EINTR)
+    } else if (errno == EAGAIN) {
+      buffer_.erase(0, buffer_.size() - rest.size());
+      return false;
+    } else if (errno != EINTR) {
       error_ = errno;
+    }
   }
   buffer_.clear();
+  return true;
 }
 
 } // namespace director

@@ -52,10 +52,12 @@ public:
   }
 
   /// Writes all events that wait and ends the file; later events are not recorded. After it, `error()` covers all
-  /// events: before, those of the last `interval` may still fail. The behaviour must not step meanwhile.
+  /// events: before, those of the last `interval` may still fail. The reader of a pipe who takes nothing for a second
+  /// is not waited for (ETIMEDOUT). The behaviour must not step meanwhile.
   void close();
 
-  /// Whether the file could be opened, its thread started, and all events so far written. From any thread.
+  /// Whether the file could be opened (a named pipe: has a reader), its thread started, and all events so far written.
+  /// From any thread.
   bool good() const { return error_.load(std::memory_order_relaxed) == 0; }
   /// The error, as in `errno`; 0: none.
   int error() const { return error_.load(std::memory_order_relaxed); }
@@ -67,6 +69,7 @@ private:
   void write_all();
   void write_waiting();
   void flush();
+  bool write_buffer();
 
   EventQueue queue_;
   std::unique_ptr<TraceFormat> format_;

@@ -10,8 +10,10 @@
 #include "tests/support/other_threads.hpp"
 
 #include <catch2/catch.hpp>
+#include <fcntl.h>
 #include <pthread.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -227,6 +229,52 @@ TEST_CASE("a pipe whose reader has ended is an error of the recorder, and no sig
   sigtimedwait(&pipe, nullptr, &at_once);
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
   ::close(ends[1]);
+}
+
+TEST_CASE("a named pipe without a reader is an error at once, and one whose reader takes nothing at the end") {
+  const Lamp lamp;
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "run.jsonl").string();
+  REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+  CHECK(Recorder(lamp.names, path).error() == ENXIO);
+
+  const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  REQUIRE(reader >= 0);
+  constexpr int more_than_a_pipe_holds = 5000;
+  Recorder recorder{lamp.names, path};
+  for (int i = 0; i < more_than_a_pipe_holds; ++i) recorder.tell(lamp.event(Event::Kind::exhausted, i));
+  recorder.close();
+  CHECK(recorder.error() == ETIMEDOUT);
+  ::close(reader);
+}
+
+TEST_CASE("a named pipe whose reader is slow gets all events") {
+  const Lamp lamp;
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "run.jsonl").string();
+  REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+  const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  REQUIRE(reader >= 0);
+  constexpr int events = 5000;
+  std::string all;
+  {
+    Recorder recorder{lamp.names, path};
+    for (int i = 0; i < events; ++i) recorder.tell(lamp.event(Event::Kind::exhausted, i));
+    std::this_thread::sleep_for(std::chrono::milliseconds(100)); // meanwhile the pipe is full
+    ::fcntl(reader, F_SETFL, 0);
+    std::thread read([&] {
+      std::array<char, 10'000> bytes{};
+      for (ssize_t count = 1; count > 0;) {
+        count = ::read(reader, bytes.data(), bytes.size());
+        if (count > 0) all.append(bytes.data(), static_cast<std::size_t>(count));
+      }
+    });
+    recorder.close();
+    read.join();
+    CHECK(recorder.good());
+  }
+  ::close(reader);
+  CHECK(all == header(lamp.names) + lines(lamp, 0, events));
 }
 
 TEST_CASE("the thread of a recorder is not real-time, and otherwise as nice as the one that made it") {
