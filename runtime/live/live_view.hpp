@@ -38,7 +38,7 @@ public:
   /// The page, the address, and limits.
   struct Options {
     std::string page = {};      ///< the file that `directorc docs` wrote; empty: `html`
-    std::string_view html = {}; ///< the page itself, from director_embed_page; empty: there is no page, only its data
+    std::string_view html = {}; ///< the page itself, of `director_add_behaviour(… PAGE)`; empty: no page, only its data
     std::string address = "127.0.0.1"; ///< of this computer; any but a loopback address gives others access
     std::uint16_t port = 0;            ///< 0: any that is free
     std::size_t queue = 65'536;        ///< events that can wait for the view's thread
