@@ -59,7 +59,8 @@ private:
 enum class StepResult : std::uint8_t {
   quiescent,        ///< nothing is left to do before the next input or due time
   budget_exhausted, ///< a budget of one step is used up; call again to go on
-  fault,            ///< a body, handler or observer threw; the engine is consistent, call again to go on
+  fault,            ///< a body requested a level that is not declared; call again to go on. Only of an Engine, also: a
+                    ///< body, handler or observer threw, which the step of a Behaviour throws on
   refused,          ///< called from inside a body, handler or observer, in a program without assertions
 };
 
