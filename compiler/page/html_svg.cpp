@@ -17,15 +17,18 @@ namespace {
 
 constexpr std::size_t nowhere = std::string::npos;
 
-void erase_all(std::string& text, std::string_view what) {
+void replace_all(std::string& text, std::string_view what, std::string_view by) {
   std::string out;
   std::size_t from = 0;
   for (std::size_t at = text.find(what); at != nowhere; at = text.find(what, from)) {
     out.append(text, from, at - from);
+    out += by;
     from = at + what.size();
   }
   text = out.append(text, from);
 }
+
+void erase_all(std::string& text, std::string_view what) { replace_all(text, what, {}); }
 
 void erase_from_to(std::string& text, std::string_view begin, std::string_view end) {
   std::string out;
@@ -40,8 +43,9 @@ void erase_from_to(std::string& text, std::string_view begin, std::string_view e
 }
 
 /// A link within one to the same place, with the same text: Graphviz writes one for a box, and one for its first row.
+/// Also the groups around links, which are for their ids; but a link directly within a link would not be drawn.
 void drop_inner_links(std::string& svg) {
-  constexpr std::string_view open = "<g><a ", close = "</a>\n</g>\n";
+  constexpr std::string_view group = "<g>", end_of_group = "</g>\n", open = "<g><a ", close = "</a>\n</g>\n";
   std::string out;
   std::vector<std::string_view> links; ///< that are open, those left out as well
   std::vector<bool> left_out;
@@ -59,10 +63,11 @@ void drop_inner_links(std::string& svg) {
       const std::string_view link = text.substr(at, end - at);
       left_out.push_back(!links.empty() && links.back() == link);
       links.push_back(link);
-      if (!left_out.back()) out += text.substr(at, from - at);
+      const std::size_t begin = links.size() == 1 ? at + group.size() : at;
+      if (!left_out.back()) out += text.substr(begin, from - begin);
     } else {
       from = at + close.size();
-      if (!left_out.back()) out += close;
+      if (!left_out.back()) out += links.size() == 1 ? close.substr(0, close.size() - end_of_group.size()) : close;
       links.pop_back();
       left_out.pop_back();
     }
@@ -120,6 +125,8 @@ std::string svg_part(std::string svg) {
   erase_from_to(svg, " id=\"", "\"");
   erase_from_to(svg, "<!--", "-->");
   drop_inner_links(svg);
+  replace_all(svg, "\n\n", "\n"); // where comments were
+  replace_all(svg, ">\n<", "><");
   round_coordinates(svg);
   return without_trailing_blanks(std::move(svg));
 }

@@ -106,7 +106,7 @@ std::string row_html(const Json& transitions, const Json& row) {
     }
     explanations +=
         fmt::format("<div id=\"{}\" tabindex=\"-1\"><dt>to {}: <b class=\"sign\" data-kind=\"{}\">{}</b> "
-                    "{}</dt><dd>{}{}</dd></div>\n",
+                    "{}<dd>{}{}</div>\n", // </dt> and </dd> may be left out
                     anchor_of(row, &column), html(column["group"].as_text()), kind.kind, kind.sign, kind.kind,
                     html(cells[i]["words"].as_text()), scenario_html(cells[i], transitions["pieces"]));
   }

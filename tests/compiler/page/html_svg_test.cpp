@@ -9,16 +9,16 @@ TEST_CASE("of a file of Graphviz a page has the picture alone, without ids, comm
   CHECK(svg_part("<?xml?>\n<!-- a -->\n<svg role=\"x\" id=\"s\">\n<!-- b -->\n<text text-anchor=\"start\" x=\"1\" "
                  "stroke=\"transparent\" "
                  "font-family=\"Helvetica,sans-Serif\">a</text>\n</svg>\n") ==
-        "<svg role=\"x\">\n\n<text x=\"1\">a</text>\n</svg>");
+        "<svg role=\"x\"><text x=\"1\">a</text></svg>");
 }
 
-TEST_CASE("a link within the same link is left out, one to elsewhere is not") {
+TEST_CASE("a link within the same link is left out, one to elsewhere is not; the group around an outer link is") {
   CHECK(svg_part("<svg>\n<g><a href=\"1\">\n<g><a href=\"1\">\n<text>a</text>\n</a>\n</g>\n<g><a href=\"2\">\n"
                  "<text>b</text>\n</a>\n</g>\n</a>\n</g>\n<g><a href=\"1\">\n<text>c</text>\n</a>\n</g>\n</svg>") ==
-        "<svg>\n<g><a href=\"1\">\n<text>a</text>\n<g><a href=\"2\">\n<text>b</text>\n</a>\n</g>\n</a>\n</g>\n"
-        "<g><a href=\"1\">\n<text>c</text>\n</a>\n</g>\n</svg>");
-  // Not closed: unchanged, but for the end.
-  CHECK(svg_part("<svg><g><a href=\"1\">\n<g><a href=\"2\"") == "<svg><g><a href=\"1\">\n<g><a href=\"2\"");
+        "<svg><a href=\"1\"><text>a</text><g><a href=\"2\"><text>b</text></a></g></a><a href=\"1\"><text>c</text></a>"
+        "</svg>");
+  // Not closed: the links are unchanged.
+  CHECK(svg_part("<svg><g><a href=\"1\">\n<g><a href=\"2\"") == "<svg><g><a href=\"1\"><g><a href=\"2\"");
 }
 
 TEST_CASE("coordinates of lines are written to a tenth of a point") {
