@@ -198,6 +198,22 @@ await situation('of any two groups the page says who goes first, and what decide
   await shot(page, 'soccer_pair');
 });
 
+for (const way of ['by a link', 'by its address']) {
+  await situation(`who goes to the findings of seventy groups ${way} sees them`, 'robocup', { viewport: { width: 1400, height: 900 } }, async (page, said) => {
+    if (way === 'by a link') {
+      await page.getByRole('link', { name: 'Findings', exact: true }).click();
+    } else {
+      const address = page.url();
+      await page.goto('about:blank');
+      await page.goto(`${address}#findings`);
+      said.length = 0; // leaving and returning are requests
+    }
+    await page.waitForTimeout(1000);
+    const top = await page.locator('#findings-title').evaluate((title) => title.getBoundingClientRect().top);
+    assert.ok(top >= 0 && top < 900, `${top}`);
+  });
+}
+
 await situation('what the letters of the matrix mean is said of those that stand in it', 'soccer', {}, async (page) => {
   const signs = (where) => page.locator(where).evaluateAll((all) => [...new Set(all.map((each) => each.textContent))].sort());
   assert.deepEqual(await signs('.legend .sign'), await signs('.matrix td a'));

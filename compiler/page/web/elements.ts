@@ -39,12 +39,39 @@ export function byId(id: string): HTMLElement | null {
   return document.getElementById(id);
 }
 
+/** Scrolls to an element, in each frame until it stays there: sections above it have their real height only when they were near the viewport. */
+export function scrollToElement(target: Element): void {
+  let [frames, calm, last] = [0, 0, NaN];
+  const look = (): void => {
+    const { top } = target.getBoundingClientRect();
+    calm = top === last ? calm + 1 : 0;
+    if (calm > 1 || ++frames > 60) return;
+    target.scrollIntoView();
+    last = target.getBoundingClientRect().top;
+    requestAnimationFrame(look);
+  };
+  look();
+}
+
+/** Makes links within the page, and an address with a fragment, end where they lead to. */
+export function settleLinks(): void {
+  const settle = (): void => void requestAnimationFrame(() => {
+    const target = document.querySelector(':target');
+    if (target) scrollToElement(target);
+  });
+  document.addEventListener('click', (event) => {
+    if (!event.defaultPrevented && event.target instanceof Element && event.target.closest('a[href^="#"]')) settle();
+  });
+  const [way] = performance.getEntriesByType('navigation') as PerformanceNavigationTiming[];
+  if (way?.type === 'navigate') addEventListener('load', settle); // otherwise the browser scrolls to where the user was
+}
+
 /** Opens the details around an element, scrolls to it and moves the keyboard focus there; false: there is none with this id. */
 export function goTo(id: string): boolean {
   const target = byId(id);
   if (!target) return false;
   for (let up = target.parentElement; up; up = up.parentElement) if (up instanceof HTMLDetailsElement) up.open = true;
-  target.scrollIntoView({ block: 'start' });
+  scrollToElement(target);
   target.focus({ preventScroll: true });
   return true;
 }

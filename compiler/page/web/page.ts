@@ -3,7 +3,7 @@
 
 import { choosePicture } from './collapse';
 import { readData } from './data';
-import { byId } from './elements';
+import { byId, settleLinks } from './elements';
 import { decodeRecording } from './embedded';
 import { Finder } from './finder';
 import { Live, liveAddress } from './live';
@@ -19,6 +19,7 @@ const live = address === undefined ? undefined : new Live(address, data, picture
 new Finder(data, pictures, live && ((group) => void live.bar.why(group)));
 new Pair(data);
 new Matrix(data);
+settleLinks();
 
 const embedded = byId('recording');
 if (embedded) {
