@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # cmake -D NODE=<program> -D NPM=<program> -D CHROMIUM=<program> -D DIRECTORC=<program> -D SOCCER=<program> -D FROM=<this folder> -D ROOT=<the project> -D WORK=<folder> -P timeline.cmake
-# Writes five recordings as pages and tests them in a browser (timeline.mjs): a minute of soccer, the same with missing events, the rover, two tasks
-# that are blocked, and a request for a task that runs for another.
+# Writes six recordings as pages and tests them in a browser (timeline.mjs): a minute of soccer, the same with missing events, the rover, two tasks
+# that are blocked, a request for a task that runs for another, and a
+# task with many others below it.
 include(${CMAKE_CURRENT_LIST_DIR}/../support/npm_packages.cmake)
 begin(${FROM} timeline)
 file(GLOB scripts ${FROM}/*.mjs)
@@ -37,9 +38,24 @@ steps:
   - advance: 1 s
 ")
 execute_process(COMMAND ${DIRECTORC} simulate ${into}/eyes.scenario.yaml --trace ${into}/eyes.jsonl OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+set(tall "behaviour: tall\nlanguage: 1\nroots: [Play]\ngroups:\n")
+set(leaves "")
+foreach(i RANGE 1 44)
+  string(APPEND tall "  Leaf${i}: {}\n")
+  list(APPEND leaves Leaf${i})
+endforeach()
+list(JOIN leaves ", " leaves)
+file(WRITE ${into}/tall.yaml "${tall}  Play: {tasks: [${leaves}]}\n")
+file(WRITE ${into}/tall.scenario.yaml "scenario: all run
+behaviour: tall.yaml
+steps:
+  - request: Play
+  - advance: 1 s
+")
+execute_process(COMMAND ${DIRECTORC} simulate ${into}/tall.scenario.yaml --trace ${into}/tall.jsonl OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${NODE} gap.mjs minute.jsonl gap.jsonl WORKING_DIRECTORY ${into} COMMAND_ERROR_IS_FATAL ANY)
 foreach(page minute:behaviours/soccer/soccer.yaml gap:behaviours/soccer/soccer.yaml rover:tests/docs/rover/rover.yaml
-             blocked:${into}/blocked.yaml eyes:${into}/eyes.yaml)
+             blocked:${into}/blocked.yaml eyes:${into}/eyes.yaml tall:${into}/tall.yaml)
   string(REPLACE ":" ";" page ${page})
   list(POP_FRONT page name)
   execute_process(COMMAND ${DIRECTORC} trace ${into}/${name}.jsonl --to=html --behaviour ${page} -o ${into}/out/${name}.html "--link=https://git.example.org/{file}#L{line}"

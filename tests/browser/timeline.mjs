@@ -295,6 +295,42 @@ await situation('at 200 % nothing is cut off at the side', 'minute', { viewport:
   await all.shot(page, 'minute_200');
 });
 
+await situation('on paper each name stands beside its track, in blocks of which none is higher than a page, and a dark browser prints in light colours', 'tall', { colorScheme: 'dark' }, async (page) => {
+  await page.evaluate(() => addEventListener('beforeprint', () => (globalThis.blocks = document.querySelectorAll('.printed .lanes').length)));
+  await page.pdf();
+  assert.deepEqual(await page.evaluate(() => [globalThis.blocks, document.querySelectorAll('.printed .lanes').length]), [2, 0]);
+  await page.emulateMedia({ media: 'print', colorScheme: 'dark' });
+  await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+  const blocks = await page.locator('.printed .lanes').evaluateAll((all) => all.map((block) => {
+    const canvas = block.querySelector('canvas');
+    const { top } = canvas.getBoundingClientRect();
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    const pixels = (y, height) => [...data.subarray(y * 3 * 4 * canvas.width, (y + height) * 3 * 4 * canvas.width)];
+    const labels = [...block.querySelectorAll('.labels a')];
+    return {
+      height: block.getBoundingClientRect().height,
+      kept: getComputedStyle(block).breakInside,
+      names: labels.map((each) => each.textContent),
+      rows: labels.map((each) => (each.getBoundingClientRect().top - top - 34) / 20),
+      running: labels.map((_, i) => pixels(34 + 20 * i + 4, 1).slice(4 * 3, 4 * 3 + 3).join()),
+      times: Math.min(...pixels(4, 8).filter((value, i) => i % 4 === 0)), // the least red of its letters
+    };
+  }));
+  assert.deepEqual(blocks.flatMap(({ names }) => names), ['Play', ...Array.from({ length: 44 }, (_, i) => `Leaf${i + 1}`)].sort((a, b) => (a === 'Play') - (b === 'Play')));
+  for (const { height, kept, rows, running, times } of blocks) {
+    assert.ok(height <= 700, `${height}`);
+    assert.equal(kept, 'avoid');
+    assert.deepEqual(rows, rows.map((_, i) => i));
+    assert.deepEqual([...new Set(running)], ['0,98,155']);
+    assert.ok(times < 60, `${times}`);
+  }
+  assert.equal(await page.locator('.printed + .looks i').first().evaluate((sign) => getComputedStyle(sign).printColorAdjust), 'exact');
+  assert.equal(await page.locator('#scrub').isVisible(), false);
+  await all.shot(page, 'tall_paper');
+  await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+  assert.equal(await page.locator('#scrub').isVisible(), true);
+});
+
 await all.run('without JavaScript the beginning is a table', 'minute', { javaScriptEnabled: false }, async (page) => {
   assert.match(await page.locator('#no-timeline').textContent(), /The timeline itself needs JavaScript\. These are the first events:/);
   assert.equal(await page.locator('#no-timeline tbody tr').count(), 40);

@@ -26,6 +26,11 @@ function orderOf(source: Source, data: Data): number[] {
   return groups.map((_, i) => i).sort((a, b) => (place.get(groups[a].name) ?? 0) - (place.get(groups[b].name) ?? 0));
 }
 
+/** What fits on A4 and Letter, in both directions. */
+const rowsOnPaper = 30;
+const widthOnPaper = 600; // pixels
+const scaleOnPaper = 3;
+
 export class Timeline {
   private readonly cursor: Cursor;
   private readonly view: View;
@@ -42,6 +47,7 @@ export class Timeline {
   private readonly tip = make('div', { class: 'tip', hidden: '' });
   private readonly labels = make('div', { class: 'labels' });
   private readonly area = make('div', { class: 'area', id: 'scrub', tabindex: '0', role: 'slider', 'aria-label': 'Time' }, this.ruler, this.canvas, this.line, this.tip);
+  private readonly printed = make('div', { class: 'printed', 'aria-hidden': 'true' });
   private readonly where = make('output', { class: 'where' });
   private readonly inPicture = make('input', { type: 'checkbox', id: 'in-picture', checked: '' });
   private readonly onlyNow = make('input', { type: 'checkbox', id: 'only-now' });
@@ -93,7 +99,7 @@ export class Timeline {
     const legend = make('p', { class: 'looks' }, ...['running', 'pushed', 'queued', 'held', 'inactive'].map((mark) => make('span', {}, make('i', { class: mark }), ` ${mark}`)), make('span', { class: 'push-sign' }, '▲ push'), make('span', { class: 'take-sign' }, '◆ take-over'));
     const hint = make('p', { class: 'hint' }, 'Click or drag to a moment. With the keyboard: ← and → to the events beside it, Page keys further, Home, End, space plays, + and − zoom, as does Ctrl with the wheel.');
     const lanes = make('div', { class: 'lanes' }, this.labels, this.area);
-    section.append(bar, this.where, this.overview.element, lanes, legend, make('div', { class: 'beside' }, this.moment.element, this.list.element), hint);
+    section.append(bar, this.where, this.overview.element, lanes, this.printed, legend, make('div', { class: 'beside' }, this.moment.element, this.list.element), hint);
     bar.append(this.filter.element);
     byId('no-timeline')?.remove();
   }
@@ -114,6 +120,8 @@ export class Timeline {
     this.area.addEventListener('pointermove', (event) => (event.buttons & 1 ? this.scrub(event) : this.hover(event)));
     this.area.addEventListener('pointerleave', () => (this.tip.hidden = true));
     new ResizeObserver(() => this.change()).observe(this.area);
+    addEventListener('beforeprint', () => this.toPaper());
+    addEventListener('afterprint', () => this.toScreen());
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
       this.look = lookOf(this.area);
       this.change();
@@ -274,6 +282,34 @@ export class Timeline {
     this.tracks.draw(context, this.width, this.look);
     this.copyRuler(scale);
     this.overview.draw(this.look);
+  }
+
+  /** For print: the tracks in blocks, each no higher than a page, with their names beside them, in the light colours. */
+  private toPaper(): void {
+    this.toScreen();
+    if (!this.drawn) this.draw();
+    document.documentElement.classList.add('paper');
+    const look = lookOf(this.area);
+    const { rows } = this.tracks;
+    const names = [...this.labels.children];
+    for (let from = 0; from < rows.length; from += rowsOnPaper) {
+      this.tracks.rows = rows.slice(from, from + rowsOnPaper);
+      const canvas = make('canvas', { class: 'slices' });
+      canvas.width = widthOnPaper * scaleOnPaper;
+      canvas.height = this.tracks.height * scaleOnPaper;
+      const context = canvas.getContext('2d');
+      context?.scale(scaleOnPaper, scaleOnPaper);
+      if (context) this.tracks.draw(context, widthOnPaper, look);
+      const labels = make('div', { class: 'labels' }, ...names.slice(from, from + rowsOnPaper).map((name) => name.cloneNode(true)));
+      this.printed.append(make('div', { class: 'lanes' }, labels, make('div', { class: 'area' }, canvas)));
+      canvas.style.height = `${this.tracks.height}px`;
+    }
+    this.tracks.rows = rows;
+  }
+
+  private toScreen(): void {
+    document.documentElement.classList.remove('paper');
+    this.printed.replaceChildren();
   }
 
   private copyRuler(scale: number): void {
