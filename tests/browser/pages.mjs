@@ -305,6 +305,18 @@ await situation('on paper there are no buttons, and it fits', 'soccer', {}, asyn
   if (isLong) await page.pdf({ path: join(folder, 'soccer.pdf'), format: 'A4' });
 });
 
+await situation('on paper a focus, and a cell that was chosen, change nothing but that the cell is explained, without its scenario', 'soccer', {}, async (page) => {
+  await click(page.locator('#group-Kick button.focus'));
+  await click(page.getByRole('link', { name: 'soft: from Walk to Kick', exact: true }));
+  await page.emulateMedia({ media: 'print' });
+  const looks = (where, key) => page.locator(where).evaluateAll((all, name) => [...new Set(all.map((each) => getComputedStyle(each)[name]))], key);
+  assert.deepEqual(await looks('.holder:not([hidden]) g:is(.node, .edge, .label)', 'opacity'), ['1']);
+  assert.deepEqual(await looks('.holder:not([hidden]) .chosen path', 'strokeWidth'), ['1px']);
+  assert.deepEqual(await looks('.matrix td[aria-current] a', 'outlineStyle'), ['none']);
+  assert.equal(await page.locator('#cell p').first().isVisible(), true);
+  assert.equal(await page.locator('#cell pre').isVisible(), false);
+});
+
 await situation('on paper nothing of seventy groups is cut off at the side', 'robocup', { viewport: { width: 718, height: 1047 } }, async (page) => {
   await page.emulateMedia({ media: 'print' });
   const [inner, whole] = await page.evaluate(() => [document.documentElement.clientWidth, document.documentElement.scrollWidth]);
