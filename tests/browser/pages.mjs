@@ -301,7 +301,8 @@ await situation('on paper there are no buttons, and it fits', 'soccer', {}, asyn
   assert.ok((await size('#group-Kick .place')) < (await size('#group-Kick dd')));
   assert.deepEqual(await beyond(page), []);
   assert.equal(await page.locator('.rivals td').first().isVisible(), true);
-  assert.equal(await page.locator('.rows pre').first().isVisible(), false);
+  assert.equal(await page.locator('.rows summary').first().isVisible(), false);
+  assert.deepEqual(await page.locator('h2, h3, h4').evaluateAll((all) => [...new Set(all.map((each) => getComputedStyle(each).breakAfter))]), ['avoid']);
   if (isLong) await page.pdf({ path: join(folder, 'soccer.pdf'), format: 'A4' });
 });
 
