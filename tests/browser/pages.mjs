@@ -162,6 +162,33 @@ await situation('the picture is moved and zoomed by keys, wheel and buttons', 's
   assert.equal(await page.locator('.holder:not([hidden]) svg > g').getAttribute('transform').then((text) => /scale\(1\.3\)/.test(text)), true);
 });
 
+await situation('the keyboard goes to each box once, which is in sight then; a link goes past all of them', 'robocup', { viewport: { width: 1400, height: 900 } }, async (page) => {
+  const frame = page.locator('.holder:not([hidden]) .picture');
+  await frame.focus();
+  const titles = [];
+  for (;;) {
+    await page.keyboard.press('Tab');
+    const seen = await page.evaluate(() => {
+      const link = document.activeElement;
+      const [box, frame] = [link, document.querySelector('.holder:not([hidden]) .picture')].map((each) => each.getBoundingClientRect());
+      const isSeen = box.left >= frame.left && box.right <= frame.right && box.top >= Math.max(0, frame.top) && box.bottom <= Math.min(innerHeight, frame.bottom) + 1;
+      return { title: link.closest('svg') && (link.closest('g')?.querySelector('title').textContent ?? ''), isSeen };
+    });
+    if (seen.title === null) break;
+    assert.ok(seen.isSeen, seen.title);
+    titles.push(seen.title);
+  }
+  assert.equal(new Set(titles).size, titles.length);
+  assert.ok(titles.length > 40, `${titles.length}`);
+  await frame.focus();
+  await page.keyboard.press('Shift+Tab');
+  assert.equal(await focused(page), 'To what comes after the picture');
+  await shot(page, 'robocup_skip');
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('Tab');
+  assert.equal(await page.evaluate(() => document.activeElement.closest('#groups') !== null), true);
+});
+
 await situation('collapsed to modules and to layers, one picture is shown', 'soccer', {}, async (page) => {
   for (const view of ['By module', 'By layer', 'All groups']) {
     await page.getByLabel(view, { exact: true }).check();

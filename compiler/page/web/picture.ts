@@ -28,6 +28,8 @@ export const namesIn = (title: string): string[] => title.split(', ');
 
 const groupOf = (end: string): string => end.split('.')[0];
 
+const isWithin = (inner: DOMRect, outer: DOMRect): boolean => inner.left >= outer.left && inner.right <= outer.right && inner.top >= outer.top && inner.bottom <= outer.bottom;
+
 export class Picture {
   readonly nodes = new Map<string, SVGGElement>();
   readonly svg: SVGSVGElement;
@@ -112,6 +114,9 @@ export class Picture {
     this.svg.addEventListener('touchstart', (event) => event.touches.length > 1 && event.cancelable && event.preventDefault(), { passive: false });
     this.frame.classList.add('moves');
     this.frame.addEventListener('keydown', (event) => this.key(event));
+    // Boxes have one link each; the text below has the links of rows and arrows too.
+    for (const link of this.svg.querySelectorAll('a a, .edge a, .label a')) link.setAttribute('tabindex', '-1');
+    this.frame.addEventListener('focusin', (event) => event.target instanceof SVGElement && event.target.matches(':focus-visible') && this.bringIn(event.target));
   }
 
   private key(event: KeyboardEvent): void {
@@ -159,6 +164,18 @@ export class Picture {
     return all.length === 0 ? otherwise : all.reduce((sum, { x, width }) => sum + x + width / 2, 0) / all.length;
   }
 
+  /** Moves an element to the middle of the frame if a part of it is outside, and the frame into the viewport. */
+  private bringIn(element: Element): void {
+    const [box, frame] = [element, this.frame].map((each) => each.getBoundingClientRect());
+    const scale = this.svg.querySelector('g')?.getScreenCTM()?.a;
+    const middle = (rect: DOMRect): [number, number] => [rect.left + rect.width / 2, rect.top + rect.height / 2];
+    if (scale && !isWithin(box, frame)) {
+      const [[x, y], [toX, toY]] = [middle(box), middle(frame)];
+      select(this.svg).call(this.motion.translateBy, (toX - x) / scale, (toY - y) / scale);
+    }
+    element.scrollIntoView({ block: 'nearest' });
+  }
+
   /** Centres the group with its related groups if that is readable, otherwise the group alone. */
   private centre(node: SVGGElement, near: Set<SVGGElement>): void {
     this.whole();
@@ -178,6 +195,7 @@ export class Picture {
   }
 
   private tools(): HTMLElement {
+    const after = this.frame.closest('section')?.nextElementSibling;
     return make(
       'div',
       { class: 'tools', role: 'group', 'aria-label': `Zoom of ${this.name}` },
@@ -185,6 +203,7 @@ export class Picture {
       button('Smaller', () => this.scale(1 / 1.3)),
       button('Whole', () => this.whole()),
       make('span', { class: 'hint' }, 'Drag to move; Ctrl and the wheel, or + and −, to zoom; arrow keys move; on a touch screen two fingers'),
+      ...(after && this.svg.querySelector('a') ? [make('a', { class: 'skip', href: `#${after.id}` }, 'To what comes after the picture')] : []),
     );
   }
 }
