@@ -61,7 +61,7 @@ await situation('the whole name is found first, so that Enter goes to it', 'exac
 });
 
 await situation('in the search field the first Escape clears it, and the second ends the focus, which is named until then', 'soccer', {}, async (page) => {
-  const words = () => page.locator('#status').textContent();
+  const words = () => page.locator('#focused').textContent();
   await page.fill('#search', 'kick');
   await page.locator('#search').press('Enter');
   assert.match(await words(), /^Focus on Kick: /);
@@ -87,7 +87,7 @@ await situation('after a way back to the page the chosen picture is the one that
 
 await situation('a focus greys out what has nothing to do with the group, Escape ends it', 'soccer', {}, async (page) => {
   await click(page.locator('#group-KickTo button.focus'));
-  assert.deepEqual((await near(page)).sort(), ['Kick', 'KickTo', 'KickToGoal', 'LookAt', 'Walk']);
+  assert.deepEqual((await near(page)).sort(), ['Kick', 'KickTo', 'KickToGoal', 'LookAt', 'Striker', 'Walk']);
   await shot(page, 'soccer_focus');
   const grey = await page.locator('.holder:not([hidden]) g.node:not(.near)').first().evaluate((node) => getComputedStyle(node).opacity);
   assert.ok(Number(grey) < 0.5);
@@ -103,7 +103,7 @@ await situation('a focus while modules are shown goes to the picture that has th
   await click(page.locator('#group-KickTo button.focus'));
   assert.deepEqual(await page.locator('.picture:visible').evaluateAll((all) => all.map((each) => each.dataset.picture)), ['All groups']);
   assert.equal(await page.getByLabel('All groups', { exact: true }).isChecked(), true);
-  assert.deepEqual((await near(page)).sort(), ['Kick', 'KickTo', 'KickToGoal', 'LookAt', 'Walk']);
+  assert.deepEqual((await near(page)).sort(), ['Kick', 'KickTo', 'KickToGoal', 'LookAt', 'Striker', 'Walk']);
   assert.doesNotMatch(await place(), /NaN/);
   await page.getByLabel('By module', { exact: true }).check();
   assert.equal(await place(), modules);
@@ -112,9 +112,37 @@ await situation('a focus while modules are shown goes to the picture that has th
 
 await situation('a focus on a group that shares its box with others is on that box', 'soccer', {}, async (page) => {
   await click(page.locator('#group-LeftArm button.focus'));
-  assert.deepEqual((await near(page)).sort(), ['Brace', 'GetUp', 'LeftArm, RightArm', 'Walk']);
+  assert.deepEqual((await near(page)).sort(), ['Brace', 'FallRecovery', 'GetUp', 'KickTo', 'KickToGoal', 'LeftArm, RightArm', 'Striker', 'Walk', 'WalkTo', 'WalkToBall', 'WalkToReady']);
   await page.fill('#search', 'leftarm');
   assert.deepEqual(await page.locator('.holder:not([hidden]) g.node.found title').allTextContents(), ['LeftArm, RightArm']);
+});
+
+await situation('a focus has who leads to the group, what it holds, who may take that, and whom it may push', 'soccer', {}, async (page) => {
+  await click(page.locator('#group-Kick button.focus'));
+  assert.deepEqual((await near(page)).sort(), ['Brace', 'GetUp', 'Kick', 'KickTo', 'KickToGoal', 'LeftLeg', 'RightLeg', 'Striker', 'Walk']);
+  const arrows = await page.locator('.holder:not([hidden]) g.edge.near > title').allTextContents();
+  for (const arrow of ['Striker.playing → KickToGoal', 'KickToGoal → KickTo', 'KickTo.kick → Kick', 'GetUp → LeftLeg', 'Kick → Walk.halting']) assert.ok(arrows.includes(arrow), arrow);
+  await shot(page, 'soccer_focus_kick');
+});
+
+await situation('a focus on a telephone has in sight what it is, how it ends, and what is beside the group, or names that', 'soccer', { viewport: { width: 390, height: 844 } }, async (page) => {
+  for (const group of ['Kick', 'KickTo', 'Walk']) {
+    await page.fill('#search', group);
+    await page.locator('#search').press('Enter');
+    await page.locator('#picture').evaluate((picture) => picture.scrollIntoView());
+    const all = await near(page), out = await beyond(page);
+    const [words, outside] = (await page.locator('#focused').textContent()).split(' Outside of the frame: ');
+    assert.match(words, new RegExp(`^Focus on ${group}: `));
+    assert.deepEqual(outside?.replace(/\.$/, '').split(/, (?!Right)/) ?? [], all.filter((name) => out.includes(name)));
+    assert.ok(all.length > out.filter((name) => all.includes(name)).length + 2);
+    for (const shown of ['#focused', '.tools button:text("Show everything")']) {
+      const { y, height } = await page.locator(shown).boundingBox();
+      assert.ok(y >= 0 && y + height <= 844, `${y} ${height}`);
+    }
+    await shot(page, `soccer_focus_390_${group}`);
+  }
+  await page.getByRole('button', { name: 'Show everything' }).click();
+  assert.deepEqual(await near(page), []);
 });
 
 await situation('the keys for searching and for ending a focus act where a radio button has the keyboard', 'soccer', {}, async (page) => {
@@ -240,6 +268,10 @@ for (const way of ['by a link', 'by its address']) {
     assert.ok(top >= 0 && top < 900, `${top}`);
   });
 }
+
+await situation('the rows of boxes are drawn, also where they are links', 'soccer', {}, async (page) => {
+  assert.deepEqual(await page.locator('.picture:visible g.node text').evaluateAll((all) => all.filter((text) => text.getClientRects().length === 0).map((text) => text.textContent)), []);
+});
 
 await situation('what the letters of the matrix mean is said of those that stand in it', 'soccer', {}, async (page) => {
   const signs = (where) => page.locator(where).evaluateAll((all) => [...new Set(all.map((each) => each.textContent))].sort());

@@ -14,14 +14,14 @@ export class Finder {
   private readonly input = make('input', { type: 'search', id: 'search', autocomplete: 'off', spellcheck: 'false', 'aria-controls': 'found' });
   private readonly list = make('ul', { id: 'found', 'aria-label': 'Found' });
   private readonly status = make('p', { id: 'status', role: 'status' });
-  private focused = ''; // the words of the current focus; empty: there is none
+  private readonly focused = make('span', { id: 'focused', role: 'status' }); // the words of the current focus; empty: there is none
   private readonly clear = button('Show everything', () => this.focus(undefined), { hidden: '' });
 
   /** `chosen`: called for a click on a group in a picture; undefined: the click focuses the group. */
   constructor(private readonly data: Data, private readonly pictures: Picture[], chosen?: (group: string) => void) {
     const box = byId('finder');
     if (!box) return;
-    box.append(make('label', { for: 'search' }, 'Search groups and states'), this.input, this.clear, this.status, this.list);
+    box.append(make('label', { for: 'search' }, 'Search groups and states'), this.input, this.status, this.list);
     box.hidden = false;
     this.input.addEventListener('input', () => this.search());
     this.input.addEventListener('keydown', (event) => {
@@ -63,11 +63,15 @@ export class Finder {
     if (group !== undefined && !this.pictures.some((picture) => picture.has(group) && !picture.hidden)) {
       this.pictures.find((picture) => picture.has(group))?.reveal();
     }
-    for (const picture of this.pictures) picture.focus(group);
+    const shown = this.pictures.find((picture) => !picture.hidden);
+    shown?.tools.append(this.clear, this.focused); // beside the picture, to which the page is scrolled
     this.clear.hidden = group === undefined;
-    this.focused = group === undefined ? '' : `Focus on ${group}: who requests, needs or pushes it, and what it requests, needs and pushes.`;
-    this.status.textContent = this.focused;
-    if (group !== undefined) byId('picture')?.scrollIntoView({ block: 'start' });
+    this.focused.textContent = group === undefined ? '' : `Focus on ${group}: who leads to it, what it requests, needs and pushes, who pushes it, and who needs the same.`;
+    for (const picture of this.pictures) picture.focus(group);
+    if (group === undefined) return;
+    const outside = shown?.outside ?? [];
+    if (outside.length > 0) this.focused.append(` Outside of the frame: ${outside.join(', ')}.`);
+    byId('picture')?.scrollIntoView({ block: 'start' });
   }
 
   private isGroup(name: string): boolean {
@@ -83,7 +87,7 @@ export class Finder {
     const wanted = this.input.value.trim().toLowerCase();
     const hits = wanted === '' ? [] : this.find(wanted, this.input.value.trim());
     this.list.replaceChildren(...hits.slice(0, most).map((hit) => make('li', {}, button(hit.label, () => this.open(hit)))));
-    this.status.textContent = wanted === '' ? this.focused : `${hits.length} found${hits.length > most ? `, the first ${most} of them` : ''}`;
+    this.status.textContent = wanted === '' ? '' : `${hits.length} found${hits.length > most ? `, the first ${most} of them` : ''}`;
     const names = new Set(hits.map((hit) => hit.group).filter((name): name is string => name !== undefined));
     for (const picture of this.pictures) picture.mark(names);
   }

@@ -33,6 +33,7 @@ const isWithin = (inner: DOMRect, outer: DOMRect): boolean => inner.left >= oute
 export class Picture {
   readonly nodes = new Map<string, SVGGElement>();
   readonly svg: SVGSVGElement;
+  readonly tools: HTMLElement;
   readonly arrows: { from: string; to: string; element: SVGGElement }[] = []; // and their labels; the ends are as in endsOf()
   private readonly boxes = new Map<string, SVGGElement>(); // by group; several groups may share a box, `LeftArm, RightArm`
   private readonly motion = zoom<SVGSVGElement, unknown>();
@@ -52,7 +53,8 @@ export class Picture {
       if (ends) this.arrows.push({ from: ends[0], to: ends[1], element });
     }
     this.makeMovable(layer);
-    frame.before(this.tools());
+    this.tools = this.makeTools();
+    frame.before(this.tools);
   }
 
   get name(): string {
@@ -67,24 +69,49 @@ export class Picture {
     return this.boxes.has(group);
   }
 
-  /** Greys out everything but the group, the groups that it requests or needs, and its requesters; nothing if it is undefined or not in the picture. */
+  /**
+   * Greys out everything but the group, those that lead to it, what it requests, needs, pushes or is pushed by, and those that need the same; nothing if
+   * it is undefined or not in the picture.
+   */
   focus(group?: string): void {
     const own = group === undefined ? undefined : this.boxes.get(group);
+    const lines = this.arrows.map(({ from, to, element }) => ({ element, from: this.boxes.get(groupOf(from)), to: this.boxes.get(groupOf(to)), isPush: to.includes('.'), isNeed: this.isNeed(element) }));
+    const beside = new Set<SVGGElement>(); // what an arrow connects with it
     const near = new Set<SVGGElement>();
-    if (own) near.add(own);
-    for (const arrow of this.arrows) {
-      const ends = [arrow.from, arrow.to].map((end) => this.boxes.get(groupOf(end)));
-      const touches = own !== undefined && ends.includes(own);
-      for (const end of ends) if (touches && end) near.add(end);
-      arrow.element.classList.toggle(inFront, touches);
+    const add = (all: Set<SVGGElement>, wanted: (line: (typeof lines)[number]) => boolean, end: 'from' | 'to'): void => {
+      for (const line of lines) if (line[end] && wanted(line)) all.add(line[end]);
+    };
+    if (own) {
+      beside.add(own);
+      add(beside, ({ from }) => from === own, 'to');
+      add(beside, ({ to }) => to === own, 'from');
+      for (const each of beside) near.add(each);
+      const above = new Set([own]), held = new Set([own]);
+      for (const each of above) add(above, ({ to, isPush }) => to === each && !isPush, 'from'); // a set grows while it is gone through
+      for (const each of held) add(held, ({ from, isNeed }) => from === each && isNeed, 'to');
+      for (const each of [...above, ...held]) near.add(each);
+      held.delete(own);
+      add(near, ({ to, isNeed }) => to !== undefined && held.has(to) && isNeed, 'from');
     }
+    for (const { element, from, to } of lines) element.classList.toggle(inFront, from !== undefined && to !== undefined && near.has(from) && near.has(to));
     for (const node of this.nodes.values()) {
       node.classList.toggle(inFront, near.has(node));
       node.classList.toggle('chosen', node === own);
     }
     this.svg.classList.toggle('focused', own !== undefined);
-    this.pending = own && (() => this.centre(own, near));
+    this.pending = own && (() => this.centre([...near], [...beside], own));
     this.settle();
+  }
+
+  /** The boxes in front that are not completely in the frame. */
+  get outside(): string[] {
+    const frame = this.frame.getBoundingClientRect();
+    return this.hidden ? [] : [...this.nodes].filter(([, node]) => node.classList.contains(inFront) && !isWithin(node.getBoundingClientRect(), frame)).map(([title]) => title);
+  }
+
+  /** Needs are blue, also beside a request: palette::need in compiler/emit/graph. */
+  private isNeed(arrow: Element): boolean {
+    return arrow.querySelector('[stroke="#00629b"]') !== null;
   }
 
   /** Called when it becomes visible: a hidden picture has no size by which something could be centred. */
@@ -176,8 +203,8 @@ export class Picture {
     element.scrollIntoView({ block: 'nearest' });
   }
 
-  /** Centres the group with its related groups if that is readable, otherwise the group alone. */
-  private centre(node: SVGGElement, near: Set<SVGGElement>): void {
+  /** Centres all that is near if that is readable, otherwise what is beside the group if names can be recognized, otherwise the group alone. */
+  private centre(near: Element[], beside: Element[], own: Element): void {
     this.whole();
     const matrix = this.svg.getScreenCTM();
     if (!matrix || matrix.a === 0) return;
@@ -186,15 +213,17 @@ export class Picture {
       const [left, top] = [Math.min(...boxes.map((box) => box.left)), Math.min(...boxes.map((box) => box.top))];
       return new DOMRect(left, top, Math.max(...boxes.map((box) => box.right)) - left, Math.max(...boxes.map((box) => box.bottom)) - top);
     };
-    const all = around([...near]);
-    const fits = (0.95 * matrix.a) * Math.min(this.frame.clientWidth / all.width, this.frame.clientHeight / all.height);
-    const box = fits < readable ? around([node]) : all;
+    const scaleFor = (box: DOMRect): number => 0.95 * matrix.a * Math.min(this.frame.clientWidth / box.width, this.frame.clientHeight / box.height);
+    let box = around(near);
+    let scale = scaleFor(box);
+    if (scale < readable) scale = scaleFor((box = around(beside)));
+    if (scale < least) scale = Math.max(readable, scaleFor((box = around([own]))));
     const at = new DOMPoint(box.left + box.width / 2, box.top + box.height / 2).matrixTransform(matrix.inverse());
-    this.scale(Math.max(1, Math.min(onPaper, Math.max(fits, readable)) / matrix.a));
+    this.scale(Math.max(1, Math.min(onPaper, scale) / matrix.a));
     select(this.svg).call(this.motion.translateTo, at.x, at.y);
   }
 
-  private tools(): HTMLElement {
+  private makeTools(): HTMLElement {
     const after = this.frame.closest('section')?.nextElementSibling;
     return make(
       'div',
