@@ -253,6 +253,7 @@ await situation('a slice of who is blocked says by whom', 'blocked', {}, async (
     tips.push((await page.locator('.tip').textContent()).split('\n')[0]);
   }
   assert.deepEqual(tips, ['GetUp: running, for the program', 'Walk: queued: blocked, as Legs is held by GetUp', 'Legs: queued: blocked, as Legs is held by GetUp']);
+  assert.deepEqual((await page.locator('.holder:not([hidden]) .note').allTextContents()).sort(), ['queued: blocked, as Legs is held by GetUp', 'queued: blocked, as Legs is held by GetUp']);
   await all.shot(page, 'blocked');
   // All events have the same time; what runs then must be drawn nevertheless.
   const drawn = await page.locator('canvas.slices').evaluate((canvas) => [...canvas.getContext('2d').getImageData(canvas.width / 2, (34 + 4) * devicePixelRatio, 1, 1).data]);

@@ -5,7 +5,7 @@
 import type { Data } from './data';
 import { type Names, nobody } from './names';
 import type { Picture } from './picture';
-import type { Recording } from './recording';
+import type { Because, Recording } from './recording';
 import type { Mark, Standing } from './standing';
 import { words } from './standing_words';
 
@@ -47,7 +47,8 @@ export class PictureMarks {
   private readonly names: Names;
   private readonly letters = new Map<string, number>(); // by text of a note: a cache of letterOf()
 
-  constructor(private readonly picture: Picture, private readonly recording: Recording, data: Data) {
+  /** `why`: why a group waits after an event; undefined: not known. */
+  constructor(private readonly picture: Picture, private readonly recording: Recording, data: Data, private readonly why: (group: number, event: number) => Because | undefined) {
     this.names = recording.names;
     const parts = new Map<string, number[]>(); // groups of modules and layers, by title of the box; bands have such titles too, but no frame
     for (const { name, module, layer } of data.groups) for (const part of [`module ${module}`, `layer ${layer}`]) parts.set(part, [...(parts.get(part) ?? []), this.names.group(name)]);
@@ -98,7 +99,8 @@ export class PictureMarks {
     const standings = event === undefined ? [] : box.groups.map((group) => ({ group, standing: this.recording.standingAt(group, event) }));
     const most = standings.reduce<{ group: number; standing: Standing } | undefined>((a, b) => (a && order.indexOf(a.standing.mark) >= order.indexOf(b.standing.mark) ? a : b), undefined);
     const mark = most?.standing.mark ?? '';
-    const note = most && (mark === 'queued' || mark === 'pushed') ? words(this.names, most.group, most.standing) : '';
+    const because = most && mark === 'queued' && event !== undefined ? this.why(most.group, event) : undefined;
+    const note = most && (mark === 'queued' || mark === 'pushed') ? words(this.names, most.group, most.standing, because) : '';
     const provider = most && most.standing.provider !== nobody ? this.names.header.groups[most.group].providers[most.standing.provider] : '';
     const running = new Set(standings.filter(({ standing }) => standing.mark === 'running' || standing.mark === 'pushed').map(({ group }) => group));
     const shown = `${mark} ${provider} ${note} ${[...running].join()}`;

@@ -69,7 +69,7 @@ export class Timeline {
     this.moment = new Moment(source, this.cursor, order);
     this.list = new EventList(recording, this.cursor, this.filter, () => this.leaveEnd());
     this.overview = new Overview(recording, this.view, this.cursor, () => this.leaveEnd(), () => this.change());
-    this.marks = pictures.map((picture) => new PictureMarks(picture, recording, data));
+    this.marks = pictures.map((picture) => new PictureMarks(picture, recording, data, (group, event) => this.why(group, event)));
     this.put();
     this.look = lookOf(this.area);
     this.cursor.onMove(() => this.moved());
