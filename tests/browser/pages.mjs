@@ -247,7 +247,11 @@ await situation('of any two groups the page says who goes first, and what decide
   assert.deepEqual(await ask('kick', 'getup'), told);
   assert.deepEqual(await ask('Head', 'LookAt'), ['LookAt leads to Head: it goes first of what it leads to.']);
   assert.deepEqual(await ask('Striker', 'Striker'), ['Nowhere do two chains of requesters lead to Striker.']);
-  assert.deepEqual(await ask('Kick', 'Nobody'), []);
+  assert.deepEqual(await ask('Kick', ''), []);
+  assert.deepEqual(await ask('Kick', 'Nobody'), ['There is no group Nobody.']);
+  assert.deepEqual(await ask('Kick', 'Wal'), []);
+  await page.getByLabel('or', { exact: true }).press('Enter');
+  assert.deepEqual(await page.locator('#pair-answer li').allTextContents(), ['There is no group Wal.']);
   await page.locator('#pair').scrollIntoViewIfNeeded();
   await ask('Kick', 'Walk');
   await shot(page, 'soccer_pair');

@@ -280,7 +280,7 @@ await situation('behind a gap nothing is known until it is told, and why not', '
 
 await situation('a request for a task that runs for another is in the words too, with the reason', 'eyes', {}, async (page) => {
   await press(page, 'End');
-  assert.deepEqual([await lines(page, 'Waits'), await lines(page, 'Runs')], [[], ['Boss: for the program', 'Guard: for the program', 'Look: for Guard; queued for Boss: blocked']]);
+  assert.deepEqual([await lines(page, 'Waits'), await lines(page, 'Runs')], [[], ['Boss: for the program', 'Guard: for the program', 'Look: for Guard; queued for Boss: blocked, as it runs for Guard (the program: Guard (priority 50) before Boss (priority 10))']]);
 });
 
 await situation('one picture of modules or layers shows the moment too', 'minute', {}, async (page) => {

@@ -10,6 +10,14 @@ function sideThatWins(decision: Decision, turned: boolean): string {
   return decision.goes_first === 'first' ? 'second' : 'first';
 }
 
+/** What decides between two groups, `Boss: Guard (priority 50) before Walk (priority 10)`; empty: nothing, or too much to be told in a line. */
+export function rulesBetween({ groups, ranks }: Data, first: string, second: string): string[] {
+  const [a, b] = [first, second].map((name) => groups.findIndex((group) => group.name === name));
+  if (!ranks || ranks.pairs.length === 0 || a < 0 || b < 0) return [];
+  const { decisions, more } = ranks.answers[ranks.pairs[Math.max(a, b)][Math.min(a, b)]];
+  return more || decisions.length > 3 ? [] : decisions.map((code) => ranks.decisions[Math.floor(code / 2)].words);
+}
+
 export class Pair {
   private readonly inputs = ['first', 'second'].map((id) =>
     make('input', { type: 'search', id: `pair-${id}`, list: 'pair-names', autocomplete: 'off', spellcheck: 'false' }),
@@ -25,13 +33,23 @@ export class Pair {
     const names = make('datalist', { id: 'pair-names' }, ...data.groups.map((group) => make('option', { value: group.name })));
     const [first, second] = this.inputs;
     box.append(make('label', { for: first.id }, 'Who goes first,'), first, make('label', { for: second.id }, 'or'), second, names, this.answer);
-    for (const input of this.inputs) input.addEventListener('input', () => this.show());
+    for (const input of this.inputs) {
+      input.addEventListener('input', () => this.show(false));
+      input.addEventListener('change', () => this.show(true));
+    }
     box.hidden = false;
   }
 
-  private show(): void {
-    const [a, b] = this.inputs.map(({ value }) => this.places.get(value.trim()) ?? this.places.get(value.trim().toLowerCase()));
-    this.answer.replaceChildren(...(a === undefined || b === undefined ? [] : this.tell(a, b)));
+  /** `entered`: otherwise a name may be the beginning of one that is being typed. */
+  private show(entered: boolean): void {
+    const typed = this.inputs.map(({ value }) => value.trim()).filter((name) => name !== '');
+    const placeOf = (name: string): number | undefined => this.places.get(name) ?? this.places.get(name.toLowerCase());
+    const begins = (name: string): boolean => [...this.places.keys()].some((each) => each.startsWith(name.toLowerCase()));
+    const unknown = typed.filter((name) => placeOf(name) === undefined && (entered || !begins(name)));
+    const [a, b] = typed.map(placeOf);
+    this.answer.replaceChildren(
+      ...(unknown.length > 0 ? [make('ul', {}, ...unknown.map((name) => make('li', {}, `There is no group ${name}.`)))] : a === undefined || b === undefined ? [] : this.tell(a, b)),
+    );
   }
 
   private tell(a: number, b: number): Node[] {
