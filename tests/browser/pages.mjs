@@ -458,6 +458,19 @@ await situation('a picture that is wider than its frame begins at what the progr
   await shot(page, 'aside');
 });
 
+for (const width of [390, 1280]) {
+  await situation(`what the signs of a picture mean is below its frame, and can be read, also where the picture is wider than that (${width})`, 'aside', { viewport: { width, height: 844 } }, async (page) => {
+    const rows = await page.locator('.signs .legend > div').evaluateAll((all) => all.map((row) => {
+      const [sign, words] = [...row.children].map((each) => each.getBoundingClientRect());
+      return { text: row.textContent, sample: row.querySelectorAll('svg :is(polyline, text)').length, beside: sign.right <= words.left && Math.abs(sign.top - words.top) < 2, right: words.right, size: parseFloat(getComputedStyle(row).fontSize) };
+    }));
+    assert.deepEqual(rows.map(({ text, sample }) => `${sample} ${text}`), ['2 ▶requests', '2 ●needs: holds it while it runs', '0 thick framethe program itself requests it']);
+    for (const { beside, right, size } of rows) assert.ok(beside && right <= width && size >= 12, `${beside} ${right} ${size}`);
+    assert.equal(await page.locator('.picture svg g.graph > text').count(), 0);
+    await shot(page, `aside_${width}`);
+  });
+}
+
 await situation('a flat picture that has room in height begins at a size that can be read, though half of that would show all of it', 'flat', {}, async (page) => {
   const heights = await page.locator('.picture g.node text').evaluateAll((all) => all.map((text) => text.getBoundingClientRect().height));
   assert.ok(Math.max(...heights) >= 10, `${Math.max(...heights)}`);
@@ -485,7 +498,7 @@ for (const width of [390, 1280]) {
 }
 
 await situation('what signs mean stands in one column', 'soccer', {}, async (page) => {
-  const lefts = await page.locator('.legend > div').evaluateAll((all) => all.map((each) => Math.round(each.lastElementChild.getBoundingClientRect().left - each.getBoundingClientRect().left)));
+  const lefts = await page.locator('#transitions .legend > div').evaluateAll((all) => all.map((each) => Math.round(each.lastElementChild.getBoundingClientRect().left - each.getBoundingClientRect().left)));
   assert.equal(new Set(lefts).size, 1, `${lefts}`);
 });
 

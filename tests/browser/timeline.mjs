@@ -96,8 +96,11 @@ await situation('a push is shown: who waits and why, who is pushed for it, in wo
   assert.equal(await page.locator('.holder:not([hidden]) text', { hasText: '▶ braking' }).count(), 1);
   assert.deepEqual(await beyondFrames(page), []);
   await all.shot(page, 'rover_push');
+  const roots = () => page.locator('.holder:not([hidden]) .signs .legend > div', { hasText: 'the program itself requests it' }).textContent();
+  assert.equal(await roots(), '▼ programthe program itself requests it, with that priority');
   await page.getByLabel('Moment in the picture').uncheck();
   await frame(page);
+  assert.equal(await roots(), 'thick framethe program itself requests it, with that priority');
   assert.deepEqual([await marked(page, 'running'), await page.locator('.note').count(), await page.locator('svg.moment').count()], [[], 0, 0]);
 });
 

@@ -4,6 +4,7 @@
 import { select } from 'd3-selection';
 import { zoom, zoomIdentity } from 'd3-zoom';
 import { button, make } from './elements';
+import { takeLegend } from './legend';
 
 const inFront = 'near';
 
@@ -34,6 +35,7 @@ export class Picture {
   readonly nodes = new Map<string, SVGGElement>();
   readonly svg: SVGSVGElement;
   readonly tools: HTMLElement;
+  readonly legend: HTMLElement | undefined; // below the frame
   readonly arrows: { from: string; to: string; element: SVGGElement }[] = []; // and their labels; the ends are as in endsOf()
   private readonly boxes = new Map<string, SVGGElement>(); // by group; several groups may share a box, `LeftArm, RightArm`
   private readonly motion = zoom<SVGSVGElement, unknown>();
@@ -52,6 +54,8 @@ export class Picture {
       const ends = endsOf(element.querySelector('title')?.textContent ?? '');
       if (ends) this.arrows.push({ from: ends[0], to: ends[1], element });
     }
+    this.legend = takeLegend(this.svg, layer);
+    if (this.legend) frame.after(this.legend);
     this.makeMovable(layer);
     this.tools = this.makeTools();
     frame.before(this.tools);

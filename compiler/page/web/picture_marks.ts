@@ -12,6 +12,7 @@ import { words } from './standing_words';
 const order: Mark[] = ['inactive', 'unknown', 'held', 'running', 'queued', 'pushed'];
 const space = 'http://www.w3.org/2000/svg';
 const sign = '▶ ';
+const roots = 'thick frame'; // compiler/emit/graph/legend.cpp
 const readable = 10; // pixels: the font size that notes should have on the screen
 
 interface Box {
@@ -44,12 +45,14 @@ interface Arrow {
 export class PictureMarks {
   private readonly boxes: Box[] = [];
   private readonly arrows: Arrow[] = [];
+  private readonly frames: Element | undefined; // the words in the legend for the frames of what the program requests
   private readonly names: Names;
   private readonly letters = new Map<string, number>(); // by text of a note: a cache of letterOf()
 
   /** `why`: why a group waits after an event; undefined: not known. */
   constructor(private readonly picture: Picture, private readonly recording: Recording, data: Data, private readonly why: (group: number, event: number) => Because | undefined) {
     this.names = recording.names;
+    this.frames = [...(picture.legend?.querySelectorAll('dt') ?? [])].find((sign) => sign.textContent === roots);
     const parts = new Map<string, number[]>(); // groups of modules and layers, by title of the box; bands have such titles too, but no frame
     for (const { name, module, layer } of data.groups) for (const part of [`module ${module}`, `layer ${layer}`]) parts.set(part, [...(parts.get(part) ?? []), this.names.group(name)]);
     const groupsOf = (title: string): number[] => {
@@ -78,6 +81,7 @@ export class PictureMarks {
   show(event: number | undefined, onlyNow = false): void {
     this.picture.svg.classList.toggle('moment', event !== undefined);
     this.picture.svg.classList.toggle('only-now', onlyNow);
+    if (this.frames) this.frames.textContent = event === undefined ? roots : '▼ program'; // thick frames are of what runs
     this.apply(this.boxes.flatMap((box) => this.changeOf(box, event) ?? []));
     for (const arrow of this.arrows) this.showArrow(arrow, event);
   }
