@@ -72,6 +72,11 @@ std::string provider_html(const Json& group, const Json& provider, const HtmlInp
 
 std::string groups_html(const HtmlInput& input) {
   std::string out;
+  if (const std::vector<std::string>& names = input.relations.unreached; !names.empty()) {
+    std::vector<std::string> links;
+    for (const std::string& name : names) links.push_back(group_link(name));
+    out += fmt::format("<p class=\"unreached\">{} {}.</p>\n", unreached_intro, fmt::join(links, ", "));
+  }
   for (const Json& group : input.page.data["groups"].items()) {
     const std::string& name = group["name"].as_text();
     std::string about = html(fmt::format("{}", fmt::join(group_words(group), ", ")));
@@ -81,6 +86,7 @@ std::string groups_html(const HtmlInput& input) {
         "<p class=\"about\">{3}</p>\n",
         html(name), place_html(group, input), doc_html(group), about);
     std::string facts;
+    if (requested_by_nobody(input.relations, name)) add_fact(facts, "requested by", "nobody");
     const auto at = input.relations.groups.find(name);
     if (at != input.relations.groups.end()) {
       add_mentions(facts, "requested by", at->second.requests);

@@ -198,6 +198,11 @@ private:
 
   void add_groups() {
     out_ += fmt::format("## {}\n\n", groups_heading);
+    if (!relations_.unreached.empty()) {
+      std::vector<std::string> links;
+      for (const std::string& name : relations_.unreached) links.push_back(mention({name, name, {}}));
+      out_ += fmt::format("{} {}.\n\n", unreached_intro, fmt::join(links, ", "));
+    }
     for (const Json& group : data_["groups"].items()) {
       const std::string& name = group["name"].as_text();
       if (anchors_.at(name) == own_anchor(name)) out_ += fmt::format("<a id=\"{}\"></a>\n\n", own_anchor(name));
@@ -210,6 +215,7 @@ private:
       const std::size_t before = out_.size();
       for (const Json& provider : group["providers"].items()) add_provider(group, provider);
       const GroupRelations& relations = relations_.groups[name];
+      if (requested_by_nobody(relations_, name)) out_ += "- requested by: nobody\n";
       add_mentions("requested by", relations.requests);
       add_mentions("needed by", relations.needs);
       add_mentions("may be pushed by", relations.pushes);

@@ -7,6 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <set>
+
 namespace director::compiler::page {
 
 namespace {
@@ -37,10 +40,28 @@ public:
       const std::string to = several_[pushed] ? ", to " + causer.substr(pushed.size() + 1) : "";
       out_.groups[pushed].pushes.push_back({waiter, group_of(waiter), row["condition"].as_text() + to});
     }
+    find_unreached();
     return std::move(out_);
   }
 
 private:
+  void find_unreached() {
+    std::set<std::string> reached;
+    for (const Json& task : data_["roots"].items()) reached.insert(task["group"].as_text());
+    if (reached.empty()) return;
+    const auto leads_to = [&](const std::vector<Mention>& mentions) {
+      return std::any_of(mentions.begin(), mentions.end(),
+                         [&](const Mention& mention) { return reached.contains(mention.group); });
+    };
+    for (std::size_t before = 0; before != reached.size();) {
+      before = reached.size();
+      for (const auto& [name, group] : out_.groups)
+        if (leads_to(group.requests) || leads_to(group.needs)) reached.insert(name);
+    }
+    for (const Json& group : data_["groups"].items())
+      if (const std::string& name = group["name"].as_text(); !reached.contains(name)) out_.unreached.push_back(name);
+  }
+
   static std::string group_of(const std::string& provider) { return provider.substr(0, provider.find('.')); }
 
   void mention(const Json& condition, std::vector<Mention> StateRelations::*where, const std::string& by,
@@ -79,6 +100,13 @@ private:
 } // namespace
 
 Relations find_relations(const Json& data) { return RelationFinder(data).find(); }
+
+bool requested_by_nobody(const Relations& relations, const std::string& group) {
+  const std::vector<std::string>& unreached = relations.unreached;
+  const auto at = relations.groups.find(group);
+  return std::find(unreached.begin(), unreached.end(), group) != unreached.end() &&
+         (at == relations.groups.end() || (at->second.requests.empty() && at->second.needs.empty()));
+}
 
 std::string manner_of(const Json& task) {
   std::string out;

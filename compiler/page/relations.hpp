@@ -31,9 +31,13 @@ struct StateRelations {
 struct Relations {
   std::map<std::string, GroupRelations> groups;
   std::map<std::string, StateRelations> states;
+  std::vector<std::string> unreached; ///< groups to which no request of the program leads; empty if it requests nothing
 };
 
 Relations find_relations(const Json& data);
+
+/// Nor needed by anybody.
+bool requested_by_nobody(const Relations& relations, const std::string& group);
 
 /// `priority 20`, `priority normal 10, urgent 80`, `priority 10, optional`, and its `doc`: `priority 20: At times.`
 std::string manner_of(const Json& task);

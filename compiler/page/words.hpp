@@ -56,6 +56,7 @@ inline constexpr std::string_view rivals_intro =
     "which it leads there. Those that it never requests at once meet only while it changes from one to the other.";
 
 /// The introduction of both tables.
+inline constexpr std::string_view unreached_intro = "No request of the program leads to these groups:";
 inline constexpr std::string_view takes_intro =
     "Two tasks that want the same are compared at the closest requester of both.";
 

@@ -202,3 +202,17 @@ TEST_CASE("a module that is no deployment has a page without what only a deploym
 }
 
 } // namespace director::tests
+
+TEST_CASE("groups to which no request of the program leads are named above all groups, also without a matrix") {
+  const Pages pages = pages_of("roots: [Walk]\ngroups:\n  Walk: {}\n  Forgotten: {tasks: [Also]}\n  Also: {}\n", "");
+  CHECK(between(pages.html, "<p class=\"unreached\">", "</p>") ==
+        "No request of the program leads to these groups: <a href=\"#group-Forgotten\">Forgotten</a>, "
+        "<a href=\"#group-Also\">Also</a>.");
+  CHECK(pages.html.find("<dt>requested by</dt><dd>nobody</dd>") == pages.html.rfind("<dt>requested by</dt><dd>nobody"));
+  CHECK(between(pages.html, "id=\"group-Forgotten\"", "</article>").find("<dd>nobody</dd>") != std::string::npos);
+  CHECK(pages.markdown.find(
+            "No request of the program leads to these groups: [Forgotten](#forgotten), [Also](#also).\n") !=
+        std::string::npos);
+  CHECK(pages.markdown.find("- requested by: nobody\n") != std::string::npos);
+  CHECK(pages_of("groups:\n  Walk: {}\n", "").html.find("No request of the program") == std::string::npos);
+}
