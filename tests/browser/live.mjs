@@ -134,7 +134,7 @@ await situation('a click on a box says why, also where it is a link, and so does
   await sees(page, '#why-answer', /^Open waits \(Deliver>Open\): until Door == open, .*\(asked at .*\)\n+Door is shut\nOpen\.unlocking could cause it, and is disabled$/s);
   await page.locator('#why-group').focus();
   await page.keyboard.type('Sing');
-  await sees(page, '#why-answer', /^Sing runs \(Rest>Sing\) in default/);
+  await sees(page, '#why-answer', /^Sing runs \(Rest>Sing\) \(asked/);
   await page.keyboard.press('Tab');
   await page.keyboard.press('Enter');
   await sees(page, '#why-answer', /^Sing runs/);
@@ -183,7 +183,7 @@ await situation('a program that has ended is called lost, and what was seen stay
   child.kill('SIGKILL');
   await sees(page, '.live-state', /^Lost since \d\d:\d\d:\d\d: the program has ended, or cannot be reached; it is tried again$/);
   await node(page, 'Walk').click();
-  await sees(page, '#why-answer', /^Not answered: /);
+  await sees(page, '#why-answer', /^Not answered: the program cannot be reached$/);
   assert.match(await text(page, '#moment'), /Rest/);
   await shot(page, 'lost');
   for (const each of said.splice(0)) assert.match(each, /^console: Failed to load resource: net::ERR_(CONNECTION_REFUSED|INCOMPLETE_CHUNKED_ENCODING|CONTENT_LENGTH_MISMATCH|EMPTY_RESPONSE|CONNECTION_RESET)/);

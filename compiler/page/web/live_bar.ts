@@ -83,7 +83,8 @@ export class LiveBar {
       parts = [make('p', {}, make('strong', {}, text), make('span', { class: 'hint' }, ` (asked at ${clock()})`)), make('ul', {}, ...notes.map((note) => make('li', {}, note)))];
       if (notes.length === 0) parts.pop();
     } catch (error) {
-      parts = [make('p', {}, `Not answered: ${error instanceof Error ? error.message.trim() : String(error)}`)];
+      const why = error instanceof TypeError ? 'the program cannot be reached' : error instanceof Error ? error.message.trim() : String(error); // of fetch, in words of the browser
+      parts = [make('p', {}, `Not answered: ${why}`)];
     }
     if (mine !== this.asked) return;
     this.answer.replaceChildren(...parts);

@@ -32,7 +32,10 @@ public:
   void write(const Because& b) {
     const char* const asked = group(b.asked);
     switch (b.kind) {
-    case Kind::running: *this << asked << " runs (" << edge(b.edge) << ") in " << provider(b.provider); return;
+    case Kind::running:
+      *this << asked << " runs (" << edge(b.edge) << ")";
+      if (!is_unnamed(provider(b.provider))) *this << " in " << provider(b.provider);
+      return;
     case Kind::not_requested: *this << "nothing requests " << asked; return;
     case Kind::reserved:
       *this << asked << " is held for a need (" << edge(b.holder) << "), and is not requested";
@@ -52,6 +55,13 @@ private:
   const char* provider(Index row) const { return names_.provider(names_.self, row); }
   const char* edge(Index row) const { return names_.edge(names_.self, row); }
   const char* condition(Index row) const { return names_.condition(names_.self, row); }
+
+  /// The only provider of a group, which is not named in the YAML, is called `default`.
+  static bool is_unnamed(const char* provider) {
+    const char* unnamed = "default";
+    for (; *unnamed != 0 && *provider == *unnamed; ++provider) ++unnamed;
+    return *unnamed == 0 && *provider == 0;
+  }
 
   void reason(const Because& b) {
     switch (b.kind) {

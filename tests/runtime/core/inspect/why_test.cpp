@@ -72,8 +72,8 @@ TEST_CASE("for a running group the answer has its holder, and for one without a 
   CHECK(why(machine, "Legs") == "nothing requests Legs");
   machine.request("Recover");
   machine.step();
-  CHECK(why(machine, "Legs") == "Legs runs (Recover>Legs) in default");
-  CHECK(why(machine, "Recover") == "Recover runs (root>Recover) in default");
+  CHECK(why(machine, "Legs") == "Legs runs (Recover>Legs)");
+  CHECK(why(machine, "Recover") == "Recover runs (root>Recover)");
 }
 
 TEST_CASE("for a lost group the answer has the holder, the common requester, and the rule") {
@@ -132,10 +132,10 @@ TEST_CASE("an optional task goes after mandatory ones, with any priority") {
   machine.request("Play");
   machine.step();
   CHECK(view_of(machine.engine()).holding(machine.group("Look")).group == machine.group("Stretch"));
-  CHECK(why(machine, "Play") == "Play runs (root>Play) in default");
+  CHECK(why(machine, "Play") == "Play runs (root>Play)");
   machine.cancel("Stretch");
   machine.step();
-  CHECK(why(machine, "Look") == "Look runs (Play>Look) in default");
+  CHECK(why(machine, "Look") == "Look runs (Play>Look)");
 }
 
 TEST_CASE("without an enabled provider, of the task or of what it needs, that is the reason") {
