@@ -10,7 +10,7 @@ export function takeLegend(svg: SVGSVGElement, layer: SVGGElement): HTMLElement 
   const yOf = (element: Element | undefined): number => Number(element?.getAttribute('y') ?? NaN);
   const parts = [...layer.children].filter((each) => each.matches('text, polyline'));
   const texts = parts.filter((each) => each.matches('text'));
-  const top = yOf(texts[0]) - 12;
+  const top = yOf(texts[0]) + 12; // notes below the last boxes (picture_marks.ts) have space
   if (texts.length < 2) return undefined;
   const list = make('dl', { class: 'legend' });
   let sample: Element[] = []; // what stands before the words: lines, and a sign
