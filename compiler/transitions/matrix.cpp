@@ -20,6 +20,9 @@ namespace director::compiler {
 
 namespace transitions {
 
+/// Limit for plays with which a row is searched, with the declared initial values, and with others.
+constexpr std::size_t most_tries = 64;
+
 /// Limit for states of which every choice is tried; with more, all or none.
 constexpr std::size_t most_changes = 4;
 
@@ -86,26 +89,40 @@ private:
     out.group = id;
     beginnings_.emplace_back();
     std::string why;
-    std::vector<std::pair<Assume, Way>> tries;
-    for (const Assume assume : {Assume::nothing, Assume::inside}) {
-      for (const Way& way : ways) tries.emplace_back(assume, way);
-    }
-    for (const auto& [assume, way] : tries) {
-      const std::optional<Outside> outside = outside_for(model_, way, assume);
-      if (!outside || (assume == Assume::inside && outside->given.empty())) continue;
-      const Play played = player_.play(script_of(model_, way), player_.beginning(way, *outside), 1, way);
+    for (const auto& [way, outside] : tries(ways)) {
+      const Play played = player_.play(script_of(model_, way), player_.beginning(way, outside), 1, way);
       const Trial& trial = played.trial;
       if (why.empty()) why = trial.why;
       if (!trial.good || !runs(trial.rest, way)) continue;
-      out.given = words_of(outside->given, model_);
+      out.given = words_of(outside.given, model_);
       out.reached = true;
-      out.states = words_of(outside->values, model_);
+      out.states = words_of(outside.values, model_);
       for (std::size_t i = 0; i < way.links.size(); ++i) out.chain.push_back(way.group(i));
       out.words = words_of(out, model_);
-      beginnings_.back() = {way, *outside, trial.runs, trial.rest};
+      beginnings_.back() = {way, outside, trial.runs, trial.rest};
       return out;
     }
-    out.words = why.empty() ? "No values from outside meet all conditions on the way to it." : why + ".";
+    out.words =
+        why.empty() ? "No values from outside were found that meet all conditions on the way to it." : why + ".";
+    return out;
+  }
+
+  /// First with the declared initial values: each way with its likeliest values, then each with its second ones, and so
+  /// on.
+  std::vector<std::pair<Way, Outside>> tries(const std::vector<Way>& ways) const {
+    std::vector<std::pair<Way, Outside>> out;
+    for (const Assume assume : {Assume::nothing, Assume::inside}) {
+      std::vector<std::vector<Outside>> all;
+      for (const Way& way : ways) all.push_back(outsides_for(model_, way, assume));
+      std::size_t count = 0;
+      for (std::size_t i = 0; i < most_outsides; ++i) {
+        for (std::size_t way = 0; way < ways.size() && count < most_tries; ++way) {
+          if (i >= all[way].size() || (assume == Assume::inside && all[way][i].given.empty())) continue;
+          out.emplace_back(ways[way], std::move(all[way][i]));
+          ++count;
+        }
+      }
+    }
     return out;
   }
 

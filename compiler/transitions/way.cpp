@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 //
 // A `when` is a conjunction of conditions on one state each, so a choice of providers needs a set of values for each
-// state, and the first value of each set is used. Only a preferred provider that would run instead of the chosen one
-// requires more: one of its conditions has to be false, which is searched.
+// state, and the first value of each set is used. A preferred provider that would run instead of the chosen one
+// requires more: one of its conditions has to be false, which is searched. So are the providers of the groups that are
+// needed, and of the other tasks of a unit, which are granted together with the task on the way or not at all. Whether
+// all of these can be had together, and whether a preferred provider really prevents the chosen one, the engine
+// decides: each choice that has other values is one to try.
 #include "compiler/transitions/way.hpp"
 
 #include <algorithm>
@@ -96,10 +99,109 @@ class Wants {
 public:
   Wants(const Model& model, Assume assume) : model_(model), assume_(assume) {}
 
-  std::optional<Outside> find(const Way& way) {
-    for (const Link& link : way.links) add(link.provider);
-    add(way.runs);
-    if (impossible_ || !avoid(0)) return {};
+  /// First without what the other tasks of the units want: it may come by a push.
+  std::vector<Outside> find(const Way& way) {
+    for (const bool with_units : {false, true}) {
+      wanted_.clear();
+      open_.clear();
+      avoided_.clear();
+      tried_ = choices_ = 0;
+      bool possible = true;
+      for (const Link& link : way.links) {
+        possible = add(link.provider) && possible;
+        if (with_units) add_unit(link);
+      }
+      possible = add(way.runs) && possible;
+      if (possible) choose(0);
+    }
+    std::vector<Outside> out = std::move(strict_);
+    for (Outside& each : loose_) add_new(std::move(each), out);
+    return out;
+  }
+
+private:
+  bool may_choose(const State& state) const { return state.external || assume_ == Assume::inside; }
+
+  /// False: no value meets all conditions.
+  bool want(const std::vector<ConditionUse>& uses) {
+    bool possible = true;
+    for (const ConditionUse& use : uses) {
+      const Condition& condition = model_.conditions[use.id];
+      const State& state = model_.states[condition.state];
+      if (!may_choose(state)) continue;
+      ValueSet& set = wanted_.try_emplace(condition.state, state.domain()).first->second;
+      set = set.intersected(condition.accepts);
+      possible = possible && !set.empty();
+    }
+    return possible;
+  }
+
+  /// Some provider of the group has to be chosen too.
+  void open(GroupId group) {
+    if (std::find(open_.begin(), open_.end(), group) == open_.end()) open_.push_back(group);
+  }
+
+  void open_needs(const Provider& provider) {
+    for (const Use<GroupId>& need : provider.needs) open(need.id);
+  }
+
+  /// A provider of the way, which has to be the one that runs.
+  bool add(ProviderId id) {
+    const Provider& provider = model_.providers[id];
+    for (const ProviderId preferred : model_.groups[provider.group].providers) {
+      if (preferred == id) break;
+      if (std::find(avoided_.begin(), avoided_.end(), preferred) == avoided_.end()) avoided_.push_back(preferred);
+    }
+    open_needs(provider);
+    return want(provider.when);
+  }
+
+  /// Of plain tasks the body requests only the one on the way.
+  void add_unit(const Link& link) {
+    const Provider& provider = model_.providers[link.provider];
+    const auto is_member = [&](const Task& task) {
+      return model_.edges[task.edge].levels[task.levels.front().level].shares_unit();
+    };
+    if (!provider.has_packs || !is_member(*link.next)) return;
+    for (const Task& task : provider.packs[link.pack].tasks) {
+      if (task.edge != link.next->edge && is_member(task)) open(task.target);
+    }
+  }
+
+  /// Every choice of providers for the open groups from this one on.
+  void choose(std::size_t at) {
+    if (choices_ >= most_ways || strict_.size() >= most_outsides) return;
+    while (at < open_.size() && model_.groups[open_[at]].providers.empty()) ++at;
+    if (at == open_.size()) return keep();
+    for (const ProviderId id : model_.groups[open_[at]].providers) {
+      const std::map<StateId, ValueSet> before = wanted_;
+      const std::size_t opened = open_.size();
+      if (want(model_.providers[id].when)) {
+        open_needs(model_.providers[id]);
+        choose(at + 1);
+      }
+      wanted_ = before;
+      open_.resize(opened);
+    }
+  }
+
+  void keep() {
+    ++choices_;
+    const std::map<StateId, ValueSet> before = wanted_;
+    tried_ = 0;
+    const bool avoided = avoid(0);
+    add_new(outside(), avoided ? strict_ : loose_);
+    wanted_ = before;
+  }
+
+  static void add_new(Outside outside, std::vector<Outside>& out) {
+    const bool known = std::any_of(out.begin(), out.end(), [&](const Outside& each) {
+      return each.values == outside.values && each.given == outside.given;
+    });
+    if (!known && out.size() < most_outsides) out.push_back(std::move(outside));
+  }
+
+  Outside outside() const {
     Outside out;
     for (const auto& [state, values] : wanted_) {
       const State& row = model_.states[state];
@@ -108,35 +210,6 @@ public:
       (row.external ? out.values : out.given).emplace(state, values.intervals().front().low);
     }
     return out;
-  }
-
-private:
-  bool may_choose(const State& state) const { return state.external || assume_ == Assume::inside; }
-
-  void want(const std::vector<ConditionUse>& uses) {
-    for (const ConditionUse& use : uses) {
-      const Condition& condition = model_.conditions[use.id];
-      const State& state = model_.states[condition.state];
-      if (!may_choose(state)) continue;
-      ValueSet& set = wanted_.try_emplace(condition.state, state.domain()).first->second;
-      set = set.intersected(condition.accepts);
-      impossible_ = impossible_ || set.empty();
-    }
-  }
-
-  /// With the first provider of each group that it needs.
-  void add(ProviderId id) {
-    if (std::find(added_.begin(), added_.end(), id) != added_.end()) return;
-    added_.push_back(id);
-    const Provider& provider = model_.providers[id];
-    want(provider.when);
-    for (const ProviderId preferred : model_.groups[provider.group].providers) {
-      if (preferred == id) break;
-      avoided_.push_back(preferred);
-    }
-    for (const Use<GroupId>& need : provider.needs) {
-      if (!model_.groups[need.id].providers.empty()) add(model_.groups[need.id].providers.front());
-    }
   }
 
   std::optional<std::int64_t> value_of(StateId id) const {
@@ -175,10 +248,12 @@ private:
 
   const Model& model_;
   const Assume assume_;
-  std::vector<ProviderId> added_, avoided_;
+  std::vector<ProviderId> avoided_;
+  std::vector<GroupId> open_;
   std::map<StateId, ValueSet> wanted_;
-  bool impossible_ = false;
-  std::size_t tried_ = 0;
+  std::size_t tried_ = 0, choices_ = 0;
+  std::vector<Outside> strict_; ///< no preferred provider would run
+  std::vector<Outside> loose_;  ///< one would if its needs can be met
 };
 
 } // namespace
@@ -210,7 +285,7 @@ std::vector<Way> find_ways(const Model& model, GroupId target) {
   return out;
 }
 
-std::optional<Outside> outside_for(const Model& model, const Way& way, Assume assume) {
+std::vector<Outside> outsides_for(const Model& model, const Way& way, Assume assume) {
   return Wants(model, assume).find(way);
 }
 

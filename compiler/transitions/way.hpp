@@ -47,7 +47,10 @@ struct Outside {
 /// Whether states that only bodies set may begin with the wanted values, or all of them with the declared ones.
 enum class Assume : bool { nothing, inside };
 
-/// Empty if no values are suitable.
-std::optional<Outside> outside_for(const Model& model, const Way& way, Assume assume);
+/// The values to try, the likeliest first; empty if none are suitable. At most `most_outsides`.
+std::vector<Outside> outsides_for(const Model& model, const Way& way, Assume assume);
+
+/// Limit for one way.
+constexpr std::size_t most_outsides = 8;
 
 } // namespace director::compiler::transitions

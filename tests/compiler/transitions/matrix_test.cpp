@@ -48,6 +48,12 @@ std::string cell(const std::string& behaviour, const std::string& from, const st
   return out;
 }
 
+/// Its kind and words.
+std::string words(const std::string& behaviour, const std::string& from, const std::string& to) {
+  const std::string all = cell(behaviour, from, to);
+  return all.substr(0, all.find('\n'));
+}
+
 const char* const legs = R"(states: {Pose: {values: [moving, still], initial: still}}
 roots: {Kick: {priority: 20}, Walk: {priority: 10}, Look: {}}
 groups:
@@ -277,10 +283,6 @@ groups:
 }
 
 TEST_CASE("condition lost: the first one runs on without what it loses, or for another requester") {
-  const auto words = [&](const std::string& behaviour, const std::string& from, const std::string& to) {
-    const std::string all = cell(behaviour, from, to);
-    return all.substr(0, all.find('\n'));
-  };
   const std::string person = "states: {Person: {values: [near, none], initial: near, external: true}}\n";
   CHECK(words(person + R"(roots: {Safety: {priority: 20}, Drive: {priority: 10}}
 groups:
@@ -354,6 +356,35 @@ steps:
   - request: Wait
   - advance: 1 ms
 )");
+}
+
+TEST_CASE("a row is not called unreachable while values of another provider that it may use let it run") {
+  const char* const climbing = R"(states: {Ground: {values: [flat, rough], initial: flat, external: true}}
+roots: {Climb: {priority: 20}, Rest: {priority: 10}}
+groups:
+  Climb: {when: [Ground == rough], needs: [Move], tasks: [Move]}
+  Move:
+    providers:
+      - {name: rolling, when: [Ground == flat]}
+      - {name: stepping, when: [Ground == rough]}
+  Rest: {needs: [Move], tasks: [Move]}
+)";
+  CHECK(words(climbing, "Rest", "Climb") == "hard: Climb takes at once what Rest holds. Rest stops. Move runs on, but "
+                                            "not for Rest any more. The outside says Ground == rough.");
+}
+
+TEST_CASE("a row is not called unreachable while values for the other tasks of its unit let it run") {
+  const char* const delivery = R"(states: {Door: {values: [closed, open], initial: closed, external: true}}
+roots: {Deliver: {priority: 20}, Rest: {priority: 10}}
+groups:
+  Deliver: {packs: {go: {Drive: {}, Enter: {}}}}
+  Drive: {needs: [Wheels], tasks: [Wheels]}
+  Enter: {when: [Door == open]}
+  Rest: {needs: [Wheels], tasks: [Wheels]}
+  Wheels: {}
+)";
+  CHECK(words(delivery, "Rest", "Drive") == "hard: Drive takes at once what Rest holds. Rest stops. Wheels runs on, "
+                                            "but not for Rest any more. The outside says Door == open.");
 }
 
 TEST_CASE("what is set from outside for the second is not undone by a push of the first one") {

@@ -18,10 +18,11 @@ std::vector<std::string> ways(const std::string& behaviour, const std::string& t
     std::string text;
     for (const Link& link : way.links) text += compiled.model.full_name(link.provider) + " > ";
     text += compiled.model.full_name(way.runs);
-    const std::optional<Outside> outside = outside_for(compiled.model, way, Assume::nothing);
-    if (!outside) text += ": never";
-    if (outside) {
-      for (const auto& [state, value] : outside->values)
+    const std::vector<Outside> all = outsides_for(compiled.model, way, Assume::nothing);
+    if (all.empty()) text += ": never";
+    for (const Outside& outside : all) {
+      if (&outside != &all.front()) text += "; or";
+      for (const auto& [state, value] : outside.values)
         text += ": " + compiled.model.states[state].name.value + " " + compiled.model.states[state].value_text(value);
     }
     out.push_back(text);
@@ -65,6 +66,57 @@ groups:
   Walk: {when: [Ball == far]}
 )",
              "Walk") == std::vector<std::string>{"Play > Walk: never"});
+}
+
+TEST_CASE("of a group that is needed, a provider is chosen whose condition agrees with the others") {
+  CHECK(ways(R"(states: {Ground: {values: [flat, rough], initial: flat, external: true}}
+roots: [Climb]
+groups:
+  Climb: {when: [Ground == rough], needs: [Move]}
+  Move: {providers: [{name: rolling, when: [Ground == flat]}, {name: stepping, when: [Ground == rough]}]}
+)",
+             "Climb") == std::vector<std::string>{"Climb: Ground rough"});
+}
+
+TEST_CASE("if the values differ with the provider of a needed group, those of the first one come first") {
+  CHECK(ways(R"(states: {Tool: {values: [none, hand, fork], initial: none, external: true}}
+roots: [Carry]
+groups:
+  Carry: {needs: [Lift]}
+  Lift: {providers: [{name: lifting, when: [Tool == hand]}, {name: forking, when: [Tool == fork]}]}
+)",
+             "Carry") == std::vector<std::string>{"Carry: Tool hand; or: Tool fork"});
+}
+
+TEST_CASE("what the other tasks of a unit want comes second, as a push may cause it") {
+  const auto of_pack = [](const std::string& manner) {
+    return ways(R"(states: {Door: {values: [closed, open], initial: closed, external: true}}
+roots: [Deliver]
+groups:
+  Deliver: {packs: {go: {Drive: {}, Enter: {)" +
+                    manner + R"(}}}}
+  Drive: {}
+  Enter: {when: [Door == open]}
+)",
+                "Drive");
+  };
+  CHECK(of_pack("") == std::vector<std::string>{"Deliver > Drive; or: Door open"});
+  CHECK(of_pack("optional: true") == std::vector<std::string>{"Deliver > Drive"});
+  CHECK(of_pack("apart: true") == std::vector<std::string>{"Deliver > Drive"});
+}
+
+TEST_CASE("a preferred provider that no value prevents may still lack what it needs, so its values are tried last") {
+  CHECK(ways(R"(states: {Ball: {values: [near, far], initial: near, external: true}}
+roots: [Play]
+groups:
+  Play:
+    providers:
+      - {name: throwing, needs: [Arm]}
+      - {name: kicking, when: [Ball == far], tasks: [Kick]}
+  Kick: {}
+  Arm: {providers: [{name: broken, when: [Ball == near]}]}
+)",
+             "Kick") == std::vector<std::string>{"Play.kicking > Kick: Ball far"});
 }
 
 TEST_CASE("no chain leads to what nothing requests") {
