@@ -19,8 +19,8 @@ std::string anchor_of(const Json& row, const Json* column) {
 std::string legend_html(const Json& rows) {
   std::string out = "<dl class=\"legend\">\n";
   for (const CellKind& kind : cell_kinds_in(rows))
-    out += fmt::format("<div><dt><b class=\"sign\" data-kind=\"{0}\">{1}</b> {0}</dt><dd>{2}</dd></div>\n", kind.kind,
-                       kind.sign, kind.meaning);
+    out += fmt::format("<div><dt><b class=\"sign\" data-kind=\"{3}\">{1}</b> {0}</dt><dd>{2}</dd></div>\n", kind.kind,
+                       kind.sign, kind.meaning, kind.style);
   return out + "</dl>\n";
 }
 
@@ -46,7 +46,7 @@ std::string bands_html(const Json& rows) {
       out += fmt::format("<tr><th scope=\"row\">{}", html(row["group"].as_text()));
       for (std::size_t i = begin; i < end; ++i) {
         const CellKind& kind = cell_kind(row["cells"].items()[i]);
-        out += fmt::format("<td data-kind=\"{}\">{}", kind.kind, kind.sign);
+        out += fmt::format("<td data-kind=\"{}\">{}", kind.style, kind.sign);
       }
       out += '\n';
     }
@@ -67,8 +67,9 @@ std::string matrix_html(const Json& rows) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const CellKind& kind = cell_kind(cells[i]);
       const Json* column = needs_explanation(cells[i]) ? &rows.items()[i] : nullptr;
-      out += fmt::format("<td data-kind=\"{}\"><a href=\"#{}\" title=\"{}\">{}</a>", kind.kind, // </td> may be left out
-                         anchor_of(row, column), kind.kind, kind.sign);
+      out +=
+          fmt::format("<td data-kind=\"{}\"><a href=\"#{}\" title=\"{}\">{}</a>", kind.style, // </td> may be left out
+                      anchor_of(row, column), kind.kind, kind.sign);
     }
     out += "</tr>\n";
   }
@@ -107,7 +108,7 @@ std::string row_html(const Json& transitions, const Json& row) {
     explanations +=
         fmt::format("<div id=\"{}\" tabindex=\"-1\"><dt>to {}: <b class=\"sign\" data-kind=\"{}\">{}</b> "
                     "{}<dd>{}{}</div>\n", // </dt> and </dd> may be left out
-                    anchor_of(row, &column), html(column["group"].as_text()), kind.kind, kind.sign, kind.kind,
+                    anchor_of(row, &column), html(column["group"].as_text()), kind.style, kind.sign, kind.kind,
                     html(cells[i]["words"].as_text()), scenario_html(cells[i], transitions["pieces"]));
   }
   if (!explanations.empty()) out += fmt::format("<dl>\n{}</dl>\n", explanations);

@@ -25,6 +25,8 @@ const std::vector<CellKind>& cell_kinds() {
       {"hard", "H", "the second takes at once what the first one holds"},
       {"waits", "W", "the second is queued, or not requested yet, and runs when the first one is done"},
       {"never", "N", "the second does not run, nor when the first one is done"},
+      {"endless", "E", "the second is requested, or the first one is done, and the engine does not come to rest",
+       "hard"},
       {"replaced", "R", "their requester withdraws the first one for the second"},
       {"condition lost", "L", "what the second wants from outside ends the first one, or what that one loses"},
       {"both", "B", "they run beside each other"},

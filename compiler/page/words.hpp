@@ -9,6 +9,7 @@ namespace director::compiler::page {
 /// A kind of cell: its sign in the matrix, and what it means.
 struct CellKind {
   std::string_view kind, sign, meaning;
+  std::string_view style = kind; ///< the kind whose colour it has
 };
 const std::vector<CellKind>& cell_kinds();
 /// Those that these rows have, for a legend.

@@ -92,7 +92,7 @@ private:
     for (const auto& [way, outside] : tries(ways)) {
       const Play played = player_.play(script_of(model_, way), player_.beginning(way, outside), 1, way);
       const Trial& trial = played.trial;
-      if (why.empty()) why = trial.why;
+      if (why.empty()) why = trial.endless ? "When it is requested, the engine does not come to rest" : trial.why;
       if (!trial.good || !runs(trial.rest, way)) continue;
       out.given = words_of(outside.given, model_);
       out.reached = true;
@@ -182,7 +182,11 @@ private:
       if (runs_now(row, column, now, change, out, context) ||
           (is_undone(now.trial, change) && runs_where_the_outside_stands(row, column, now, change, out, context)))
         return;
+      if (never_rests(now, change, out, context)) return;
       const Play later = player_.play(script, now.steps + done_step(), 2, column.way);
+      context.when_done = true;
+      if (never_rests(later, change, out, context)) return;
+      context.when_done = false;
       const bool runs_later = later.trial.good && runs_at_all(later.trial.rest, column.way);
       const bool ends = runs_later && !runs(now.trial.rest, row.way) && player_.ends_by(row, change, {});
       out.kind = ends ? Kind::condition_lost : runs_later ? Kind::waits : Kind::never;
@@ -202,6 +206,15 @@ private:
     out.states = words_of(change, model_);
     judge_.judge(row, column, now, change, out, context);
     keep_scenario(now, context, out);
+    return true;
+  }
+
+  bool never_rests(const Play& play, const Values& change, Transition& out, CellContext& context) {
+    if (!play.trial.endless) return false;
+    out.kind = Kind::endless;
+    out.states = words_of(change, model_);
+    context.round = play.trial.round;
+    keep_scenario(play, context, out);
     return true;
   }
 

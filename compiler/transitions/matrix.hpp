@@ -22,6 +22,7 @@ struct Transition {
     hard,           ///< the second takes at once what the first one holds
     waits,          ///< the second runs when the first one is done
     never,          ///< not even then
+    endless,        ///< the engine does not come to rest
     same_chain,     ///< one leads to the other, or they are the same
     replaced,       ///< the requester of both withdraws the first one
     condition_lost, ///< a value that the second needs from outside ends the first one

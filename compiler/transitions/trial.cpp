@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace director::compiler::transitions {
 
 namespace {
@@ -63,6 +65,17 @@ void explain_refusal(const View& view, const Model& model, const Lowered& lowere
                                            : reason_why(view, stuck->target, model, lowered).text;
 }
 
+/// Those that ran in the last quarter of the events.
+std::vector<GroupId> round_of(const std::vector<Event>& events) {
+  std::vector<GroupId> out;
+  for (std::size_t i = events.size() - events.size() / 4; i < events.size(); ++i) {
+    if (events[i].kind == Event::Kind::run) out.emplace_back(GroupId{events[i].group});
+  }
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
 } // namespace
 
 bool Rest::is_under(const Model& model, GroupId group, EdgeId edge) const {
@@ -105,6 +118,8 @@ Trial play_trial(const std::string& text, const Model& model, const Lowered& low
     if (happening.kind == Happening::Kind::input) listener.step = happening.step;
   });
   out.good = !played.refused && !played.budget_exhausted;
+  out.endless = played.budget_exhausted;
+  if (out.endless) out.round = round_of(out.events);
   return out;
 }
 

@@ -29,7 +29,9 @@ struct Rest {
 };
 
 struct Trial {
-  bool good = false; ///< it could be played, and came to rest
+  bool good = false;          ///< it could be played, and came to rest
+  bool endless = false;       ///< it did not come to rest
+  std::vector<GroupId> round; ///< then: the groups that ran again and again, in order
   Rest rest;
   Runs runs;                 ///< all of them
   std::vector<Event> events; ///< from the step `from` on

@@ -20,6 +20,7 @@ std::string_view name_of(Transition::Kind kind) {
   case Kind::hard: return "hard";
   case Kind::waits: return "waits";
   case Kind::never: return "never";
+  case Kind::endless: return "endless";
   case Kind::same_chain: return "same chain";
   case Kind::replaced: return "replaced";
   case Kind::condition_lost: return "condition lost";
@@ -131,6 +132,17 @@ std::string ends(const Transition& cell, const CellContext& context) {
   return fmt::format("W{} ends {}.{}", wants, first, cell.taken.empty() ? "" : stops(cell, context));
 }
 
+std::string endless(const CellContext& context) {
+  const std::string when =
+      context.when_done ? fmt::format("When {} is done", context.model.groups[context.row.group].name.value)
+                        : fmt::format("When {} is requested", context.model.groups[context.column.group].name.value);
+  const std::string again = context.round.empty()
+                                ? std::string{}
+                                : fmt::format(": {} {} again and again", names_of(context.round, context.model),
+                                              context.round.size() == 1 ? "runs" : "run");
+  return fmt::format("{}, the engine does not come to rest{}.", when, again);
+}
+
 } // namespace
 
 std::vector<std::string> words_of(const Values& values, const Model& model) {
@@ -178,6 +190,7 @@ std::string words_of(const Transition& cell, const CellContext& context) {
   case Kind::never:
     return fmt::format("{} does not run, nor when {} is done.{}{}", second, first, outside(cell.states),
                        sentence(context.why));
+  case Kind::endless: return endless(context) + outside(cell.states);
   case Kind::same_chain:
     return context.row.group == context.column.group
                ? "It is the same group."

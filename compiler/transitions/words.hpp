@@ -19,6 +19,8 @@ struct CellContext {
   bool is_requested = true;      ///< the second, while the first one runs, or what leads to it
   std::vector<GroupId> takers{}; ///< soft, hard: what is requested with the second and takes over in its place
   bool runs_at_once = false;     ///< then: the second does not wait
+  std::vector<GroupId> round{};  ///< endless: what runs again and again
+  bool when_done = false;        ///< endless: only when the first one is done
 };
 
 std::string words_of(const Transition& cell, const CellContext& context);

@@ -387,6 +387,37 @@ groups:
                                             "but not for Rest any more. The outside says Door == open.");
 }
 
+TEST_CASE("endless: the groups are named that run in turn") {
+  const std::string lamp = "states: {Lamp: {values: [off, on], initial: on, external: true}}\n";
+  const std::string groups = R"(groups:
+  Light: {tasks: {Up: {apart: true}, Down: {apart: true}}}
+  Up: {causing: [Lamp == on]}
+  Down: {causing: [Lamp == off]}
+)";
+  CHECK(cell(lamp + "roots: {Film: {priority: 20}, Light: {priority: 10}}\n" + groups + R"(
+  Film: {when: [Lamp == on], tasks: [Charge]}
+  Charge: {when: [Lamp == off]}
+)",
+             "Film", "Light") ==
+        R"(endless: When Light is requested, the engine does not come to rest: Up, Down and Film run again and again.
+scenario: from Film to Light
+behaviour: test.yaml
+script:
+  Up.default:
+    - {reason: pushed, set: {Lamp: "on"}}
+    - {}
+  Down.default:
+    - {reason: pushed, set: {Lamp: "off"}}
+    - {}
+  Film.default:
+    - {reason: wait, done: true}
+    - {tasks: [Charge], wait: 1 ms}
+steps:
+  - request: Film
+  - request: Light
+)");
+}
+
 TEST_CASE("what is set from outside for the second is not undone by a push of the first one") {
   CHECK(cell(R"(
 states: {Pose: {values: [moving, still, falling], initial: still, external: true}}
