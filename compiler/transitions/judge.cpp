@@ -13,6 +13,9 @@ void Judge::judge(const Beginning& row, const Beginning& column, const Play& now
                   CellContext& context) const {
   const std::vector<GroupId> all = player_.lost(row, now.trial.rest);
   for (const GroupId id : all) (now.trial.rest.groups[id.value].granted ? out.taken : out.stops).push_back(id);
+  for (const GroupId id : out.taken) {
+    if (!now.trial.rest.is_for(model_, id, row.way.target)) context.left.push_back(id);
+  }
   out.pushes = pushes_of(now.trial, row);
   const Parting parting = part(model_, row.way, column.way);
   const bool ended = !runs(now.trial.rest, row.way);
@@ -28,7 +31,7 @@ void Judge::judge(const Beginning& row, const Beginning& column, const Play& now
     out.kind = Kind::both;
   } else {
     out.kind = pushed_first(row, now.trial) ? Kind::soft : Kind::hard;
-    context.takers = other_takers(column, now.trial.rest, all);
+    find_takers(column, now.trial.rest, all, context);
     context.runs_at_once = runs_before(now.trial, row, column);
   }
   if (out.kind != Kind::soft) return;
@@ -67,22 +70,33 @@ bool Judge::runs_before(const Trial& trial, const Beginning& row, const Beginnin
   return granted <= pushed;
 }
 
-std::vector<GroupId> Judge::other_takers(const Beginning& column, const Rest& rest,
-                                         const std::vector<GroupId>& lost) const {
-  std::vector<GroupId> out;
+void Judge::find_takers(const Beginning& column, const Rest& rest, const std::vector<GroupId>& lost,
+                        CellContext& context) const {
+  std::vector<GroupId> takers;
+  std::optional<GroupId> leader;
+  bool leader_needs = false;
   const EdgeId edge = column.way.last().edge;
   for (const GroupId id : model_.groups.ids()) {
     const std::optional<ProviderId> active = rest.groups[id.value].active;
-    const bool takes =
-        active && std::any_of(lost.begin(), lost.end(), [&](GroupId each) {
-          const std::optional<EdgeId> by = rest.groups[each.value].by;
-          return model_.providers[*active].needs_group(each) || (by && model_.edges[*by].requester == id);
-        });
-    if (!takes || std::find(lost.begin(), lost.end(), id) != lost.end()) continue;
-    if (!rest.is_under(model_, id, column.way.root->edge) || rest.is_under(model_, id, edge)) return {};
-    if (!column.way.passes(id)) out.push_back(id);
+    if (!active || std::find(lost.begin(), lost.end(), id) != lost.end()) continue;
+    const bool needs = std::any_of(lost.begin(), lost.end(),
+                                   [&](GroupId each) { return model_.providers[*active].needs_group(each); });
+    const bool requests = std::any_of(lost.begin(), lost.end(), [&](GroupId each) {
+      const std::optional<EdgeId> by = rest.groups[each.value].by;
+      return by && model_.edges[*by].requester == id;
+    });
+    if (!needs && !requests) continue;
+    if (!rest.is_under(model_, id, column.way.root->edge) || rest.is_under(model_, id, edge)) return;
+    if (!column.way.passes(id)) {
+      takers.push_back(id);
+    } else {
+      leader = id;
+      leader_needs = leader_needs || needs;
+    }
   }
-  return out;
+  // What the chain needs, it takes for the column.
+  if (takers.empty() && !leader_needs) context.leader = leader;
+  context.takers = std::move(takers);
 }
 
 std::vector<Transition::Push> Judge::pushes_of(const Trial& trial, const Beginning& row) const {

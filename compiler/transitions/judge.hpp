@@ -26,8 +26,9 @@ private:
   bool pushed_first(const Beginning& row, const Trial& trial) const;
   bool runs_before(const Trial& trial, const Beginning& row, const Beginning& column) const;
 
-  /// What was requested with the column and has what the row lost; empty if the column has some of it.
-  std::vector<GroupId> other_takers(const Beginning& column, const Rest& rest, const std::vector<GroupId>& lost) const;
+  /// Finds what was requested with the column and has what the row lost; nothing if the column has some of it.
+  void find_takers(const Beginning& column, const Rest& rest, const std::vector<GroupId>& lost,
+                   CellContext& context) const;
 
   const Model& model_;
   const Lowered& lowered_;

@@ -88,6 +88,16 @@ bool Rest::is_under(const Model& model, GroupId group, EdgeId edge) const {
   return false;
 }
 
+bool Rest::is_for(const Model& model, GroupId group, GroupId above) const {
+  std::optional<GroupId> at = group;
+  for (std::size_t steps = 0; at && steps <= groups.size(); ++steps) {
+    if (*at == above) return true;
+    const std::optional<EdgeId> by = groups[at->value].by;
+    at = by ? model.edges[*by].requester : std::nullopt;
+  }
+  return false;
+}
+
 Trial play_trial(const std::string& text, const Model& model, const Lowered& lowered, std::uint32_t from,
                  const Way& way) {
   Trial out;

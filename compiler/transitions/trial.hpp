@@ -26,6 +26,8 @@ struct Rest {
 
   /// Whether the edge that holds it is that one, or is below that one.
   bool is_under(const Model& model, GroupId group, EdgeId edge) const;
+  /// Whether it is that group, or runs for it, or for what that one requests, and so on.
+  bool is_for(const Model& model, GroupId group, GroupId above) const;
 };
 
 struct Trial {

@@ -54,21 +54,24 @@ bool contains(const std::vector<GroupId>& groups, GroupId id) {
   return std::find(groups.begin(), groups.end(), id) != groups.end();
 }
 
-/// For whom the taken groups ran: the group of the row, or its requester where it is taken itself.
-std::string_view former(const Transition& cell, const CellContext& context) {
-  const TransitionMatrix::Row& row = context.row;
-  const bool itself = contains(cell.taken, row.group);
-  if (itself && row.chain.empty()) return "the program";
-  return context.model.groups[itself ? row.chain.back() : row.group].name.value;
+/// The taken groups, which ran for that one.
+std::string runs_on(const std::vector<GroupId>& taken, std::string_view former, const Model& model) {
+  return fmt::format(" {} {} on, but not for {} any more.", names_of(taken, model), taken.size() == 1 ? "runs" : "run",
+                     former);
 }
 
 std::string stops(const Transition& cell, const CellContext& context) {
   std::string out;
   if (!cell.stops.empty())
     out += fmt::format(" {} {}.", names_of(cell.stops, context.model), cell.stops.size() == 1 ? "stops" : "stop");
-  if (!cell.taken.empty())
-    out += fmt::format(" {} {} on, but not for {} any more.", names_of(cell.taken, context.model),
-                       cell.taken.size() == 1 ? "runs" : "run", former(cell, context));
+  // The first one itself ran for its requester, and what still runs for the first one did so too.
+  const TransitionMatrix::Row& row = context.row;
+  const auto name = [&](GroupId id) { return std::string_view(context.model.groups[id].name.value); };
+  std::vector<GroupId> with_row, others;
+  const bool itself = contains(cell.taken, row.group);
+  for (const GroupId id : cell.taken) (itself && !contains(context.left, id) ? with_row : others).push_back(id);
+  if (itself) out += runs_on(with_row, row.chain.empty() ? "the program" : name(row.chain.back()), context.model);
+  if (!others.empty()) out += runs_on(others, name(row.group), context.model);
   return out;
 }
 
@@ -80,7 +83,10 @@ std::string others(const CellContext& context) {
 
 /// Who takes over, with the verb.
 std::string taking(const CellContext& context) {
-  if (context.takers.empty()) return context.model.groups[context.column.group].name.value + " takes";
+  const std::string& second = context.model.groups[context.column.group].name.value;
+  if (context.leader)
+    return fmt::format("{}, which leads to {}, takes", context.model.groups[*context.leader].name.value, second);
+  if (context.takers.empty()) return second + " takes";
   return others(context) + (context.takers.size() == 1 ? " takes" : " take");
 }
 

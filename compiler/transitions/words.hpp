@@ -11,16 +11,18 @@ struct CellContext {
   const Model& model;
   const TransitionMatrix::Row& row;
   const TransitionMatrix::Row& column;
-  std::string why{};             ///< why the second does not run, from the engine
-  std::string withdrawer{};      ///< the requester of both; empty: the program
-  GroupId withdrawn{};           ///< replaced: what that one no longer requests, and leads to the first
-  GroupId replacement{};         ///< likewise what it requests instead, and leads to the second
-  bool row_runs_on = false;      ///< condition lost: only groups below the first one are lost
-  bool is_requested = true;      ///< the second, while the first one runs, or what leads to it
-  std::vector<GroupId> takers{}; ///< soft, hard: what is requested with the second and takes over in its place
-  bool runs_at_once = false;     ///< then: the second does not wait
-  std::vector<GroupId> round{};  ///< endless: what runs again and again
-  bool when_done = false;        ///< endless: only when the first one is done
+  std::string why{};               ///< why the second does not run, from the engine
+  std::string withdrawer{};        ///< the requester of both; empty: the program
+  GroupId withdrawn{};             ///< replaced: what that one no longer requests, and leads to the first
+  GroupId replacement{};           ///< likewise what it requests instead, and leads to the second
+  std::vector<GroupId> left{};     ///< of the taken groups, those that do not run for the first one any more
+  bool row_runs_on = false;        ///< condition lost: only groups below the first one are lost
+  bool is_requested = true;        ///< the second, while the first one runs, or what leads to it
+  std::vector<GroupId> takers{};   ///< soft, hard: what is requested with the second and takes over in its place
+  std::optional<GroupId> leader{}; ///< else: on the chain to the second, of which neither it nor what it requests takes
+  bool runs_at_once = false;       ///< with takers: the second does not wait
+  std::vector<GroupId> round{};    ///< endless: what runs again and again
+  bool when_done = false;          ///< endless: only when the first one is done
 };
 
 std::string words_of(const Transition& cell, const CellContext& context);

@@ -418,6 +418,35 @@ steps:
 )");
 }
 
+TEST_CASE("what ran for the first one runs for another requester, and so does what the first one requested") {
+  const std::string patrol = R"(roots: {Patrol: {priority: 20}, Report: {priority: 10}}
+groups:
+  Patrol: {packs: {go: {Look: {priority: 5, optional: true})";
+  const std::string rest = R"(}}}
+  Look: {tasks: {Head: {optional: true}}}
+  Report: {tasks: [Look]}
+  Head: {}
+)";
+  CHECK(words(patrol + rest, "Look", "Report") ==
+        "hard: Report takes at once what Look holds. Look and Head run on, but not for Patrol any more.");
+  CHECK(words(patrol + ", Head: {optional: true}" + rest, "Look", "Report") ==
+        "hard: Report takes at once what Look holds. Look runs on, but not for Patrol any more. Head runs on, but not "
+        "for Look any more.");
+}
+
+TEST_CASE("what takes over is named where it is above the second, which itself takes nothing") {
+  CHECK(words(R"(roots: {KickTo: {priority: 20}, Look: {priority: 10}}
+groups:
+  KickTo: {packs: {go: {Kick: {}, LookAt: {}}}}
+  Look: {tasks: [LookAt]}
+  LookAt: {}
+  Kick: {needs: [Legs]}
+  Legs: {}
+)",
+              "Look", "Kick") == "hard: KickTo, which leads to Kick, takes at once what Look holds. LookAt runs on, "
+                                 "but not for Look any more.");
+}
+
 TEST_CASE("what is set from outside for the second is not undone by a push of the first one") {
   CHECK(cell(R"(
 states: {Pose: {values: [moving, still, falling], initial: still, external: true}}
