@@ -7,6 +7,9 @@
 // What is above two edges does not depend on what was climbed below, so each pair is examined once. Cost: the square of
 // the edges above, times the places where they part.
 //
+// A group that its requester needs is held by that need. So the last edge of a chain is not optional there, even if it
+// is requested as optional too; what is requested below that group is. Such an edge is in the table twice.
+//
 // Requests can form a cycle that has an optional one. Neither of two groups of one cycle is later, so either side is
 // climbed there, and a pair may lead to itself: then all is examined again until nothing is added. Chains around a
 // cycle are included; they add no other places, and at most that something is optional.
@@ -36,6 +39,22 @@ std::set<Standing> standings(const Edge& edge, bool optional_below) {
   return out;
 }
 
+/// Whether it also requests as optional what each provider that requests it needs.
+bool is_always_needed(const Model& model, EdgeId id) {
+  const Edge& edge = model.edges[id];
+  const auto is_optional = [](const Level& level) { return level.optional; };
+  if (!edge.needed || std::none_of(edge.levels.begin(), edge.levels.end(), is_optional)) return false;
+  const std::vector<ProviderId>& providers = model.groups[*edge.requester].providers;
+  return std::all_of(providers.begin(), providers.end(), [&](ProviderId provider_id) {
+    const Provider& provider = model.providers[provider_id];
+    return provider.needs_group(edge.target) ||
+           std::none_of(provider.packs.begin(), provider.packs.end(), [&](const Pack& pack) {
+             return std::any_of(pack.tasks.begin(), pack.tasks.end(),
+                                [&](const Task& task) { return task.edge == id; });
+           });
+  });
+}
+
 template <class Value>
 void keep_different(std::vector<Value>& all) {
   std::sort(all.begin(), all.end());
@@ -53,6 +72,7 @@ int order_of(const Decision& decision) {
 
 Contentions::Contentions(const Model& model, std::size_t most_pairs)
     : model_(model),
+      edges_(model.edges),
       pairs_left_(most_pairs),
       place_(model.groups.size(), 0),
       is_requested_(model.groups.size(), false),
@@ -69,6 +89,14 @@ Contentions::Contentions(const Model& model, std::size_t most_pairs)
   for (const std::vector<Node>& cycle : cycles(arrows)) {
     ++number;
     for (const Node node : cycle) cycle_[GroupId{node}] = number;
+  }
+  for (const EdgeId id : model.edges.ids()) last_.add(id);
+  for (const EdgeId id : model.edges.ids()) {
+    if (!is_always_needed(model, id)) continue;
+    Edge held = model.edges[id];
+    for (Level& level : held.levels) level.optional = false;
+    last_[id] = edges_.add(std::move(held));
+    last_.add(id);
   }
   const std::vector<bool> reached = reachable(arrows, root);
   for (const GroupId id : model.groups.ids()) is_requested_[id] = reached[id.value];
@@ -111,7 +139,7 @@ const Contentions::Partings& Contentions::look_at(EdgeId first, EdgeId second) {
 }
 
 Contentions::Partings Contentions::find(EdgeId first, EdgeId second) {
-  const std::optional<GroupId> a = model_.edges[first].requester, b = model_.edges[second].requester;
+  const std::optional<GroupId> a = edges_[first].requester, b = edges_[second].requester;
   if (a == b) return !a || is_requested_[*a] ? Partings{{first, second, false, false}} : Partings{};
   const bool either = a && b && cycle_[*a] != 0 && cycle_[*a] == cycle_[*b];
   const bool climbs_first = a && (!b || place_[*a] > place_[*b]);
@@ -123,8 +151,8 @@ Contentions::Partings Contentions::find(EdgeId first, EdgeId second) {
 }
 
 void Contentions::climb(EdgeId first, EdgeId second, bool climbs_first, Partings& out) {
-  const Edge& below = model_.edges[climbs_first ? first : second];
-  const Edge& beside = model_.edges[climbs_first ? second : first];
+  const Edge& below = edges_[climbs_first ? first : second];
+  const Edge& beside = edges_[climbs_first ? second : first];
   if (*below.requester == beside.target) return; // the one leads to the other
   for (const EdgeId above : model_.groups[*below.requester].requesters) {
     for (const Parting& each : climbs_first ? look_at(above, second) : look_at(first, above)) {
@@ -143,9 +171,9 @@ void Contentions::climb(EdgeId first, EdgeId second, bool climbs_first, Partings
 std::vector<Decision> Contentions::decisions(const Partings& partings) const {
   std::vector<Decision> out;
   for (const Parting& each : partings) {
-    for (const Standing& first : standings(model_.edges[each.first], each.first_optional)) {
-      for (const Standing& second : standings(model_.edges[each.second], each.second_optional))
-        out.push_back({model_.edges[each.first].requester, each.first, each.second, first, second});
+    for (const Standing& first : standings(edges_[each.first], each.first_optional)) {
+      for (const Standing& second : standings(edges_[each.second], each.second_optional))
+        out.push_back({edges_[each.first].requester, original(each.first), original(each.second), first, second});
     }
   }
   keep_different(out);
@@ -157,7 +185,7 @@ std::vector<Contention> Contentions::at(GroupId group) {
   std::vector<Contention> out;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     for (std::size_t j = i + 1; j < edges.size(); ++j) {
-      std::vector<Decision> found = decisions(partings(edges[i], edges[j]));
+      std::vector<Decision> found = decisions(partings(last_[edges[i]], last_[edges[j]]));
       out.push_back({edges[i], edges[j], std::move(found), complete()});
     }
   }
@@ -169,7 +197,7 @@ std::vector<Decision> Contentions::between(GroupId first, GroupId second) {
   for (const EdgeId a : model_.groups[first].requesters) {
     for (const EdgeId b : model_.groups[second].requesters) {
       if (first == second && !(a < b)) continue;
-      const Partings& some = partings(a, b);
+      const Partings& some = partings(last_[a], last_[b]);
       all.insert(all.end(), some.begin(), some.end());
     }
   }

@@ -87,7 +87,12 @@ private:
   void climb(EdgeId first, EdgeId second, bool climbs_first, Partings& out);
   std::vector<Decision> decisions(const Partings& partings) const;
 
+  /// Of one that is only the last of a chain.
+  EdgeId original(EdgeId edge) const { return edge.value < model_.edges.size() ? edge : last_[edge]; }
+
   const Model& model_;
+  IdTable<EdgeId, Edge> edges_;  ///< those of the model, then those that are only the last of a chain
+  IdTable<EdgeId, EdgeId> last_; ///< by edge of the model: itself as the last of a chain; of the others: the original
   std::size_t pairs_left_;
   IdTable<GroupId, std::size_t> place_; ///< requesters first
   IdTable<GroupId, char> is_requested_; ///< some chain from root leads to it

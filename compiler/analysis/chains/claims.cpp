@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <deque>
 #include <iterator>
+#include <utility>
 
 namespace director::analysis {
 
@@ -20,11 +21,12 @@ std::vector<Branch> branches_of(const Model& model, GroupId group, const Filter&
     if (!may_run && !is_picked(id)) continue;
     const Provider& provider = model.providers[id];
     const Region region = active_region(model, provider);
-    for (const Use<GroupId>& need : provider.needs) out.push_back({need.id, true, false, false, need.span, region});
+    for (const Use<GroupId>& need : provider.needs)
+      out.push_back({need.id, true, false, false, false, need.span, region});
     if (!may_run) continue;
     for (const Pack& pack : provider.packs) {
       for (const Task& task : pack.tasks) {
-        Branch branch{task.target, false, false, false, task.span, region};
+        Branch branch{task.target, false, false, false, provider.needs_group(task.target), task.span, region};
         for (const Task::NamedLevel& level : task.levels)
           (model.edges[task.edge].levels[level.level].optional ? branch.optional : branch.mandatory) = true;
         out.push_back(std::move(branch));
@@ -74,7 +76,7 @@ Claims::Claims(const Branches& branches, GroupId task, const std::vector<GroupId
   while (!open.empty() && !ended) {
     const auto [group, reach] = open.front();
     open.pop_front();
-    const Claim here = *find(group, reach); // a copy: it may grow if a cycle leads back here
+    const Claim here = *on_path(group, reach); // a copy: it may grow if a cycle leads back here
     const auto go = [&](const Branch& branch, Reach next) {
       ++effort_;
       Region region = here.region;
@@ -84,16 +86,18 @@ Claims::Claims(const Branches& branches, GroupId task, const std::vector<GroupId
       const auto [at, is_new] = claims_[static_cast<std::size_t>(next)].try_emplace(branch.to);
       Claim& there = at->second;
       if (is_new) {
-        there = Claim{std::move(region), here.steps + 1, group, branch.by_need, branch.span, reach};
+        there = Claim{std::move(region), here.steps + 1, group, branch.by_need, branch.span, reach, !branch.needed_too};
         open.emplace_back(branch.to, next);
-        ended = ended || (enough && enough(branch.to, next, there));
+        ended = ended || (there.holds && enough && enough(branch.to, next, there));
         return;
       }
+      const bool held = std::exchange(there.holds, there.holds || !branch.needed_too);
       Region more = hull(there.region, region);
-      if (more.states == there.region.states) return;
+      const bool grows = more.states != there.region.states;
+      if (!grows && held == there.holds) return;
       there.region = std::move(more);
-      open.emplace_back(branch.to, next);
-      ended = ended || (enough && enough(branch.to, next, there));
+      if (grows) open.emplace_back(branch.to, next);
+      ended = ended || (there.holds && enough && enough(branch.to, next, there));
     };
     for (const Branch& branch : branches.from(group)) {
       if (branch.to == group || std::find(without.begin(), without.end(), branch.to) != without.end()) continue;
@@ -113,11 +117,11 @@ Claims::Claims(const Branches& branches, GroupId task, const std::vector<GroupId
 std::vector<ChainStep> Claims::path(GroupId group, Reach reach) const {
   std::vector<ChainStep> out;
   // Ends at the task itself, even if needs lead back to it.
-  for (const Claim* claim = find(group, reach); claim != nullptr && claim->steps > 0;) {
+  for (const Claim* claim = on_path(group, reach); claim != nullptr && claim->steps > 0;) {
     const GroupId from = claim->from;
     out.push_back({from, group, claim->by_need, claim->span});
     group = from;
-    claim = find(group, reach = claim->reach_from);
+    claim = on_path(group, reach = claim->reach_from);
   }
   std::reverse(out.begin(), out.end());
   return out;

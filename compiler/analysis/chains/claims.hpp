@@ -30,6 +30,7 @@ struct Claim {
   bool by_need = false;          ///< by a need of the group; else by a request
   Span span{};                   ///< where that is declared
   Reach reach_from = Reach::own; ///< how it is reached
+  bool holds = true;             ///< false: it only leads on, by a request of a group that its requester needs anyway
 };
 
 /// One edge down from a group, and the states with which it can be used.
@@ -37,6 +38,7 @@ struct Branch {
   GroupId to{};
   bool by_need = false;
   bool mandatory = false, optional = false; ///< levels of a request; a need is neither
+  bool needed_too = false; ///< a request of a group that the same provider needs: it is held by the need already
   Span span{};
   Region region;
 };
@@ -67,8 +69,13 @@ public:
   /// Only over groups that are not in `without`.
   Claims(const Branches& branches, GroupId task, const std::vector<GroupId>& without = {}, const Enough& enough = {});
 
-  /// Null: it never claims the group.
+  /// Null: it never claims the group in this way.
   const Claim* find(GroupId group, Reach reach) const {
+    const Claim* out = on_path(group, reach);
+    return out != nullptr && out->holds ? out : nullptr;
+  }
+  /// Also one that only leads on.
+  const Claim* on_path(GroupId group, Reach reach) const {
     const auto& claims = claims_[static_cast<std::size_t>(reach)];
     const auto at = claims.find(group);
     return at == claims.end() ? nullptr : &at->second;

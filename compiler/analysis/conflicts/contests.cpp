@@ -69,7 +69,7 @@ std::optional<Unpushed> Contests::find_unpushed(GroupId group, const Side& waiti
   const Claim* claim = waiting.claim;
   while (claim->steps > 0 && claim->by_need) {
     group = claim->from;
-    claim = waiting.claims.find(group, claim->reach_from);
+    claim = waiting.claims.on_path(group, claim->reach_from);
   }
   const std::vector<const Want*> wants = shared_.wants_of(group);
   if (wants.empty()) return std::nullopt;
@@ -78,7 +78,7 @@ std::optional<Unpushed> Contests::find_unpushed(GroupId group, const Side& waiti
     const bool requested = std::any_of(branches.begin(), branches.end(), [&](const Branch& branch) {
       return branch.to == group && !branch.by_need && compatible(branch.region, other);
     });
-    if (!requested || !compatible(waiting.claims.find(claim->from, claim->reach_from)->region, other))
+    if (!requested || !compatible(waiting.claims.on_path(claim->from, claim->reach_from)->region, other))
       return std::nullopt;
   }
   std::optional<Unpushed> out;

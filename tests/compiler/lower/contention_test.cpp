@@ -66,12 +66,28 @@ behaviour: levels
 language: 1
 roots: {A: {priority: {low: 1, high: 9}}, B: {priority: 5}}
 groups:
-  A: {needs: [Leg], tasks: {Leg: {optional: true}}}
+  A: {providers: [{name: strong, needs: [Leg]}, {name: weak, tasks: {Leg: {optional: true}}}]}
   B: {tasks: [Leg]}
   Leg: {}
 )");
   CHECK(decided(c, "Leg") == Texts{"A>Leg and B>Leg", "  root>A 1, root>B 5: 1", "  root>A 1?, root>B 5: 1",
                                    "  root>A 9, root>B 5: -1", "  root>A 9?, root>B 5: 1"});
+}
+
+TEST_CASE("what is needed and requested as optional too is held by the need, and what that requests is optional") {
+  const Compiled c = compile(R"(
+behaviour: needed
+language: 1
+roots: {Walk: {priority: 1}, Look: {priority: 2, optional: true}}
+groups:
+  Walk: {needs: [Head], tasks: {Head: {optional: true}}}
+  Look: {needs: [Head], tasks: [Head, Neck]}
+  Head: {tasks: [Neck]}
+  Neck: {}
+)");
+  CHECK(decided(c, "Head") == Texts{"Walk>Head and Look>Head", "  root>Walk 1, root>Look 2?: -1"});
+  CHECK(decided(c, "Neck") == Texts{"Look>Neck and Head>Neck", "  root>Look 2?, root>Walk 1: 1",
+                                    "  root>Look 2?, root>Walk 1?: -1", "  Look>Neck 0, Look>Head 0: 0"});
 }
 
 TEST_CASE("two chains that would meet in a group cannot exist side by side") {

@@ -150,3 +150,36 @@ steps: [request: Kick, request: Walk, cancel: Kick]
 )");
   CHECK(watched.text.find("take-overs    0 of 1") != std::string::npos);
 }
+
+namespace {
+
+/// The take-overs, `Kick from Walk`.
+std::vector<std::string> take_overs(const std::string& groups) {
+  const director::tests::Compiled compiled = director::tests::compile("behaviour: test\nlanguage: 1\n" + groups);
+  const Model& model = compiled.model;
+  std::vector<std::string> out;
+  for (const PossibleTake& take : possible_takes(model, make_graph(model)))
+    out.push_back(model.edge_name(take.taker) + " from " + model.edge_name(take.loser));
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("nothing is taken from what its holder needs, by the optional request that the holder has for it too") {
+  CHECK(take_overs(R"(roots: {Walk: {priority: 10}, Look: {priority: 20, optional: true}}
+groups:
+  Walk: {needs: [Head], tasks: {Head: {optional: true}}}
+  Look: {needs: [Head], tasks: [Head]}
+  Head: {}
+)") == std::vector<std::string>{"root>Walk from root>Look"});
+}
+
+TEST_CASE("what is requested below it is optional there") {
+  CHECK(take_overs(R"(roots: {Walk: {priority: 10}, Look: {priority: 20, optional: true}}
+groups:
+  Walk: {needs: [Head], tasks: {Head: {optional: true}}}
+  Look: {tasks: [Neck]}
+  Head: {tasks: [Neck]}
+  Neck: {}
+)") == std::vector<std::string>{"root>Walk from root>Look", "root>Look from root>Walk"});
+}
