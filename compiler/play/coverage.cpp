@@ -202,7 +202,25 @@ private:
     return false;
   }
 
-  /// Whether it was `enough` at some levels. In a unit nothing is taken from what is granted with it.
+  /// Whether the loser, and with it what is requested below it, may be requested before the taker is.
+  bool may_precede(const analysis::Together& together, const Task& loser, const Task& taker) const {
+    if (!together.whole) return true;
+    const GroupId requester = model_.providers[*together.provider].group;
+    const std::vector<ProviderId>& providers = model_.groups[requester].providers;
+    const auto has = [](const Pack& pack, const Task& task) {
+      return std::any_of(pack.tasks.begin(), pack.tasks.end(),
+                         [&](const Task& each) { return each.edge == task.edge; });
+    };
+    return std::any_of(providers.begin(), providers.end(), [&](ProviderId id) {
+      const Provider& provider = model_.providers[id];
+      return counts_(id) && std::any_of(provider.packs.begin(), provider.packs.end(), [&](const Pack& pack) {
+               return has(pack, loser) && !(provider.has_packs && has(pack, taker));
+             });
+    });
+  }
+
+  /// Whether it was `enough` at some levels. In a unit nothing is taken from what is granted with it, nor by that, if
+  /// both are requested at once.
   template <class Enough>
   bool any_levels(Rivalry& each, const analysis::Together& together, Enough enough) const {
     using analysis::Reach;
@@ -211,7 +229,8 @@ private:
         const Level &first = model_.edges[each.taker->edge].levels[a.level],
                     &second = model_.edges[each.loser->edge].levels[b.level];
         const bool together_granted = in_unit(together, first) && in_unit(together, second);
-        if (together_granted && (each.takes == Reach::own || each.loses == Reach::own)) continue;
+        if (together_granted && each.loses == Reach::own) continue;
+        if (together_granted && each.takes == Reach::own && !may_precede(together, *each.loser, *each.taker)) continue;
         each.taker_level = &a, each.loser_level = &b;
         const bool first_optional = first.optional || each.takes == Reach::optional;
         const bool second_optional = second.optional || each.loses == Reach::optional;

@@ -183,3 +183,17 @@ groups:
   Neck: {}
 )") == std::vector<std::string>{"root>Walk from root>Look", "root>Look from root>Walk"});
 }
+
+TEST_CASE("a member of a unit takes what another one requests, if that one may have been requested before it") {
+  const auto of_watch = [](const std::string& packs) {
+    return take_overs("roots: [Watch]\ngroups:\n  Watch: {" + packs + R"(}
+  Walk: {tasks: {Head: {optional: true}}}
+  Head: {}
+)");
+  };
+  const std::vector<std::string> head_takes{"Watch>Head from Watch>Walk"};
+  CHECK(of_watch("tasks: {Walk: {priority: 0}, Head: {priority: 5}}") == head_takes);
+  CHECK(of_watch("packs: {go: {Walk: {priority: 0}, Head: {priority: 5}}}").empty());
+  CHECK(of_watch("packs: {go: {Walk: {priority: 0}, Head: {priority: 5}}, stroll: {Walk: {priority: 0}}}") ==
+        head_takes);
+}
