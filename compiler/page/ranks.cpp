@@ -318,11 +318,13 @@ private:
                        together(side.leaders));
   }
 
-  /// Whether at some level of this priority it is a member of the unit of its pack, or is not.
+  /// Whether at some level of this standing it is a member of the unit of its pack, or is not. What is optional may be
+  /// so by something below it.
   bool may_be(const Task& task, const Standing& standing, bool in_unit) const {
     return std::any_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
       const Level& level = edge(task.edge).levels[named.level];
-      return level.priority == standing.priority && level.shares_unit() == in_unit;
+      return level.priority == standing.priority && (standing.optional || !level.optional) &&
+             level.shares_unit() == in_unit;
     });
   }
 

@@ -97,6 +97,21 @@ groups:
                                    "second, Play: Kick (priority 3) before Walk (priority 2), never both at once\n");
 }
 
+TEST_CASE("a task that is optional only in another pack is optional there alone") {
+  const std::string text = told_of(R"(roots: [Play]
+groups:
+  Play:
+    providers:
+      - {name: early, packs: {go: {A: {priority: 20}, B: {optional: true}}}}
+      - {name: late, packs: {go: [B]}}
+  A: {}
+  B: {}
+)",
+                                   "B", "A");
+  CHECK(text == "second, Play: A (priority 20) before B (priority 0), never both at once\n"
+                "second, Play: A (priority 20) before B (priority 0, optional)\n");
+}
+
 TEST_CASE("what is optional gives way, itself or below the task that is compared") {
   CHECK(told_of(R"(roots: {Play: {priority: 9}, Idle: {priority: 1}}
 groups:
