@@ -91,11 +91,30 @@ Json verdicts_json(const std::vector<Verdict>& verdicts, const Model& model) {
   return out;
 }
 
+/// A cell is one course of events, and the assertion `soft` is about all of them.
+void add_verdicts(const std::vector<Verdict>& verdicts, const Model& model, TransitionMatrix& matrix) {
+  const auto place = [&](GroupId id) {
+    const auto at = std::find_if(matrix.rows.begin(), matrix.rows.end(),
+                                 [&](const TransitionMatrix::Row& row) { return row.group == id; });
+    return static_cast<std::size_t>(at - matrix.rows.begin());
+  };
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    const Assertion& assertion = model.assertions[i];
+    if (assertion.kind != Assertion::Kind::soft) continue;
+    const std::size_t from = place(assertion.groups[0].id), to = place(assertion.groups[1].id);
+    if (from == matrix.rows.size() || to == matrix.rows.size()) continue;
+    Transition& cell = matrix.rows[from].cells[to];
+    cell.asserted = name_of(verdicts[i].kind);
+    cell.words += fmt::format(" It is asserted that this is always soft: {}.", cell.asserted);
+  }
+}
+
 } // namespace
 
 std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph) {
   std::vector<TakeOver> out;
-  for (const PossibleTake& take : possible_takes(model, graph)) out.push_back({take.taker, take.loser, take.ranks});
+  for (const PossibleTake& take : possible_takes(model, graph))
+    out.push_back({take.taker, take.loser, take.ranks});
   return out;
 }
 
@@ -135,8 +154,11 @@ void add_page_facts(Json& data, const Model& model, const Graph& graph, const st
   std::vector<Verdict> decided;
   if (verdicts == nullptr && !model.assertions.empty())
     decided = decide_assertions(Ground(model, lowered), states_of_check);
-  data.add("verdicts", verdicts_json(verdicts == nullptr ? decided : *verdicts, model));
-  data.add("transitions", transitions_json(find_transitions(model, lowered, file, transitions), model));
+  const std::vector<Verdict>& all = verdicts == nullptr ? decided : *verdicts;
+  data.add("verdicts", verdicts_json(all, model));
+  TransitionMatrix matrix = find_transitions(model, lowered, file, transitions);
+  add_verdicts(all, model, matrix);
+  data.add("transitions", transitions_json(matrix, model));
 }
 
 } // namespace director::compiler

@@ -21,6 +21,8 @@ std::string legend_html(const Json& rows) {
   for (const CellKind& kind : cell_kinds_in(rows))
     out += fmt::format("<div><dt><b class=\"sign\" data-kind=\"{3}\">{1}</b> {0}</dt><dd>{2}</dd></div>\n", kind.kind,
                        kind.sign, kind.meaning, kind.style);
+  if (has_refuted(rows))
+    out += fmt::format("<div><dt><b class=\"sign\">\u2716</b> refuted</dt><dd>{}</dd></div>\n", refuted_meaning);
   return out + "</dl>\n";
 }
 
@@ -46,7 +48,7 @@ std::string bands_html(const Json& rows) {
       out += fmt::format("<tr><th scope=\"row\">{}", html(row["group"].as_text()));
       for (std::size_t i = begin; i < end; ++i) {
         const CellKind& kind = cell_kind(row["cells"].items()[i]);
-        out += fmt::format("<td data-kind=\"{}\">{}", kind.style, kind.sign);
+        out += fmt::format("<td data-kind=\"{}\">{}", kind.style, cell_sign(row["cells"].items()[i]));
       }
       out += '\n';
     }
@@ -69,7 +71,7 @@ std::string matrix_html(const Json& rows) {
       const Json* column = needs_explanation(cells[i]) ? &rows.items()[i] : nullptr;
       out +=
           fmt::format("<td data-kind=\"{}\"><a href=\"#{}\" title=\"{}\">{}</a>", kind.style, // </td> may be left out
-                      anchor_of(row, column), kind.kind, kind.sign);
+                      anchor_of(row, column), kind.kind, cell_sign(cells[i]));
     }
     out += "</tr>\n";
   }
@@ -108,8 +110,8 @@ std::string row_html(const Json& transitions, const Json& row) {
     explanations +=
         fmt::format("<div id=\"{}\" tabindex=\"-1\"><dt>to {}: <b class=\"sign\" data-kind=\"{}\">{}</b> "
                     "{}<dd>{}{}</div>\n", // </dt> and </dd> may be left out
-                    anchor_of(row, &column), html(column["group"].as_text()), kind.style, kind.sign, kind.kind,
-                    html(cells[i]["words"].as_text()), scenario_html(cells[i], transitions["pieces"]));
+                    anchor_of(row, &column), html(column["group"].as_text()), kind.style, cell_sign(cells[i]),
+                    kind.kind, html(cells[i]["words"].as_text()), scenario_html(cells[i], transitions["pieces"]));
   }
   if (!explanations.empty()) out += fmt::format("<dl>\n{}</dl>\n", explanations);
   for (const auto& [kind, names] : others) {
@@ -183,8 +185,9 @@ std::string transitions_html(const HtmlInput& input) {
   if (!transitions["left_out"].is_null())
     return fmt::format("<p>{}</p>\n", message_html(transitions["left_out"].as_text()));
   if (rows.items().empty()) return {};
-  std::string out =
-      "<p>The first group runs, then the second one is requested. What the engine does then was played.</p>\n";
+  std::string out = fmt::format(
+      "<p>The first group runs, then the second one is requested. What the engine does then was played. {}</p>\n",
+      one_course);
   if (transitions["limited"].as_boolean()) out += fmt::format("<p>{}</p>\n", limited_intro);
   out += legend_html(rows) + matrix_html(rows);
   if (std::string names; !transitions["not_requested"].items().empty()) {

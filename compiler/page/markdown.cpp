@@ -273,10 +273,13 @@ private:
     if (!transitions["left_out"].is_null())
       out_ += fmt::format("## Transitions\n\n{}\n\n", message(transitions["left_out"].as_text()));
     if (rows.items().empty()) return;
-    out_ += "## Transitions\n\nThe first group, a row, runs; then the second one, a column, is requested.\n\n";
+    out_ += fmt::format(
+        "## Transitions\n\nThe first group, a row, runs; then the second one, a column, is requested. {}\n\n",
+        one_course);
     if (transitions["limited"].as_boolean()) out_ += fmt::format("{}\n\n", limited_intro);
     for (const CellKind& kind : cell_kinds_in(rows))
       out_ += fmt::format("- **{}** {}: {}\n", kind.sign, kind.kind, kind.meaning);
+    if (has_refuted(rows)) out_ += fmt::format("- **\u2716** refuted: {}\n", refuted_meaning);
     out_ += "\n| from \\ to |";
     for (const Json& row : rows.items()) out_ += fmt::format(" {} |", escaped(row["group"].as_text()));
     out_ += "\n| --- |";
@@ -284,7 +287,7 @@ private:
     out_ += "\n";
     for (const Json& row : rows.items()) {
       out_ += fmt::format("| **{}** |", escaped(row["group"].as_text()));
-      for (const Json& cell : row["cells"].items()) out_ += fmt::format(" {} |", cell_kind(cell).sign);
+      for (const Json& cell : row["cells"].items()) out_ += fmt::format(" {} |", cell_sign(cell));
       out_ += "\n";
     }
     out_ += "\n";

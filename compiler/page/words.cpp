@@ -56,6 +56,18 @@ std::vector<CellKind> cell_kinds_in(const Json& rows) {
   return out;
 }
 
+bool is_refuted(const Json& cell) { return cell["asserted"].as_text() == "refuted"; }
+
+std::string cell_sign(const Json& cell) {
+  return fmt::format("{}{}", cell_kind(cell).sign, is_refuted(cell) ? " \u2716" : "");
+}
+
+bool has_refuted(const Json& rows) {
+  return std::any_of(rows.items().begin(), rows.items().end(), [](const Json& row) {
+    return std::any_of(row["cells"].items().begin(), row["cells"].items().end(), is_refuted);
+  });
+}
+
 bool needs_explanation(const Json& cell) {
   const std::string_view kind = cell_kind(cell).kind;
   return kind != "both" && kind != "same chain" && kind != "unreachable";

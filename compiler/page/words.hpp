@@ -16,6 +16,16 @@ const std::vector<CellKind>& cell_kinds();
 std::vector<CellKind> cell_kinds_in(const Json& rows);
 const CellKind& cell_kind(const Json& cell);
 
+/// `S`, or `S ✖` if an assertion that it is soft is refuted.
+std::string cell_sign(const Json& cell);
+bool is_refuted(const Json& cell);
+/// Whether some cell is.
+bool has_refuted(const Json& rows);
+inline constexpr const char* refuted_meaning =
+    "an assertion says that it is always soft, and is refuted: it can happen otherwise";
+inline constexpr const char* one_course =
+    "Each cell is one course of events, and others are possible. What must always hold is an assertion.";
+
 /// Whether the cell has its own explanation; otherwise a line for all of its kind in a row is enough.
 bool needs_explanation(const Json& cell);
 

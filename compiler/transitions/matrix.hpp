@@ -40,6 +40,7 @@ struct Transition {
   std::vector<GroupId> stops;        ///< what ran for the first and no longer runs
   std::vector<GroupId> taken;        ///< what ran for the first and now runs for another requester
   std::vector<std::string> states;   ///< `Ball == near`: set from outside for the second
+  std::string asserted;              ///< the verdict of the assertion that it is soft; empty: there is none
   std::vector<std::size_t> scenario; ///< of TransitionMatrix::pieces, one after another; empty: nothing was played
 };
 

@@ -31,6 +31,7 @@ Json cell_json(const Transition& cell, const Model& model) {
   if (!cell.stops.empty()) out.add("stops", group_names(cell.stops, model));
   if (!cell.taken.empty()) out.add("taken", group_names(cell.taken, model));
   if (!cell.states.empty()) out.add("states", Json::texts(cell.states));
+  if (!cell.asserted.empty()) out.add("asserted", Json::text(cell.asserted));
   if (!cell.scenario.empty()) {
     Json pieces = Json::list({});
     for (const std::size_t piece : cell.scenario) pieces.add(Json::count(piece));

@@ -165,6 +165,19 @@ groups: {Play: {tasks: {Look: {optional: true}}}, Look: {needs: [Head]}, Cheer: 
        "Rest before Cheer: where the second is optional\n");
 }
 
+TEST_CASE("a cell of two groups that are asserted to change over softly has the verdict") {
+  const compiler::Json transitions = facts(R"(roots: {GetUp: {priority: 20}, Walk: {priority: 10}}
+groups: {GetUp: {needs: [Legs]}, Walk: {needs: [Legs]}, Legs: {}}
+assertions: [soft: {from: Walk, to: GetUp}]
+)")["transitions"];
+  const std::vector<compiler::Json>& rows = transitions["rows"].items();
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[1]["cells"].items()[0]["words"].as_text() ==
+        "GetUp takes at once what Walk holds. Walk stops. It is asserted that this is always soft: refuted.");
+  CHECK(rows[1]["cells"].items()[0]["asserted"].as_text() == "refuted");
+  CHECK(rows[0]["cells"].items()[1]["asserted"].is_null());
+}
+
 TEST_CASE("each assertion has its verdict and why, one that is refuted a scenario") {
   const compiler::Json verdicts = facts(R"(roots: {GetUp: {priority: 20}, Walk: {priority: 10}}
 groups: {GetUp: {needs: [Legs]}, Walk: {needs: [Legs]}, Legs: {}}
