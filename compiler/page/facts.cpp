@@ -114,7 +114,7 @@ void add_verdicts(const std::vector<Verdict>& verdicts, const Model& model, Tran
 std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph) {
   std::vector<TakeOver> out;
   for (const PossibleTake& take : possible_takes(model, graph))
-    out.push_back({take.taker, take.loser, take.ranks});
+    out.push_back({take.taker, take.loser, take.ranks, take.groups});
   return out;
 }
 

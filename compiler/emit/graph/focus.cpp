@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/graph/focus.hpp"
 
+#include "compiler/graph/algorithms.hpp"
+
+#include <algorithm>
 #include <limits>
 
 namespace director::compiler {
@@ -66,6 +69,22 @@ IdSet<GroupId> groups_in_focus(const Model& model, const Graph& graph, const Pic
     if (!focused[resource]) add(needed_by[resource]);
   }
   return out;
+}
+
+bool is_in_focus(GroupId taker, GroupId loser, const std::vector<bool>& over, const Graph& graph,
+                 const PictureOptions& options) {
+  if (options.depth == std::size_t{0}) return false;
+  const std::vector<bool> below = reachable(graph.claims, {taker.value, loser.value});
+  return std::any_of(options.focus.begin(), options.focus.end(), [&](GroupId id) {
+    if (id == taker || id == loser) return true;
+    if (!below[id.value]) return false;
+    std::vector<bool> holds = reachable(graph.claims, id.value);
+    holds[id.value] = true;
+    for (std::size_t i = 0; i < over.size(); ++i) {
+      if (over[i] && holds[i]) return true;
+    }
+    return false;
+  });
 }
 
 } // namespace director::compiler

@@ -12,4 +12,9 @@ namespace director::compiler {
 /// All groups if there is no focus.
 IdSet<GroupId> groups_in_focus(const Model& model, const Graph& graph, const PictureOptions& options);
 
+/// Whether in this take-over a group in the focus may take or lose something, itself or by what it can hold. `over`:
+/// what may be taken, by group.
+bool is_in_focus(GroupId taker, GroupId loser, const std::vector<bool>& over, const Graph& graph,
+                 const PictureOptions& options);
+
 } // namespace director::compiler

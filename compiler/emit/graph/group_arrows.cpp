@@ -255,6 +255,8 @@ std::vector<GroupArrow> find_takes(const Model& model, const std::vector<TakeOve
     arrow.from = taker.target;
     arrow.to = loser.target;
     arrow.kind = ArrowKind::take;
+    arrow.over.resize(model.groups.size());
+    for (std::size_t i = 0; i < take.groups.size(); ++i) arrow.over[i] = arrow.over[i] || take.groups[i];
     if (arrow.words.empty()) arrow.span = taker.span;
     join(arrow.label, fmt::format("{}: {}", common, fmt::join(ranks, "; ")), "\n");
     join(arrow.words,

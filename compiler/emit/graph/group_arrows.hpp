@@ -19,7 +19,8 @@ struct GroupArrow {
   std::string words; ///< the tooltip
   Span span{};       ///< where it is declared first
   std::optional<Moment::Mark> mark;
-  bool hidden = false; ///< at this moment; another frame shows it
+  bool hidden = false;      ///< at this moment; another frame shows it
+  std::vector<bool> over{}; ///< of a take-over: what may be taken, by group
 };
 
 /// Whether each provider and pack has arrows of its own, or all of a group share one.

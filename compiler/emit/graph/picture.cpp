@@ -91,7 +91,9 @@ private:
       all.push_back(std::move(push));
     for (GroupArrow& take : find_takes(model_, options_.take_overs)) all.push_back(std::move(take));
     std::erase_if(all, [&](const GroupArrow& arrow) {
-      return !is_seen(options_.view, arrow.kind) || !chosen.contains(arrow.from) || !chosen.contains(arrow.to);
+      if (!is_seen(options_.view, arrow.kind)) return true;
+      if (chosen.contains(arrow.from) && chosen.contains(arrow.to)) return false;
+      return arrow.kind != ArrowKind::take || !is_in_focus(arrow.from, arrow.to, arrow.over, graph_, options_);
     });
     for (GroupArrow& arrow : all) {
       if (arrow.kind != ArrowKind::both || options_.view == View::all) continue;

@@ -17,7 +17,8 @@ namespace director::compiler {
 /// The task of one edge may take something by rank from that of another; both of one requester.
 struct TakeOver {
   EdgeId taker{}, loser{};
-  std::set<Winning> ranks; ///< by which it may
+  std::set<Winning> ranks;    ///< by which it may
+  std::vector<bool> groups{}; ///< what it may take, by group
 };
 
 /// What holds at some moment of a scenario.

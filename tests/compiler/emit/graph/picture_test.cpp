@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace {
@@ -238,6 +239,26 @@ TEST_CASE("an arrow of what may be taken has only the ranks by which it may") {
   CHECK(arrows_of(make_picture(from.model, make_graph(from.model), from.sources, options)) ==
         "Player -> Cheer take (the program: 10 or 80 over 0 optional)\n"
         "Cheer -> Player take (the program: 0 over 10 (something below it optional)) up\n");
+}
+
+TEST_CASE("with a focus, take-overs of what its groups can hold are drawn, wherever they are decided") {
+  const tests::Compiled from = tests::compile(std::string(walker));
+  const auto taken = [&](const char* over, const char* focus, std::optional<std::size_t> depth = {}) {
+    PictureOptions options;
+    options.view = PictureOptions::View::takes;
+    options.focus = {from.group(focus)};
+    options.depth = depth;
+    std::vector<bool> groups(from.model.groups.size());
+    groups[from.group(over).value] = true;
+    options.take_overs = {{from.edge("root>Cheer"), from.edge("root>Player"), {{{10, false}, {0, false}}}, groups}};
+    return arrows_of(make_picture(from.model, make_graph(from.model), from.sources, options));
+  };
+  const std::string drawn = "Cheer -> Player take (the program: 10 over 0) up\n";
+  CHECK(taken("Left", "Kick") == drawn);
+  CHECK(taken("Left", "Left") == drawn);
+  CHECK(taken("Arm", "Kick").empty());
+  CHECK(taken("Left", "Player", 1) == drawn);
+  CHECK(taken("Left", "Kick", 0).empty());
 }
 
 TEST_CASE("the legend of a moment says what colours of lines mean, and no thickness of frames") {
