@@ -106,8 +106,27 @@ std::string note_text(Moment::Mark mark, const std::string& note) {
   return note;
 }
 
+/// `▶ Kick`, `Walk queued: Legs is held by Kick`.
+std::string member_text(const std::string& name, const Moment::Standing& now) {
+  if (now.mark == Moment::Mark::running) return "\u25B6 " + name;
+  const std::string note = note_text(now.mark, now.note);
+  return note.empty() ? name : fmt::format("{}{} {}", now.mark == Moment::Mark::pushed ? "\u25B6 " : "", name, note);
+}
+
+std::string_view colour_of(Moment::Mark mark) {
+  switch (mark) {
+  case Moment::Mark::running:
+  case Moment::Mark::held: return palette::need;
+  case Moment::Mark::pushed: return palette::push;
+  case Moment::Mark::queued: return palette::queued;
+  case Moment::Mark::inactive: break;
+  }
+  return palette::grey;
+}
+
 std::string note_of(const PictureBox& box) {
-  const std::string text = box.mark ? palette::wrapped(note_text(*box.mark, box.note)) : "";
+  const std::string text =
+      box.mark && box.kind != PictureBox::Kind::folded ? palette::wrapped(note_text(*box.mark, box.note)) : "";
   if (text.empty()) return {};
   return fmt::format("<FONT POINT-SIZE=\"9\" COLOR=\"{}\"><B>{}</B></FONT>", frame_of(box).colour, text);
 }
@@ -124,10 +143,12 @@ std::string room(std::size_t width, std::size_t height) {
   return out;
 }
 
-std::string note_room(const PictureBox& box) {
+/// `before`: at the beginning of each.
+std::string note_room(const std::vector<Moment::Standing>& frames, const std::string& before = {}) {
   std::size_t width = 0, lines = 0;
-  for (const Moment::Standing& frame : box.frames) {
-    const std::string text = palette::wrapped(note_text(frame.mark, frame.note));
+  for (const Moment::Standing& frame : frames) {
+    const std::string text =
+        palette::wrapped(before.empty() ? note_text(frame.mark, frame.note) : member_text(before, frame));
     constexpr std::string_view end = "<BR ALIGN=\"LEFT\"/>";
     std::size_t count = 0;
     for (std::size_t at = 0; at < text.size(); ++count) {
@@ -191,8 +212,8 @@ private:
     if (box_.frames.empty() && !note.empty()) text += "<BR ALIGN=\"LEFT\"/>" + note;
     code_.line(
         fmt::format("<TR><TD ALIGN=\"LEFT\"{}>{}<BR ALIGN=\"LEFT\"/></TD></TR>", cell_words(box_.about, links_), text));
-    if (!box_.frames.empty())
-      code_.line(fmt::format("<TR><TD ALIGN=\"LEFT\" VALIGN=\"TOP\"{}{}>{}</TD></TR>", note_room(box_),
+    if (!box_.frames.empty() && box_.kind != PictureBox::Kind::folded)
+      code_.line(fmt::format("<TR><TD ALIGN=\"LEFT\" VALIGN=\"TOP\"{}{}>{}</TD></TR>", note_room(box_.frames),
                              cell_words(box_.about, links_), note.empty() ? "" : note + "<BR ALIGN=\"LEFT\"/>"));
   }
 
@@ -210,11 +231,33 @@ private:
     }
   }
 
+  /// Whether it is requested or held at some moment that is shown.
+  static bool is_active(const PictureMember& member) {
+    const auto acts = [](const Moment::Standing& each) { return each.mark != Moment::Mark::inactive; };
+    return (member.now && acts(*member.now)) || std::any_of(member.frames.begin(), member.frames.end(), acts);
+  }
+
+  void draw_member(const PictureMember& member) {
+    const std::string room = member.frames.empty() ? "" : note_room(member.frames, member.name);
+    const std::string text =
+        !member.now ? small(palette::ink, member.name)
+                    : fmt::format("<FONT POINT-SIZE=\"9\" COLOR=\"{}\">{}</FONT>", colour_of(member.now->mark),
+                                  palette::wrapped(member_text(member.name, *member.now)));
+    code_.line(fmt::format("<TR><TD ALIGN=\"LEFT\"{}{}>{}{}</TD></TR>", room, cell_words(member.about, links_), text,
+                           member.now ? "<BR ALIGN=\"LEFT\"/>" : ""));
+  }
+
+  /// The first of many; at a moment those that are active.
   void draw_members() {
     constexpr std::size_t most = 12;
     const bool few = box_.members.size() <= most || box_.kind == PictureBox::Kind::alike;
-    for (std::size_t i = 0; i < (few ? box_.members.size() : most - 1); ++i) {
+    std::size_t left_out = 0;
+    for (std::size_t i = 0; i < box_.members.size(); ++i) {
       const PictureMember& member = box_.members[i];
+      if (!few && (member.now ? !is_active(member) : i >= most - 1)) {
+        ++left_out;
+        continue;
+      }
       if (box_.kind == PictureBox::Kind::alike) {
         const Frame frame = frame_of(box_);
         code_.line(fmt::format(
@@ -224,13 +267,12 @@ private:
             cell_words(member.about, links_), name_of(is_grey(box_), (runs(box_) ? "\u25B6 " : "") + member.name),
             box_.data.empty() ? "" : "<BR/>" + small(palette::grey, box_.data)));
       } else {
-        code_.line(fmt::format("<TR><TD ALIGN=\"LEFT\"{}>{}</TD></TR>", cell_words(member.about, links_),
-                               small(palette::ink, member.name)));
+        draw_member(member);
       }
     }
-    if (!few)
+    if (left_out != 0)
       code_.line(fmt::format("<TR><TD ALIGN=\"LEFT\">{}</TD></TR>",
-                             small(palette::grey, fmt::format("and {} more", box_.members.size() - most + 1))));
+                             small(palette::grey, fmt::format("and {} more", left_out))));
   }
 
   const PictureBox& box_;

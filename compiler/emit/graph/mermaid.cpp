@@ -68,11 +68,20 @@ private:
 
   static std::string note_of(const PictureBox& box) {
     if (!box.mark) return {};
-    switch (*box.mark) {
-    case Moment::Mark::running: return "<br/>running";
-    case Moment::Mark::queued: return "<br/>queued: " + escaped(box.note);
-    case Moment::Mark::pushed: return "<br/>" + escaped(box.note);
-    case Moment::Mark::held: return "<br/>held for what needs it";
+    if (box.kind != PictureBox::Kind::folded) return note_of({}, {*box.mark, {}, box.note});
+    std::string out;
+    for (const PictureMember& member : box.members) {
+      if (member.now) out += note_of(escaped(member.name) + " ", *member.now);
+    }
+    return out;
+  }
+
+  static std::string note_of(const std::string& name, const Moment::Standing& now) {
+    switch (now.mark) {
+    case Moment::Mark::running: return fmt::format("<br/>{}running", name);
+    case Moment::Mark::queued: return fmt::format("<br/>{}queued: {}", name, escaped(now.note));
+    case Moment::Mark::pushed: return fmt::format("<br/>{}{}", name, escaped(now.note));
+    case Moment::Mark::held: return fmt::format("<br/>{}held for what needs it", name);
     case Moment::Mark::inactive: break;
     }
     return {};

@@ -212,30 +212,35 @@ private:
     const Moment::Standing now = standing_of(box, *options_.moment);
     box.mark = now.mark;
     box.note = now.note;
-    for (const Moment& frame : options_.frames) {
-      Moment::Standing then = standing_of(box, frame);
+    const auto add_frame = [](Moment::Standing then, std::vector<Moment::Standing>& out) {
       then.active.reset();
-      if (std::find(box.frames.begin(), box.frames.end(), then) == box.frames.end()) box.frames.push_back(then);
+      if (std::find(out.begin(), out.end(), then) == out.end()) out.push_back(std::move(then));
+    };
+    for (const Moment& frame : options_.frames) add_frame(standing_of(box, frame), box.frames);
+    if (box.kind == PictureBox::Kind::folded) {
+      for (std::size_t i = 0; i < box.groups.size(); ++i) {
+        box.members[i].now = standing(box.groups[i], *options_.moment);
+        for (const Moment& frame : options_.frames) add_frame(standing(box.groups[i], frame), box.members[i].frames);
+      }
     }
     const Group& group = model_.groups[box.groups.front()];
     for (std::size_t row = 0; row < box.rows.size(); ++row)
       box.rows[row].is_active = standing(box.groups.front(), *options_.moment).active == group.providers[row];
   }
 
-  /// The most notable status of the groups of a box.
-  static Moment::Standing standing_of(const PictureBox& box, const Moment& moment) {
+  /// Of several statuses, that with the highest rank is shown: what runs, in a box with something that waits.
+  static int rank(Moment::Mark mark) {
     using Mark = Moment::Mark;
-    const auto rank = [](Mark mark) {
-      return mark == Mark::pushed    ? 4
-             : mark == Mark::queued  ? 3
-             : mark == Mark::running ? 2
-             : mark == Mark::held    ? 1
-                                     : 0;
-    };
+    return mark == Mark::pushed ? 4 : mark == Mark::running ? 3 : mark == Mark::queued ? 2 : mark == Mark::held ? 1 : 0;
+  }
+
+  /// Of the groups of a box.
+  static Moment::Standing standing_of(const PictureBox& box, const Moment& moment) {
     Moment::Standing out;
     for (const GroupId id : box.groups) {
       if (rank(standing(id, moment).mark) > rank(out.mark)) out = standing(id, moment);
     }
+    if (box.kind == PictureBox::Kind::folded) out.note.clear();
     return out;
   }
 
@@ -255,7 +260,7 @@ private:
       }
       PictureArrow& known = picture_.arrows[found->second];
       if (known.kind != arrow.kind) known.kind = ArrowKind::both;
-      if (known.mark && *known.mark == Moment::Mark::inactive) known.mark = arrow.mark;
+      if (known.mark && arrow.mark && rank(*arrow.mark) > rank(*known.mark)) known.mark = arrow.mark;
       known.optional = known.optional && arrow.optional;
       known.apart = known.apart && arrow.apart;
       known.hidden = known.hidden && arrow.hidden;

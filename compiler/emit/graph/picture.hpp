@@ -49,6 +49,8 @@ struct PictureRow {
 struct PictureMember {
   std::string name;
   PictureText about;
+  std::optional<Moment::Standing> now{};  ///< of a folded box: nothing: no moment is shown
+  std::vector<Moment::Standing> frames{}; ///< likewise, as in PictureBox
 };
 
 /// The name of the box of all groups without a layer, where each layer is a box.
@@ -72,7 +74,7 @@ struct PictureBox {
   std::vector<PictureRow> rows;         ///< of a group
   bool in_focus = false;
   std::optional<Moment::Mark> mark;     ///< nothing: no moment is shown
-  std::string note;                     ///< about the mark
+  std::string note;                     ///< about the mark; none if it is folded: its members have them
   std::vector<Moment::Standing> frames; ///< its marks and notes in all frames, each once: they need space
   PictureText about;
 

@@ -191,7 +191,11 @@ std::string summary(const Picture& picture) {
     const auto marked = [&](Moment::Mark mark, std::string_view word) {
       std::string names;
       for (const PictureBox& box : picture.boxes) {
-        if (box.mark == mark) names += (names.empty() ? "" : ", ") + box.name;
+        const auto add = [&](const std::string& name) { names += (names.empty() ? "" : ", ") + name; };
+        for (const PictureMember& member : box.members) {
+          if (member.now && member.now->mark == mark) add(member.name);
+        }
+        if (box.kind != PictureBox::Kind::folded && box.mark == mark) add(box.name);
       }
       if (!names.empty()) out += fmt::format(" {}: {}.", word, names);
     };

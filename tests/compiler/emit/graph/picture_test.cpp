@@ -261,6 +261,53 @@ TEST_CASE("with a focus, take-overs of what its groups can hold are drawn, where
   CHECK(taken("Left", "Kick", 0).empty());
 }
 
+TEST_CASE(
+    "a collapsed picture of a moment shows of each group whether it runs, and its layer as running if some does") {
+  const tests::Compiled from = tests::compile(std::string(walker));
+  PictureOptions options;
+  options.fold = PictureOptions::Fold::layers;
+  Moment moment;
+  moment.title = "after step 1";
+  moment.groups.resize(from.model.groups.size());
+  moment.edges.resize(from.model.edges.size());
+  moment.groups[from.group("Player").value] = {
+      Moment::Mark::running, from.model.groups[from.group("Player")].providers.front(), {}};
+  moment.groups[from.group("Walk").value] = {Moment::Mark::queued, {}, "Left is held by Kick"};
+  moment.groups[from.group("Kick").value].mark = Moment::Mark::running;
+  moment.edges[from.edge("Player>Walk").value] = Moment::Mark::queued;
+  moment.edges[from.edge("Player>Kick").value] = Moment::Mark::running;
+  options.moment = moment;
+  const Picture picture = make_picture(from.model, make_graph(from.model), from.sources, options);
+  const std::string told = summary(picture);
+  CHECK(told.substr(told.find(" This is")) == " This is after step 1. Running: Player, Kick. Queued: Walk.");
+  const std::string text = dot(picture, {});
+  const std::size_t begin = text.find("\"layer skill\" [tooltip"), end = text.find("</TABLE>", begin);
+  REQUIRE(end != std::string::npos);
+  std::istringstream lines(text.substr(begin, end - begin));
+  std::string out;
+  for (std::string line; std::getline(lines, line);) {
+    std::string plain;
+    bool in_tag = false;
+    for (const char letter : line) {
+      if (letter == '<') in_tag = true;
+      if (!in_tag) plain += letter;
+      if (letter == '>') in_tag = false;
+    }
+    if (line.find("<TR>") != std::string::npos) out += plain.substr(plain.find_first_not_of(' ')) + "\n";
+    if (line.find("<TABLE") != std::string::npos) out += line.substr(line.find("COLOR="), 15) + "\n";
+  }
+  CHECK(out == "COLOR=\"#00629B\"\n"
+               "layer skill\n"
+               "Walk queued: Left is held by Kick\n"
+               "\u25B6 Kick\n"
+               "Look\n");
+  const auto arrow = std::find_if(picture.arrows.begin(), picture.arrows.end(), [&](const PictureArrow& each) {
+    return picture.boxes[each.from.box].name == "layer purpose" && picture.boxes[each.to.box].name == "layer skill";
+  });
+  REQUIRE(arrow != picture.arrows.end());
+  CHECK(arrow->mark == Moment::Mark::running);
+}
+
 TEST_CASE("the legend of a moment says what colours of lines mean, and no thickness of frames") {
   PictureOptions options;
   options.moment.emplace();
