@@ -50,7 +50,8 @@ void name_the_whole(Resolver& r) {
   const bool is_refused = !dsl::is_identifier(model.name) || dsl::is_cpp_keyword(model.name) ||
                           dsl::is_cpp_macro(model.name) || dsl::is_director_macro(model.name) ||
                           dsl::is_reserved_in_cpp(model.name);
-  if (!r.main.cpp.name_space && !is_refused) check_namespace(r, r.main.name);
+  const bool is_module = !r.main.roots; // its names are in the C++ of what imports it
+  if (!r.main.cpp.name_space && !is_refused && !is_module) check_namespace(r, r.main.name);
   model.deployment = r.main.roots.has_value();
   if (r.main.doc) model.doc = r.main.doc->value;
   if (r.main.limits.trials) model.trials = {r.main.limits.trials->value, r.main.limits.trials->span};
