@@ -2,6 +2,7 @@
 // tests/runtime/live/moment_lines_test.cpp. SPDX-License-Identifier: MIT
 #include "runtime/hosted/why_notes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -23,6 +24,9 @@ public:
     case Because::Kind::reserved: chain(because.holder, "it is held for"); break;
     case Because::Kind::running: chain(because.edge, "it runs for"); break;
     case Because::Kind::no_provider: disabled(because.group); break;
+    case Because::Kind::together:
+      if (because.group != nil) disabled_below(because.group);
+      break;
     case Because::Kind::not_requested: requesters(because.asked); break;
     default: break;
     }
@@ -120,6 +124,21 @@ private:
     const Range providers = t_.groups[group].providers;
     for (Index row = providers.begin; row != providers.end; ++row) {
       if (v_.enabled[row] == 0) add(provider(row) + " is disabled", About::provider, row);
+    }
+  }
+
+  /// The disabled providers of the group, and of the groups that it may need.
+  void disabled_below(Index group) {
+    std::vector<Index> groups{group};
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      disabled(groups[i]);
+      const Range providers = t_.groups[groups[i]].providers;
+      for (Index row = providers.begin; row != providers.end; ++row) {
+        for (const Index need : t_.list(t_.providers[row].needs)) {
+          const Index target = t_.edges[need].target;
+          if (std::find(groups.begin(), groups.end(), target) == groups.end()) groups.push_back(target);
+        }
+      }
     }
   }
 

@@ -64,7 +64,7 @@ public:
     case Kind::outdated:
     case Kind::deferred: return at_rest ? "nothing is about to change" : "";
     case Kind::condition: return wrong_condition();
-    case Kind::no_provider: return choices(member_target()).empty() ? "" : "a provider is enabled";
+    case Kind::no_provider: return wrong_no_provider();
     case Kind::together: return wrong_together();
     default: return wrong_holder();
     }
@@ -169,7 +169,21 @@ private:
     const Rivals both = rivals(member, holder);
     if (order.before(both.ours, both.theirs)) return "the holder goes behind";
     const Rivalry& rivalry = claim_.rivalry;
+  bool any_enabled(GroupId of) const {
+    const auto& providers = model().groups[of].providers;
+    return std::any_of(providers.begin(), providers.end(), [&](ProviderId p) { return view_.enabled[p.value] != 0; });
+  }
+
+  std::string wrong_no_provider() const {
+    if (!choices(member_target()).empty()) return "there is a choice";
+    return any_enabled(GroupId{claim_.group}) ? "a provider is enabled" : "";
+  }
+
     if (order.before(both.theirs, both.ours) == (rivalry.won_by == Precedence::equal)) return "they are not equal";
+    if (claim_.group != nil) {
+      if (claim_.group != member_target().value || !any_enabled(member_target())) return "no provider is enabled";
+      return choices(member_target()).empty() ? "" : "there is a choice";
+    }
     if (rivalry.won_by == Precedence::above) return both.ours.below(holder) ? "" : "the holder is not above";
     if (rivalry.our_first != both.our_first.value || rivalry.their_first != both.their_first.value)
       return "another member of the unit goes first";

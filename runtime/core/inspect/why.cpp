@@ -264,7 +264,7 @@ private:
 
   void blocked(Because& out) {
     if (any_member(out, [&](Index member) { return !has_choice(member, out.group); })) {
-      out.kind = Kind::no_provider;
+      out.kind = any_enabled(out.group) ? Kind::together : Kind::no_provider;
       return;
     }
     if (!any_member(out, [&](Index member) { return is_held(member, out.group, out.provider); })) {
@@ -276,6 +276,7 @@ private:
     goes_first(out.holder, out.member, out.rivalry);
   }
 
+      out.group = out.provider = nil;
   /// Tries the choices for the target of a member, with enabled providers only, in order; an entry that is not accepted
   /// is not extended. True as soon as found(last entry) is true for a complete one. Recursive, once for each group of a
   /// choice: the entries are on the stack.
@@ -308,8 +309,11 @@ private:
     lacks = target(member);
     const auto accept = [&](const Entry& entry) {
       for (const Index need : t_.list(t_.providers[entry.provider].needs)) {
-        const bool enabled = any(t_.groups[target(need)].providers.rows(), [&](Index p) { return v_.enabled[p] != 0; });
-        if (!enabled && lacks == target(member)) lacks = target(need);
+        if (!any_enabled(target(need)) && lacks == target(member)) lacks = target(need);
+  bool any_enabled(Index group) const {
+    return any(t_.groups[group].providers.rows(), [&](Index provider) { return v_.enabled[provider] != 0; });
+  }
+
       }
       return true;
     };

@@ -28,10 +28,11 @@ struct Because {
   enum class Kind : std::uint8_t {
     running,       ///< it runs: for `edge`, in `provider`
     not_requested, ///< neither the program nor a live group requests it
-    no_provider,   ///< no provider of `group` is enabled (or none of a group that all of them need)
+    no_provider,   ///< no provider of `group` is enabled
     lost,          ///< `group`, the target of `member`, is held by `holder`, which goes first: `rivalry`
     need_held,     ///< likewise, but `group` is needed by `provider`, a provider of that target
-    together,      ///< the members of one unit need the same group
+    together,      ///< the members of one unit need the same group; or, with `group`, the target of `member`, so do the
+                   ///< needs of all its choices that are left with what is disabled
     condition,     ///< `condition` is false; `causer` promises it (nil: no enabled provider does)
     outdated,      ///< its requester, or a group above, is stale, or in limbo
     deferred,      ///< a stronger stale group is about to run, and may request what it needs

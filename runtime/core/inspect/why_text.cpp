@@ -71,7 +71,9 @@ private:
       *this << group(b.group) << (b.kind == Kind::lost ? "" : ", which it needs,") << " is held by " << edge(b.holder)
             << ", ";
       return rivalry(b.rivalry);
-    case Kind::together: *this << "what it takes cannot be had together"; return;
+    case Kind::together:
+      *this << (b.group == nil ? "" : "with what is disabled, ") << "what it takes cannot be had together";
+      return;
     case Kind::condition:
       *this << "until " << condition(b.condition) << ", which ";
       if (b.causer == nil) {

@@ -154,6 +154,26 @@ groups:
 }
 
 TEST_CASE("why a group does not run that nothing requests") {
+TEST_CASE("why a group waits: too little is enabled to meet all its needs") {
+  World world;
+  world.files.add("carrier.yaml", R"(behaviour: carrier
+language: 1
+roots: [Carry]
+groups:
+  Carry: {needs: [Lift, Arm]}
+  Lift:
+    providers:
+      - {name: fork, needs: [Fork]}
+      - {name: arm, needs: [Arm]}
+  Fork: {}
+  Arm: {}
+)");
+  world.files.add("s.yaml", "behaviour: carrier.yaml\nsteps: [{disable: Lift.fork}, {request: Carry}]\n");
+  CHECK(world.directorc({"why", "s.yaml", "Carry"}) == 0);
+  CHECK(world.out == "Carry waits (root>Carry): with what is disabled, what it takes cannot be had together\n"
+                     "  Lift.fork is disabled (carrier.yaml:8)\n");
+}
+
   World world = rover();
   CHECK(world.directorc({"why", "s.yaml", "Drive", "--step=6"}) == 0);
   CHECK(world.directorc({"why", "s.yaml", "Dream", "--step=5"}) == 0);

@@ -149,6 +149,27 @@ TEST_CASE("without an enabled provider, of the task or of what it needs, that is
   CHECK(why(machine, "Recover") == "Recover waits (root>Recover): no provider of Recover is enabled");
 }
 
+TEST_CASE("if what is enabled cannot be had together, the answer says that something is disabled") {
+  Machine machine(R"(
+behaviour: carrier
+language: 1
+roots: [Carry]
+groups:
+  Carry: {needs: [Lift, Arm]}
+  Lift: {providers: [{name: fork, needs: [Fork]}, {name: arm, needs: [Arm]}]}
+  Fork: {}
+  Arm: {}
+)");
+  machine.enable("Lift.fork", false);
+  machine.request("Carry");
+  machine.step();
+  CHECK(why(machine, "Carry") ==
+        "Carry waits (root>Carry): with what is disabled, what it takes cannot be had together");
+  machine.enable("Lift.arm", false);
+  machine.step();
+  CHECK(why(machine, "Carry") == "Carry waits (root>Carry): no provider of Lift is enabled");
+}
+
 TEST_CASE("a group that is needed and was not requested is reserved") {
   Machine machine(robot);
   machine.body("Recover", [](Run& run) { return run.keep(); });
