@@ -30,6 +30,7 @@ Pass::Pass(const Parts& parts, const Facts& facts, const Assignment& last, const
       notes_(notes),
       order_(parts, facts),
       now_(parts.model()) {
+  notes_.claimed_before.clear();
   for (const auto& task : parts.model().roots) {
     if (facts.request[task.edge]) candidates_.insert(task.edge);
   }

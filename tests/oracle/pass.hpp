@@ -4,11 +4,12 @@
 
 #include "tests/oracle/order.hpp"
 
+#include <map>
 #include <utility>
 
 namespace director::oracle {
 
-/// The cases that one arbitration met, for tests of coverage.
+/// The cases that one arbitration met, for tests of coverage, and what they found.
 struct Notes {
   int denials = 0;          ///< a group was denied to an edge because of an equal
   int repetitions = 0;      ///< repeated passes
@@ -18,6 +19,8 @@ struct Notes {
   int limbo = 0;            ///< groups put in limbo
   int most_repetitions = 0; ///< the most repetitions of one arbitration
   int settling = 0;         ///< the most micro-steps in a row that only arbitrated once more
+  /// For each edge that the last pass refused: the edges that had claimed the groups when it was tried.
+  std::map<EdgeId, IdTable<GroupId, std::optional<EdgeId>>> claimed_before;
 };
 
 /// The new assignment, after section 4 and before section 5.

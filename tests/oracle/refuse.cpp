@@ -17,6 +17,11 @@ bool contains(const std::vector<EdgeId>& unit, EdgeId edge) {
 
 void Pass::refuse(const std::vector<EdgeId>& unit) {
   refused_.insert(unit.begin(), unit.end());
+  IdTable<GroupId, std::optional<EdgeId>> claims(parts_.model().groups.size());
+  for (const GroupId group : parts_.model().groups.ids()) {
+    if (now_.held[group]) claims[group] = now_.held[group]->by;
+  }
+  for (const EdgeId edge : unit) notes_.claimed_before.insert_or_assign(edge, claims);
   const std::optional<Combination> combination = first_combination(unit, false);
   if (!combination) return; // blocked: it loses its pushes
   if (deferred(*combination)) {

@@ -22,12 +22,13 @@ using Kind = Because::Kind;
 class Checking {
 public:
   Checking(const Because& claim, const View& view, const Snapshot& now, const Compiled& compiled,
-           const oracle::Parts& parts)
+           const oracle::Parts& parts, const oracle::Notes* notes)
       : claim_(claim),
         view_(view),
         now_(now),
         compiled_(compiled),
         parts_(parts),
+        notes_(notes),
         units_(parts.model(), view, now),
         facts_(parts.model()),
         held_(parts.model().groups.size()) {
@@ -40,7 +41,8 @@ public:
     }
   }
 
-  std::string wrong(bool at_rest) const {
+  std::string wrong() const {
+    const bool at_rest = notes_ != nullptr;
     const GroupId asked{claim_.asked};
     const Snapshot::Group& it = group(asked);
     bool requested = false;
@@ -81,21 +83,24 @@ private:
   bool is_member(EdgeId edge) const { return units_.is_member(edge); }
   std::vector<EdgeId> unit() const { return units_.of(EdgeId{claim_.edge}); }
 
-  /// Two chains; at the place where they part, each has the first member of its unit, which is the place of the unit.
+  /// Two chains, that of the holder from the edge with which it got its group. At the place where they part, each has
+  /// the first member of its unit, which is the place of the unit.
   struct Rivals {
     Chain ours, theirs;
     EdgeId our_first{nil}, their_first{nil}; ///< the edges at which they part
+    bool keeps = false;                      ///< the holder is the equal of the member itself, so it keeps its group
   };
   Rivals rivals(EdgeId member, EdgeId holder) const {
-    Rivals out{chain(member), chain(holder)};
+    Rivals out{chain(member), chain(granted_with(holder))};
     const auto [a, b] = std::mismatch(out.ours.edges.rbegin(), out.ours.edges.rend(), out.theirs.edges.rbegin(),
                                       out.theirs.edges.rend());
     if (a == out.ours.edges.rend() || b == out.theirs.edges.rend()) return out;
     const EdgeId ours = *a, theirs = *b;
-    const bool as_needs =
-        std::all_of(out.theirs.edges.begin(), b.base() - 1, [&](EdgeId e) { return group(parts_.target(e)).needed; });
-    if (ours == member && !parts_.is_limbo(ours) && is_member(ours) && !is_member(theirs)) *a = units_.first_of(ours);
-    if (as_needs && !parts_.is_limbo(theirs) && is_member(theirs) && !is_member(ours)) *b = units_.first_of(theirs);
+    out.keeps = oracle::Order(parts_, facts_).equal(out.ours, chain(holder));
+    if (ours == member && !parts_.is_limbo(ours) && is_member(ours) && !is_member(theirs) && !out.keeps)
+      *a = units_.first_of(ours);
+    if (theirs == out.theirs.edge() && !parts_.is_limbo(theirs) && is_member(theirs) && !is_member(ours))
+      *b = units_.first_of(theirs);
     out.our_first = *a, out.their_first = *b;
     return out;
   }
@@ -119,26 +124,40 @@ private:
     return out;
   }
 
-  /// Whether the holder is a need of the running provider of a group above the member: claimed before all below that.
-  bool is_claimed_above(EdgeId holder, EdgeId member) const {
-    const std::optional<GroupId> by = parts_.requester(holder);
-    if (!by || !group(*by).active || !model().providers[*group(*by).active].needs_group(parts_.target(holder)))
-      return false;
-    std::optional<GroupId> above = parts_.requester(member);
-    while (above && above != by) {
-      const std::optional<EdgeId> next = group(*above).holder;
-      above = next && !parts_.is_limbo(*next) ? parts_.requester(*next) : std::nullopt;
+  /// The edge of the unit with which the holder got its group: it is in the plan for that edge, or its target.
+  EdgeId granted_with(EdgeId holder) const {
+    while (!parts_.is_limbo(holder) && group(parts_.target(holder)).holder == holder &&
+           group(parts_.target(holder)).needed)
+      holder = *group(*parts_.requester(holder)).holder;
+    return holder;
+  }
+
+  /// The edge above the member that was granted in one unit with the holder, so before the member was tried.
+  std::optional<EdgeId> granted_above(EdgeId holder, EdgeId member) const {
+    const EdgeId with = granted_with(holder);
+    const Chain own = chain(member);
+    for (auto edge = own.edges.begin() + 1; edge != own.edges.end(); ++edge) {
+      if (*edge == with) return with;
+      if (parts_.is_limbo(*edge) || parts_.is_limbo(with)) continue;
+      if (parts_.requester(*edge) == parts_.requester(with) && is_member(*edge) && is_member(with)) return *edge;
     }
-    return above == by;
+    return std::nullopt;
   }
 
   /// Whether the group is held by an edge from which a claim by `edge`, below `member`, cannot take it.
   bool in_the_way(GroupId of, EdgeId edge, EdgeId member) const {
     const std::optional<EdgeId> holder = group(of).holder;
     if (!holder || *holder == edge || parts_.is_limbo(*holder)) return false;
-    if (is_claimed_above(*holder, member)) return true;
+    if (notes_ != nullptr) {
+      const std::optional<EdgeId> claimed = notes_->claimed_before.at(member)[of];
+      if (claimed) return claimed != edge;
+      return oracle::Order(parts_, facts_).equal(chain(*holder), chain(member));
+    }
+    if (granted_above(*holder, member)) return true;
     const Rivals both = rivals(member, *holder);
-    return !oracle::Order(parts_, facts_).before(both.ours, both.theirs);
+    const oracle::Order order(parts_, facts_);
+    if (!order.equal(both.ours, both.theirs)) return order.before(both.theirs, both.ours);
+    return both.keeps || units_.stands_before(both.their_first, both.our_first);
   }
   bool can_be_had(const Choice& choice, EdgeId member) const {
     if (in_the_way(parts_.target(member), member, member)) return false;
@@ -150,7 +169,21 @@ private:
     return std::any_of(all.begin(), all.end(), [&](const Choice& each) { return can_be_had(each, member); });
   }
 
+  bool any_enabled(GroupId of) const {
+    const auto& providers = model().groups[of].providers;
+    return std::any_of(providers.begin(), providers.end(), [&](ProviderId p) { return view_.enabled[p.value] != 0; });
+  }
+
+  std::string wrong_no_provider() const {
+    if (!choices(member_target()).empty()) return "there is a choice";
+    return any_enabled(GroupId{claim_.group}) ? "a provider is enabled" : "";
+  }
+
   std::string wrong_together() const {
+    if (claim_.group != nil) {
+      if (claim_.group != member_target().value || !any_enabled(member_target())) return "no provider is enabled";
+      return choices(member_target()).empty() ? "" : "there is a choice";
+    }
     for (const EdgeId member : unit()) {
       if (!any_can_be_had(member)) return "a member cannot be had alone: " + parts_.name(member);
     }
@@ -162,32 +195,29 @@ private:
     const GroupId what{claim_.group};
     if (any_can_be_had(member)) return "nothing is in the way";
     if (group(what).holder != holder) return "somebody else holds it";
+    if (!in_the_way(what, EdgeId{nil}, member)) return "the holder got it later";
     if (claim_.kind == Kind::lost ? what != member_target() : !is_needed(what)) return "that is not what it takes";
-    if (is_claimed_above(holder, member))
-      return claim_.rivalry.won_by == Precedence::above ? "" : "it is claimed with a group above";
+    if (const std::optional<EdgeId> above = granted_above(holder, member)) return wrong_above(holder, *above);
     const oracle::Order order(parts_, facts_);
     const Rivals both = rivals(member, holder);
     if (order.before(both.ours, both.theirs)) return "the holder goes behind";
     const Rivalry& rivalry = claim_.rivalry;
-  bool any_enabled(GroupId of) const {
-    const auto& providers = model().groups[of].providers;
-    return std::any_of(providers.begin(), providers.end(), [&](ProviderId p) { return view_.enabled[p.value] != 0; });
-  }
-
-  std::string wrong_no_provider() const {
-    if (!choices(member_target()).empty()) return "there is a choice";
-    return any_enabled(GroupId{claim_.group}) ? "a provider is enabled" : "";
-  }
-
+    if (rivalry.won_by == Precedence::above) return "the holder is not above";
     if (order.before(both.theirs, both.ours) == (rivalry.won_by == Precedence::equal)) return "they are not equal";
-    if (claim_.group != nil) {
-      if (claim_.group != member_target().value || !any_enabled(member_target())) return "no provider is enabled";
-      return choices(member_target()).empty() ? "" : "there is a choice";
-    }
-    if (rivalry.won_by == Precedence::above) return both.ours.below(holder) ? "" : "the holder is not above";
     if (rivalry.our_first != both.our_first.value || rivalry.their_first != both.their_first.value)
       return "another member of the unit goes first";
-    return wrong_rivalry(chain(member), chain(holder));
+    return wrong_rivalry(chain(member), chain(granted_with(holder)));
+  }
+
+  /// `above`: the edge above the member that was granted in one unit with the holder.
+  std::string wrong_above(EdgeId holder, EdgeId above) const {
+    const Rivalry& rivalry = claim_.rivalry;
+    if (rivalry.won_by != Precedence::above) return "it was granted with a group above";
+    const EdgeId with = granted_with(holder);
+    if (above == holder) return rivalry.common == nil && rivalry.theirs == nil ? "" : "the holder is above";
+    if (above == with)
+      return rivalry.common == parts_.target(with).value && rivalry.theirs == nil ? "" : "a group above needs it";
+    return rivalry.ours == above.value && rivalry.theirs == with.value ? "" : "it was granted with another one";
   }
 
   bool is_needed(GroupId what) const {
@@ -255,6 +285,7 @@ private:
   const Snapshot& now_;
   const Compiled& compiled_;
   const oracle::Parts& parts_;
+  const oracle::Notes* notes_;
   const Units units_;
   oracle::Facts facts_;
   oracle::Holders held_;
@@ -263,8 +294,8 @@ private:
 } // namespace
 
 std::string wrong_claim(const Because& claim, const View& view, const Snapshot& now, const Compiled& compiled,
-                        const oracle::Parts& parts, bool at_rest) {
-  return Checking(claim, view, now, compiled, parts).wrong(at_rest);
+                        const oracle::Parts& parts, const oracle::Notes* notes) {
+  return Checking(claim, view, now, compiled, parts, notes).wrong();
 }
 
 } // namespace director::property

@@ -110,7 +110,8 @@ private:
       const Because claim = why(view, static_cast<Index>(g.value));
       const auto kind = static_cast<std::size_t>(claim.kind);
       out_.claimed[kind] = true;
-      const std::string wrong = wrong_claim(claim, view, now, c_, oracle_.behaviour().parts(), at_rest);
+      const oracle::Behaviour& it = oracle_.behaviour();
+      const std::string wrong = wrong_claim(claim, view, now, c_, it.parts(), at_rest ? &it.notes() : nullptr);
       if (wrong.empty()) continue;
       fail("why " + c_.model.groups[g].name.value + " is not explained by " + std::to_string(kind) + ": " + wrong +
            "\n" + to_text(now, c_.model));

@@ -3,7 +3,7 @@
 //
 // The last pass has noted for each request why it was refused; here the group and the edge in the way are found.
 // Holders are read after the pass, when a weaker request may have got what was left: a holder is in the way only if it
-// goes before the request or is its equal.
+// goes before the request, is its equal, or was granted together with something above the request.
 
 #include "runtime/core/inspect/why.hpp"
 
@@ -77,48 +77,63 @@ private:
   }
   Index urgency(Index edge) const { return arbitration::urgency(t_, edge, v_.request[edge].level); }
 
-  /// Whether `theirs` is a need of the running provider of a group above `ours`: it is claimed with that group.
-  bool is_claimed_above(Index theirs, Index ours) const {
-    const Index by = requester(theirs);
-    if (by == nil || v_.assignment[by].active == nil) return false;
-    const auto needs = t_.list(t_.providers[v_.assignment[by].active].needs);
-    if (!any(needs, [&](Index need) { return need == theirs; })) return false;
-    Index group = requester(ours);
-    while (group != nil && group != by) group = requester(v_.holder(group));
-    return group == by;
+  /// The edge with which the holder got its group: the one that it is a need of, or itself.
+  Index granted_with(Index holder) const {
+    while (!v_.is_limbo(holder) && v_.holder(target(holder)) == holder && v_.assignment[target(holder)].needed())
+      holder = above(holder);
+    return holder;
   }
 
-  /// Whether `theirs` goes before `ours` by rules 1 to 4 of the order, or is its equal and was there first.
-  bool goes_first(Index theirs, Index ours, Rivalry& out) const {
-    using arbitration::Chains, arbitration::Parting, arbitration::Place, arbitration::Verdict;
-    out = {};
-    if (is_claimed_above(theirs, ours)) {
+  /// Whether `theirs` is above `ours`, or was granted together with an edge above, as a need or in one unit: it has its
+  /// group before anything below that edge is tried, whatever its rank.
+  bool is_claimed_above(Index theirs, Index ours, Rivalry& out) const {
+    const Index with = granted_with(theirs);
+    for (Index edge = above(ours); edge != nil && !v_.is_limbo(edge); edge = above(edge)) {
+      if (edge == with) {
+        out.common = edge == theirs ? nil : target(edge);
+      } else if (!v_.is_limbo(with) && requester(edge) == requester(with) && in_unit(edge) && in_unit(with)) {
+        out.common = requester(edge);
+        out.ours = edge, out.theirs = with;
+      } else {
+        continue;
+      }
       out.won_by = Precedence::above;
       return true;
     }
-    const Index length_ours = length(ours), length_theirs = length(theirs);
+    return false;
+  }
+
+  /// Whether `theirs` goes before `ours` by rules 1 to 4 of the order, is its equal and was there first, or was claimed
+  /// before `ours` was tried.
+  bool goes_first(Index theirs, Index ours, Rivalry& out) const {
+    using arbitration::Chains, arbitration::Parting, arbitration::Place, arbitration::Verdict;
+    out = {};
+    if (is_claimed_above(theirs, ours, out)) return true;
+    const Index with = granted_with(theirs);
     const auto [at_ours, at_theirs] = arbitration::parting(
-        {ours, Chains::previous}, {theirs, Chains::previous}, length_ours, length_theirs,
+        {ours, Chains::previous}, {with, Chains::previous}, length(ours), length(with),
         [&](Place place) { return above(place.edge); }, [&](Index edge) { return optional(edge); });
-    if (at_ours.edge == nil) {
-      const Verdict verdict = arbitration::compare_heights(length_ours, length_theirs);
-      out.won_by = verdict.by;
-      return verdict.order > 0;
-    }
+    if (at_ours.edge == nil) return false; // it is above
     out.ours = at_ours.edge, out.theirs = at_theirs.edge;
     out.common = requester(out.ours);
     if (v_.is_limbo(out.ours) || v_.is_limbo(out.theirs)) { // limbo goes after everything, and no message mentions it
       out.won_by = Precedence::optional;
       return v_.is_limbo(out.ours);
     }
-    out.our_first = ours == out.ours ? first_of_unit(out.ours, out.theirs) : out.ours;
-    out.their_first = came_with(theirs, out.theirs) ? first_of_unit(out.theirs, out.ours) : out.theirs;
+    // A unit has the place of its first member; but a holder that is the equal of the member itself keeps its group.
+    const bool holds = v_.holder(target(theirs)) == theirs;
+    arbitration::Side whole = at_theirs;
+    for (Index edge = theirs; edge != with; edge = above(edge)) whole.optional = whole.optional || optional(edge);
+    const bool keeps =
+        holds && arbitration::compare_ranks(at_ours, whole, urgency(out.ours), urgency(out.theirs)).order == 0;
+    out.our_first = ours == out.ours && !keeps ? first_of_unit(out.ours, out.theirs) : out.ours;
+    out.their_first = with == out.theirs ? first_of_unit(out.theirs, out.ours) : out.theirs;
     out.our_priority = priority(out.our_first);
     out.their_priority = priority(out.their_first);
     const Verdict verdict =
         arbitration::compare_ranks(at_ours, at_theirs, urgency(out.our_first), urgency(out.their_first));
     out.won_by = verdict.by;
-    return verdict.order >= 0;
+    return verdict.order > 0 || (verdict.order == 0 && (keeps || !holds || is_older(out.their_first, out.our_first)));
   }
 
   /// Rule 5. An edge that holds its target without a request is younger than every request.
@@ -158,14 +173,6 @@ private:
       if (first == nil || urgency(e) < urgency(first) || (urgency(e) == urgency(first) && older)) first = e;
     }
     return first;
-  }
-
-  /// Whether the holder was granted together with the sibling: it is the sibling, or every edge from it up to the
-  /// sibling is held as a need. A request that holds nothing must be the sibling.
-  bool came_with(Index holder, Index sibling) const {
-    while (holder != sibling && v_.holder(target(holder)) == holder && v_.assignment[target(holder)].needed())
-      holder = above(holder);
-    return holder == sibling;
   }
 
   /// Calls found(member) for the request, then the others of its unit, until it returns true: `out.member`.
@@ -269,6 +276,7 @@ private:
     }
     if (!any_member(out, [&](Index member) { return is_held(member, out.group, out.provider); })) {
       out.kind = Kind::together;
+      out.group = out.provider = nil;
       return;
     }
     out.kind = out.provider == nil ? Kind::lost : Kind::need_held;
@@ -276,7 +284,6 @@ private:
     goes_first(out.holder, out.member, out.rivalry);
   }
 
-      out.group = out.provider = nil;
   /// Tries the choices for the target of a member, with enabled providers only, in order; an entry that is not accepted
   /// is not extended. True as soon as found(last entry) is true for a complete one. Recursive, once for each group of a
   /// choice: the entries are on the stack.
@@ -304,16 +311,16 @@ private:
     return any_choice(next, accept, found);
   }
 
+  bool any_enabled(Index group) const {
+    return any(t_.groups[group].providers.rows(), [&](Index provider) { return v_.enabled[provider] != 0; });
+  }
+
   /// Whether the member has a choice. If not, `lacks` is the first group without an enabled provider, or the target.
   bool has_choice(Index member, Index& lacks) const {
     lacks = target(member);
     const auto accept = [&](const Entry& entry) {
       for (const Index need : t_.list(t_.providers[entry.provider].needs)) {
         if (!any_enabled(target(need)) && lacks == target(member)) lacks = target(need);
-  bool any_enabled(Index group) const {
-    return any(t_.groups[group].providers.rows(), [&](Index provider) { return v_.enabled[provider] != 0; });
-  }
-
       }
       return true;
     };

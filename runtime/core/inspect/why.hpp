@@ -10,9 +10,14 @@ namespace director {
 
 /// The place at which the chains of two rival edges part.
 struct Rivalry {
-  Precedence won_by = Precedence::equal; ///< the rule that decided
-  Index common = nil;                    ///< the closest common requester, a group; nil: the program
-  Index ours = nil;                ///< the edges of that requester that lead to the two; nil with Precedence::above
+  /// The rule that decided. `above`: the rival is above, or was granted together with something above, before the
+  /// request could be.
+  Precedence won_by = Precedence::equal;
+  /// The closest common requester, a group; nil: the program. With `above`: nil if the rival itself is above.
+  Index common = nil;
+  /// The edges of that requester that lead to the two. With `above`: those that were granted together in one unit; nil
+  /// if `common` needs what the rival holds, or the rival itself is above.
+  Index ours = nil;
   Index theirs = nil;              ///< likewise, for the rival
   Index our_first = nil;           ///< the edge that gives `ours` its priority: itself, or the first member of its unit
   Index their_first = nil;         ///< likewise

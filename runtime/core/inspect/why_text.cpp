@@ -89,7 +89,15 @@ private:
 
   void rivalry(const Rivalry& r) {
     switch (r.won_by) {
-    case Precedence::above: *this << "which is above it"; return;
+    case Precedence::above:
+      if (r.theirs != nil) {
+        *this << "and " << edge(r.theirs) << " is granted together with " << edge(r.ours) << ", which is above it";
+      } else if (r.common != nil) {
+        *this << "which " << group(r.common) << " needs itself";
+      } else {
+        *this << "which is above it";
+      }
+      return;
     case Precedence::optional:
       *this << "and " << edge(r.ours) << " is optional, or leads through something optional, unlike " << edge(r.theirs);
       return;

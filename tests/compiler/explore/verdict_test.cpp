@@ -96,6 +96,24 @@ TEST_CASE("members of a pack that are blocked by another side are not blocked by
             .find("proven: it holds in all ") == 0);
 }
 
+TEST_CASE("what was granted together with a requester is in the way of what that requests, whatever its rank") {
+  const auto verdict = [](const std::string& play, const std::string& aim, const std::string& assertion) {
+    return verdict_of("roots: {Play: {priority: 1}, Guard: {priority: 9}}\ngroups:\n  Play: " + play +
+                          "\n  Aim: " + aim +
+                          "\n  Walk: {needs: [Legs], tasks: [Legs]}\n  Kick: {needs: [Legs, Head]}\n"
+                          "  Guard: {needs: [Head]}\n  Legs: {}\n  Head: {}\n",
+                      assertion)
+        .substr(0, 24);
+  };
+  const std::string both = "{packs: {go: {Aim: {priority: 10}, Walk: {priority: 1}}}}";
+  CHECK(verdict(both, "{packs: {go: {Legs: {}}}}", "beats: {Aim: Walk}") == "refuted: after request P");
+  CHECK(verdict("{needs: [Walk], packs: {go: {Aim: {priority: 10}, Walk: {priority: 1}}}}", "{packs: {go: {Legs: {}}}}",
+                "beats: {Aim: Walk}") == "refuted: after request P");
+  CHECK(verdict(both, "{tasks: [Kick]}", "beats: {Kick: Walk}") == "refuted: after request P");
+  CHECK(verdict("{packs: {go: {Aim: {priority: 10}, Walk: {priority: 1, apart: true}}}}", "{packs: {go: {Legs: {}}}}",
+                "beats: {Aim: Walk}") == "proven: it holds in all ");
+}
+
 TEST_CASE("what nothing requests cannot run, however much there is to explore") {
   const std::string idle = "roots: [A]\ngroups:\n  A: {needs: [N]}\n  N: {}\n  U: {tasks: [V]}\n  V: {}\n";
   CHECK(verdict_of(idle, "{can_run: V}", 1) == "refuted: nothing that runs requests `V`");

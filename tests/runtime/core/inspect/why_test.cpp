@@ -198,6 +198,53 @@ groups:
   CHECK(why(machine, "Left") == "Left waits (Both>Left): what it takes cannot be had together");
 }
 
+TEST_CASE("what a unit takes is held before anything below its members is tried, whatever its rank") {
+  Machine machine(R"(
+behaviour: striker
+language: 1
+roots: [Play]
+groups:
+  Play: {needs: [Arm], tasks: {Aim: {priority: 10}, Walk: {priority: 1}}}
+  Aim: {tasks: {Kick: {}, Wave: {apart: true}, Run: {apart: true}}}
+  Walk: {needs: [Legs], tasks: [Legs]}
+  Kick: {needs: [Legs]}
+  Wave: {needs: [Arm]}
+  Run: {tasks: {Walk: {}}}
+  Legs: {}
+  Arm: {}
+)");
+  machine.body("Aim", [&](Run& run) {
+    for (const char* edge : {"Aim>Kick", "Aim>Wave"})
+      run.request(machine.edge(edge), machine.level(machine.edge(edge)));
+    return run.pack();
+  });
+  machine.request("Play");
+  machine.step();
+  CHECK(why(machine, "Kick") == "Kick waits (Aim>Kick): Legs, which it needs, is held by Walk>Legs, and Play>Walk is "
+                                "granted together with Play>Aim, which is above it");
+  CHECK(why(machine, "Wave") ==
+        "Wave waits (Aim>Wave): Arm, which it needs, is held by Play>Arm, which Play needs itself");
+}
+
+TEST_CASE("a group that was got as a need has the rank of what needs it, even if it is requested as optional too") {
+  Machine machine(R"(
+behaviour: looker
+language: 1
+roots: {Walk: {priority: 10}, Look: {priority: 20, optional: true}}
+groups:
+  Walk: {needs: [Head], tasks: {Head: {optional: true}}}
+  Look: {needs: [Head]}
+  Head: {}
+)");
+  machine.request("Walk");
+  machine.request("Look");
+  machine.step();
+  CHECK(
+      why(machine, "Look") ==
+      "Look waits (root>Look): Head, which it needs, is held by Walk>Head, and root>Look is optional, or leads through "
+      "something optional, unlike root>Walk");
+}
+
 TEST_CASE("a member of a unit goes before a task that is apart by the priority of the unit's first member") {
   Machine machine(R"(
 behaviour: packing
@@ -215,6 +262,42 @@ groups:
   CHECK(why(machine, "Sort") ==
         "Sort waits (Pack>Sort): Grip, which it needs, is held by Pack>Grip, and Pack>Grip (granted together with "
         "Pack>Lift, priority 50) goes before Pack>Sort (priority 20)");
+}
+
+TEST_CASE("the equal of a member keeps what it has, though the unit of the member goes before it") {
+  Machine machine(R"(
+behaviour: packing
+language: 1
+states: {Weight: {values: [low, high], initial: low, external: true}}
+roots: {Pack: {}}
+groups:
+  Pack: {tasks: {Sort: {apart: true}, Lift: {priority: 10}, Grip: {}, Weigh: {}}}
+  Sort: {tasks: [Grip]}
+  Lift: {}
+  Grip: {}
+  Weigh: {when: [Weight == high]}
+)");
+  machine.request("Pack");
+  machine.step();
+  CHECK(why(machine, "Lift") == "Lift waits (Pack>Lift): it comes with Pack>Grip, and Grip is held by Sort>Grip, and "
+                                "Pack>Sort is the equal of Pack>Grip (priority 0) and was there first");
+}
+
+TEST_CASE("an equal that got what was left, and as an optional task would not keep it, is not in the way") {
+  Machine machine(R"(
+behaviour: looker
+language: 1
+roots: {Both: {}, Look: {}}
+groups:
+  Both: {tasks: {Left: {}, Head: {}}}
+  Left: {needs: [Head]}
+  Look: {needs: [Head], tasks: {Head: {optional: true}}}
+  Head: {}
+)");
+  machine.request("Both");
+  machine.request("Look");
+  machine.step();
+  CHECK(why(machine, "Left") == "Left waits (Both>Left): what it takes cannot be had together");
 }
 
 TEST_CASE("of several requests made at once the answer is about the one below the sibling that is declared first") {
