@@ -285,10 +285,12 @@ private:
     own.meet(facts_.grants[group]);
     std::vector<Region> others;
     bool with_needs = false; // which others may come to hold later
-    for (const Rival& rival : rivals_.that_meet(id, own)) {
+    const auto counts = [&](const Rival& rival) {
+      return facts_.plans[rival.provider] == PlanVerdict::found && mended_states(rival.provider).empty();
+    };
+    for (const Rival& rival : rivals_.that_meet(id, own, counts)) {
       with_needs = with_needs || !model_.providers[rival.provider].needs.empty();
-      if (facts_.plans[rival.provider] == PlanVerdict::found && mended_states(rival.provider).empty())
-        others.insert(others.end(), rival.ways.begin(), rival.ways.end());
+      if (counts(rival)) others.insert(others.end(), rival.ways.begin(), rival.ways.end());
     }
     const Covering covering = find_covering(model_, own, others, facts_.values, facts_.budget);
     if (covering == Covering::undecided)

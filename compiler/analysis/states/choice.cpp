@@ -59,16 +59,20 @@ Rivals::Rivals(const Model& model, const IdSet<EdgeId>& holding, const IdSet<Pro
   }
 }
 
-std::vector<Rival> Rivals::that_meet(ProviderId provider, const Region& region) const {
+std::vector<Rival> Rivals::that_meet(ProviderId provider, const Region& region,
+                                     const std::function<bool(const Rival&)>& counts) const {
   const GroupId group = model_.providers[provider].group;
   std::vector<Rival> out;
-  for (const std::size_t place : regions_[group].meeting(region, std::min(place_[provider], deciding_[group]))) {
+  regions_[group].visit_meeting(region, std::min(place_[provider], deciding_[group]), [&](std::size_t place) {
     const ProviderId rival = model_.groups[group].providers[place];
     Trial trial{provider, {group}, {}};
     find_parties(model_, rival, trial.parties);
     std::vector<Region> ways = this->ways(rival, trial);
-    if (!ways.empty()) out.push_back({rival, std::move(ways)});
-  }
+    if (ways.empty()) return true;
+    const bool is_free = std::any_of(ways.begin(), ways.end(), [](const Region& way) { return way.states.empty(); });
+    out.push_back({rival, std::move(ways)});
+    return !is_free || !counts(out.back());
+  });
   return out;
 }
 

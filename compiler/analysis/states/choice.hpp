@@ -7,6 +7,7 @@
 #include "compiler/graph/dominators.hpp"
 #include "compiler/model/model.hpp"
 
+#include <functional>
 #include <set>
 #include <vector>
 
@@ -24,10 +25,15 @@ public:
   /// `holding`: edges through which a group that may run may hold their target; it may grow, like `active`.
   Rivals(const Model& model, const IdSet<EdgeId>& holding, const IdSet<ProviderId>& active);
 
-  /// In the order of preference, at most up to the first one that can always run.
-  std::vector<Rival> of(ProviderId provider) const { return that_meet(provider, {}); }
-  /// Those whose `when` may hold within the region. The others lack something there anyway.
-  std::vector<Rival> that_meet(ProviderId provider, const Region& region) const;
+  /// In the order of preference, at most up to the first one that can run whenever the later one can: none after it
+  /// matters.
+  std::vector<Rival> of(ProviderId provider) const {
+    return that_meet(provider, {}, [](const Rival&) { return true; });
+  }
+  /// Those whose `when` may hold within the region. The others lack something there anyway. `counts`: whether a rival
+  /// may be the last one.
+  std::vector<Rival> that_meet(ProviderId provider, const Region& region,
+                               const std::function<bool(const Rival&)>& counts) const;
 
 private:
   /// Of one rival.

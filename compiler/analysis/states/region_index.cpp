@@ -3,7 +3,6 @@
 #include "compiler/analysis/states/region_index.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace director::analysis {
 
@@ -50,7 +49,8 @@ std::size_t RegionIndex::count(const Row& row, const ValueSet& values) {
   return out;
 }
 
-std::vector<std::size_t> RegionIndex::meeting(const Region& region, std::size_t end) const {
+void RegionIndex::visit_meeting(const Region& region, std::size_t end,
+                                const std::function<bool(std::size_t place)>& go_on) const {
   const Row* best = nullptr;
   const ValueSet* values = nullptr;
   std::size_t fewest = end;
@@ -63,21 +63,21 @@ std::vector<std::size_t> RegionIndex::meeting(const Region& region, std::size_t 
     values = &accepted;
     fewest = candidates;
   }
-  std::vector<std::size_t> out;
+  const auto visit = [&](std::size_t place) {
+    return place < end && (!compatible(region, regions_[place]) || go_on(place));
+  };
   if (best == nullptr) {
-    out.resize(end);
-    std::iota(out.begin(), out.end(), std::size_t{0});
-  } else {
-    out = best->open;
-    for (const ValueSet::Interval& each : values->intervals()) {
-      const auto [first, last] = overlapping(*best, each);
-      for (auto entry = first; entry != last; ++entry) out.push_back(entry->place);
-    }
-    std::sort(out.begin(), out.end());
-    out.erase(std::unique(out.begin(), out.end()), out.end());
+    for (std::size_t place = 0; visit(place);) ++place;
+    return;
   }
-  std::erase_if(out, [&](std::size_t place) { return place >= end || !compatible(region, regions_[place]); });
-  return out;
+  std::vector<std::size_t> places = best->open;
+  for (const ValueSet::Interval& each : values->intervals()) {
+    const auto [first, last] = overlapping(*best, each);
+    for (auto entry = first; entry != last; ++entry) places.push_back(entry->place);
+  }
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  for (auto place = places.begin(); place != places.end() && visit(*place);) ++place;
 }
 
 } // namespace director::analysis

@@ -6,6 +6,7 @@
 #include "compiler/analysis/states/region.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -15,8 +16,9 @@ class RegionIndex {
 public:
   explicit RegionIndex(std::vector<Region> regions);
 
-  /// The places of those that are compatible with the region, ascending; only below `end`.
-  std::vector<std::size_t> meeting(const Region& region, std::size_t end) const;
+  /// Visits the places of those that are compatible with the region, ascending, only below `end`, until `go_on` is
+  /// false.
+  void visit_meeting(const Region& region, std::size_t end, const std::function<bool(std::size_t place)>& go_on) const;
   const Region& operator[](std::size_t place) const { return regions_[place]; }
 
 private:

@@ -63,6 +63,20 @@ TEST_CASE("behind a provider that can always run no provider is a rival") {
   CHECK(found[1].provider == test.provider("G.q"));
 }
 
+TEST_CASE("behind a provider that can run whenever the later one can no provider is a rival") {
+  std::string text = "roots: [G, H]\ngroups:\n  L: {}\n  H: {tasks: [L]}\n  G:\n    providers:\n";
+  for (int i = 0; i < 1'000; ++i) text += "      - {name: p" + std::to_string(i) + ", needs: [L], tasks: [L]}\n";
+  const tests::Analysed test(text);
+  const Rivals rivals(test.model, test.facts.holding, test.facts.active);
+  for (const char* const later : {"G.p1", "G.p999"}) {
+    const std::vector<Rival> found = rivals.of(test.provider(later));
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].provider == test.provider("G.p0"));
+  }
+  const auto none_counts = [](const Rival&) { return false; };
+  CHECK(rivals.that_meet(test.provider("G.p9"), {}, none_counts).size() == 9);
+}
+
 TEST_CASE("a rival whose needs another group may hold can fail") {
   CHECK(comes_first(
       "roots: [G, H]\ngroups: {G: {providers: [{name: p, needs: [L]}, {name: q}]}, H: {tasks: [L]}, L: {}}\n", "G.q"));
