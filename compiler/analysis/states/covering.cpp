@@ -151,6 +151,7 @@ private:
     const Column& column = columns_[place];
     const std::size_t mask = masks_.size();
     masks_.resize(mask + column.words, 0);
+    steps_ -= static_cast<std::int64_t>(column.words);
     // A cell is completely within an accepted interval, or completely outside.
     for (const ValueSet::Interval& each : accepted.intervals()) {
       const auto begins_before = [](const ValueSet::Interval& cell, std::int64_t low) { return cell.low < low; };
@@ -278,6 +279,37 @@ private:
   std::vector<Change> changes_;
 };
 
+/// All values of some sets, without a copy of what is united so far for each of them.
+ValueSet united(const std::vector<const ValueSet*>& sets) {
+  std::vector<ValueSet::Interval> all;
+  for (const ValueSet* set : sets) all.insert(all.end(), set->intervals().begin(), set->intervals().end());
+  std::sort(all.begin(), all.end(),
+            [](const ValueSet::Interval& a, const ValueSet::Interval& b) { return a.low < b.low; });
+  ValueSet out;
+  for (std::size_t i = 0; i < all.size();) {
+    ValueSet::Interval joined = all[i];
+    for (++i; i < all.size() && all[i].low <= joined.high; ++i) joined.high = std::max(joined.high, all[i].high);
+    out.add_last(joined);
+  }
+  return out;
+}
+
+/// Those that restrict the same state and no other one are joined, and come first: unit propagation does the same with
+/// them, but each of them would need a mask of all values between which another one begins or ends, and there may be
+/// as many as a group has providers.
+std::vector<Region> join(const std::vector<const Region*>& regions) {
+  std::map<StateId, std::vector<const ValueSet*>> alone;
+  for (const Region* region : regions) {
+    if (region->states.size() == 1) alone[region->states.begin()->first].push_back(&region->states.begin()->second);
+  }
+  std::vector<Region> out;
+  for (const auto& [state, sets] : alone) out.emplace_back().states.emplace(state, united(sets));
+  for (const Region* region : regions) {
+    if (region->states.size() != 1) out.push_back(*region);
+  }
+  return out;
+}
+
 /// Whether every place of the box is in the region.
 bool is_within(const Model& model, const IdTable<StateId, ValueSet>& values, const Box& box, const Region& region) {
   return std::all_of(region.states.begin(), region.states.end(), [&](const auto& entry) {
@@ -309,14 +341,15 @@ Covering find_covering(const Model& model, const IdTable<StateId, ValueSet>& val
     if (possible.empty()) return Covering::covered;
   }
   // Regions outside of the box would only be examined in vain.
-  std::vector<Region> near;
+  std::vector<const Region*> meeting;
   for (const Region& region : regions) {
     if (is_apart(values, start, region)) continue;
     if (is_within(model, values, start, region)) return Covering::covered;
-    near.push_back(region);
+    meeting.push_back(&region);
   }
   if (opening != nullptr) *opening = start;
-  if (near.empty() || (near.size() == 1 && opening == nullptr)) return Covering::open;
+  if (meeting.empty() || (meeting.size() == 1 && opening == nullptr)) return Covering::open;
+  const std::vector<Region> near = join(meeting);
   const std::int64_t granted = budget.grant(covering_steps);
   OpeningSearch search(model, values, start, near, granted);
   const Covering out = search.run();

@@ -296,4 +296,11 @@ groups:
 )")["self_conflict"] == std::pair<std::size_t, std::size_t>{2, 2});
 }
 
+TEST_CASE("a staircase of one number has no finding, however many steps it has") {
+  std::string text = "states: {S: {range: [0, 1000000], initial: 0, external: true}}\nroots: [G]\ngroups:\n  G:\n"
+                     "    providers:\n";
+  for (int i = 0; i < 2'000; ++i) text += fmt::format("      - {{name: p{}, when: [S > {}]}}\n", i, (2'000 - i) * 10);
+  CHECK(count(text + "      - {name: last}\n").empty());
+}
+
 } // namespace

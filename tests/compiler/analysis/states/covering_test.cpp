@@ -67,6 +67,36 @@ Region random_region(std::mt19937& random, std::uint32_t count, std::uint32_t va
   return out;
 }
 
+TEST_CASE("regions that restrict one and the same state are one region") {
+  const Space space(2, 10'000);
+  std::vector<Region> stairs;
+  for (std::int64_t i = 1; i < 2'000; ++i) stairs.emplace_back().meet(StateId{0}, ValueSet::interval(0, 5 * i));
+  Budget budget(10), budget_of_all(10);
+  Box opening;
+  CHECK(space.cover(stairs, budget, &opening) == Covering::open);
+  CHECK(opening[StateId{0}] == Possible{ValueSet::interval(9'996, 9'999), false});
+  stairs.emplace_back().meet(StateId{0}, ValueSet::interval(9'000, 9'999));
+  CHECK(space.cover(stairs, budget_of_all) == Covering::covered);
+  CHECK_FALSE(budget.exhausted());
+  CHECK_FALSE(budget_of_all.exhausted());
+}
+
+TEST_CASE("what is prepared for a search counts as a part of it") {
+  const Space space(3, 10'000);
+  std::vector<Region> boxes(1);
+  ValueSet even;
+  for (std::int64_t i = 0; i < 5'000; ++i) even.add_last({2 * i, 2 * i});
+  boxes.front().meet(StateId{0}, even);
+  for (std::int64_t i = 0; i < 600; ++i) {
+    Region& box = boxes.emplace_back();
+    box.meet(StateId{0}, ValueSet::single(2 * i));
+    box.meet(StateId{2}, ValueSet::single(2 * i));
+  }
+  Budget enough, little(0);
+  CHECK(space.cover(boxes, enough) == Covering::open);
+  CHECK(space.cover(boxes, little) == Covering::undecided);
+}
+
 TEST_CASE("what is reported as covered, and what is open, is so at every place") {
   std::mt19937 random(1);
   int open = 0;
