@@ -6,57 +6,61 @@
 
 namespace director::compiler {
 
-namespace {
-
-/// Replays a way from the start without a break; `before` and `after` are called around each of its micro-steps.
 template <class Before, class After>
-void replay(const Ground& ground, const Way& way, Breadth breadth, Before&& before, After&& after) {
-  Machine machine(ground, breadth);
+void Follower::replay(const Way& way, Before&& before, After&& after) {
+  Machine machine(ground_, breadth_);
   machine.start();
   machine.forget();
   std::vector<Happens> happens;
   Packed here;
   Tape tape;
-  for (const std::uint32_t place : way) {
+  for (std::size_t step = 0; step < way.size(); ++step) {
     here.clear();
     machine.pack(here);
     machine.unpack(here);
     machine.list(happens);
     before(machine);
+    std::vector<std::uint32_t>& counts = counts_[Way(way.begin(), way.begin() + static_cast<std::ptrdiff_t>(step))];
     std::uint32_t at = 0;
-    bool found = false;
+    bool moved = false, found = false;
     for (std::size_t i = 0; i < happens.size() && !found; ++i) {
+      if (i < counts.size() && at + counts[i] <= way[step]) {
+        at += counts[i];
+        continue;
+      }
+      const std::uint32_t first = at;
       tape.begin();
       do {
-        found = at++ == place;
-        if (at != 1) machine.again();
+        found = at++ == way[step];
+        if (moved) machine.again();
+        moved = true;
+        ++micro_steps_;
         const Phase phase = machine.phase();
         machine.take(happens[i], tape);
         if (found) after(machine, happens[i], phase);
       } while (!found && tape.next());
+      if (!found) counts.push_back(at - first);
     }
     machine.forget();
   }
 }
 
-} // namespace
-
-std::vector<Taken> follow(const Ground& ground, const Way& way, Breadth breadth) {
+std::vector<Taken> Follower::follow(const Way& way) {
   std::vector<Taken> out;
   replay(
-      ground, way, breadth, [](const Machine&) {},
+      way, [](const Machine&) {},
       [&](const Machine& machine, const Happens& happens, Phase before) {
         out.push_back({happens, machine.deeds(), before, machine.phase()});
       });
   return out;
 }
 
-bool shows(const Ground& ground, const Way& way, Breadth breadth, std::size_t assertion) {
-  Watch watch(ground, {assertion});
+bool Follower::shows(const Way& way, std::size_t assertion) {
+  Watch watch(ground_, {assertion});
   std::uint64_t remembered = 0;
   std::vector<std::size_t> seen;
   replay(
-      ground, way, breadth, [&](const Machine& machine) { watch.before(machine, remembered); },
+      way, [&](const Machine& machine) { watch.before(machine, remembered); },
       [&](const Machine& machine, const Happens&, Phase) {
         seen.clear();
         remembered = watch.after(machine, seen);

@@ -301,7 +301,7 @@ bool Ground::make_all_packs_usual() {
 
 Ground::Ground(const Model& of) : Ground(of, lower(of)) {}
 
-Ground::Ground(const Model& of, Lowered as_lowered) : model(of), lowered(std::move(as_lowered)) {
+Ground::Ground(const Model& of, Lowered as_lowered) : model(of), timed(std::move(as_lowered)), lowered(timed) {
   Builder(*this).build();
   tables = lowered.view();
 }

@@ -76,6 +76,7 @@ struct Ground {
   bool make_all_packs_usual();
 
   const Model& model;
+  const Lowered timed;                     ///< as the robot runs it, with time: what is found is played on it
   Lowered lowered;                         ///< without time, and with a trigger for each group that wakes it
   Tables tables;                           ///< of `lowered`
   std::vector<ValueClasses> classes;       ///< state

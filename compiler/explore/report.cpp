@@ -49,7 +49,7 @@ Exploration::Oscillation oscillation(const Ground& ground, const Searched::Cycle
   Exploration::Oscillation out;
   Way way = cycle.way;
   way.resize(way.size() + cycle.length, 0); // the first possibility is the usual one
-  std::vector<Taken> all = follow(ground, way, Breadth::all);
+  std::vector<Taken> all = Follower(ground, Breadth::all).follow(way);
   const auto begin = all.begin() + static_cast<std::ptrdiff_t>(cycle.way.size());
   out.round.assign(begin, all.end());
   out.way.assign(all.begin(), begin);
@@ -63,15 +63,15 @@ Exploration::Oscillation oscillation(const Ground& ground, const Searched::Cycle
 }
 
 /// For a search that was cut off: searches for each provider that did not run, in a few states.
-void look_for_those_that_never_ran(const Model& model, SearchOptions how, Happened& happened) {
+void look_for_those_that_never_ran(const Ground& ground, SearchOptions how, Happened& happened) {
   how.breadth = Breadth::lean;
   how.assertions.clear();
   how.bound = std::min(how.bound, states_of_focus);
   std::size_t tries = 64;
-  for (const ProviderId id : model.providers.ids()) {
+  for (const ProviderId id : ground.model.providers.ids()) {
     if (happened.ran[id.value]) continue;
     if (tries-- == 0) return;
-    Ground focused(model);
+    Ground focused(ground.model, ground.timed);
     focus_on(focused, {{}, {id}});
     happened.add(search(focused, how).happened);
     if (!happened.ran[id.value] && focused.make_all_packs_usual()) happened.add(search(focused, how).happened);
@@ -92,7 +92,7 @@ Exploration explore(const Ground& ground, const ExploreOptions& options) {
   how.assertions = without_verdict(early);
   Exploration out{search(ground, how), {}, {}, {}, {}};
   out.verdicts = decide_late(ground, std::move(early), out.searched, options.behaviour);
-  if (!out.searched.complete) look_for_those_that_never_ran(model, how, out.searched.happened);
+  if (!out.searched.complete) look_for_those_that_never_ran(ground, how, out.searched.happened);
   for (const ProviderId id : model.providers.ids()) {
     if (!out.searched.happened.ran[id.value]) out.never_ran.push_back(id);
   }

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -73,8 +74,27 @@ struct Taken {
   std::vector<Deed> deeds;
   Phase before = Phase::rest, after = Phase::rest;
 };
-std::vector<Taken> follow(const Ground& ground, const Way& way, Breadth breadth);
-/// Whether the last micro-step of a way shows what Watch searches, without saving and restoring states in between.
-bool shows(const Ground& ground, const Way& way, Breadth breadth, std::size_t assertion);
+/// The ways of one search, each from the start without saving and restoring states in between. What can happen at a
+/// state, and in how many ways each, is counted once for all ways that pass it: a place among all possibilities tells
+/// no more than how many there are before it.
+class Follower {
+public:
+  Follower(const Ground& ground, Breadth breadth) : ground_(ground), breadth_(breadth) {}
+
+  std::vector<Taken> follow(const Way& way);
+  /// Whether the last micro-step of a way shows what Watch searches.
+  bool shows(const Way& way, std::size_t assertion);
+  /// Micro-steps so far.
+  std::size_t micro_steps() const { return micro_steps_; }
+
+private:
+  template <class Before, class After>
+  void replay(const Way& way, Before&& before, After&& after);
+
+  const Ground& ground_;
+  Breadth breadth_;
+  std::map<Way, std::vector<std::uint32_t>> counts_; ///< after a way: of the first things that may happen
+  std::size_t micro_steps_ = 0;
+};
 
 } // namespace director::compiler

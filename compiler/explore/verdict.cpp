@@ -29,7 +29,8 @@ std::string refuted_by(const Assertion& assertion, const Model& model) {
   return {};
 }
 
-Verdict by_search(const Ground& ground, std::size_t at, const Searched& searched, const std::string& behaviour) {
+Verdict by_search(const Ground& ground, std::size_t at, const Searched& searched, Follower& follower,
+                  const std::string& behaviour) {
   const Assertion& assertion = ground.model.assertions[at];
   const bool wanted = assertion.kind == Assertion::Kind::can_run;
   Verdict out;
@@ -54,12 +55,12 @@ Verdict by_search(const Ground& ground, std::size_t at, const Searched& searched
     }
     return out;
   }
-  out.way = follow(ground, *searched.seen[at], searched.breadth);
+  out.way = follower.follow(*searched.seen[at]);
   ScenarioHead head;
   head.title = fmt::format("{}: {}", wanted ? "it runs" : "refuted", words_of(assertion, ground.model));
   head.doc = wanted ? "How it comes to run." : "In the last step " + refuted_by(assertion, ground.model) + ".";
   head.behaviour = behaviour;
-  if (!shows(ground, *searched.seen[at], searched.breadth, at)) {
+  if (!follower.shows(*searched.seen[at], at)) {
     out.why = fmt::format("after {}, it was seen only in a state that had been put away", in_words(ground, out.way));
     out.way.clear();
     return out;
@@ -110,9 +111,10 @@ std::vector<std::optional<Verdict>> decide_early(const Ground& ground, SearchOpt
     options.bound = bound;
     if (options.assertions.empty()) return true;
     const Searched searched = search(where, options);
+    Follower follower(where, searched.breadth);
     for (const std::size_t i : options.assertions) {
       if (!searched.seen[i]) continue;
-      Verdict verdict = by_search(where, i, searched, behaviour);
+      Verdict verdict = by_search(where, i, searched, follower, behaviour);
       if (verdict.kind != Verdict::Kind::undecided) out[i] = std::move(verdict);
     }
     return searched.complete;
@@ -122,7 +124,7 @@ std::vector<std::optional<Verdict>> decide_early(const Ground& ground, SearchOpt
   const bool all = look(ground, without_verdict(out), few);
   for (const std::size_t i : without_verdict(out)) {
     if (all) break;
-    Ground focused(ground.model);
+    Ground focused(ground.model, ground.timed);
     Goal goal;
     for (const Use<GroupId>& use : ground.model.assertions[i].groups) goal.groups.push_back(use.id);
     focus_on(focused, goal);
@@ -144,8 +146,9 @@ std::vector<std::size_t> without_verdict(const std::vector<std::optional<Verdict
 std::vector<Verdict> decide_late(const Ground& ground, std::vector<std::optional<Verdict>> early,
                                  const Searched& searched, const std::string& behaviour) {
   std::vector<Verdict> out;
+  Follower follower(ground, searched.breadth);
   for (std::size_t i = 0; i < early.size(); ++i) {
-    out.push_back(early[i] ? std::move(*early[i]) : by_search(ground, i, searched, behaviour));
+    out.push_back(early[i] ? std::move(*early[i]) : by_search(ground, i, searched, follower, behaviour));
   }
   return out;
 }

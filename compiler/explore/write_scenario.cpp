@@ -3,7 +3,6 @@
 #include "compiler/explore/write_scenario.hpp"
 
 #include "compiler/explore/scenario_draft.hpp"
-#include "compiler/lower/lower.hpp"
 #include "compiler/play/play.hpp"
 #include "compiler/play/resolve_scenario.hpp"
 #include "dsl/reading/read_scenario.hpp"
@@ -92,9 +91,8 @@ std::optional<std::string> write_scenario(const Ground& ground, const std::vecto
   if (!draft.fill(way)) return {};
   draft.repeat(head.round);
   const bool endless = !head.round.empty();
-  const Lowered lowered = lower(ground.model);
   for (;;) {
-    const Play play = play_text(text_of(draft, head, {}), ground.model, lowered);
+    const Play play = play_text(text_of(draft, head, {}), ground.model, ground.timed);
     const std::vector<std::string>& lines = draft.lines();
     if (!play.good || play.exhausted != endless || play.lines.size() < lines.size() ||
         !std::equal(lines.begin(), lines.end(), play.lines.begin()))

@@ -124,13 +124,14 @@ TEST_CASE("explorations agree with checks, with proofs, and with scenarios") {
       INFO(words_of(assertion, model));
       if (compiler::prove_at_once(assertion, model)) {
         ++proven;
-        const bool is_refuted = searched.seen[i] && compiler::shows(ground, *searched.seen[i], searched.breadth, i);
+        const bool is_refuted =
+            searched.seen[i] && compiler::Follower(ground, searched.breadth).shows(*searched.seen[i], i);
         CHECK_FALSE(is_refuted);
       }
       if (!searched.seen[i] || i % 5 != seed % 5) continue; // each counterexample is played; a fifth is enough
       ++refuted;
-      CHECK(compiler::shows(ground, *searched.seen[i], searched.breadth, i));
-      const auto way = compiler::follow(ground, *searched.seen[i], searched.breadth);
+      CHECK(compiler::Follower(ground, searched.breadth).shows(*searched.seen[i], i));
+      const auto way = compiler::Follower(ground, searched.breadth).follow(*searched.seen[i]);
       if (!compiler::write_scenario(ground, way, {"found", "Played.", "behaviour.yaml", {}})) ++not_played;
     }
     if (!searched.complete || strays(each.compiled->scenario, model)) continue;

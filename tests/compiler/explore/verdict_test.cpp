@@ -299,3 +299,34 @@ TEST_CASE("the states confirm the proof about a latch") {
 TEST_CASE("beyond the bound nothing is guessed") {
   CHECK(verdict_of(two, "{beats: {A: B}}", 5).find("not decided: not found in ") == 0);
 }
+
+TEST_CASE("what can happen at a state is counted once for all ways that pass it") {
+  constexpr std::size_t count = 40;
+  std::string roots, groups, assertions;
+  for (std::size_t i = 0; i < count; ++i) {
+    roots += "  G" + std::to_string(i) + ": {priority: " + std::to_string(i) + "}\n";
+    groups += "  G" + std::to_string(i) + ": {needs: [L]}\n";
+    assertions += "  - can_run: G" + std::to_string(i) + "\n";
+  }
+  const auto compiled = director::tests::compile("behaviour: b\nlanguage: 1\nroots:\n" + roots + "groups:\n" + groups +
+                                                 "  L: {}\nassertions:\n" + assertions);
+  const Ground ground(compiled.model);
+  SearchOptions options;
+  options.bound = 1'000;
+  options.threads = 1;
+  options.breadth = Breadth::lean;
+  options.only_assertions = true;
+  for (std::size_t i = 0; i < count; ++i) options.assertions.push_back(i);
+  const Searched searched = search(ground, options);
+  Follower all(ground, searched.breadth);
+  std::size_t steps = 0, alone = 0;
+  for (const std::optional<Way>& way : searched.seen) {
+    REQUIRE(way);
+    steps += all.follow(*way).size();
+    Follower one(ground, searched.breadth);
+    one.follow(*way);
+    alone += one.micro_steps();
+  }
+  CHECK(alone > count * count / 2);
+  CHECK(all.micro_steps() <= 4 * steps);
+}
