@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace director::analysis {
 
@@ -20,7 +21,9 @@ namespace {
 /// with another one of its priority: for a chain of groups they would hold everything below each of them.
 class Claimants {
 public:
-  Claimants(const Input& input, Overlaps& overlaps, const std::vector<Task>& tasks) : stakes_(tasks.size()) {
+  Claimants(const Input& input, Overlaps& overlaps, const std::vector<Task>& tasks)
+      : stakes_(tasks.size()),
+        added_for_(tasks.size(), 0) {
     if (tasks.size() < 2) return;
     const std::vector<std::vector<std::int32_t>> priorities = overlaps.priorities(tasks);
     for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -35,20 +38,25 @@ public:
     }
   }
 
-  std::vector<std::size_t> before(std::size_t entry) const {
+  /// Entries that meet in much, as in a cycle of requests, share most of their groups: each is added once, and none is
+  /// left after a few of the groups.
+  std::vector<std::size_t> before(std::size_t entry) {
     std::vector<std::size_t> out;
-    for (const std::vector<std::size_t>* all : stakes_[entry])
-      out.insert(out.end(), all->begin(), std::lower_bound(all->begin(), all->end(), entry));
-    if (stakes_[entry].size() > 1) {
-      std::sort(out.begin(), out.end());
-      out.erase(std::unique(out.begin(), out.end()), out.end());
+    for (const std::vector<std::size_t>* all : stakes_[entry]) {
+      if (out.size() == entry) break;
+      for (auto at = all->begin(); *at < entry; ++at) { // `entry` is one of them
+        if (std::exchange(added_for_[*at], entry) != entry) out.push_back(*at);
+      }
     }
+    std::sort(out.begin(), out.end());
     return out;
   }
 
 private:
   std::map<Stake, std::vector<std::size_t>> claimed_by_;
   std::vector<std::vector<const std::vector<std::size_t>*>> stakes_; ///< of each entry
+  std::vector<std::size_t>
+      added_for_; ///< the entry for whose list each was added last; never the first one, which has none before it
 };
 
 /// Pairs that another check reports.
@@ -101,7 +109,7 @@ std::vector<EqualList> find_equals(const Input& input) {
   std::vector<EqualList> out;
   for (const Together& together : input.shared.chains().together()) {
     const std::vector<Task>& tasks = *together.tasks;
-    const Claimants claimants(input, overlaps, tasks);
+    Claimants claimants(input, overlaps, tasks);
     ReportedPairs<Stake> reported(tasks.size()), reported_by_others(tasks.size());
     EqualList list{&together, {}};
     for (std::size_t j = 1; j < tasks.size(); ++j) {

@@ -296,6 +296,12 @@ groups:
 )")["self_conflict"] == std::pair<std::size_t, std::size_t>{2, 2});
 }
 
+TEST_CASE("a task that eight hundred others request, and that requests each of them, is one cycle") {
+  std::string text = "roots: [Hub]\ngroups:\n  Hub: {tasks: [" + names(0, 800) + "]}\n";
+  for (std::size_t i = 0; i < 800; ++i) text += fmt::format("  T{}: {{tasks: [Hub]}}\n", i);
+  CHECK(count(text) == Counts{{"task_cycle", {1, 1}}});
+}
+
 TEST_CASE("a staircase of one number has no finding, however many steps it has") {
   std::string text = "states: {S: {range: [0, 1000000], initial: 0, external: true}}\nroots: [G]\ngroups:\n  G:\n"
                      "    providers:\n";
