@@ -18,6 +18,9 @@ namespace director::checks {
 
 namespace {
 
+/// Limit for the further tasks that push the same provider, with a note each.
+constexpr std::size_t most_others = 8;
+
 /// A provider that may hold a group, and its declarations for that.
 struct Holder {
   GroupId group{};
@@ -38,19 +41,25 @@ public:
 
   void look_at(const Wanting& wanting, const Want& want) {
     for (const ProviderId causer : want.causers) {
-      if (model_.providers[causer].needs.empty()) continue;
+      const std::vector<Use<GroupId>>& needs = model_.providers[causer].needs;
+      if (std::all_of(needs.begin(), needs.end(), [&](const Use<GroupId>& need) { return is_full(need); })) continue;
       find_company(wanting.task, model_.providers[causer].group);
       below_.clear();
       find_own(causer);
-      for (const Use<GroupId>& need : model_.providers[causer].needs) {
+      when_ = region_of(model_, model_.providers[causer].when);
+      for (const Use<GroupId>& need : needs) {
         const auto& parts = shared_.indispensable().of(need.id);
-        if (!parts) continue;
+        if (!parts || is_full(need)) continue;
         std::optional<Between> worst;
         for (const GroupId part : *parts) find_between(wanting.task, want, causer, part, worst);
         if (worst && seen_.insert({need.span, want.condition.span, worst->holder.group}).second)
-          report(wanting, want, causer, need, *worst);
+          found_[need.span].push_back({&wanting, &want, causer, &need, *worst});
       }
     }
+  }
+
+  void report() {
+    for (const auto& [span, pushes] : found_) report(pushes);
   }
 
 private:
@@ -90,6 +99,21 @@ private:
     Holder holder;
     Meeting below;
   };
+
+  /// A task pushes a provider, and a third one may hold what that needs.
+  struct Inversion {
+    const Wanting* wanting = nullptr;
+    const Want* want = nullptr;
+    ProviderId causer{};
+    const Use<GroupId>* need = nullptr;
+    Between between;
+  };
+
+  /// Whether more tasks push its provider already than are reported.
+  bool is_full(const Use<GroupId>& need) const {
+    const auto at = found_.find(need.span);
+    return at != found_.end() && at->second.size() > most_others + 1;
+  }
 
   /// Of several the one that goes first: if the pushed group goes before that one, it does before all of them.
   void find_between(GroupId task, const Want& want, ProviderId causer, GroupId part,
@@ -133,12 +157,17 @@ private:
   /// Whether a chain of requests from the entry to the group passes neither the waiting task nor the pushed one.
   bool leads_to(const Task& entry, GroupId group, GroupId task, GroupId pushed) const {
     if (entry.target == task || entry.target == pushed) return false;
+    const Claims& all = shared_.claims(entry.target);
+    if (!all.contains(group)) return false;
+    if (!all.contains(task) && !all.contains(pushed)) return true;
     const std::vector<GroupId> without{task, pushed};
     return below_.try_emplace(entry.target, shared_.branches(), entry.target, without).first->second.contains(group);
   }
 
-  std::vector<Holder> holders_of(GroupId group) const {
-    std::vector<Holder> out;
+  const std::vector<Holder>& holders_of(GroupId group) const {
+    const auto [at, fresh] = holders_.try_emplace(group);
+    std::vector<Holder>& out = at->second;
+    if (!fresh) return out;
     for (const Task& root : model_.roots) {
       if (root.target == group) out.push_back({group, std::nullopt, root.span, false, &root});
     }
@@ -175,22 +204,23 @@ private:
     if (!holder.provider) return true;
     if (own_.count(holder.group) != 0) return false;
     const ProviderId provider = *holder.provider;
-    const bool by_push = !facts_.chosen.contains(provider) &&
-                         std::any_of(shared_.wants().begin(), shared_.wants().end(), [&](const Wanting& other) {
-                           return other.task == task && pushes(other, provider);
-                         });
-    if (by_push) return false;
-    const Region region = active_region(model_, model_.providers[provider]);
+    if (!facts_.chosen.contains(provider) && pushed_by(task).count(provider) != 0) return false;
+    const auto [place, fresh] = active_.try_emplace(provider);
+    if (fresh) place->second = active_region(model_, model_.providers[provider]);
+    const Region& region = place->second;
     const Condition& wanted = model_.conditions[want.condition.id];
     const auto at = region.states.find(wanted.state);
     if (at != region.states.end() && at->second.subset_of(wanted.accepts)) return false;
-    return compatible(region, region_of(model_, model_.providers[causer].when));
+    return compatible(region, when_);
   }
 
-  static bool pushes(const Wanting& wanting, ProviderId provider) {
-    return std::any_of(wanting.wants.begin(), wanting.wants.end(), [&](const Want& want) {
-      return std::find(want.causers.begin(), want.causers.end(), provider) != want.causers.end();
-    });
+  /// The providers that a task for this group may push.
+  const std::set<ProviderId>& pushed_by(GroupId task) const {
+    if (pushing_ == task) return pushed_;
+    pushing_ = task;
+    pushed_.clear();
+    for (const Want* want : shared_.wants_of(task)) pushed_.insert(want->causers.begin(), want->causers.end());
+    return pushed_;
   }
 
   /// Whether every chain of requests to the group passes the other one.
@@ -200,9 +230,13 @@ private:
     return gate.has_value();
   }
 
-  void report(const Wanting& wanting, const Want& want, ProviderId causer, const Use<GroupId>& need,
-              const Between& found) {
-    const auto& [part, holder, below] = found;
+  /// The first one, with a note for each further task that pushes the same provider.
+  void report(const std::vector<Inversion>& pushes) {
+    const Wanting& wanting = *pushes.front().wanting;
+    const Want& want = *pushes.front().want;
+    const ProviderId causer = pushes.front().causer;
+    const Use<GroupId>& need = *pushes.front().need;
+    const auto& [part, holder, below] = pushes.front().between;
     const GroupId pushed = model_.providers[causer].group;
     bool one_side = false;
     shared_.chains().visit(wanting.task, {pushed}, [&, &at = below](const Meeting& other, GroupId) {
@@ -223,6 +257,19 @@ private:
                                                         holder.by_need ? "needs" : "requests", name_of(model_, part))});
     add_side(*below.first, below.first_level, holder.group, finding);
     add_side(*below.second, below.second_level, pushed, finding);
+    for (std::size_t i = 1; i < pushes.size(); ++i) {
+      if (i > most_others) {
+        finding.notes.push_back({need.span, fmt::format("further tasks push {} too", name_of(model_, causer))});
+        break;
+      }
+      const Inversion& other = pushes[i];
+      finding.notes.push_back(
+          {other.want->condition.span,
+           fmt::format("{} waits for {} and pushes it too, and {} goes after {} and before {}",
+                       name_of(model_, other.want->waiter), name_of(model_, other.want->condition.id),
+                       name_of(model_, other.between.holder.group), name_of(model_, other.wanting->task),
+                       name_of(model_, pushed))});
+    }
     finding.help =
         one_side
             ? fmt::format("let {} do without {}, or {} go after {}, and that still after {}", name_of(model_, causer),
@@ -246,7 +293,13 @@ private:
   std::set<GroupId> own_;                   ///< of the provider that is pushed
   /// What a group leads to without the waiting task and the pushed one.
   mutable std::map<GroupId, Claims> below_;
+  Region when_; ///< with which the pushed provider may begin
+  mutable std::map<GroupId, std::vector<Holder>> holders_;
+  mutable std::map<ProviderId, Region> active_; ///< where these may run
+  mutable std::optional<GroupId> pushing_;
+  mutable std::set<ProviderId> pushed_;                      ///< by the task `pushing_`
   std::set<std::tuple<dsl::Span, dsl::Span, GroupId>> seen_; ///< need, condition, and who is between
+  std::map<dsl::Span, std::vector<Inversion>> found_;        ///< by need
 };
 
 } // namespace
@@ -256,6 +309,7 @@ void push_inversion(const Input& input, Findings& findings) {
   for (const Wanting& wanting : input.shared.wants()) {
     for (const Want& want : wanting.wants) inversions.look_at(wanting, want);
   }
+  inversions.report();
 }
 
 } // namespace director::checks

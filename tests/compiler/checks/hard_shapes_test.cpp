@@ -296,6 +296,40 @@ groups:
 )")["self_conflict"] == std::pair<std::size_t, std::size_t>{2, 2});
 }
 
+/// So many tasks wait for one promise, which as many providers make, and all of them need one group.
+std::string pushing(std::size_t waiting, std::size_t causing) {
+  std::string roots, groups;
+  for (std::size_t i = 0; i < waiting; ++i) {
+    roots += fmt::format("  K{}: {{priority: {}}}\n", i, causing + i);
+    groups += fmt::format("  K{}: {{when: [S == b], needs: [L], tasks: [L]}}\n", i);
+  }
+  for (std::size_t i = 0; i < causing; ++i) {
+    roots += fmt::format("  W{}: {{priority: {}}}\n", i, i);
+    groups += fmt::format("  W{}:\n    providers:\n      - {{name: p, needs: [L], tasks: [L], sets: [S == a]}}\n"
+                          "      - {{name: q, needs: [L], tasks: [L], causing: [S == b]}}\n",
+                          i);
+  }
+  return "states: {S: {values: [a, b], initial: a}}\nroots:\n" + roots + "groups:\n  L: {}\n" + groups;
+}
+
+TEST_CASE("of a hundred tasks that push a provider before one that holds what it needs one finding is reported") {
+  const tests::CheckedText checked = tests::check_text(pushing(100, 2));
+  std::vector<const dsl::Diagnostic*> found;
+  for (const dsl::Diagnostic& finding : checked.checked.findings) {
+    if (finding.id == "push_inversion") found.push_back(&finding);
+  }
+  REQUIRE(found.size() == 1); // nothing is between the tasks and `W1`
+  CHECK(std::count_if(found.front()->notes.begin(), found.front()->notes.end(), [](const dsl::Note& note) {
+          return note.message.find("and pushes it too, and ") != std::string::npos;
+        }) == 8);
+  CHECK(std::count_if(found.front()->notes.begin(), found.front()->notes.end(),
+                      [](const dsl::Note& note) { return note.message == "further tasks push `W0.q` too"; }) == 1);
+}
+
+TEST_CASE("of as many waiting tasks as promises the findings grow only with the promises") {
+  CHECK(count(pushing(150, 150)).at("push_inversion") == std::pair<std::size_t, std::size_t>{149, 149});
+}
+
 TEST_CASE("a task that eight hundred others request, and that requests each of them, is one cycle") {
   std::string text = "roots: [Hub]\ngroups:\n  Hub: {tasks: [" + names(0, 800) + "]}\n";
   for (std::size_t i = 0; i < 800; ++i) text += fmt::format("  T{}: {{tasks: [Hub]}}\n", i);
