@@ -49,10 +49,10 @@ std::vector<dsl::Diagnostic> too_deep_needs(const Model& model, const Graph& gra
         return {{"input_limit",
                  dsl::Level::error,
                  need.span,
-                 fmt::format("`{}` and what it needs in turn are more than {} groups", model.groups[group].name.value,
+                 fmt::format("`{}` needs more than {} groups, one below the other", model.groups[group].name.value,
                              deepest_needs),
                  {},
-                 {}}};
+                 "let groups need directly what is further down, or leave some of these groups out"}};
       }
     }
   }
