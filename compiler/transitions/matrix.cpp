@@ -37,13 +37,12 @@ public:
 
   /// `only`: these rows; empty: all.
   TransitionMatrix find(const std::vector<GroupId>& only) {
-    std::vector<std::pair<GroupId, std::vector<Way>>> wanted;
+    std::vector<GroupId> wanted;
+    const IdSet<GroupId> led_to = find_led_to(model_);
     for (const GroupId id : model_.groups.ids()) {
       if (model_.groups[id].edges.empty()) continue;
       if (!only.empty() && std::find(only.begin(), only.end(), id) == only.end()) continue;
-      std::vector<Way> ways = find_ways(model_, id);
-      if (ways.empty()) out_.not_requested.push_back(id);
-      if (!ways.empty()) wanted.emplace_back(id, std::move(ways));
+      (led_to.contains(id) ? wanted : out_.not_requested).push_back(id);
     }
     if (wanted.size() > most_rows) {
       out_.left_out = fmt::format(
@@ -54,7 +53,7 @@ public:
       return std::move(out_);
     }
     out_.limited = !only.empty();
-    for (const auto& [id, ways] : wanted) out_.rows.push_back(row(id, ways));
+    for (const GroupId id : wanted) out_.rows.push_back(row(id, find_ways(model_, id)));
     for (std::size_t i = 0; i < out_.rows.size(); ++i) {
       std::vector<Transition> cells;
       for (std::size_t j = 0; j < out_.rows.size(); ++j) cells.push_back(cell(i, j));

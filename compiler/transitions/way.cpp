@@ -265,6 +265,15 @@ bool Way::passes(GroupId id) const {
   return false;
 }
 
+IdSet<GroupId> find_led_to(const Model& model) {
+  const IdTable<GroupId, FirstRequest> first_requests = find_first_requests(model);
+  IdSet<GroupId> out(model.groups.size());
+  for (const GroupId id : model.groups.ids()) {
+    if (first_requests[id].reached && !model.groups[id].providers.empty()) out.add(id);
+  }
+  return out;
+}
+
 std::vector<Way> find_ways(const Model& model, GroupId target) {
   const IdTable<GroupId, FirstRequest> first_requests = find_first_requests(model);
   std::vector<Way> out;

@@ -31,6 +31,9 @@ struct Way {
   bool passes(GroupId id) const; ///< above the target
 };
 
+/// The groups with ways: those that some chain of requests leads to.
+IdSet<GroupId> find_led_to(const Model& model);
+
 /// The shortest chain, ties by declaration, with one way for each choice of providers on it; then the ways through its
 /// other requesters. None if no chain leads there.
 std::vector<Way> find_ways(const Model& model, GroupId target);

@@ -123,4 +123,23 @@ TEST_CASE("no chain leads to what nothing requests") {
   CHECK(ways("roots: [Walk]\ngroups: {Walk: {needs: [Legs]}, Legs: {}}\n", "Legs").empty());
 }
 
+TEST_CASE("groups with ways are found without them") {
+  const Compiled compiled = compile(R"(behaviour: test
+language: 1
+roots: [Play]
+groups:
+  Play: {tasks: [Kick], needs: [Eyes]}
+  Kick: {needs: [Legs]}
+  Rest: {tasks: [Kick]}
+  Eyes: {}
+  Legs: {tasks: [Motor]}
+  Motor: {}
+)");
+  const compiler::IdSet<compiler::GroupId> led_to = find_led_to(compiled.model);
+  for (const compiler::GroupId id : compiled.model.groups.ids()) {
+    INFO(compiled.model.groups[id].name.value);
+    CHECK(led_to.contains(id) == !find_ways(compiled.model, id).empty());
+  }
+}
+
 } // namespace director::tests
