@@ -119,18 +119,20 @@ std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph) {
 }
 
 Graph with_possible_pushes(const Model& model, Graph graph) {
-  const auto all = analysis::find_all_pushes(model, analysis::find_facts(model, graph));
-  const std::set<std::pair<GroupId, ProviderId>> pushes(all.begin(), all.end()); // also through others
+  const auto all = analysis::find_all_pushes(model, analysis::find_facts(model, graph)); // also through others
+  IdTable<ProviderId, std::vector<GroupId>> tasks(model.providers.size());
   IdTable<GroupId, std::vector<bool>> plans(model.groups.size()); // what it may wait for: conditions of its needs too
-  for (const auto& [task, causer] : pushes) {
-    if (plans[task].empty()) plans[task] = reachable(graph.needs, task.value);
+  for (const auto& [task, causer] : all) {
+    tasks[causer].push_back(task); // in order
+    if (!plans[task].empty()) continue;
+    plans[task] = reachable(graph.needs, task.value);
     plans[task][task.value] = true;
   }
   std::erase_if(graph.causing, [&](const Graph::Causing& row) {
-    return std::none_of(pushes.begin(), pushes.end(), [&](const auto& push) {
-      const auto& [task, causer] = push;
-      return causer == row.causer &&
-             (plans[task][model.providers[row.waiter].group.value] || pushes.count({task, row.waiter}) != 0);
+    return std::none_of(tasks[row.causer].begin(), tasks[row.causer].end(), [&](GroupId task) {
+      const std::vector<GroupId>& pushed_by = tasks[row.waiter];
+      return plans[task][model.providers[row.waiter].group.value] ||
+             std::binary_search(pushed_by.begin(), pushed_by.end(), task);
     });
   });
   return graph;

@@ -215,4 +215,18 @@ groups: {Walk: {needs: [Legs]}, Swim: {needs: [Legs]}, Dive: {tasks: [Swim]}, Le
   CHECK(transitions["left_out"].is_null());
 }
 
+TEST_CASE("each task of a long chain of promises pushes only what it waits for") {
+  constexpr int length = 1'000;
+  std::string states, roots, groups;
+  for (int i = 0; i < length; ++i) {
+    const std::string here = std::to_string(i), when = i == 0 ? "" : "when: [S" + std::to_string(i - 1) + " == b], ";
+    states += "  S" + here + ": {values: [a, b], initial: a}\n";
+    roots += "  G" + here + ": {priority: " + here + "}\n";
+    groups += "  G" + here + ":\n    providers:\n      - {name: p, " + when + "needs: [L], sets: [S" + here +
+              " == a]}\n      - {name: q, " + when + "needs: [L], causing: [S" + here + " == b]}\n";
+  }
+  CHECK(possible_pushes("states:\n" + states + "roots:\n" + roots + "groups:\n" + groups + "  L: {}\n").size() ==
+        2 * (length - 1));
+}
+
 } // namespace director::tests
