@@ -2,24 +2,27 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/graph/topmost.hpp"
 
+#include <algorithm>
+
 namespace director::compiler {
 
-namespace {
+std::optional<Node> Topmost::above(const Dominators& dominators, Node node) {
+  const auto at = std::lower_bound(dominators.begin(), dominators.end(), std::pair(node, Node{0}));
+  return at == dominators.end() || at->first != node ? std::nullopt : std::optional(at->second);
+}
 
-bool passes(const std::vector<std::optional<Node>>& dominators, Node node, Node other) {
-  for (std::optional<Node> above = dominators[node]; above; above = dominators[*above]) {
-    if (*above == other) return true;
+bool Topmost::passes(const Dominators& dominators, Node node, Node other) {
+  for (std::optional<Node> each = above(dominators, node); each; each = above(dominators, *each)) {
+    if (*each == other) return true;
   }
   return false;
 }
 
-} // namespace
-
 std::vector<GroupId> Topmost::of(GroupId first, GroupId second, const std::vector<bool>& groups) {
-  const auto &of_first = dominators(first), &of_second = dominators(second);
+  const Dominators &of_first = dominators(first), &of_second = dominators(second);
   const auto comes_with_another = [&](Node node) {
-    for (std::optional<Node> above = of_first[node]; above; above = of_first[*above]) {
-      if (groups[*above] && passes(of_second, node, *above)) return true;
+    for (std::optional<Node> each = above(of_first, node); each; each = above(of_first, *each)) {
+      if (groups[*each] && passes(of_second, node, *each)) return true;
     }
     return false;
   };
@@ -30,10 +33,14 @@ std::vector<GroupId> Topmost::of(GroupId first, GroupId second, const std::vecto
   return out;
 }
 
-const std::vector<std::optional<Node>>& Topmost::dominators(GroupId task) {
-  std::vector<std::optional<Node>>& out = dominators_[task];
-  if (out.empty()) out = immediate_dominators(graph_.claims, task.value);
-  return out;
+const Topmost::Dominators& Topmost::dominators(GroupId task) {
+  const auto [at, fresh] = dominators_.try_emplace(task);
+  if (!fresh) return at->second;
+  const std::vector<std::optional<Node>> all = immediate_dominators(graph_.claims, task.value);
+  for (Node node = 0; node < all.size(); ++node) {
+    if (all[node]) at->second.emplace_back(node, *all[node]);
+  }
+  return at->second;
 }
 
 } // namespace director::compiler

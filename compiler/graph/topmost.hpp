@@ -6,6 +6,7 @@
 
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace director::compiler {
@@ -20,10 +21,15 @@ public:
   std::vector<GroupId> of(GroupId first, GroupId second, const std::vector<bool>& groups);
 
 private:
-  const std::vector<std::optional<Node>>& dominators(GroupId task);
+  /// The closest dominator of each group that the task leads to, by group: most tasks lead to few groups.
+  using Dominators = std::vector<std::pair<Node, Node>>;
+
+  static std::optional<Node> above(const Dominators& dominators, Node node);
+  static bool passes(const Dominators& dominators, Node node, Node other);
+  const Dominators& dominators(GroupId task);
 
   const Graph& graph_;
-  std::map<GroupId, std::vector<std::optional<Node>>> dominators_;
+  std::map<GroupId, Dominators> dominators_;
 };
 
 } // namespace director::compiler

@@ -111,9 +111,9 @@ void add_verdicts(const std::vector<Verdict>& verdicts, const Model& model, Tran
 
 } // namespace
 
-std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph) {
+std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph, const TakeLimits& limits) {
   std::vector<TakeOver> out;
-  for (const PossibleTake& take : possible_takes(model, graph))
+  for (const PossibleTake& take : possible_takes(model, graph, limits))
     out.push_back({take.taker, take.loser, take.ranks, take.groups});
   return out;
 }
@@ -150,8 +150,17 @@ void add_page_facts(Json& data, const Model& model, const Graph& graph, const st
   data.add("pushes", std::move(pushes));
   Json takes = Json::list({});
   Topmost topmost(graph);
-  for (const PossibleTake& take : possible_takes(model, graph)) takes.add(take_json(take, model, topmost));
+  const std::vector<PossibleTake> possible = possible_takes(model, graph, {most_takes, {}});
+  const bool too_many = possible.size() > most_takes;
+  for (std::size_t i = 0; i < possible.size() && !too_many; ++i) takes.add(take_json(possible[i], model, topmost));
   data.add("takes", std::move(takes));
+  if (too_many) {
+    data.add("takes_left_out",
+             Json::text(fmt::format("What tasks may take from each other is not listed here, as there are more than {} "
+                                    "pairs of them; `directorc graph --view=takes --focus` draws it for the groups "
+                                    "that are named.",
+                                    most_takes)));
+  }
   data.add("ranks", ranks_json(model));
   std::vector<Verdict> decided;
   if (verdicts == nullptr && !model.assertions.empty())

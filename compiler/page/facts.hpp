@@ -8,7 +8,9 @@
 #include "compiler/emit/graph/picture_options.hpp"
 #include "compiler/graph/graph.hpp"
 #include "compiler/model/model.hpp"
+#include "compiler/play/coverage.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,16 +18,19 @@ namespace director::compiler {
 
 struct Verdict;
 
-/// The possible take-overs; both edges are of one requester.
-std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph);
+/// Limit for the take-overs in a page: tasks that all want the same have quadratically many.
+inline constexpr std::size_t most_takes = 20'000;
+
+/// The possible take-overs; both edges are of one requester. With more than `limits.most`, one more than that.
+std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph, const TakeLimits& limits);
 
 /// Without promises that no task can push for: no waiting task goes before the causing group, or none ever waits. The
 /// behaviour must be able to run.
 Graph with_possible_pushes(const Model& model, Graph graph);
 
-/// Adds `pushes`, `takes`, `ranks`, `verdicts` and `transitions` to the result of graph_json(). The behaviour must be
-/// able to run. `file`: its path in scenarios. `transitions`: only of these groups; empty: of all. `verdicts`: of the
-/// assertions; null: they are decided here.
+/// Adds `pushes`, `takes`, `takes_left_out` if there are too many, `ranks`, `verdicts` and `transitions` to the result
+/// of graph_json(). The behaviour must be able to run. `file`: its path in scenarios. `transitions`: only of these
+/// groups; empty: of all. `verdicts`: of the assertions; null: they are decided here.
 void add_page_facts(Json& data, const Model& model, const Graph& graph, const std::string& file,
                     const std::vector<GroupId>& transitions = {}, const std::vector<Verdict>* verdicts = nullptr);
 

@@ -171,9 +171,11 @@ std::string pictures_html(const HtmlInput& input) {
 
 std::string takes_html(const HtmlInput& input) {
   const Json &takes = input.page.data["takes"], &ranks = input.page.data["ranks"];
-  if (ranks["decisions"].items().empty()) return {};
+  const Json& takes_left_out = input.page.data["takes_left_out"];
+  if (ranks["decisions"].items().empty() && ranks["left_out"].is_null() && takes_left_out.is_null()) return {};
   std::string out = fmt::format("<p>{}</p>\n<div id=\"pair\" hidden></div>\n", takes_intro);
   if (!ranks["left_out"].is_null()) out += fmt::format("<p>{}</p>\n", html(ranks["left_out"].as_text()));
+  if (!takes_left_out.is_null()) out += fmt::format("<p>{}</p>\n", message_html(takes_left_out.as_text()));
   if (!takes.items().empty()) out += take_table_html(takes);
   const std::vector<Rivals> rivals = rivals_in(ranks);
   return rivals.empty() ? out : out + rivals_html(rivals);

@@ -244,9 +244,11 @@ private:
   void add_takes() {
     const Json &takes = data_["takes"], &ranks = data_["ranks"];
     const std::vector<Rivals> rivals = rivals_in(ranks);
-    if (takes.items().empty() && rivals.empty()) return;
+    const Json& takes_left_out = data_["takes_left_out"];
+    if (takes.items().empty() && rivals.empty() && ranks["left_out"].is_null() && takes_left_out.is_null()) return;
     out_ += fmt::format("## Who goes first\n\n{}\n\n", takes_intro);
     if (!ranks["left_out"].is_null()) out_ += escaped(ranks["left_out"].as_text()) + "\n\n";
+    if (!takes_left_out.is_null()) out_ += message(takes_left_out.as_text()) + "\n\n";
     if (!takes.items().empty()) out_ += "| goes first | before | decided by | over |\n| --- | --- | --- | --- |\n";
     for (const Json& take : takes.items())
       out_ +=

@@ -5,6 +5,7 @@
 // list of decisions once, and for each two groups only the number of the list.
 #include "compiler/page/ranks.hpp"
 
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/graph/graph.hpp"
 #include "compiler/lower/contention.hpp"
 #include "compiler/page/leaders.hpp"
@@ -67,8 +68,18 @@ public:
 
   Json write() {
     Json contended = Json::list({});
+    std::size_t rivals = 0;
+    std::vector<std::string> crowded;
     for (const GroupId id : model_.groups.ids()) {
-      if (model_.groups[id].requesters.size() > 1) contended.add(contended_json(id));
+      const std::size_t requesters = model_.groups[id].requesters.size();
+      if (requesters <= 1) continue;
+      const std::size_t more = requesters * (requesters - 1) / 2;
+      if (rivals + more > most_rivals) {
+        crowded.push_back(name(id));
+        continue;
+      }
+      rivals += more;
+      contended.add(contended_json(id));
     }
     const std::size_t count = model_.groups.size();
     Json pairs = Json::list({});
@@ -88,6 +99,10 @@ public:
           fmt::format("Not every two of {} groups are compared here, as there are more than {}; those that several "
                       "request are.",
                       count, most_compared);
+    if (!crowded.empty())
+      left_out += fmt::format("{}The requesters of {} are not compared with each other, as there would be more than {} "
+                              "pairs.",
+                              left_out.empty() ? "" : " ", analysis::few_of(crowded), most_rivals);
     if (!contentions_.complete())
       left_out += fmt::format("{}After {} pairs of tasks, or {} steps through cycles of requests, no more was looked "
                               "at, so there may be more.",

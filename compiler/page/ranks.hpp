@@ -12,6 +12,10 @@ namespace director::compiler {
 /// Limit for the groups that are compared pairwise: the size of the page grows quadratically.
 inline constexpr std::size_t most_compared = 500;
 
+/// Limit for the pairs of requesters of one group, of all groups together. A group with which they would be more is
+/// left out.
+inline constexpr std::size_t most_rivals = 20'000;
+
 Json ranks_json(const Model& model);
 
 } // namespace director::compiler

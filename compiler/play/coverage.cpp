@@ -46,11 +46,13 @@ public:
     return std::move(out_);
   }
 
-  std::vector<PossibleTake> takes() {
+  std::vector<PossibleTake> takes(const TakeLimits& limits) {
     std::vector<PossibleTake> out;
+    const auto counts = [&](const Task& task) { return !limits.among || limits.among->contains(task.target); };
     std::map<std::pair<EdgeId, EdgeId>, std::size_t> places;
     for (const analysis::Together& together : together_) {
       for_each_pair(together, [&](const Task& taker, const Task& loser) {
+        if (out.size() > limits.most || !counts(taker) || !counts(loser)) return;
         any_rivalry(together, taker, loser, [&](const Rivalry& each) {
           if (!each.wins) return false;
           const auto [at, fresh] = places.try_emplace({taker.edge, loser.edge}, out.size());
@@ -295,8 +297,8 @@ void Coverage::merge(const Coverage& other) {
 
 Coverage coverage_of(const Model& model, const Graph& graph) { return points::Planner(model, graph).plan(); }
 
-std::vector<PossibleTake> possible_takes(const Model& model, const Graph& graph) {
-  return points::Planner(model, graph).takes();
+std::vector<PossibleTake> possible_takes(const Model& model, const Graph& graph, const TakeLimits& limits) {
+  return points::Planner(model, graph).takes(limits);
 }
 
 struct Rivalries::Finder : points::Planner {

@@ -12,6 +12,7 @@
 #include <compare>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
@@ -67,7 +68,13 @@ struct PossibleTake {
   std::vector<bool> groups; ///< by number
   std::set<Winning> ranks;  ///< by which it may
 };
-std::vector<PossibleTake> possible_takes(const Model& model, const Graph& graph);
+struct TakeLimits {
+  std::size_t most = std::numeric_limits<std::size_t>::max();
+  std::optional<IdSet<GroupId>> among{}; ///< both tasks are for one of these; empty: for any
+};
+/// Their number is quadratic in the number of tasks that want the same. If there are more than the limit, there is one
+/// more than that in the result: enough to know it.
+std::vector<PossibleTake> possible_takes(const Model& model, const Graph& graph, const TakeLimits& limits = {});
 
 /// Two entries that may be requested at once, a level of each, and a group that both may claim then.
 struct Rivalry {

@@ -7,6 +7,7 @@
 #include "compiler/cli/system/earlier_outputs.hpp"
 #include "compiler/emit/artefact/notice.hpp"
 #include "compiler/emit/graph/flaws.hpp"
+#include "compiler/emit/graph/focus.hpp"
 #include "compiler/emit/graph/formats.hpp"
 #include "compiler/page/facts.hpp"
 #include "compiler/play/moment.hpp"
@@ -22,6 +23,10 @@
 namespace director::compiler::cli {
 
 namespace {
+
+/// Limit for the arrows of --view=takes: tasks that all want the same have quadratically many. A real team's robot has
+/// thirty.
+constexpr std::size_t most_takes_drawn = 2'000;
 
 PictureOptions::View view_of(const std::string& name) {
   using View = PictureOptions::View;
@@ -59,8 +64,16 @@ std::optional<PictureOptions> options_of(const DrawGraph& request, const Subject
     return {};
   }
   if (!takes) return out;
-  out.take_overs = take_overs_of(subject.model, subject.graph);
-  return out;
+  const bool folds = out.fold != PictureOptions::Fold::nothing;
+  const std::size_t most = folds ? most_takes : most_takes_drawn;
+  out.take_overs =
+      take_overs_of(subject.model, subject.graph, {most, groups_in_focus(subject.model, subject.graph, out)});
+  if (out.take_overs.size() <= most) return out;
+  print_message(console,
+                fmt::format("directorc: --view=takes would draw more than {} pairs of tasks: draw fewer groups, "
+                            "with --focus and --depth{}\n",
+                            most, folds ? "" : ", or fewer boxes, with --collapse"));
+  return {};
 }
 
 std::optional<std::string> drawn(const Subject& subject, const dsl::Sources& sources, const DrawGraph& request,

@@ -215,6 +215,20 @@ groups: {Walk: {needs: [Legs]}, Swim: {needs: [Legs]}, Dive: {tasks: [Swim]}, Le
   CHECK(transitions["left_out"].is_null());
 }
 
+TEST_CASE("more takes than a page can hold are left out, and it is reported") {
+  std::string roots, groups;
+  for (std::size_t i = 0; i <= 200; ++i) {
+    roots += "  T" + std::to_string(i) + ": {priority: " + std::to_string(i) + "}\n";
+    groups += "  T" + std::to_string(i) + ": {needs: [Legs]}\n";
+  }
+  const compiler::Json all = facts("roots:\n" + roots + "groups:\n  Legs: {}\n" + groups);
+  CHECK(all["takes"].items().empty());
+  CHECK(all["takes_left_out"].as_text() ==
+        "What tasks may take from each other is not listed here, as there are more than 20000 pairs of them; "
+        "`directorc graph --view=takes --focus` draws it for the groups that are named.");
+  CHECK(facts("roots: [Walk]\ngroups: {Walk: {}}\n")["takes_left_out"].is_null());
+}
+
 TEST_CASE("each task of a long chain of promises pushes only what it waits for") {
   constexpr int length = 1'000;
   std::string states, roots, groups;

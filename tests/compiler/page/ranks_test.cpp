@@ -272,4 +272,19 @@ TEST_CASE("of more groups than a page can hold not every two are compared, and i
   CHECK(ranks["pairs"].items().empty());
 }
 
+TEST_CASE("of a group that very many request, they are not compared, and it is reported") {
+  std::string roots, groups;
+  for (std::size_t i = 0; i <= 200; ++i) {
+    roots += "  T" + std::to_string(i) + ": {priority: " + std::to_string(i) + "}\n";
+    groups += "  T" + std::to_string(i) + ": {needs: [Legs, " + (i < 2 ? "Head, " : "") + "Arms]}\n";
+  }
+  const Compiled c = compile("behaviour: many\nlanguage: 1\nroots:\n" + roots +
+                             "groups:\n  Legs: {}\n  Head: {}\n  Arms: {}\n" + groups);
+  const compiler::Json ranks = compiler::ranks_json(c.model);
+  CHECK(ranks["left_out"].as_text() ==
+        "The requesters of Legs and Arms are not compared with each other, as there would be more than 20000 pairs.");
+  REQUIRE(ranks["contended"].items().size() == 1);
+  CHECK(ranks["contended"].items().front()["group"].as_text() == "Head");
+}
+
 } // namespace director::tests

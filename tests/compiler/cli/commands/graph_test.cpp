@@ -42,6 +42,30 @@ TEST_CASE("the graph for Graphviz and for Mermaid, whole", "[golden]") {
   check_golden("tests/compiler/cli/commands/golden/walker.mmd", world.out);
 }
 
+/// Roots that all need one group, each with a priority of its own.
+std::string rivals(std::size_t count) {
+  std::string roots, groups;
+  for (std::size_t i = 0; i < count; ++i) {
+    roots += "  T" + std::to_string(i) + ": {priority: " + std::to_string(i) + "}\n";
+    groups += "  T" + std::to_string(i) + ": {needs: [Legs]}\n";
+  }
+  return "behaviour: many\nlanguage: 1\nroots:\n" + roots + "groups:\n  Legs: {}\n" + groups;
+}
+
+TEST_CASE("more takes than anybody can look at are not drawn, and what to do is said") {
+  World world;
+  world.files.add("few.yaml", rivals(63));
+  world.files.add("many.yaml", rivals(64));
+  CHECK(world.directorc({"graph", "few.yaml", "--view=takes"}) == 0);
+  CHECK(world.directorc({"graph", "many.yaml", "--view=takes"}) == 2);
+  CHECK(world.out.empty());
+  CHECK(world.err ==
+        "directorc: --view=takes would draw more than 2000 pairs of tasks: draw fewer groups, with --focus "
+        "and --depth, or fewer boxes, with --collapse\n");
+  CHECK(world.directorc({"graph", "many.yaml", "--view=takes", "--focus=T1", "--depth=1"}) == 0);
+  CHECK(world.directorc({"graph", "many.yaml", "--view=takes", "--collapse=module"}) == 0);
+}
+
 TEST_CASE("unknown names for a picture are reported with the known ones") {
   World world = walker();
   const auto told = [&](std::vector<std::string> words) {
