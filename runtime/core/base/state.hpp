@@ -55,7 +55,7 @@ inline constexpr std::uint8_t stale_matters = 4; ///< decisions of the last pass
 inline constexpr std::uint8_t passed = 16;       ///< it was decided in this micro-step
 inline constexpr std::uint8_t reordered = 32;    ///< the order of its edges of root may have changed
 inline constexpr std::uint8_t pushes = 64;       ///< with `passed`: it has pushes, or had them before
-inline constexpr std::uint8_t kept = stale_matters | reordered; ///< bits that stay when it need not be decided
+inline constexpr std::uint8_t kept = stale_matters | reordered;      ///< bits that stay when it need not be decided
 inline constexpr std::uint8_t listed = changed | unsettled | passed; ///< with any of them it is listed in State::work
 } // namespace work
 

@@ -143,8 +143,7 @@ TEST_CASE("a program may query the holder of a task, and why one does not run, a
   CHECK(std::string(courier::names::group(holding.group)) == "Deliver");
   CHECK(office.behaviour.holding<courier::Open>().by == Holding::By::nobody);
   char buffer[200];
-  CHECK(std::string(courier::names::why(office.behaviour.why<Deliver>(), buffer)) ==
-        "Deliver runs (root>Deliver)");
+  CHECK(std::string(courier::names::why(office.behaviour.why<Deliver>(), buffer)) == "Deliver runs (root>Deliver)");
   CHECK(office.behaviour.enable<Deliver::Default>(false));
   office.behaviour.step(0s);
   CHECK(std::string(courier::names::why(office.behaviour.why<Deliver>(), buffer)) ==
