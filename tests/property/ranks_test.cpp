@@ -92,7 +92,10 @@ private:
         std::mismatch(ours.edges.rbegin(), ours.edges.rend(), theirs.edges.rbegin(), theirs.edges.rend());
     if (a == ours.edges.rend() || b == theirs.edges.rend()) return std::nullopt;
     const auto optional = [&](EdgeId edge) { return level(edge).optional; };
-    return Fork{*a, *b, std::any_of(a, ours.edges.rend(), optional), std::any_of(b, theirs.edges.rend(), optional)};
+    // What is held as a need is not optional, even if it is requested as optional too; what that requests is.
+    const Snapshot::Group& held = now_->groups[target(theirs.edges.front()).value];
+    const auto end = theirs.edges.rend() - (held.needed && held.holder == theirs.edges.front() ? 1 : 0);
+    return Fork{*a, *b, std::any_of(a, ours.edges.rend(), optional), std::any_of(b, end, optional)};
   }
 
   /// `Kick (priority 20, optional)`, without the end about optional ones.
@@ -294,8 +297,16 @@ private:
       const std::optional<Fork> at = fork(chain(edge), theirs);
       if (!at) continue;
       ++seen_.rivals;
-      const std::set<std::string> all = sides(answer(g, g)["decisions"], *at);
-      const std::set<std::string> here = sides(rivalry(g, edge, *it.holder), *at);
+      // If some provider requests the group without needing it, the page has the optional standing.
+      Fork as_requested = *at;
+      as_requested.their_optional = at->their_optional || (it.needed && level(*it.holder).optional);
+      const auto sides_of = [&](const Json& codes, const Fork& one) {
+        std::set<std::string> out = sides(codes, one);
+        out.merge(sides(codes, as_requested));
+        return out;
+      };
+      const std::set<std::string> all = sides_of(answer(g, g)["decisions"], *at);
+      const std::set<std::string> here = sides_of(rivalry(g, edge, *it.holder), *at);
       seen_.equal += here.count("equal");
       if (here.empty() || !std::includes(all.begin(), all.end(), here.begin(), here.end()))
         wrong(fmt::format("{}: for {} and {} the page has: `{}`, and where the group is contended: `{}`", name(g),
@@ -305,7 +316,7 @@ private:
       const bool is_led = sure.starts_with("theirs! with");
       Fork as_needs = *at; // which is mandatory, whatever else is requested
       as_needs.their_optional = at->their_optional && !is_led;
-      if (sides(rivalry(g, edge, *it.holder), as_needs).count(sure) == 0 &&
+      if (sides_of(rivalry(g, edge, *it.holder), as_needs).count(sure) == 0 &&
           has_own_pack(model_.edges[at->ours].requester))
         wrong(fmt::format("{}: for {} and {} the page has: `{}`, and it is: {}", name(g), standing(at->ours),
                           standing(at->theirs), to_text(here), sure));
