@@ -104,6 +104,7 @@ void add_verdicts(const std::vector<Verdict>& verdicts, const Model& model, Tran
     const std::size_t from = place(assertion.groups[0].id), to = place(assertion.groups[1].id);
     if (from == matrix.rows.size() || to == matrix.rows.size()) continue;
     Transition& cell = matrix.rows[from].cells[to];
+    if (!cell.asserted.empty()) continue; // asserted twice
     cell.asserted = name_of(verdicts[i].kind);
     cell.words += fmt::format(" It is asserted that this is always soft: {}.", cell.asserted);
   }
@@ -157,8 +158,8 @@ void add_page_facts(Json& data, const Model& model, const Graph& graph, const st
   if (too_many) {
     data.add("takes_left_out",
              Json::text(fmt::format("What tasks may take from each other is not listed here, as there are more than {} "
-                                    "pairs of them; `directorc graph --view=takes --focus` draws it for the groups "
-                                    "that are named.",
+                                    "pairs of them; `directorc graph --view=takes --focus GROUP --depth 1` "
+                                    "draws those of a group.",
                                     most_takes)));
   }
   data.add("ranks", ranks_json(model));

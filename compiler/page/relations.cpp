@@ -49,14 +49,19 @@ private:
     std::set<std::string> reached;
     for (const Json& task : data_["roots"].items()) reached.insert(task["group"].as_text());
     if (reached.empty()) return;
-    const auto leads_to = [&](const std::vector<Mention>& mentions) {
-      return std::any_of(mentions.begin(), mentions.end(),
-                         [&](const Mention& mention) { return reached.contains(mention.group); });
-    };
-    for (std::size_t before = 0; before != reached.size();) {
-      before = reached.size();
-      for (const auto& [name, group] : out_.groups)
-        if (leads_to(group.requests) || leads_to(group.needs)) reached.insert(name);
+    std::map<std::string, std::vector<std::string>> below; // by requester
+    for (const auto& [name, group] : out_.groups) {
+      for (const std::vector<Mention>* all : {&group.requests, &group.needs}) {
+        for (const Mention& mention : *all) below[mention.group].push_back(name);
+      }
+    }
+    std::vector<std::string> open(reached.begin(), reached.end());
+    while (!open.empty()) {
+      const std::vector<std::string> next = std::move(below[open.back()]);
+      open.pop_back();
+      for (const std::string& name : next) {
+        if (reached.insert(name).second) open.push_back(name);
+      }
     }
     for (const Json& group : data_["groups"].items())
       if (const std::string& name = group["name"].as_text(); !reached.contains(name)) out_.unreached.push_back(name);

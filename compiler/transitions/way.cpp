@@ -17,7 +17,8 @@ namespace director::compiler::transitions {
 
 namespace {
 
-constexpr std::size_t most_ways = 32; ///< limit for the choices of providers that are tried for one group
+constexpr std::size_t most_steps = 1000; ///< limit for the beginnings of such choices
+constexpr std::size_t most_ways = 32;    ///< limit for the choices of providers that are tried for one group
 
 /// By group: its first requester, breadth first from the program.
 struct FirstRequest {
@@ -105,7 +106,7 @@ public:
       wanted_.clear();
       open_.clear();
       avoided_.clear();
-      tried_ = choices_ = 0;
+      tried_ = choices_ = steps_ = 0;
       bool possible = true;
       for (const Link& link : way.links) {
         possible = add(link.provider) && possible;
@@ -170,7 +171,7 @@ private:
 
   /// Every choice of providers for the open groups from this one on.
   void choose(std::size_t at) {
-    if (choices_ >= most_ways || strict_.size() >= most_outsides) return;
+    if (choices_ >= most_ways || strict_.size() >= most_outsides || ++steps_ > most_steps) return;
     while (at < open_.size() && model_.groups[open_[at]].providers.empty()) ++at;
     if (at == open_.size()) return keep();
     for (const ProviderId id : model_.groups[open_[at]].providers) {
@@ -251,7 +252,7 @@ private:
   std::vector<ProviderId> avoided_;
   std::vector<GroupId> open_;
   std::map<StateId, ValueSet> wanted_;
-  std::size_t tried_ = 0, choices_ = 0;
+  std::size_t tried_ = 0, choices_ = 0, steps_ = 0;
   std::vector<Outside> strict_; ///< no preferred provider would run
   std::vector<Outside> loose_;  ///< one would if its needs can be met
 };

@@ -2,9 +2,7 @@
 // The moment in words: which groups wait and why, which are pushed, which run and for which requester, and the values of the states.
 
 import { type Cursor, seconds } from './cursor';
-import type { Data } from './data';
 import { make, withPlace } from './elements';
-import { rulesBetween } from './pair';
 import type { Because, Source } from './recording';
 import type { Standing } from './standing';
 import { waitWords, words } from './standing_words';
@@ -15,7 +13,7 @@ export class Moment {
   readonly element = make('div', { id: 'moment', tabindex: '0', role: 'region', 'aria-label': 'The moment' });
   private asked = 0; // counts calls of show(): an answer that comes after the next call is not shown
 
-  constructor(private readonly source: Source, private readonly cursor: Cursor, private readonly order: number[], private readonly data: Data) {}
+  constructor(private readonly source: Source, private readonly cursor: Cursor, private readonly order: number[]) {}
 
   show(): void {
     ++this.asked;
@@ -72,9 +70,7 @@ export class Moment {
   private holderWords(edge: number, holder: number): string {
     const { names } = this.source.recording;
     if (holder < 0 || holder === edge) return '';
-    const [asker, other] = [edge, holder].map((each) => names.askerText(each));
-    const rules = rulesBetween(this.data, asker, other);
-    return `, as it runs for ${other}${rules.length === 0 ? '' : ` (${rules.join('; ')})`}`;
+    return `, as it runs for ${names.askerText(holder)}`;
   }
 
   private idle(group: number): HTMLElement {

@@ -10,14 +10,6 @@ function sideThatWins(decision: Decision, turned: boolean): string {
   return decision.goes_first === 'first' ? 'second' : 'first';
 }
 
-/** What decides between two groups, `Boss: Guard (priority 50) before Walk (priority 10)`; empty: nothing, or too much to be told in a line. */
-export function rulesBetween({ groups, ranks }: Data, first: string, second: string): string[] {
-  const [a, b] = [first, second].map((name) => groups.findIndex((group) => group.name === name));
-  if (!ranks || ranks.pairs.length === 0 || a < 0 || b < 0) return [];
-  const { decisions, more } = ranks.answers[ranks.pairs[Math.max(a, b)][Math.min(a, b)]];
-  return more || decisions.length > 3 ? [] : decisions.map((code) => ranks.decisions[Math.floor(code / 2)].words);
-}
-
 export class Pair {
   private readonly inputs = ['first', 'second'].map((id) =>
     make('input', { type: 'search', id: `pair-${id}`, list: 'pair-names', autocomplete: 'off', spellcheck: 'false' }),

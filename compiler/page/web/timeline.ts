@@ -66,7 +66,7 @@ export class Timeline {
     this.tracks = new Tracks(recording, this.view, (group, event) => this.why(group, event));
     this.filter = new Filter(recording, order, () => this.change());
     this.player = new Player(recording, this.cursor, () => (this.follow.checked = false));
-    this.moment = new Moment(source, this.cursor, order, data);
+    this.moment = new Moment(source, this.cursor, order);
     this.list = new EventList(recording, this.cursor, this.filter, () => this.leaveEnd());
     this.overview = new Overview(recording, this.view, this.cursor, () => this.leaveEnd(), () => this.change());
     this.marks = pictures.map((picture) => new PictureMarks(picture, recording, data, (group, event) => this.why(group, event)));

@@ -225,7 +225,7 @@ TEST_CASE("more takes than a page can hold are left out, and it is reported") {
   CHECK(all["takes"].items().empty());
   CHECK(all["takes_left_out"].as_text() ==
         "What tasks may take from each other is not listed here, as there are more than 20000 pairs of them; "
-        "`directorc graph --view=takes --focus` draws it for the groups that are named.");
+        "`directorc graph --view=takes --focus GROUP --depth 1` draws those of a group.");
   CHECK(facts("roots: [Walk]\ngroups: {Walk: {}}\n")["takes_left_out"].is_null());
 }
 
