@@ -48,11 +48,14 @@ public:
 
   std::vector<PossibleTake> takes(const TakeLimits& limits) {
     std::vector<PossibleTake> out;
-    const auto counts = [&](const Task& task) { return !limits.among || limits.among->contains(task.target); };
+    const auto counts = [&](GroupId taker, GroupId loser) {
+      return !limits.among || (limits.among->both.contains(taker) && limits.among->both.contains(loser)) ||
+             limits.among->either.contains(taker) || limits.among->either.contains(loser);
+    };
     std::map<std::pair<EdgeId, EdgeId>, std::size_t> places;
     for (const analysis::Together& together : together_) {
       for_each_pair(together, [&](const Task& taker, const Task& loser) {
-        if (out.size() > limits.most || !counts(taker) || !counts(loser)) return;
+        if (out.size() > limits.most || !counts(taker.target, loser.target)) return;
         any_rivalry(together, taker, loser, [&](const Rivalry& each) {
           if (!each.wins) return false;
           const auto [at, fresh] = places.try_emplace({taker.edge, loser.edge}, out.size());

@@ -69,8 +69,11 @@ struct PossibleTake {
   std::set<Winning> ranks;  ///< by which it may
 };
 struct TakeLimits {
+  struct Among {
+    IdSet<GroupId> both, either;
+  };
   std::size_t most = std::numeric_limits<std::size_t>::max();
-  std::optional<IdSet<GroupId>> among{}; ///< both tasks are for one of these; empty: for any
+  std::optional<Among> among{}; ///< both tasks are for a group of `both`, or one for one of `either`; empty: any tasks
 };
 /// Their number is quadratic in the number of tasks that want the same. If there are more than the limit, there is one
 /// more than that in the result: enough to know it.

@@ -66,8 +66,9 @@ std::optional<PictureOptions> options_of(const DrawGraph& request, const Subject
   if (!takes) return out;
   const bool folds = out.fold != PictureOptions::Fold::nothing;
   const std::size_t most = folds ? most_takes : most_takes_drawn;
-  out.take_overs =
-      take_overs_of(subject.model, subject.graph, {most, groups_in_focus(subject.model, subject.graph, out)});
+  const TakeLimits::Among among{groups_in_focus(subject.model, subject.graph, out),
+                                leading_to_focus(subject.model, subject.graph, out)};
+  out.take_overs = take_overs_of(subject.model, subject.graph, {most, among});
   if (out.take_overs.size() <= most) return out;
   print_message(console,
                 fmt::format("directorc: --view=takes would draw more than {} pairs of tasks: draw fewer groups, "

@@ -71,6 +71,13 @@ IdSet<GroupId> groups_in_focus(const Model& model, const Graph& graph, const Pic
   return out;
 }
 
+IdSet<GroupId> leading_to_focus(const Model& model, const Graph& graph, const PictureOptions& options) {
+  IdSet<GroupId> out(model.groups.size());
+  if (options.depth == std::size_t{0}) return out;
+  for (const Node node : within(reversed(graph.claims), options.focus, endless)) out.add(GroupId{node});
+  return out;
+}
+
 bool is_in_focus(GroupId taker, GroupId loser, const std::vector<bool>& over, const Graph& graph,
                  const PictureOptions& options) {
   if (options.depth == std::size_t{0}) return false;

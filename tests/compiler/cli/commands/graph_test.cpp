@@ -31,6 +31,24 @@ groups:
   return world;
 }
 
+TEST_CASE("a focus shows who takes from each other what its groups can hold, also if neither is in the focus") {
+  World world;
+  world.files.add("cheer.yaml", R"(behaviour: cheer
+language: 1
+roots: {Cheer: {priority: 10}, Player: {priority: 0}}
+groups:
+  Cheer: {tasks: [Arm]}
+  Player: {tasks: [Kick]}
+  Kick: {tasks: [Arm]}
+  Arm: {}
+)");
+  for (const char* const focus : {"--focus=Kick", "--focus=Arm"}) {
+    CAPTURE(focus);
+    CHECK(world.directorc({"graph", "cheer.yaml", "--view=takes", focus, "--depth=1"}) == 0);
+    CHECK(world.out.find("Cheer -> Player") != std::string::npos);
+  }
+}
+
 TEST_CASE("the graph for Graphviz and for Mermaid, whole", "[golden]") {
   World world = walker();
   REQUIRE(world.directorc({"graph", "walker.yaml"}) == 0);
