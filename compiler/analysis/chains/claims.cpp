@@ -70,7 +70,7 @@ Claims::Claims(const Branches& branches, GroupId task, const std::vector<GroupId
   std::deque<std::pair<GroupId, Reach>> open;
 
   // Breadth first: the first path to a group is a shortest one. A group whose region grows is visited again.
-  claims_[0].emplace(task, Claim{branches.grantable(task), 0, {}, false, {}, Reach::own});
+  claims_[0].emplace(task, Claim{branches.grantable(task), 0, {}, {}});
   open.emplace_back(task, Reach::own);
   bool ended = enough && enough(task, Reach::own, claims_[0].at(task));
   while (!open.empty() && !ended) {
@@ -83,21 +83,19 @@ Claims::Claims(const Branches& branches, GroupId task, const std::vector<GroupId
       region.meet(branch.region);
       region.meet(branches.grantable(branch.to));
       if (region.empty()) return;
+      const LastStep step{group, branch.by_need, branch.span, reach};
       const auto [at, is_new] = claims_[static_cast<std::size_t>(next)].try_emplace(branch.to);
       Claim& there = at->second;
-      if (is_new) {
-        there = Claim{std::move(region), here.steps + 1, group, branch.by_need, branch.span, reach, !branch.needed_too};
-        open.emplace_back(branch.to, next);
-        ended = ended || (there.holds && enough && enough(branch.to, next, there));
-        return;
-      }
-      const bool held = std::exchange(there.holds, there.holds || !branch.needed_too);
-      Region more = hull(there.region, region);
-      const bool grows = more.states != there.region.states;
-      if (!grows && held == there.holds) return;
+      if (is_new) there = Claim{{}, here.steps + 1, step, {}};
+      const bool is_held_now = !branch.needed_too && !there.held && there.steps > 0;
+      if (is_held_now) there.held = step;
+      Region more = is_new ? std::move(region) : hull(there.region, region);
+      const bool grows = is_new || more.states != there.region.states;
+      if (!grows && !is_held_now) return;
       there.region = std::move(more);
       if (grows) open.emplace_back(branch.to, next);
-      ended = ended || (there.holds && enough && enough(branch.to, next, there));
+      const bool is_held = there.held || there.steps == 0;
+      ended = ended || (is_held && enough && enough(branch.to, next, there));
     };
     for (const Branch& branch : branches.from(group)) {
       if (branch.to == group || std::find(without.begin(), without.end(), branch.to) != without.end()) continue;
@@ -118,10 +116,10 @@ std::vector<ChainStep> Claims::path(GroupId group, Reach reach) const {
   std::vector<ChainStep> out;
   // Ends at the task itself, even if needs lead back to it.
   for (const Claim* claim = on_path(group, reach); claim != nullptr && claim->steps > 0;) {
-    const GroupId from = claim->from;
-    out.push_back({from, group, claim->by_need, claim->span});
-    group = from;
-    claim = on_path(group, reach = claim->reach_from);
+    const LastStep& step = out.empty() && claim->held ? *claim->held : claim->last;
+    out.push_back({step.from, group, step.by_need, step.span});
+    group = step.from;
+    claim = on_path(group, step.reach_from);
   }
   std::reverse(out.begin(), out.end());
   return out;

@@ -23,14 +23,19 @@ enum class Reach {
 };
 inline constexpr Reach all_reaches[] = {Reach::own, Reach::mandatory, Reach::optional};
 
-struct Claim {
-  Region region;                 ///< under which it may happen
-  std::size_t steps = 0;         ///< on a shortest path; 0: the task's own
-  GroupId from{};                ///< the last step of that path
-  bool by_need = false;          ///< by a need of the group; else by a request
+/// The last step of a path.
+struct LastStep {
+  GroupId from{};
+  bool by_need = false;          ///< by a need of that group; else by a request
   Span span{};                   ///< where that is declared
-  Reach reach_from = Reach::own; ///< how it is reached
-  bool holds = true;             ///< false: it only leads on, by a request of a group that its requester needs anyway
+  Reach reach_from = Reach::own; ///< how that group is reached
+};
+
+struct Claim {
+  Region region;         ///< under which it may happen
+  std::size_t steps = 0; ///< on a shortest path; 0: the task's own
+  LastStep last; ///< of that path, which may only lead on: by a request of a group that its requester needs anyway
+  std::optional<LastStep> held; ///< of the first path by which it is held; empty: it only leads on
 };
 
 /// One edge down from a group, and the states with which it can be used.
@@ -72,7 +77,7 @@ public:
   /// Null: it never claims the group in this way.
   const Claim* find(GroupId group, Reach reach) const {
     const Claim* out = on_path(group, reach);
-    return out != nullptr && out->holds ? out : nullptr;
+    return out != nullptr && (out->steps == 0 || out->held) ? out : nullptr;
   }
   /// Also one that only leads on.
   const Claim* on_path(GroupId group, Reach reach) const {
@@ -85,7 +90,7 @@ public:
   bool contains(GroupId group) const { return std::binary_search(groups_.begin(), groups_.end(), group); }
   /// How many edges were followed.
   std::size_t effort() const { return effort_; }
-  /// A shortest path to the group; empty for the task's own.
+  /// A shortest path to the group, of those by which it is held; empty for the task's own.
   std::vector<ChainStep> path(GroupId group, Reach reach) const;
   /// The same by the first reach in which it claims the group; empty if there is none.
   std::vector<ChainStep> path(GroupId group) const;
