@@ -242,6 +242,8 @@ private:
     shared_.chains().visit(wanting.task, {pushed}, [&, &at = below](const Meeting& other, GroupId) {
       one_side = one_side || (other.first == at.first && other.second == at.second);
     });
+    const bool differ = std::any_of(pushes.begin() + 1, pushes.end(),
+                                    [&](const Inversion& each) { return each.between.holder.group != holder.group; });
     const std::string task = name_of(model_, wanting.task), between = name_of(model_, holder.group);
     const std::string what = part == need.id ? "that" : name_of(model_, part);
     const std::string holds = holder.provider ? fmt::format("{} may hold {}", between, what)
@@ -269,6 +271,13 @@ private:
                        name_of(model_, other.want->waiter), name_of(model_, other.want->condition.id),
                        name_of(model_, other.between.holder.group), name_of(model_, other.wanting->task),
                        name_of(model_, pushed))});
+    }
+    if (differ && !one_side) {
+      finding.help = fmt::format(
+          "let {} do without {}; or order them anew: first all tasks that push it, then {}, then "
+          "what may hold {}",
+          name_of(model_, causer), name_of(model_, need.id), name_of(model_, pushed), name_of(model_, part));
+      return;
     }
     finding.help =
         one_side
