@@ -68,9 +68,10 @@ public:
     return true;
   }
 
-  template <class Task, class... More>
-  bool request(Kept<Task>, More...) const {
-    static_assert(sizeof(Task) == 0, "keep() is for bodies: a request from outside is always a new one");
+  template <class Asked, class... More>
+  requires is_kept<Asked>
+  bool request(Asked, More...) const {
+    static_assert(sizeof(Asked) == 0, "keep() is for bodies: a request from outside is always a new one");
     return false;
   }
 

@@ -54,6 +54,11 @@ template <class T>
 struct Kept {
   T task; ///< requested if there is nothing to keep
 };
+/// Whether it is Kept.
+template <class>
+inline constexpr bool is_kept = false;
+template <class T>
+inline constexpr bool is_kept<Kept<T>> = true;
 
 namespace detail {
 

@@ -49,13 +49,13 @@ Index Inbox::reserve(Index slot) {
 void Inbox::publish(Index slot, const OverflowSlot::Note& note) {
   const auto place = static_cast<Index>(note.input.handle - waiting_requests);
   slots_[slot].notes[place] = note;
-  const auto published = [&](std::uint32_t now) {
-    return OverflowSlot::any_published(now) ? now : OverflowSlot::with(now, place, PlaceState::published);
-  };
-  while (OverflowSlot::any_published(change(slots_[slot].states, published))) { // the later one counts
-    const Index last = move(slots_[slot], PlaceState::published, PlaceState::filling);
-    if (last != nil) lose(slots_[slot], last);
-  }
+  Index last = nil;
+  change(slots_[slot].states, [&](std::uint32_t now) { // at once: the reader always finds one of the two
+    last = OverflowSlot::find(now, PlaceState::published);
+    if (last != nil) now = OverflowSlot::with(now, last, PlaceState::filling);
+    return OverflowSlot::with(now, place, PlaceState::published);
+  });
+  if (last != nil) lose(slots_[slot], last); // the later one counts
   unseen_.store(1, std::memory_order_release);
 }
 

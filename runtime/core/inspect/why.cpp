@@ -79,7 +79,8 @@ private:
 
   /// The edge with which the holder got its group: the one that it is a need of, or itself.
   Index granted_with(Index holder) const {
-    while (!v_.is_limbo(holder) && v_.holder(target(holder)) == holder && v_.assignment[target(holder)].needed())
+    while (!v_.is_limbo(holder) && v_.holder(target(holder)) == holder && v_.assignment[target(holder)].needed() &&
+           above(holder) != nil) // nil: only in a crafted state that was loaded
       holder = above(holder);
     return holder;
   }

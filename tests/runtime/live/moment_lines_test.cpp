@@ -110,5 +110,5 @@ TEST_CASE("the answer of why has the value of the state in a false condition, an
       R"({"group":"Open","kind":"condition","text":"Open waits (Deliver>Open): until Door == open, which no enabled provider promises","notes":["Door is shut","Open.unlocking could cause it, and is disabled"]})");
   CHECK(
       why("Walk") ==
-      R"({"group":"Walk","kind":"running","text":"Walk runs (Rest>Walk)","notes":["it runs for Rest, priority 0, that for the program, priority 1"]})");
+      R"!({"group":"Walk","kind":"running","text":"Walk runs (Rest>Walk)","notes":["it runs for Rest, priority 0, that for the program, priority 1"]})!");
 }
