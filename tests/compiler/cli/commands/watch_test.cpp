@@ -184,8 +184,8 @@ TEST_CASE("scenarios of a folder are played again: one that changes, its behavio
   };
   folder.write("tests/a.scenario.yaml", scenario("      run Walk new_task\n      run Legs new_task\n"));
   RunningProgram program({"directorc", "test", "--watch", "tests"}, folder.path());
-  const std::string two = "2 files and 1 folder", three = "3 files and 1 folder";
-  CHECK(next_run(program) == run_of("", "holds tests/a.scenario.yaml\n", 0, two));
+  const std::string two_files = "2 files and 1 folder", three_files = "3 files and 1 folder";
+  CHECK(next_run(program) == run_of("", "holds tests/a.scenario.yaml\n", 0, two_files));
   folder.write("tests/deep/b.scenario.yaml",
                "behaviour: ../../robot.yaml\nsteps:\n  - request: Walk\n    expect: run Legs new_task\n");
   const std::string b_fails = next_run(program);
@@ -197,7 +197,8 @@ TEST_CASE("scenarios of a folder are played again: one that changes, its behavio
   folder.write("robot.yaml", robot("Legs") + "  Arms: {}\n");
   CHECK(next_run(program).starts_with("== TIME robot.yaml has changed\nholds tests/a.scenario.yaml\n"));
   fs::remove(folder.path("tests/deep/b.scenario.yaml"));
-  CHECK(next_run(program) == run_of(" tests/deep/b.scenario.yaml is gone", "holds tests/a.scenario.yaml\n", 0, two));
+  CHECK(next_run(program) ==
+        run_of(" tests/deep/b.scenario.yaml is gone", "holds tests/a.scenario.yaml\n", 0, two_files));
   folder.write("tests/a.scenario.yaml", scenario("      run Legs new_task\n"));
   CHECK(next_run(program).starts_with("== TIME tests/a.scenario.yaml has changed\nfails tests/a.scenario.yaml\n"));
 }
