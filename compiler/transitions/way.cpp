@@ -113,6 +113,9 @@ public:
         if (with_units) add_unit(link);
       }
       possible = add(way.runs) && possible;
+      // What one provider requires holds in every choice: it is required before there is a choice.
+      std::stable_partition(open_.begin(), open_.end(),
+                            [&](GroupId group) { return model_.groups[group].providers.size() <= 1; });
       if (possible) choose(0);
     }
     std::vector<Outside> out = std::move(strict_);

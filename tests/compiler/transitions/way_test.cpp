@@ -44,6 +44,19 @@ groups:
              "Walk") == std::vector<std::string>{"Short > Walk", "Long > Middle > Walk", "Other > Walk"});
 }
 
+TEST_CASE("what a task with one provider requires is required before others choose") {
+  std::string states = "states:\n", pack = "T", groups = "  T: {tasks: [B]}\n  B: {}\n";
+  for (int i = 0; i < 12; ++i) {
+    const std::string n = std::to_string(i);
+    states += "  S" + n + ": {values: [a, b], initial: a, external: true}\n";
+    pack += ", A" + n;
+    groups += "  A" + n + ": {providers: [{name: u, when: [S" + n + " == a]}, {name: v, when: [S" + n + " == b]}]}\n";
+  }
+  const std::string behaviour =
+      states + "roots: [R]\ngroups:\n  R: {packs: {go: [" + pack + ", Z]}}\n" + groups + "  Z: {when: [S0 == b]}\n";
+  CHECK(ways(behaviour, "T") == std::vector<std::string>{"R > T: S0 b"});
+}
+
 TEST_CASE("a preferred provider that does not lead there is kept from running by a value that it refuses") {
   CHECK(ways(R"(states: {Ball: {values: [near, far, lost], initial: near, external: true}}
 roots: [Play]
