@@ -45,7 +45,7 @@ groups:
   for (const char* const focus : {"--focus=Kick", "--focus=Arm"}) {
     CAPTURE(focus);
     CHECK(world.directorc({"graph", "cheer.yaml", "--view=takes", focus, "--depth=1"}) == 0);
-    CHECK(world.out.find("Cheer -> Player") != std::string::npos);
+    CHECK(world.out.find(R"("Cheer" -> "Player")") != std::string::npos);
   }
 }
 

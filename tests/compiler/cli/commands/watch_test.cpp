@@ -184,7 +184,7 @@ TEST_CASE("scenarios of a folder are played again: one that changes, its behavio
   };
   folder.write("tests/a.scenario.yaml", scenario("      run Walk new_task\n      run Legs new_task\n"));
   RunningProgram program({"directorc", "test", "--watch", "tests"}, folder.path());
-  const std::string two_files = "2 files and 1 folder", three_files = "3 files and 1 folder";
+  const std::string two_files = "2 files and 1 folder";
   CHECK(next_run(program) == run_of("", "holds tests/a.scenario.yaml\n", 0, two_files));
   folder.write("tests/deep/b.scenario.yaml",
                "behaviour: ../../robot.yaml\nsteps:\n  - request: Walk\n    expect: run Legs new_task\n");
