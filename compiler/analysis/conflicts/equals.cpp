@@ -21,18 +21,25 @@ namespace {
 /// with another one of its priority: for a chain of groups they would hold everything below each of them.
 class Claimants {
 public:
-  Claimants(const Input& input, Overlaps& overlaps, const std::vector<Task>& tasks)
-      : stakes_(tasks.size()),
-        added_for_(tasks.size(), 0) {
+  Claimants(const Input& input, Overlaps& overlaps, const Together& together)
+      : stakes_(together.tasks->size()),
+        added_for_(together.tasks->size(), 0) {
+    const std::vector<Task>& tasks = *together.tasks;
     if (tasks.size() < 2) return;
     const std::vector<std::vector<std::int32_t>> priorities = overlaps.priorities(tasks);
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       if (priorities[i].empty()) continue;
-      for (const GroupId group : input.shared.claims(tasks[i].target).groups()) {
+      const bool in_unit = together.provider && is_always_in_unit(input.model, tasks[i]);
+      const Claims& claims = input.shared.claims(tasks[i].target);
+      for (const GroupId group : claims.groups()) {
+        const bool by_request =
+            claims.find(group, Reach::mandatory) != nullptr || claims.find(group, Reach::optional) != nullptr;
         for (const std::int32_t priority : priorities[i]) {
-          std::vector<std::size_t>& all = claimed_by_[{group, priority}];
-          all.push_back(i);
-          stakes_[i].push_back(&all);
+          Claimed& by = claimed_by_[{group, priority}];
+          by.all.push_back(i);
+          if (!in_unit || by_request) by.contested.push_back(i);
+          if (!in_unit) by.outside.push_back(i);
+          stakes_[i].push_back(!in_unit ? &by.all : by_request ? &by.contested : &by.outside);
         }
       }
     }
@@ -44,8 +51,9 @@ public:
     std::vector<std::size_t> out;
     for (const std::vector<std::size_t>* all : stakes_[entry]) {
       if (out.size() == entry) break;
-      for (auto at = all->begin(); *at < entry; ++at) { // `entry` is one of them
-        if (std::exchange(added_for_[*at], entry) != entry) out.push_back(*at);
+      for (const std::size_t each : *all) {
+        if (each >= entry) break;
+        if (std::exchange(added_for_[each], entry) != entry) out.push_back(each);
       }
     }
     std::sort(out.begin(), out.end());
@@ -53,7 +61,21 @@ public:
   }
 
 private:
-  std::map<Stake, std::vector<std::size_t>> claimed_by_;
+  /// What a member of a unit holds from the beginning is no contest with other members (have_equal_rank): so an entry
+  /// is compared with all others only if it is outside the unit.
+  struct Claimed {
+    std::vector<std::size_t> all;
+    std::vector<std::size_t> contested; ///< outside the unit, or members that request it further down
+    std::vector<std::size_t> outside;
+  };
+
+  static bool is_always_in_unit(const Model& model, const Task& task) {
+    return std::all_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
+      return model.edges[task.edge].levels[named.level].shares_unit();
+    });
+  }
+
+  std::map<Stake, Claimed> claimed_by_;
   std::vector<std::vector<const std::vector<std::size_t>*>> stakes_; ///< of each entry
   std::vector<std::size_t>
       added_for_; ///< the entry for whose list each was added last; never the first one, which has none before it
@@ -109,7 +131,7 @@ std::vector<EqualList> find_equals(const Input& input) {
   std::vector<EqualList> out;
   for (const Together& together : input.shared.chains().together()) {
     const std::vector<Task>& tasks = *together.tasks;
-    Claimants claimants(input, overlaps, tasks);
+    Claimants claimants(input, overlaps, together);
     ReportedPairs<Stake> reported(tasks.size()), reported_by_others(tasks.size());
     EqualList list{&together, {}};
     for (std::size_t j = 1; j < tasks.size(); ++j) {

@@ -68,6 +68,7 @@ public:
     return true;
   }
 
+  /// Refuses keep(), with a message that says why.
   template <class Asked, class... More>
   requires is_kept<Asked>
   bool request(Asked, More...) const {

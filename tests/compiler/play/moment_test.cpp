@@ -65,26 +65,6 @@ TEST_CASE("a moment at a time is within the step that passes it") {
   CHECK_FALSE(has("pushed to"));
 }
 
-TEST_CASE("a push that is not in force is not shown, though its provider is active") {
-  World world;
-  world.files.add("rover.yaml", R"(behaviour: rover
-language: 1
-states:
-  Motion: {values: [still, rolling], initial: rolling}
-  Ground: {values: [flat, rough], initial: flat, external: true}
-roots: {Drive: {priority: {calm: 0, eager: 50}}, Photograph: {priority: 20}}
-groups:
-  Photograph: {when: [Motion == still]}
-  Drive: {providers: [{name: rolling, when: [Ground == flat]}, {name: braking, causing: [Motion == still]}]}
-)");
-  world.files.add("s.yaml", "behaviour: rover.yaml\nsteps: [{request: Drive}, {request: Photograph}, {inputs: "
-                            "[{set: {Ground: rough}}, {request: {Drive: {level: eager}}}]}]\n");
-  REQUIRE(world.directorc({"graph", "s.yaml", "--step=2"}) == 0);
-  CHECK(world.out.find("pushed to braking for Photograph") != std::string::npos);
-  REQUIRE(world.directorc({"graph", "s.yaml", "--step=3"}) == 0);
-  CHECK(world.out.find("pushed to") == std::string::npos);
-}
-
 TEST_CASE("frames are a file for each step") {
   World world = photographer();
   REQUIRE(world.directorc({"graph", "s.yaml", "--frames", "-o", "out", "--format=mermaid"}) == 0);
