@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 # end.sh SIGNAL PROGRAM OUTPUT: starts the program, with its output in the file OUTPUT, and sends it the signal when it has printed "walks". The
 # program must print "stops" and end with exit status 0.
-"$2" >"$3" &
+: >"$3" # what an earlier run printed must not count
+"$2" >>"$3" &
 program=$!
 turns=0
 until grep -q walks "$3" || [ $turns -eq 600 ]; do
