@@ -17,8 +17,8 @@ namespace director::compiler::transitions {
 
 namespace {
 
-constexpr std::size_t most_steps = 1000; ///< limit for the beginnings of such choices
 constexpr std::size_t most_ways = 32;    ///< limit for the choices of providers that are tried for one group
+constexpr std::size_t most_steps = 1000; ///< limit for the beginnings of such choices
 
 /// By group: its first requester, breadth first from the program.
 struct FirstRequest {

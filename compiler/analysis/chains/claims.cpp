@@ -70,7 +70,7 @@ Claims::Claims(const Branches& branches, GroupId task, const std::vector<GroupId
   std::deque<std::pair<GroupId, Reach>> open;
 
   // Breadth first: the first path to a group is a shortest one. A group whose region grows is visited again.
-  claims_[0].emplace(task, Claim{branches.grantable(task), 0, {}, {}});
+  claims_[0].emplace(task, Claim{branches.grantable(task), 0, {}, LastStep{}});
   open.emplace_back(task, Reach::own);
   bool ended = enough && enough(task, Reach::own, claims_[0].at(task));
   while (!open.empty() && !ended) {
@@ -83,19 +83,18 @@ Claims::Claims(const Branches& branches, GroupId task, const std::vector<GroupId
       region.meet(branch.region);
       region.meet(branches.grantable(branch.to));
       if (region.empty()) return;
-      const LastStep step{group, branch.by_need, branch.span, reach};
+      const LastStep last{{group, branch.to, branch.by_need, branch.span}, reach};
       const auto [at, is_new] = claims_[static_cast<std::size_t>(next)].try_emplace(branch.to);
       Claim& there = at->second;
-      if (is_new) there = Claim{{}, here.steps + 1, step, {}};
-      const bool is_held_now = !branch.needed_too && !there.held && there.steps > 0;
-      if (is_held_now) there.held = step;
+      if (is_new) there = Claim{{}, here.steps + 1, last, {}};
+      const bool is_held_now = !branch.needed_too && !there.held;
+      if (is_held_now) there.held = last;
       Region more = is_new ? std::move(region) : hull(there.region, region);
       const bool grows = is_new || more.states != there.region.states;
       if (!grows && !is_held_now) return;
       there.region = std::move(more);
       if (grows) open.emplace_back(branch.to, next);
-      const bool is_held = there.held || there.steps == 0;
-      ended = ended || (is_held && enough && enough(branch.to, next, there));
+      ended = ended || (there.held && enough && enough(branch.to, next, there));
     };
     for (const Branch& branch : branches.from(group)) {
       if (branch.to == group || std::find(without.begin(), without.end(), branch.to) != without.end()) continue;
@@ -116,10 +115,9 @@ std::vector<ChainStep> Claims::path(GroupId group, Reach reach) const {
   std::vector<ChainStep> out;
   // Ends at the task itself, even if needs lead back to it.
   for (const Claim* claim = on_path(group, reach); claim != nullptr && claim->steps > 0;) {
-    const LastStep& step = out.empty() && claim->held ? *claim->held : claim->last;
-    out.push_back({step.from, group, step.by_need, step.span});
-    group = step.from;
-    claim = on_path(group, step.reach_from);
+    const auto& [step, reach_from] = out.empty() && claim->held ? *claim->held : claim->last;
+    out.push_back(step);
+    claim = on_path(step.from, reach_from);
   }
   std::reverse(out.begin(), out.end());
   return out;

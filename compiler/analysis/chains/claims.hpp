@@ -23,12 +23,10 @@ enum class Reach {
 };
 inline constexpr Reach all_reaches[] = {Reach::own, Reach::mandatory, Reach::optional};
 
-/// The last step of a path.
+/// The last step of a path, and how the group is reached from which it leads.
 struct LastStep {
-  GroupId from{};
-  bool by_need = false;          ///< by a need of that group; else by a request
-  Span span{};                   ///< where that is declared
-  Reach reach_from = Reach::own; ///< how that group is reached
+  ChainStep step;
+  Reach reach_from = Reach::own;
 };
 
 struct Claim {
@@ -77,7 +75,7 @@ public:
   /// Null: it never claims the group in this way.
   const Claim* find(GroupId group, Reach reach) const {
     const Claim* out = on_path(group, reach);
-    return out != nullptr && (out->steps == 0 || out->held) ? out : nullptr;
+    return out != nullptr && out->held ? out : nullptr;
   }
   /// Also one that only leads on.
   const Claim* on_path(GroupId group, Reach reach) const {

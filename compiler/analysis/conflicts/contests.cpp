@@ -67,20 +67,20 @@ bool Contests::match(const Meeting& meeting, const Side& first, const Side& seco
 /// has it. A task above it waits for its own conditions by itself, and not for the group.
 std::optional<Unpushed> Contests::find_unpushed(GroupId group, const Side& waiting, const Region& other) const {
   const Claim* claim = waiting.claim;
-  LastStep step = claim->held.value_or(claim->last);
-  while (claim->steps > 0 && step.by_need) {
-    group = step.from;
-    claim = waiting.claims.on_path(group, step.reach_from);
-    step = claim->last;
+  LastStep last = claim->held.value_or(claim->last);
+  while (claim->steps > 0 && last.step.by_need) {
+    group = last.step.from;
+    claim = waiting.claims.on_path(group, last.reach_from);
+    last = claim->last;
   }
   const std::vector<const Want*> wants = shared_.wants_of(group);
   if (wants.empty()) return std::nullopt;
   if (claim->steps > 0) {
-    const std::vector<Branch>& branches = shared_.branches().from(step.from);
+    const std::vector<Branch>& branches = shared_.branches().from(last.step.from);
     const bool requested = std::any_of(branches.begin(), branches.end(), [&](const Branch& branch) {
       return branch.to == group && !branch.by_need && compatible(branch.region, other);
     });
-    if (!requested || !compatible(waiting.claims.on_path(step.from, step.reach_from)->region, other))
+    if (!requested || !compatible(waiting.claims.on_path(last.step.from, last.reach_from)->region, other))
       return std::nullopt;
   }
   std::optional<Unpushed> out;
@@ -180,7 +180,7 @@ bool Contests::find_paths(const Meeting& meeting, Contest& contest, Lookups& loo
   const Claims& first = claims(meeting, *meeting.first);
   const Claim* ours = first.find(contest.group, contest.first);
   const LastStep last = ours->held.value_or(ours->last);
-  Above& known = lookups[{ours->steps > 0, last.from, last.reach_from}];
+  Above& known = lookups[{ours->steps > 0, last.step.from, last.reach_from}];
   ++effort_;
   if (known.leads_through) return false;
   const auto serves = [&](GroupId group, Reach reach, const Claim& claim) {
