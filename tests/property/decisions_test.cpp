@@ -69,7 +69,7 @@ TEST_CASE("every decision is among its possible results") {
       if (found.decided.contains(model.providers[push.first].group) && !found.pushed.contains(push))
         report(model.full_name(push.first) + " is pushed for " + model.conditions[push.second].text);
     }
-    if (!wrong.empty()) std::cout << wrong;
+    if (!wrong.empty()) std::cout << wrong << text;
     CHECK(wrong == "");
   }
   std::cout << explored << " explored, " << states << " states; decided " << decided << ", " << moments << " moments, "

@@ -86,37 +86,55 @@ std::optional<Packmate> Packmates::find_mate(GroupId requester, const Rival& riv
                                              const PackEntry& entry) {
   const Task &by = *rival.task, &over = *entry.task;
   const bool before = takers_.always_before(by, over);
-  const bool first = before || takers_.always_first_of_equals(requester, by, over);
-  // Of two equals that are requested together both are granted before anything below one of them is tried. Not during a
-  // hand-over of the requester: then nothing is held for it, and the one that was requested first goes first with
-  // everything below it.
-  const bool together = !first && by.edge != over.edge && takers_.always_beside(requester, by, over) &&
-                        !takers_.may_change_hands(requester);
-  const Beside beside{requester, rival.unit, &by, &over, together};
+  const bool first = is_first(requester, by, over);
+  const bool together = beside(requester, *rival.unit, by, over).is_before_below;
   Packmate out{
       {before ? Taker::Kind::before : Taker::Kind::unit, group, {}, &by, &over, {}, {}, true}, rival.unit, false, true};
   if (is_in(*rival.unit, &over)) {
     if (!rival.always) return std::nullopt;
-    out.taker.steady = takers_.is_unconditional(by.target) && takers_.takes(requester, *rival.unit).disputed.empty() &&
-                       spoilers(beside).of(input_.shared.units().needed(by.target)).empty();
+    out.taker.steady =
+        takers_.is_unconditional(by.target) && takers_.takes(requester, *rival.unit).disputed.empty() &&
+        spoilers(beside(requester, *rival.unit, by, over)).of(input_.shared.units().needed(by.target)).empty();
     if (!out.taker.steady) out.taker.kind = Taker::Kind::unit; // then the others wait with it
     return out;
   }
   out.from_below = first || together;
   // A unit is tried at the position of its first member.
-  out.from_entry =
-      first &&
-      (entry.company == nullptr || std::all_of(entry.company->begin(), entry.company->end(), [&](const Task* each) {
-         return takers_.always_before(by, *each) || takers_.always_first_of_equals(requester, by, *each);
-       }));
+  out.from_entry = first && (entry.company == nullptr ||
+                             std::all_of(entry.company->begin(), entry.company->end(),
+                                         [&](const Task* each) { return is_first(requester, by, *each); }));
   if (!rival.at_first || (!first && !together && !takers_.is_mandatory(over))) return std::nullopt;
   // It waits until the task that goes before it has run, and then for its requester if that is stale by then: meanwhile
   // what the first one requested may be granted.
   if (!out.from_below && takers_.may_get_new_orders(requester)) return std::nullopt;
   out.taker.kind = Taker::Kind::before;
-  const UnitTakes& takes = takers_.takes(requester, *rival.unit);
-  out.taker.spoilers = joined(spoilers(beside).of(takes.maybe), in_common(takes.maybe, takes.disputed));
+  out.taker.spoilers = spoilers_of(requester, rival, over);
   out.taker.steady = out.taker.spoilers.empty() && takers_.is_unconditional(by.target);
+  return out;
+}
+
+bool Packmates::is_first(GroupId requester, const Task& by, const Task& over) const {
+  return takers_.always_before(by, over) || takers_.always_first_of_equals(requester, by, over);
+}
+
+Beside Packmates::beside(GroupId requester, const Unit& unit, const Task& by, const Task& over) const {
+  // Of two equals that are requested together both are granted before anything below one of them is tried. Not during a
+  // hand-over of the requester: then nothing is held for it, and the one that was requested first goes first with
+  // everything below it.
+  const bool is_before_below = !is_first(requester, by, over) && by.edge != over.edge &&
+                               takers_.always_beside(requester, by, over) && !takers_.may_change_hands(requester);
+  return {requester, &unit, &by, &over, is_before_below};
+}
+
+/// What others may withhold from any member of the unit: then all its members wait.
+Groups Packmates::spoilers_of(GroupId requester, const Rival& rival, const Task& over) {
+  const UnitTakes& takes = takers_.takes(requester, *rival.unit);
+  Groups out;
+  for (std::size_t i = 0; i < rival.unit->size(); ++i) {
+    const Groups& taken = takes.maybe[i];
+    out = joined(out, joined(spoilers(beside(requester, *rival.unit, *(*rival.unit)[i], over)).of(taken),
+                             in_common(taken, takes.disputed)));
+  }
   return out;
 }
 

@@ -49,6 +49,9 @@ private:
   void add_rivals(GroupId requester, const Unit& unit, bool is_all, ByTaken& to);
   void add_mates(GroupId requester, const ByTaken& by_taken, PackEntry& entry);
   std::optional<Packmate> find_mate(GroupId requester, const Rival& rival, GroupId group, const PackEntry& entry);
+  bool is_first(GroupId requester, const Task& by, const Task& over) const;
+  Beside beside(GroupId requester, const Unit& unit, const Task& by, const Task& over) const;
+  Groups spoilers_of(GroupId requester, const Rival& rival, const Task& over);
   const Spoilers& spoilers(const Beside& beside);
 
   const Input& input_;

@@ -196,10 +196,10 @@ const UnitTakes& Takers::takes(GroupId requester, const Unit& unit) {
   if (is_pushed && first_ones) first_ones = has_all ? std::optional(ways.size()) : std::nullopt;
   if (first_ones) {
     out.at_first = common(*first_ones);
+    out.maybe.resize(members.size());
     for (std::size_t way = 0; way < *first_ones; ++way) {
-      for (const Groups& groups : ways[way]) out.maybe.insert(out.maybe.end(), groups.begin(), groups.end());
+      for (std::size_t i = 0; i < members.size(); ++i) out.maybe[i] = joined(out.maybe[i], ways[way][i]);
     }
-    sort_out(out.maybe);
   }
   out.disputed = find_disputed(requester, unit);
   return takes_[{requester, unit.front()}] = std::move(out);

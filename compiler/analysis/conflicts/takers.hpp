@@ -50,7 +50,7 @@ struct UnitTakes {
   std::vector<Groups> always; ///< by each member, with every way to grant the unit
   /// The same if nothing else is held: then it never has to wait. Empty: it may.
   std::vector<Groups> at_first;
-  Groups maybe; ///< all of them together, in these ways
+  std::vector<Groups> maybe; ///< by each member in one of these ways; empty as `at_first` is
   /// Groups that one member takes and another member's tasks may hold at equal rank, from a time when that member was
   /// requested without the first: equals take nothing from each other.
   Groups disputed;

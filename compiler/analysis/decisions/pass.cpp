@@ -148,6 +148,10 @@ bool Pass::denied_in_vain() {
 
 bool Pass::alone(Row edge) const { return requester(edge) == nothing || !level(edge).shares_unit(); }
 
+bool Pass::shares_unit(Row edge, Row other) const {
+  return edge == other || (!alone(edge) && !alone(other) && requester(edge) == requester(other));
+}
+
 bool Pass::stale(Row group) const {
   for (;;) {
     const Row holder = now_.by[group];
@@ -168,8 +172,8 @@ bool Pass::granted_before(Row edge) const {
   return last_.by[group] == edge && last_.has(group, Moment::granted);
 }
 
-/// Picks one of the candidates that no other goes before: the order of their requests is unknown. If their possible
-/// claims have nothing in common, the order is irrelevant.
+/// Picks one of the candidates that no other goes before: the order of their requests is unknown. It is irrelevant for
+/// one that has no possible claims in common with any candidate that may be taken before it.
 Row Pass::first_candidate() {
   Few<Chain, Component::most_edges> all;
   for (const Row edge : each(candidates_)) all.push_back(claimed(edge));
@@ -179,23 +183,22 @@ Row Pass::first_candidate() {
     const bool is_first = std::none_of(
         all.begin(), all.end(), [&](const Chain& other) { return other.edge() != edge && before(other, chain); });
     if (!is_first) continue;
-    const bool same_unit = !alone(edge) && std::any_of(first.begin(), first.end(), [&](Row other) {
-      return !alone(other) && requester(other) == requester(edge);
-    });
-    if (!same_unit) first.push_back(edge);
+    const bool is_known = std::any_of(first.begin(), first.end(), [&](Row other) { return shares_unit(edge, other); });
+    if (!is_known) first.push_back(edge);
   }
   if (first.empty()) return all.front().edge(); // "equal" is not transitive; this cannot happen
   const auto below = [&](Row edge) {            // with its unit
     Rows out = 0;
     for (const Row other : each(candidates_)) {
-      if (other == edge || (!alone(edge) && !alone(other) && requester(edge) == requester(other)))
-        out |= part_.groups[part_.edges[other].target].below;
+      if (shares_unit(edge, other)) out |= part_.groups[part_.edges[other].target].below;
     }
     return out;
   };
   for (const Row edge : first) {
-    const bool apart = std::all_of(first.begin(), first.end(),
-                                   [&](Row other) { return other == edge || (below(edge) & below(other)) == 0; });
+    const bool apart = std::all_of(all.begin(), all.end(), [&](const Chain& other) {
+      return shares_unit(edge, other.edge()) || (below(edge) & below(other.edge())) == 0 ||
+             before(claimed(edge), other);
+    });
     if (apart) return edge;
   }
   return first[picks_.pick(first.size())];
@@ -347,14 +350,18 @@ bool Pass::hand_over() {
     }
     if (first.empty()) return true;
     if (is_known()) return false;
+    // The order is irrelevant if no other one that may be tried before it may want anything in common with it.
+    const auto competes = [&](Row one) {
+      if (now_.by[one] != nothing) return false;
+      for (const Row other : each(open_)) {
+        if (other != one && now_.by[other] == nothing && (part_.groups[one].below & part_.groups[other].below) != 0 &&
+            !before(last_holders_[one], last_holders_[other]))
+          return true;
+      }
+      return false;
+    };
     Row group = first.front();
-    if (first.size() > 1 && std::any_of(first.begin(), first.end(), [&](Row one) {
-          return now_.by[one] == nothing && std::any_of(first.begin(), first.end(), [&](Row other) {
-                   return other != one && now_.by[other] == nothing &&
-                          (part_.groups[one].below & part_.groups[other].below) != 0;
-                 });
-        }))
-      group = first[picks_.pick(first.size())];
+    if (first.size() > 1 && std::any_of(first.begin(), first.end(), competes)) group = first[picks_.pick(first.size())];
     open_ &= ~bit(group);
     if (now_.by[group] != nothing) continue;
     bool heir = false;

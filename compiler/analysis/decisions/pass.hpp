@@ -123,6 +123,7 @@ private:
   Row first_candidate();
   Unit unit_of(Row first);
   bool alone(Row edge) const;
+  bool shares_unit(Row edge, Row other) const; ///< or is the same
   bool stale(Row group) const;
   bool may_request(Row requester) const;
   bool granted_before(Row edge) const;
