@@ -23,6 +23,8 @@ namespace {
 
 /// Limit for the rivals with a note.
 constexpr std::size_t most_culprits = 8;
+/// Limit for the rivals of which each is tried to be left out.
+constexpr std::size_t most_left_out = 64;
 
 /// Whether a condition of it is reported as one that never holds: that is the reason, not the providers before it.
 bool never_holds(const Facts& facts, ProviderId id) {
@@ -40,14 +42,19 @@ IdTable<StateId, ValueSet> mended_values(const Model& model, const Facts& facts)
   return out;
 }
 
-/// What the conditions of earlier providers leave of its own, where its group is requested.
+/// Its own conditions, where its group is requested.
+Region region_here(const Input& input, ProviderId id) {
+  Region out = region_of(input.model, input.model.providers[id].when);
+  out.meet(input.facts.grants[input.model.providers[id].group]);
+  return out;
+}
+
+/// What the conditions of earlier providers leave of that.
 Covering find_choice_here(const Input& input, ProviderId id, const std::vector<Rival>& rivals,
                           const IdTable<StateId, ValueSet>& values) {
-  Region own = region_of(input.model, input.model.providers[id].when);
-  own.meet(input.facts.grants[input.model.providers[id].group]);
   std::vector<Region> others;
   for (const Rival& rival : rivals) others.insert(others.end(), rival.ways.begin(), rival.ways.end());
-  return find_covering(input.model, own, others, values, input.shared.budget());
+  return find_covering(input.model, region_here(input, id), others, values, input.shared.budget());
 }
 
 /// Notes the other members, if something is left where its group is requested, but not where it can be granted together
@@ -118,14 +125,27 @@ std::optional<GroupId> note_unpushed(const Input& input, ProviderId id, dsl::Dia
   return out;
 }
 
-/// The rivals without which it would come first; all of them if each is enough alone or none is.
+/// One rival that is enough alone, or else as few as are enough together.
 std::vector<ProviderId> find_culprits(const Input& input, ProviderId id, const std::vector<Rival>& rivals,
                                       const IdTable<StateId, ValueSet>& values) {
-  std::vector<ProviderId> out;
+  const auto are_enough = [&](const std::vector<Rival>& some) {
+    return find_choice_here(input, id, some, values) == Covering::covered;
+  };
+  const Region own = region_here(input, id);
+  std::vector<Rival> some;
   for (const Rival& rival : rivals) {
-    if (find_choice_here(input, id, {rival}, values) == Covering::covered) return {rival.provider};
-    out.push_back(rival.provider);
+    if (are_enough({rival})) return {rival.provider};
+    if (std::any_of(rival.ways.begin(), rival.ways.end(), [&](const Region& way) { return compatible(own, way); }))
+      some.push_back(rival);
   }
+  // The preferred ones stay.
+  for (std::size_t i = some.size(); i-- > 0 && some.size() <= most_left_out;) {
+    std::vector<Rival> fewer = some;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    if (are_enough(fewer)) some = std::move(fewer);
+  }
+  std::vector<ProviderId> out;
+  for (const Rival& rival : some) out.push_back(rival.provider);
   return out;
 }
 

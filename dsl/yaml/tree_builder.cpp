@@ -67,7 +67,7 @@ void TreeBuilder::report_bare_key(const yaml_scan::BareKey& key) {
 }
 
 void TreeBuilder::refuse_long_key(const yaml_scan::BareKey& key) {
-  report("input_limit", key.begin, key.end, fmt::format("a key of more than {} characters", yaml_scan::longest_key),
+  report("input_limit", key.begin, key.end, fmt::format("a key of more than {} bytes", yaml_scan::longest_key),
          "choose a shorter name: YAML has no longer keys");
   refused_long_key_ = true;
 }

@@ -257,7 +257,7 @@ TEST_CASE("A key that is longer than YAML lets it be is named, in a line of its 
   const std::string longest(1024, 'a'), longer = longest + "a";
   const auto said = [](const std::string& place, const std::string& key) {
     return place + " `" + key +
-           "` input_limit: a key of more than 1024 characters (choose a shorter name: YAML has no longer keys)\n";
+           "` input_limit: a key of more than 1024 bytes (choose a shorter name: YAML has no longer keys)\n";
   };
   CHECK(Tree(longest + ": b\n").findings() == "");
   CHECK(Tree("{" + longest + ": b}\n").findings() == "");
