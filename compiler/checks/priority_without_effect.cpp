@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/facts/pushes.hpp"
 #include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/states/sources.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -51,6 +52,84 @@ private:
   const Input& input_;
   Causers causers_;
   std::unordered_map<GroupId, std::vector<GroupId>> stakes_, pushed_by_;
+};
+
+/// The states that bodies and handlers set for a task, and those on which its conditions and those below it depend.
+struct Touched {
+  std::vector<StateId> set, read; ///< each once
+};
+
+class TouchedStates {
+public:
+  explicit TouchedStates(const Input& input) : input_(input), of_group_(input.model.groups.size()) {
+    const Model& model = input.model;
+    const auto add = [](std::vector<StateId>& to, StateId state) {
+      if (std::find(to.begin(), to.end(), state) == to.end()) to.push_back(state);
+    };
+    for (const StateId state : model.states.ids()) {
+      if (model.states[state].of) add(of_group_[model.states[state].of->id].set, state);
+    }
+    for (const auto& sources : find_sources(model)) {
+      for (const Source& source : sources) {
+        if (source.provider) add(of_group_[model.providers[*source.provider].group].set, source.state);
+        if (source.group) add(of_group_[*source.group].set, source.state);
+      }
+    }
+    for (const Provider& provider : model.providers) {
+      for (const auto* uses : {&provider.when, &provider.stay}) {
+        for (const ConditionUse& use : *uses) add(of_group_[provider.group].read, model.conditions[use.id].state);
+      }
+    }
+  }
+
+  Touched of(GroupId task) const {
+    Touched out;
+    SparseSet<StateId> set, read;
+    for (const GroupId group : input_.shared.claims(task).groups()) {
+      for (const StateId state : of_group_[group].set) {
+        if (set.add(state)) out.set.push_back(state);
+      }
+      for (const StateId state : of_group_[group].read) {
+        if (read.add(state)) out.read.push_back(state);
+      }
+    }
+    return out;
+  }
+
+private:
+  const Input& input_;
+  IdTable<GroupId, Touched> of_group_;
+};
+
+/// Whether it matters which of these tasks has its bodies run first: one sets a state that another sets, or depends on.
+class SharedStates {
+public:
+  SharedStates(const TouchedStates& states, const std::vector<Task>& tasks) {
+    for (const Task& task : tasks) {
+      const Touched touched = states.of(task.target);
+      for (const StateId state : touched.set) ++set_by_[state];
+      for (const StateId state : touched.read) ++read_by_[state];
+    }
+  }
+
+  bool matter_for(const Touched& touched) const {
+    const auto count = [](const std::unordered_map<StateId, std::size_t>& by, StateId state) {
+      const auto at = by.find(state);
+      return at == by.end() ? std::size_t{0} : at->second;
+    };
+    const auto is_in = [](const std::vector<StateId>& all, StateId state) {
+      return std::find(all.begin(), all.end(), state) != all.end();
+    };
+    const bool by_setting = std::any_of(touched.set.begin(), touched.set.end(), [&](StateId state) {
+      return count(set_by_, state) > 1 || count(read_by_, state) > (is_in(touched.read, state) ? 1U : 0U);
+    });
+    return by_setting || std::any_of(touched.read.begin(), touched.read.end(), [&](StateId state) {
+             return count(set_by_, state) > (is_in(touched.set, state) ? 1U : 0U);
+           });
+  }
+
+private:
+  std::unordered_map<StateId, std::size_t> set_by_, read_by_; ///< tasks
 };
 
 bool has_priority(const Model& model, const Task& task) {
@@ -107,7 +186,8 @@ struct Entries {
 
 /// A level is a place in the order of its edge, and `keep` continues a task only at the same one. So an edge is
 /// reported as a whole, if it has one level.
-void look_at(const Input& input, const Together& together, Stakes& stakes, std::map<EdgeId, Entries>& entries) {
+void look_at(const Input& input, const Together& together, const TouchedStates& states, Stakes& stakes,
+             std::map<EdgeId, Entries>& entries) {
   const Model& model = input.model;
   const std::vector<Task>& tasks = *together.tasks;
   for (const Task& task : tasks) ++entries[task.edge].all;
@@ -117,9 +197,11 @@ void look_at(const Input& input, const Together& together, Stakes& stakes, std::
     for (const GroupId group : stakes.of(task.target)) ++wanted_by[group];
   }
   const OtherProviders others(model, together);
+  const SharedStates shared(states, tasks);
   const auto is_disputed = [&](GroupId task) {
     const std::vector<GroupId>& own = stakes.of(task); // later calls do not move it
     if (std::any_of(own.begin(), own.end(), [&](GroupId group) { return wanted_by[group] > 1; })) return true;
+    if (shared.matter_for(states.of(task))) return true;
     SparseSet<GroupId> ours;
     for (const GroupId group : own) ours.add(group);
     const std::vector<GroupId> compared = others.beside(task);
@@ -138,9 +220,10 @@ void look_at(const Input& input, const Together& together, Stakes& stakes, std::
 
 void priority_without_effect(const Input& input, Findings& findings) {
   Stakes stakes(input);
+  const TouchedStates states(input);
   const Model& model = input.model;
   std::map<EdgeId, Entries> entries;
-  for (const Together& together : input.shared.chains().together()) look_at(input, together, stakes, entries);
+  for (const Together& together : input.shared.chains().together()) look_at(input, together, states, stakes, entries);
   for (const auto& [edge, found] : entries) {
     if (found.undisputed.size() != found.all || model.edges[edge].levels.size() != 1) continue;
     for (const auto& [together, task] : found.undisputed) {
