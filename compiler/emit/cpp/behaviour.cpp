@@ -42,10 +42,16 @@ void define_steps(Code& code, const CppEmission& e) {
 
 } // namespace
 
+std::string constructor_tag(const CppEmission& e) { return fmt::format("{}_behaviour", e.model.name); }
+
 Code behaviour_part(const CppEmission& e) {
   Code code;
   code.line("namespace detail {");
   code.line("struct Bodies;");
+  // The symbol of the constructor has this name in it, so a linker that has another behaviour's objects opens these too.
+  const std::string tag = constructor_tag(e);
+  code.comment("Which behaviour is constructed: two of one namespace cannot be linked into one program.");
+  code.line(fmt::format("struct {} {{}};", tag));
   code.line("} // namespace detail");
   code.blank();
   document(code, e, e.model.doc, e.model.name_span);
@@ -65,7 +71,10 @@ Code behaviour_part(const CppEmission& e) {
   const auto constructor = [&](std::string_view behind) {
     code.list(parameters.size() == 1 ? "explicit Behaviour(" : "Behaviour(", parameters, behind);
   };
-  constructor(");");
+  constructor(")");
+  std::vector<std::string> with_tag = arguments;
+  with_tag.insert(with_tag.begin(), fmt::format("detail::{}{{}}", tag));
+  code.list("    : Behaviour(", with_tag, ") {}");
   code.comment("With one that is told of every decision: without it, what tells is not linked.");
   code.line("template <bool reports = director::observable>");
   parameters.push_back("director::Observer observer");
@@ -78,6 +87,9 @@ Code behaviour_part(const CppEmission& e) {
   code.blank();
   code.outdented("private:");
   code.line("friend struct detail::Bodies;");
+  parameters.pop_back();
+  parameters.insert(parameters.begin(), fmt::format("detail::{}", tag));
+  code.list("Behaviour(", parameters, ");");
   code.open("director::StepResult hand_on(director::StepResult result) {");
   code.line("if (result == director::StepResult::fault) throw_on();");
   code.line("return result;");

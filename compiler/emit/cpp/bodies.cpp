@@ -201,7 +201,7 @@ Code bodies_part(const CppEmission& e) {
   define_blocks(code, e);
   code.line(fmt::format("namespace {} {{", e.model.name_space));
   code.blank();
-  std::vector<std::string> parameters, modules;
+  std::vector<std::string> parameters{fmt::format("detail::{}", constructor_tag(e))}, modules;
   for (const ModuleId id : e.model.modules.ids()) {
     modules.push_back(fmt::format("module_{}", id.value));
     parameters.push_back(fmt::format("{}& {}", module_in(e.model, id), modules.back()));

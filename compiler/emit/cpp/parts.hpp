@@ -43,6 +43,9 @@ std::string conditions_text(const Model& model, const std::vector<ConditionUse>&
 /// The declarations of a provider, a line for each key: "- needs: LeftLeg, RightLeg".
 std::vector<std::string> words_of(const Model& model, const Provider& provider);
 
+/// `soccer_behaviour`, a type in `detail`
+std::string constructor_tag(const CppEmission& e);
+
 /// The first lines of each file: the notice, and the licence.
 Code first_lines(const CppEmission& e);
 
