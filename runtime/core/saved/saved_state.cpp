@@ -184,7 +184,7 @@ private:
     for (const Index g : t_.list(row.groups)) {
       if (s_.last[g].holder != nil) groups[count++] = g;
     }
-    arbitration::sort_by_holders(engine_.x_, {groups, count}, arbitration::Chains::previous);
+    if (count > 1) arbitration::sort_by_holders(engine_.x_, {groups, count}, arbitration::Chains::previous); // a part
     for (Index i = 0; i < count; ++i) s_.place[groups[i]] = i;
     s_.order_count[component] = count;
   }

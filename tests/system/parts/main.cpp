@@ -1,13 +1,16 @@
 // Header: this program. Test: tests/system/parts/CMakeLists.txt.
 // SPDX-License-Identifier: MIT
 //
-// Drives a behaviour by random inputs at random times, and stops it. It fails by a crash, or by never coming to rest.
+// Drives a behaviour by random inputs at random times, saves and loads it, and stops it. It fails by a crash, by never
+// coming to rest, or if it does not load what it saved.
 #include BEHAVIOUR_HEADER
 #include "bodies.hpp"
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <random>
+#include <vector>
 
 int main() {
   using director::Index;
@@ -18,7 +21,8 @@ int main() {
   std::mt19937 random(1);
   const auto below = [&](std::size_t count) { return static_cast<Index>(random() % count); };
   std::chrono::microseconds now{0};
-  bool busy = false;
+  bool busy = false, is_loaded = true;
+  std::vector<std::byte> saved(BEHAVIOUR::Behaviour::saved_bytes());
   const auto step = [&] {
     now += std::chrono::milliseconds(below(300));
     busy = busy || behaviour.step(now) == director::StepResult::budget_exhausted;
@@ -34,8 +38,10 @@ int main() {
       post.cancel_row(edge);
     }
     if (below(3) != 0) step();
+    if (i % 20 == 0 && behaviour.save(saved) == director::SaveResult::saved)
+      is_loaded = is_loaded && behaviour.load(saved, now) == director::LoadResult::loaded;
   }
   behaviour.cancel_all();
   for (int i = 0; i < 100; ++i) step();
-  return busy ? 1 : 0;
+  return busy || !is_loaded ? 1 : 0;
 }
