@@ -10,7 +10,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <memory>
 
 namespace director::live {
 
@@ -23,7 +23,8 @@ struct Moment {
 class Moments {
 public:
   explicit Moments(const Tables& tables) : tables_(tables) {
-    for (Buffer& buffer : buffers_) buffer.bytes.resize(View::bytes(Shape::of(tables)) / sizeof(std::uint64_t));
+    const std::size_t words = View::bytes(Shape::of(tables)) / sizeof(std::uint64_t);
+    for (Buffer& buffer : buffers_) buffer.bytes.reset(new std::uint64_t[words]());
   }
   Moments(const Moments&) = delete;
   Moments& operator=(const Moments&) = delete;
@@ -37,7 +38,7 @@ public:
     passes_ = view.passes;
     events_ = events;
     Buffer& buffer = buffers_[written_];
-    buffer.moment = {view.copy(reinterpret_cast<std::byte*>(buffer.bytes.data())), events};
+    buffer.moment = {view.copy(reinterpret_cast<std::byte*>(buffer.bytes.get())), events};
     buffer.moment.view.tables = &tables_; // those of the engine end with the behaviour, before the view
     buffer.until.store(view.now, std::memory_order_relaxed);
     newest_ = written_;
@@ -60,7 +61,7 @@ public:
 
 private:
   struct Buffer {
-    std::vector<std::uint64_t> bytes;
+    std::unique_ptr<std::uint64_t[]> bytes; ///< no vector: see EventQueue
     Moment moment;
     std::atomic<Time> until{0}; ///< written also while the moment is read
   };

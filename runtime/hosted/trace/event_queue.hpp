@@ -10,8 +10,8 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <type_traits>
-#include <vector>
 
 namespace director {
 
@@ -25,7 +25,7 @@ public:
   };
 
   /// `size`: how many events can wait; rounded up to a power of two, 2 at least.
-  explicit EventQueue(std::size_t size) : ring_(std::bit_ceil(size < 2 ? 2 : size)) {}
+  explicit EventQueue(std::size_t size) : size_(std::bit_ceil(size < 2 ? 2 : size)), ring_(new Entry[size_]) {}
   EventQueue(const EventQueue&) = delete;
   EventQueue& operator=(const EventQueue&) = delete;
 
@@ -34,11 +34,11 @@ public:
   /// False: the queue is full.
   bool put(const Event& event) {
     const std::uint64_t end = end_.load(std::memory_order_relaxed);
-    if (end - seen_begin_ == ring_.size()) {
+    if (end - seen_begin_ == size_) {
       seen_begin_ = begin_.load(std::memory_order_acquire);
-      if (end - seen_begin_ == ring_.size()) return false;
+      if (end - seen_begin_ == size_) return false;
     }
-    ring_[end & (ring_.size() - 1)] = {event, dropped_.load(std::memory_order_relaxed)};
+    ring_[end & (size_ - 1)] = {event, dropped_.load(std::memory_order_relaxed)};
     end_.store(end + 1, std::memory_order_release);
     return true;
   }
@@ -54,7 +54,7 @@ public:
   template <class Use>
   std::size_t take(Use use) {
     const std::uint64_t begin = begin_.load(std::memory_order_relaxed), end = end_.load(std::memory_order_acquire);
-    for (std::uint64_t i = begin; i != end; ++i) use(ring_[i & (ring_.size() - 1)]);
+    for (std::uint64_t i = begin; i != end; ++i) use(ring_[i & (size_ - 1)]);
     begin_.store(end, std::memory_order_release);
     return static_cast<std::size_t>(end - begin);
   }
@@ -66,7 +66,9 @@ public:
   std::uint64_t dropped() const { return dropped_.load(std::memory_order_acquire); }
 
 private:
-  std::vector<Entry> ring_;
+  // No vector: the layout must not depend on how the program is compiled (_GLIBCXX_DEBUG).
+  std::size_t size_;
+  std::unique_ptr<Entry[]> ring_;
   std::uint64_t seen_begin_ = 0; ///< used by the thread that steps: position of the reader when it was read last
   alignas(64) std::atomic<std::uint64_t> begin_{0}; ///< changed only by the reader
   alignas(64) std::atomic<std::uint64_t> end_{0};   ///< changed only by the thread that steps
