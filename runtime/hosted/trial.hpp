@@ -10,7 +10,8 @@
 //   CHECK(answer.wait() == 100ms);
 //
 // What the specification does not declare does not compile here either. Errors of a test (data that were not requested)
-// are thrown as std::logic_error. Only generated code and the modules' own sources have to be linked.
+// are thrown as std::logic_error; without exceptions they are printed, and the program is aborted. Only generated code
+// and the modules' own sources have to be linked.
 
 #include "runtime/core/api/behaviour.hpp"
 
@@ -18,6 +19,8 @@
 #include <array>
 #include <chrono>
 #include <concepts>
+#include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -46,6 +49,16 @@ struct Access {
 };
 
 namespace detail {
+
+/// Reports an error of the test.
+[[noreturn]] inline void fail(const char* mistake) {
+#ifdef __cpp_exceptions
+  throw std::logic_error(mistake);
+#else
+  std::fprintf(stderr, "%s\n", mistake);
+  std::abort();
+#endif
+}
 
 template <class Facts>
 Facts facts_of(const Body<Facts>&);
@@ -155,8 +168,8 @@ public:
   template <class Task>
   const auto& data() const requires(!handler) {
     static_assert(has_data<Task>, "this task has no data");
-    if (!requests<Task>()) throw std::logic_error("this task was not requested");
-    if (keeps<Task>()) throw std::logic_error("this task was kept, with the data that it had");
+    if (!requests<Task>()) detail::fail("this task was not requested");
+    if (keeps<Task>()) detail::fail("this task was kept, with the data that it had");
     Index at = 0;
     detail::each_entry<Task>(Entries{}, [&]<class Entry>() { at = Entry::place; });
     return rig_->data.template of<Task>().at(DataPlace::Slot::staging, at);
@@ -289,8 +302,9 @@ public:
   requires(!handler) Trial& uses(Fares fares) {
     static_assert(Facts::Uses::template has<Used>, "this group does not stand in the provider's `uses`");
     constexpr Index edge = Facts::Uses::template row<Used>;
-    if (edge == nil) {
-      if (fares != Fares::none) throw std::logic_error("nothing of this group requests or needs it: it is always none");
+    // A need alone is held, not granted.
+    if (edge == nil || rig_->engine.tables().edges[edge].levels.empty()) {
+      if (fares != Fares::none) detail::fail("nothing of this group requests it: it is always none");
       return *this;
     }
     const State& state = rig_->state();
@@ -300,7 +314,7 @@ public:
     const Range levels = tables.edges[edge].levels;
     Index& level = state.request[edge].level;
     if (fares == Fares::none) level = nil;
-    if (fares != Fares::none && level == nil && !levels.empty()) level = levels.begin;
+    if (fares != Fares::none && level == nil) level = levels.begin;
     state.last[target].holder = granted ? edge : nil;
     state.last[target].flags = granted ? flag::granted : 0;
     state.run_queue[target].done = fares == Fares::done     ? result::done
@@ -318,7 +332,7 @@ public:
     detail::each_entry<Asked>(typename Answer<Context>::Entries{}, [&]<class Entry>() {
       if (row == nil) row = Entry::row(level);
     });
-    if (row == nil) throw std::logic_error("this provider does not request the task at that level");
+    if (row == nil) detail::fail("this provider does not request the task at that level");
     rig_->state().request[edge].level = row;
     return *this;
   }

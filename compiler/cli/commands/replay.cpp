@@ -28,8 +28,9 @@ std::string to_text(const Replayed& replayed, const std::string& trace, const st
     out += fmt::format("  {} before it {} the same\n", many_counted(replayed.events, "event"),
                        replayed.events == 1 ? "is" : "are");
     if (!other) // which decides the same every time
-      out += "  it is the version that was recorded: lines of the trace are missing or were changed, or another "
-             "version of Director recorded it\n";
+      out +=
+          "  it is the version that was recorded: lines of the trace are missing or were changed, the program loaded "
+          "another state there, or another version of Director recorded it\n";
   } else if (!replayed.problem.empty()) {
     out += fmt::format("{}: {} the same{}, up to line {}, which cannot be read\n", trace,
                        many_counted(replayed.events, "event"), version, replayed.problem_line);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Modules tested alone, with runtime/hosted/trial.hpp.
+#include "lifter.hpp"
 #include "runtime/hosted/trial.hpp"
 #include "tests/system/api/office.hpp"
 
@@ -38,6 +39,13 @@ TEST_CASE("a body alone: its task, and what it requests, with data and levels") 
   CHECK(answer.data<Walk>().count == 42);
   CHECK(!answer.wait());
   CHECK(deliver.task(parcel(1)).run(plans).data<Walk>().count == 2);
+}
+
+TEST_CASE("a body alone: a group that is only needed is never granted, done or queued") {
+  Trial<lifter::Lift::Default> lift;
+  for (const Fares fares : {Fares::queued, Fares::running, Fares::done, Fares::failed})
+    CHECK_THROWS_WITH(lift.uses<lifter::Crane>(fares), "nothing of this group requests it: it is always none");
+  lift.uses<lifter::Crane>(Fares::none);
 }
 
 TEST_CASE("a body alone: of several requests in one run the last one counts alone") {

@@ -399,7 +399,7 @@ TEST_CASE("if the recorded version decides differently, the trace has been chang
   recorded: run Drive.braking pushed
   replayed: queue root>Photograph: waiting for Motion == still
   17 events before it are the same
-  it is the version that was recorded: lines of the trace are missing or were changed, or another version of Director recorded it
+  it is the version that was recorded: lines of the trace are missing or were changed, the program loaded another state there, or another version of Director recorded it
 )");
 }
 
