@@ -221,7 +221,7 @@ std::optional<Verdict> latch(const Model& model, GroupId from, GroupId to) {
 /// The facts prove what never happens; they do not prove that something happens.
 std::optional<Verdict> can_run(const Assertion& assertion, const Model& model) {
   const GroupId group = assertion.groups.front().id;
-  const analysis::Facts facts = analysis::find_facts(model, make_graph(model));
+  const analysis::Facts facts = analysis::find_facts(model, make_graph(model), analysis::Reported::as_is);
   const std::vector<ProviderId>& providers = model.groups[group].providers;
   if (std::any_of(providers.begin(), providers.end(), [&](ProviderId id) { return facts.active.contains(id); }))
     return {};

@@ -120,7 +120,8 @@ std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph, cons
 }
 
 Graph with_possible_pushes(const Model& model, Graph graph) {
-  const auto all = analysis::find_all_pushes(model, analysis::find_facts(model, graph)); // also through others
+  const auto all = analysis::find_all_pushes(
+      model, analysis::find_facts(model, graph, analysis::Reported::as_is)); // also through others
   IdTable<ProviderId, std::vector<GroupId>> tasks(model.providers.size());
   IdTable<GroupId, std::vector<bool>> plans(model.groups.size()); // what it may wait for: conditions of its needs too
   for (const auto& [task, causer] : all) {

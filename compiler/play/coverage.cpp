@@ -27,9 +27,9 @@ class Planner {
 public:
   Planner(const Model& model, const Graph& graph)
       : model_(model),
-        facts_(analysis::find_facts(model, graph)),
+        facts_(analysis::find_facts(model, graph, analysis::Reported::as_is)),
         counts_([this](ProviderId id) {
-          return facts_.capable.contains(id) && facts_.requested.contains(model_.providers[id].group);
+          return facts_.active.contains(id) && facts_.requested.contains(model_.providers[id].group);
         }),
         branches_(model, counts_, [this](ProviderId id) { return facts_.capable.contains(id); }),
         together_(analysis::find_together(model, counts_)) {}

@@ -155,8 +155,10 @@ private:
       }
     }
     if (next.empty()) has_end_ = true;
-    notes_.push_back({use.span, fmt::format("it waits for {}, and only {} could set that", name_of(model_, use.id),
-                                            list_of(who, "or"))});
+    const std::string name = name_of(model_, use.id);
+    notes_.push_back(
+        {use.span, who.empty() ? fmt::format("it waits for {}, and nothing sets that", name)
+                               : fmt::format("it waits for {}, and only {} could set that", name, list_of(who, "or"))});
     for (const ProviderId id : next) explain(id);
   }
 

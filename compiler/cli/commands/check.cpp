@@ -119,7 +119,7 @@ private:
           request_.file);
     const ParsedGoal parsed = parse_goal(checked.model, request_.reachable);
     if (!parsed.goal) return parsed.wrong;
-    const analysis::Facts facts = analysis::find_facts(checked.model, checked.graph);
+    const analysis::Facts facts = analysis::find_facts(checked.model, checked.graph, analysis::Reported::as_is);
     explained_ = Explained{request_.reachable, analysis::find_witness(checked.model, facts, *parsed.goal), {}};
     if (!explained_->steps) explained_->missing = missing_for(checked.model, facts, *parsed.goal);
     return {};

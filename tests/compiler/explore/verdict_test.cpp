@@ -124,8 +124,27 @@ TEST_CASE("what can run is shown by how it comes to run") {
   CHECK(verdict_of(two, "{can_run: B}") == "proven: it runs after: request B; set {S: y}");
   CHECK(verdict_of("states: {S: {values: [x, y], initial: x}}\nroots: [A]\n"
                    "groups: {A: {providers: [{name: p, when: [S == x], tasks: [B]}]}, B: {when: [S == y]}}\n",
-                   "{can_run: B}")
+                   "{can_run: B}") == "refuted: no provider of `B` can ever run");
+  CHECK(verdict_of(
+            "roots: [A]\ngroups: {A: {packs: {go: {C: {priority: 9, apart: true}, B: {priority: 1, apart: true}}}}, "
+            "C: {needs: [L]}, B: {needs: [L]}, L: {}}\n",
+            "{can_run: B}")
             .find("refuted: it runs in none of its ") == 0);
+  CHECK(verdict_of("states: {S: {values: [x, y], initial: x}, T: {values: [x, y], initial: x}}\nroots: [A]\n"
+                   "groups: {A: {sets: [S, T], tasks: [B]}, B: {when: [S == y, T == y]}}\n",
+                   "{can_run: B}")
+            .find("proven: it runs after: ") == 0);
+}
+
+TEST_CASE("what waits for conditions that exclude each other pushes all the same, so what it causes can run") {
+  CHECK(verdict_of("states: {Door: {values: [shut, open], initial: shut}}\n"
+                   "roots: {Enter: {priority: 20}, Knock: {priority: 10}, Watch: {priority: 5}}\n"
+                   "groups:\n"
+                   "  Enter: {when: [Door == shut, Door == open]}\n"
+                   "  Knock: {providers: [{name: softly}, {name: loudly, causing: [Door == open]}]}\n"
+                   "  Watch: {when: [Door == open]}\n",
+                   "{can_run: Watch}")
+            .find("proven: it runs after: request ") == 0);
 }
 
 TEST_CASE("a walk that does not report that it moves is cut off hard") {

@@ -43,7 +43,8 @@ groups:
   const std::string told = "  door.yaml:6:18: it waits for `Door == open`, and only `Open` could set that\n"
                            "  door.yaml:7:17: it waits for `Key == turned`, and only `Turn` could set that\n"
                            "  door.yaml:8:18: `Seek` requests `Turn`, but never runs itself\n"
-                           "  door.yaml:8:3: nothing requests `Seek`\n";
+                           "  door.yaml:8:3: nothing requests `Seek`\n"
+                           "  door.yaml:9:17: it waits for `Key == found`, and nothing sets that\n";
   CHECK(world.out.ends_with("`Enter` can never be reached:\n" + told));
   CHECK(world.directorc({"check", "door.yaml", "--explain-reachable=Door == open"}) == 1);
   CHECK(world.out.ends_with("`Door == open` can never be reached:\n" + told.substr(told.find('\n') + 1)));
