@@ -13,6 +13,7 @@
 
 namespace director {
 
+/// Decides for one behaviour. A program reads it, as `Program::engine()`, and changes it by the functions of Program.
 class Engine {
 public:
   static constexpr std::uint32_t default_budget = 10'000; ///< micro-steps in one step
@@ -87,17 +88,17 @@ public:
   /// The next time at which a step has something to do without an input; `never` if there is none.
   Time next_due() const { return x_.s.counters->next_due; }
 
-  // The state between steps.
-  std::int32_t value(Index state) const { return x_.s.values[state].value; }
-  bool enabled(Index provider) const { return x_.s.enabled[provider] != 0; }
-  RunState state(Index edge) const;                                   ///< of a request: running, queued or none
-  Index holder(Index group) const { return x_.s.last[group].holder; } ///< edge; >= edges.size(): limbo; nil
-  Index active(Index group) const { return x_.s.last[group].active; } ///< provider, or nil
-  bool granted(Index group) const { return x_.s.last[group].granted(); }
-  bool in_force(Index group) const { return x_.s.last[group].in_force(); }
-  Queued queued(Index edge) const { return x_.s.queued[edge]; } ///< why it is queued
-  Time now() const { return x_.s.counters->now; }
-  std::uint64_t micro_steps() const { return x_.s.counters->micro_step; } ///< micro-steps so far
+  // The state between steps. A row is that of the generated names.
+  std::int32_t value(Index state) const { return x_.s.values[state].value; } ///< or `unset`
+  bool enabled(Index provider) const { return x_.s.enabled[provider] != 0; } ///< whether it may run
+  RunState state(Index edge) const;                                          ///< of a request: running, queued or none
+  Index holder(Index group) const { return x_.s.last[group].holder; }        ///< edge; >= edges.size(): limbo; nil
+  Index active(Index group) const { return x_.s.last[group].active; }        ///< provider, or nil
+  bool granted(Index group) const { return x_.s.last[group].granted(); }     ///< to its holder, by a request
+  bool in_force(Index group) const { return x_.s.last[group].in_force(); }   ///< its provider runs because of a push
+  Queued queued(Index edge) const { return x_.s.queued[edge]; }              ///< why it is queued
+  Time now() const { return x_.s.counters->now; }                            ///< the time of the last step
+  std::uint64_t micro_steps() const { return x_.s.counters->micro_step; }    ///< micro-steps so far
   std::uint64_t passes() const { return passes_; }     ///< passes over a component, and loads, so far
   bool inside() const { return inside_; }              ///< a step is being taken; for the thread that calls step()
   bool inputs_wait() const { return inbox_.waits(); }  ///< for that thread as well
@@ -112,8 +113,8 @@ public:
     x_.most_decided_whole = groups;
     forget_trail();
   }
-  const Tables& tables() const { return x_.t; }
-  const State& memory() const { return x_.s; }
+  const Tables& tables() const { return x_.t; } ///< of the behaviour
+  const State& memory() const { return x_.s; }  ///< all that changes
 
 private:
   friend class Run;

@@ -11,17 +11,18 @@ class Engine;
 
 /// The holder of a group.
 struct Holding {
+  /// What holds it.
   enum class By : std::uint8_t {
-    nobody,
+    nobody,  ///< it is free
     program, ///< requested as a root task
     group,   ///< requested or needed by `group`
     limbo,   ///< in limbo: kept for a stale group that may still request it
   };
-  By by = By::nobody;
-  Index group = nil;
-  Index edge = nil;
+  By by = By::nobody;   ///< what holds it
+  Index group = nil;    ///< of By::group
+  Index edge = nil;     ///< by which it is requested or needed; nil: nobody
   bool granted = false; ///< false: it is held only as a need, and was not requested yet
-  constexpr bool operator==(const Holding&) const = default;
+  constexpr bool operator==(const Holding&) const = default; ///< all members are equal
 };
 
 struct View {
