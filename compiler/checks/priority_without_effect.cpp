@@ -16,8 +16,23 @@ namespace director::checks {
 
 namespace {
 
-/// The groups for which the rank of a task matters: every group that it may come to hold, and every group that may be
-/// pushed for it or for one of these.
+/// Every group that the task may come to hold; and what it, and these, may wait for: also needs that it can never have.
+std::vector<GroupId> groups_of(const Input& input, GroupId task) {
+  std::vector<GroupId> out = input.shared.claims(task).groups();
+  SparseSet<GroupId> seen;
+  for (const GroupId group : out) seen.add(group);
+  if (seen.add(task)) out.push_back(task);
+  for (std::size_t next = 0; next < out.size(); ++next) {
+    for (const ProviderId id : input.model.groups[out[next]].providers) {
+      for (const Use<GroupId>& need : input.model.providers[id].needs) {
+        if (seen.add(need.id)) out.push_back(need.id);
+      }
+    }
+  }
+  return out;
+}
+
+/// The groups for which the rank of a task matters: its own, and every group that may be pushed for one of these.
 class Stakes {
 public:
   explicit Stakes(const Input& input) : input_(input), causers_(find_causers(input.model)) {}
@@ -25,7 +40,7 @@ public:
   const std::vector<GroupId>& of(GroupId task) {
     const auto [at, is_new] = stakes_.try_emplace(task);
     if (!is_new) return at->second;
-    std::vector<GroupId> out = input_.shared.claims(task).groups();
+    std::vector<GroupId> out = groups_of(input_, task);
     SparseSet<GroupId> seen;
     for (const GroupId group : out) seen.add(group);
     for (std::size_t next = 0; next < out.size(); ++next) {
@@ -85,7 +100,7 @@ public:
   Touched of(GroupId task) const {
     Touched out;
     SparseSet<StateId> set, read;
-    for (const GroupId group : input_.shared.claims(task).groups()) {
+    for (const GroupId group : groups_of(input_, task)) {
       for (const StateId state : of_group_[group].set) {
         if (set.add(state)) out.set.push_back(state);
       }

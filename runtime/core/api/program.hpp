@@ -74,7 +74,8 @@ public:
     return outside() && local_post().template enable<Provider>(enabled);
   }
 
-  /// The same functions for other threads, interrupts and bodies. A copy may be kept as long as the behaviour lives.
+  /// The same functions for other threads, interrupts and bodies. A copy may be kept, and used until the behaviour's
+  /// destructor begins.
   Post post() { return {inbox_, data_}; }
 
   // The functions of BehaviourView, for the thread that calls step().
