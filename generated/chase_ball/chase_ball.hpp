@@ -84,6 +84,8 @@ protected:
 
 namespace detail {
 struct Bodies;
+/// Which behaviour is constructed: two of one namespace cannot be linked into one program.
+struct chase_ball_behaviour {};
 } // namespace detail
 
 /// The smallest useful behaviour. A cart turns until it sees the ball, and drives to it. (chase_ball.yaml:2)
@@ -92,7 +94,8 @@ struct Bodies;
 /// All that includes this header must be compiled either with exceptions or without.
 class Behaviour final : public director::Program<detail::Whole> {
 public:
-  explicit Behaviour(Cart& module_0);
+  explicit Behaviour(Cart& module_0)
+      : Behaviour(detail::chase_ball_behaviour{}, module_0) {}
   /// With one that is told of every decision: without it, what tells is not linked.
   template <bool reports = director::observable>
   Behaviour(Cart& module_0, director::Observer observer)
@@ -110,6 +113,7 @@ public:
 
 private:
   friend struct detail::Bodies;
+  Behaviour(detail::chase_ball_behaviour, Cart& module_0);
   director::StepResult hand_on(director::StepResult result) {
     if (result == director::StepResult::fault) throw_on();
     return result;

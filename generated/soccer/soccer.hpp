@@ -803,6 +803,8 @@ protected:
 
 namespace detail {
 struct Bodies;
+/// Which behaviour is constructed: two of one namespace cannot be linked into one program.
+struct soccer_behaviour {};
 } // namespace detail
 
 /// A striker that walks to the ball, stops softly, kicks, falls, gets up and plays on. (soccer.yaml:2)
@@ -813,7 +815,10 @@ class Behaviour final : public director::Program<detail::Whole> {
 public:
   Behaviour(
       Recovery& module_0, Safety& module_1, Locomotion& module_2, Kicking& module_3, Looking& module_4,
-      Planning& module_5, Strategy& module_6, Limbs& module_7, Servos& module_8);
+      Planning& module_5, Strategy& module_6, Limbs& module_7, Servos& module_8)
+      : Behaviour(
+      detail::soccer_behaviour{}, module_0, module_1, module_2, module_3, module_4, module_5, module_6, module_7,
+      module_8) {}
   /// With one that is told of every decision: without it, what tells is not linked.
   template <bool reports = director::observable>
   Behaviour(
@@ -833,6 +838,9 @@ public:
 
 private:
   friend struct detail::Bodies;
+  Behaviour(
+      detail::soccer_behaviour, Recovery& module_0, Safety& module_1, Locomotion& module_2, Kicking& module_3,
+      Looking& module_4, Planning& module_5, Strategy& module_6, Limbs& module_7, Servos& module_8);
   director::StepResult hand_on(director::StepResult result) {
     if (result == director::StepResult::fault) throw_on();
     return result;

@@ -62,7 +62,7 @@ const std::map<std::string, Providers, std::less<>>& standard_names() {
              {"cstddef string vector array span", "byte ptrdiff_t to_integer"},
              {"cstdint", "int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t"},
              {"cstdio", "snprintf fprintf fwrite FILE"},
-             {"cstdlib", "getenv strtod"},
+             {"cstdlib", "abort getenv strtod"},
              {"cstring", "memcmp memcpy memset strcmp strchr strerror"},
              {"cctype", "isalnum isdigit tolower"},
              {"ctime", "time time_t tm"},
