@@ -47,6 +47,16 @@ public:
     return TraverseStmt(expr->getSemanticForm());
   }
 
+  // ... and the calls with which a coroutine answers and waits. They contain what the user wrote there.
+  bool TraverseCoreturnStmt(CoreturnStmt* answer, DataRecursionQueue* = nullptr) {
+    Expr* operand = answer->getOperand();
+    if (answer->getPromiseCall() == nullptr || (operand != nullptr && operand->getType()->isVoidType()))
+      TraverseStmt(operand);
+    return TraverseStmt(answer->getPromiseCall());
+  }
+  bool TraverseCoawaitExpr(CoawaitExpr* expr, DataRecursionQueue* = nullptr) { return suspend(*expr); }
+  bool TraverseCoyieldExpr(CoyieldExpr* expr, DataRecursionQueue* = nullptr) { return suspend(*expr); }
+
   bool dataTraverseStmtPre(Stmt* stmt) { return live_.runs(stmt); }
   bool TraverseVarDecl(VarDecl* variable) {
     return variable->isConstexpr() || RecursiveASTVisitor::TraverseVarDecl(variable);
@@ -149,6 +159,12 @@ public:
     destroy(expr->getType(), expr->getBeginLoc());
     return true;
   }
+  bool VisitCoroutineBodyStmt(CoroutineBodyStmt* coroutine) {
+    for (const Stmt* part : coroutine->childrenExclBody()) {
+      if (part != coroutine->getDeallocate()) go_into(part, coroutine->getBeginLoc());
+    }
+    return true;
+  }
   bool VisitCXXForRangeStmt(CXXForRangeStmt* loop) {
     const auto made = [](const DeclStmt* each) -> const Stmt* {
       const auto* variable = each == nullptr ? nullptr : llvm::dyn_cast<VarDecl>(each->getSingleDecl());
@@ -184,6 +200,12 @@ private:
     if (const auto* member = llvm::dyn_cast<MemberExpr>(callee)) out = member->getMemberLoc();
     if (const auto* name = llvm::dyn_cast<DeclRefExpr>(callee)) out = name->getLocation();
     return out.isValid() ? out : expr.getBeginLoc(); // a conversion is called without its name
+  }
+
+  bool suspend(CoroutineSuspendExpr& expr) {
+    for (Expr* part : {expr.getCommonExpr(), expr.getReadyExpr(), expr.getSuspendExpr(), expr.getResumeExpr()})
+      TraverseStmt(part);
+    return true;
   }
 
   void construct(const CXXConstructorDecl& callee, SourceLocation at, bool is_given, bool carries) {

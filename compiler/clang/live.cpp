@@ -51,7 +51,11 @@ bool falls_through(const CFGBlock& block) {
 Live::Live(const FunctionDecl& function) {
   CFG::BuildOptions options;
   options.setAllAlwaysAdd();
-  const std::unique_ptr<CFG> graph = CFG::buildCFG(&function, function.getBody(), &function.getASTContext(), options);
+  // Of a coroutine only what the user wrote: the graph would have the rest of it, such as its promise, behind its end.
+  Stmt* body = function.getBody();
+  const auto* coroutine = llvm::dyn_cast<CoroutineBodyStmt>(body);
+  if (coroutine != nullptr) body = coroutine->getBody();
+  const std::unique_ptr<CFG> graph = CFG::buildCFG(&function, body, &function.getASTContext(), options);
   if (graph == nullptr) return; // unknown
   const std::vector<bool> reached = reached_blocks(*graph);
   for (const CFGBlock* block : *graph) {
@@ -60,6 +64,7 @@ Live::Live(const FunctionDecl& function) {
       if (const auto statement = element.getAs<CFGStmt>()) dead_.insert(statement->getStmt());
     }
   }
+  if (coroutine != nullptr) return; // its caller has its answer since it was called
   for (const CFGBlock* block : graph->getExit().preds()) {
     if (block != nullptr && reached[block->getBlockID()] && falls_through(*block)) reaches_end_ = true;
   }

@@ -111,6 +111,22 @@ const Shape promises[] = {
      "~Bold() override { run.set(S::on); } };",
      "Way* way = new Bold(run); delete way; return ask(run);"},
     {"Braces", "", "constexpr int which = static_cast<int>(S::on); run.try_set(S{which}); return ask(run);"},
+    {"Coroutine", "inline Steps go(Run& run) { run.set(S::on); co_return; }", "go(run).next(); return ask(run);"},
+    {"CoroutineYields", "inline Steps go(Run& run) { co_yield 3; run.set(S::on); }",
+     "go(run).next(); return ask(run);"},
+    {"CoroutineWaits",
+     "struct Waits { Run& run; bool await_ready() { run.set(S::on); return true; } void await_suspend(auto) {} "
+     "void await_resume() {} }; inline Steps go(Run& run) { co_await Waits{run}; }",
+     "go(run).next(); return ask(run);"},
+    {"CoroutineAnswers",
+     "struct Last { struct promise_type { Run& run; explicit promise_type(Run& r) : run(r) {} Last get_return_object() "
+     "{ "
+     "return {}; } std::suspend_never initial_suspend() { return {}; } std::suspend_never final_suspend() noexcept { "
+     "return {}; } void return_value(int) { run.set(S::on); } void unhandled_exception() {} }; }; "
+     "inline Last go(Run&) { co_return 3; }",
+     "go(run); return ask(run);"},
+    {"CoroutineLambda", "",
+     "const auto go = [](Run& r) -> Steps { r.set(S::on); co_return; }; go(run).next(); return ask(run);"},
     {"CastNumber", "", "run.try_set(S(static_cast<int>(S::on))); return ask(run);"},
 };
 
@@ -130,6 +146,21 @@ const Shape out_of_sight[] = {
 struct Program {
   std::string yaml, source, elsewhere;
 };
+
+/// What the coroutines return.
+const char* const steps = R"(struct Steps {
+  struct promise_type {
+    Steps get_return_object() { return {std::coroutine_handle<promise_type>::from_promise(*this)}; }
+    std::suspend_always initial_suspend() { return {}; }
+    std::suspend_always final_suspend() noexcept { return {}; }
+    std::suspend_never yield_value(int) { return {}; }
+    void return_void() {}
+    void unhandled_exception() {}
+  };
+  std::coroutine_handle<promise_type> handle;
+  void next() { handle.resume(); }
+};
+)";
 
 std::string title(const Shape& shape) {
   return fmt::format("namespace of_{0} {{\nusing S = deep::S{0};\nusing Run = deep::{0}::Default;\n{1}\n}}\n",
@@ -151,8 +182,10 @@ Program program() {
   for (const Shape& shape : out_of_sight) add(shape);
   out.yaml =
       "behaviour: deep\nlanguage: 1\nstates:\n" + states + "roots: [Leg]\ngroups:\n  Leg: {module: legs}\n" + groups;
-  const std::string head = "#include \"deep.hpp\"\n#include <algorithm>\n#include <functional>\n#include <optional>\n"
-                           "#include <stdexcept>\n#include <variant>\nusing director::Outcome;\n"
+  const std::string head = "#include \"deep.hpp\"\n#include <algorithm>\n#include <coroutine>\n"
+                           "#include <functional>\n#include <optional>\n"
+                           "#include <stdexcept>\n#include <variant>\nusing director::Outcome;\n" +
+                           std::string(steps) +
                            "template <class R> Outcome ask(R& run) { return run.request(deep::Leg{}); }\n";
   out.elsewhere = head + "namespace of_OtherFile { Outcome elsewhere(deep::OtherFile::Default& run) { "
                          "run.set(deep::SOtherFile::on); return ask(run); } }\n";
@@ -397,6 +430,7 @@ const Call calls[] = {
     {"Each", "uses the heap", "for (auto x : texts) n += static_cast<int>(x.size());"},
     {"Index", "uses the heap", "map[3] = 1;"},
     {"Sized", "uses the heap", "std::vector<int> z(30); n = z[0];"},
+    {"Coroutine", "sleeps, uses the heap", "resting(3).next();"},
     {"Bye", "does input or output", "Noisy x; n = x.i;"},
     {"ByeWithin", "does input or output", "struct Outer { Noisy x; } outer{}; n = outer.x.i;"},
     {"ByeArray", "sleeps", "Slow x[2]{}; n = x[0].i;"},
@@ -415,12 +449,13 @@ const Call calls[] = {
 TEST_CASE("what blocks is reported in whatever shape it comes, and what only looks like it is not") {
   Program program;
   program.yaml = "behaviour: deep\nlanguage: 1\nroots: [G]\ngroups:\n  G: {module: robot}\n";
-  program.source = R"(#include "deep.hpp"
+  program.source = std::string(R"(#include "deep.hpp"
 #include <algorithm>
 #include <any>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <coroutine>
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
@@ -444,7 +479,10 @@ TEST_CASE("what blocks is reported in whatever shape it comes, and what only loo
 #include <unistd.h>
 #include <variant>
 #include <vector>
+)") + std::string(steps) +
+                   R"(
 using director::Outcome;
+static Steps resting(int i) { std::this_thread::sleep_for(std::chrono::milliseconds(i)); co_return; }
 static std::mutex mutex;
 static std::timed_mutex timed;
 static std::condition_variable condition;
