@@ -81,8 +81,7 @@ public:
     callees_.insert(expr->getCallee()->IgnoreParenImpCasts());
     bool carries = false;
     for (const Expr* argument : expr->arguments()) carries = carries || carries_context(*argument);
-    const Expr* object = nullptr;
-    if (const auto* member = llvm::dyn_cast<CXXMemberCallExpr>(expr)) object = member->getImplicitObjectArgument();
+    const Expr* object = object_of(*expr);
     if (object != nullptr) carries = carries || carries_context(*object);
     const FunctionDecl* callee = expr->getDirectCallee();
     if (callee == nullptr) {
@@ -99,12 +98,9 @@ public:
     if (method != nullptr && object != nullptr && add_word(*expr, *method, *object)) return true;
     const SourceLocation at = name_place(*expr);
     if (is_directors(*callee)) return true;
-    bool is_virtual = false;
-    if (method != nullptr && method->isVirtual()) {
-      const auto* member = llvm::dyn_cast<MemberExpr>(expr->getCallee()->IgnoreParens());
-      is_virtual = member != nullptr && !member->hasQualifier() && object != nullptr &&
-                   const_cast<CXXMethodDecl*>(method)->getDevirtualizedMethod(object, false) == nullptr;
-    }
+    const CXXMethodDecl* target = method == nullptr ? nullptr : target_of(*expr, *method);
+    if (target != nullptr) callee = target;
+    const bool is_virtual = method != nullptr && target == nullptr;
     if (is_system(*callee)) {
       system_call(*expr, *callee, at, carries);
       return true;

@@ -59,6 +59,20 @@ bool may_do_anything(const FunctionDecl& function) {
 
 } // namespace
 
+const Expr* object_of(const CallExpr& call) {
+  if (const auto* member = llvm::dyn_cast<CXXMemberCallExpr>(&call)) return member->getImplicitObjectArgument();
+  const auto* method = llvm::dyn_cast_or_null<CXXMethodDecl>(call.getDirectCallee());
+  const bool has_object = llvm::isa<CXXOperatorCallExpr>(call) && method != nullptr && method->isInstance();
+  return has_object ? call.getArg(0) : nullptr;
+}
+
+const CXXMethodDecl* target_of(const CallExpr& call, const CXXMethodDecl& method) {
+  const Expr* object = object_of(call);
+  const auto* member = llvm::dyn_cast<MemberExpr>(call.getCallee()->IgnoreParens());
+  if (!method.isVirtual() || object == nullptr || (member != nullptr && member->hasQualifier())) return &method;
+  return const_cast<CXXMethodDecl&>(method).getDevirtualizedMethod(object, false);
+}
+
 std::string_view known_effect(const FunctionDecl& function) {
   const std::string name = name_of(function);
   const bool of_c =
@@ -100,15 +114,9 @@ public:
   bool VisitCallExpr(CallExpr* expr) {
     const FunctionDecl* callee = expr->getDirectCallee();
     if (callee == nullptr) return true;
-    const auto* method = llvm::dyn_cast<CXXMethodDecl>(callee);
-    if (method != nullptr && method->isVirtual()) {
-      const auto* member = llvm::dyn_cast<MemberExpr>(expr->getCallee()->IgnoreParens());
-      const auto* call = llvm::dyn_cast<CXXMemberCallExpr>(expr);
-      const Expr* object = call == nullptr ? nullptr : call->getImplicitObjectArgument();
-      const bool open = member != nullptr && !member->hasQualifier() && object != nullptr;
-      if (open) method = const_cast<CXXMethodDecl*>(method)->getDevirtualizedMethod(object, false);
-      if (method == nullptr) return true; // through a pointer: unknown
-      callee = method;
+    if (const auto* method = llvm::dyn_cast<CXXMethodDecl>(callee)) {
+      callee = target_of(*expr, *method);
+      if (callee == nullptr) return true; // through a pointer: unknown
     }
     add(*callee, llvm::isa<CXXDestructorDecl>(callee));
     return true;

@@ -6,6 +6,7 @@
 
 #include <clang/AST/Decl.h>
 #include <clang/AST/DeclCXX.h>
+#include <clang/AST/Expr.h>
 
 #include <map>
 #include <string>
@@ -21,6 +22,11 @@ struct Reached {
   std::vector<const clang::FunctionDecl*> unknown; ///< compiled, with unknown effects
   bool has_definition = false;                     ///< it was examined
 };
+
+/// The object of which a method is called, also by an operator; null: none.
+const clang::Expr* object_of(const clang::CallExpr& call);
+/// The function that a call of a method runs, as far as the type of its object decides that; null: any overrider may.
+const clang::CXXMethodDecl* target_of(const clang::CallExpr& call, const clang::CXXMethodDecl& method);
 
 /// What is known of it by name.
 std::string_view known_effect(const clang::FunctionDecl& function);

@@ -111,6 +111,10 @@ const Shape promises[] = {
      "~Bold() override { run.set(S::on); } };",
      "Way* way = new Bold(run); delete way; return ask(run);"},
     {"Braces", "", "constexpr int which = static_cast<int>(S::on); run.try_set(S{which}); return ask(run);"},
+    {"FinalOverrider",
+     "struct Way { virtual ~Way() = default; virtual Outcome act(Run& run) { return run.keep(); } }; "
+     "struct Bold final : Way { Outcome act(Run& run) override { run.set(S::on); return ask(run); } };",
+     "Bold bold; return static_cast<Way&>(bold).act(run);"},
     {"Coroutine", "inline Steps go(Run& run) { run.set(S::on); co_return; }", "go(run).next(); return ask(run);"},
     {"CoroutineYields", "inline Steps go(Run& run) { co_yield 3; run.set(S::on); }",
      "go(run).next(); return ask(run);"},
@@ -135,6 +139,16 @@ const Shape out_of_sight[] = {
      "struct Way { virtual ~Way() = default; virtual Outcome act(Run& run) = 0; }; "
      "struct Bold : Way { Outcome act(Run& run) override { run.set(S::on); return ask(run); } }; inline Bold bold;",
      "Way* way = &bold; return way->act(run);"},
+    {"VirtualOperator",
+     "struct Way { virtual ~Way() = default; virtual Outcome operator()(Run& run) const { return run.keep(); } }; "
+     "struct Bold : Way { Outcome operator()(Run& run) const override { run.set(S::on); return ask(run); } }; "
+     "inline Bold bold; inline const Way& way() { return bold; }",
+     "return way()(run);"},
+    {"VirtualAssignment",
+     "struct Way { virtual ~Way() = default; virtual void operator-=(Run&) {} }; "
+     "struct Bold : Way { void operator-=(Run& run) override { run.set(S::on); } }; "
+     "inline Bold bold; inline Way& way() { return bold; }",
+     "way() -= run; return ask(run);"},
     {"OpaqueData", "extern \"C\" int plan(void* user);", "return plan(&run) ? run.keep() : ask(run);"},
     {"Pointers", "",
      "Outcome (*const ways[])(Run&) = {[](Run& r) { return r.keep(); }, [](Run& r) { r.set(S::on); return ask(r); }}; "
