@@ -10,6 +10,8 @@
 #include <clang/AST/RecursiveASTVisitor.h>
 #include <clang/Lex/Lexer.h>
 
+#include <algorithm>
+
 namespace director::scanning {
 
 namespace {
@@ -80,9 +82,9 @@ public:
   bool VisitCallExpr(CallExpr* expr) {
     callees_.insert(expr->getCallee()->IgnoreParenImpCasts());
     bool carries = false;
-    for (const Expr* argument : expr->arguments()) carries = carries || carries_context(*argument);
+    for (const Expr* argument : expr->arguments()) carries = carries || book_.carriers().has(*argument);
     const Expr* object = object_of(*expr);
-    if (object != nullptr) carries = carries || carries_context(*object);
+    if (object != nullptr) carries = carries || book_.carriers().has(*object);
     const FunctionDecl* callee = expr->getDirectCallee();
     if (callee == nullptr) {
       if (!llvm::isa<CXXPseudoDestructorExpr>(expr->getCallee()->IgnoreParens()) && !expr->isTypeDependent())
@@ -113,7 +115,7 @@ public:
   bool VisitCXXConstructExpr(CXXConstructExpr* expr) {
     const CXXConstructorDecl& callee = *expr->getConstructor();
     bool carries = false;
-    for (const Expr* argument : expr->arguments()) carries = carries || carries_context(*argument);
+    for (const Expr* argument : expr->arguments()) carries = carries || book_.carriers().has(*argument);
     const bool is_given = expr->getNumArgs() > 0 && !callee.isDefaultConstructor() && !callee.isMoveConstructor();
     construct(callee, expr->getBeginLoc(), is_given, carries);
     return true;
@@ -121,7 +123,7 @@ public:
   bool VisitCXXInheritedCtorInitExpr(CXXInheritedCtorInitExpr* expr) {
     const CXXConstructorDecl& callee = *expr->getConstructor();
     bool carries = false;
-    for (const ParmVarDecl* each : callee.parameters()) carries = carries || carries_context(each->getType());
+    for (const ParmVarDecl* each : callee.parameters()) carries = carries || book_.carriers().has(each->getType());
     construct(callee, expr->getBeginLoc(), callee.getNumParams() > 0, carries);
     return true;
   }
@@ -229,9 +231,9 @@ private:
     if (by_pointer && record != nullptr && record->hasDefinition() && !is_system(*record) && !is_directors(*record)) {
       const CXXDestructorDecl* own = record->getDestructor();
       if (own != nullptr && own->isVirtual() && !record->isEffectivelyFinal())
-        call(*own, at, at, carries_context(type), false, true);
+        call(*own, at, at, book_.carriers().has(type), false, true);
     }
-    destroy(record, carries_context(type), at);
+    destroy(record, book_.carriers().has(type), at);
   }
   void destroy(const CXXRecordDecl* record, bool carries, SourceLocation at) {
     if (record == nullptr || !record->hasDefinition() || record->hasTrivialDestructor()) return;
@@ -302,12 +304,9 @@ private:
     if (carries) {
       static const std::set<std::string> passes_on{"std::forward",   "std::move",     "std::ref", "std::cref",
                                                    "std::addressof", "std::as_const", "std::tie", "std::get"};
-      bool only_lambdas = true; // whose effect is known
-      for (const Expr* argument : expr.arguments()) {
-        const CXXRecordDecl* record = bare(argument->getType())->getAsCXXRecordDecl();
-        const bool is_lambda = record != nullptr && record->isLambda();
-        only_lambdas = only_lambdas && (is_lambda || !carries_context(*argument));
-      }
+      const bool only_lambdas = std::none_of(expr.arg_begin(), expr.arg_end(), [&](const Expr* argument) {
+        return book_.carriers().has_outside_of_lambdas(*argument);
+      });
       if (passes_on.count(name) == 0 && !only_lambdas) hide("what `" + name + "` does with it", at, at, true);
     }
     if (!name.starts_with("std::") || name == "std::async" || name.starts_with("std::thread")) return;

@@ -3,6 +3,7 @@
 // Collects the facts of a unit: classes that implement modules, and functions, each read once, in the order in which
 // they are found.
 
+#include "compiler/clang/contexts.hpp"
 #include "compiler/clang/places.hpp"
 #include "compiler/clang/reach.hpp"
 
@@ -34,6 +35,7 @@ public:
   clang::ASTContext& context() { return context_; }
   Places& places() { return places_; }
   Reach& reach() { return reach_; }
+  Carriers& carriers() { return carriers_; }
   bool is_deep() const { return is_deep_; }
   std::vector<Json> functions, classes;
   std::set<std::string> continued; ///< keys of classes from which a class template derives
@@ -43,6 +45,7 @@ private:
   clang::ASTContext& context_;
   Places places_;
   Reach reach_;
+  Carriers carriers_;
   bool is_deep_;
   std::set<const clang::Decl*> wanted_;
   std::vector<const clang::FunctionDecl*> waiting_;

@@ -7,6 +7,9 @@
 #include <clang/AST/DeclTemplate.h>
 #include <clang/AST/Expr.h>
 
+#include <algorithm>
+#include <set>
+
 namespace director::scanning {
 
 using namespace clang;
@@ -30,10 +33,6 @@ QualType bare(QualType type) {
 }
 
 namespace {
-
-// Limit for nested members that are searched for a context: types of the user may contain themselves by pointers, and
-// templates may nest without end.
-constexpr int deepest_member = 4;
 
 /// `soccer::Walk::Halting`, of Facts<soccer::Walk::Halting>.
 std::string provider_of_facts(const ClassTemplateSpecializationDecl& context) {
@@ -64,39 +63,63 @@ std::string context_of(const CXXRecordDecl* record) {
   return {};
 }
 
-bool carries_context(QualType type, int depth) {
-  if (depth == 0 || type.isNull()) return false;
-  const QualType inner = bare(type);
-  if (const auto* function = inner->getAs<FunctionProtoType>()) {
-    for (const QualType each : function->param_types()) {
-      if (carries_context(each, depth - 1)) return true;
-    }
-    return false;
-  }
-  const CXXRecordDecl* record = inner->getAsCXXRecordDecl();
-  if (record == nullptr) return false;
-  if (!context_of(record).empty()) return true;
-  if (const auto* special = llvm::dyn_cast<ClassTemplateSpecializationDecl>(record)) {
-    for (const TemplateArgument& argument : special->getTemplateArgs().asArray()) {
-      if (argument.getKind() == TemplateArgument::Type && carries_context(argument.getAsType(), depth - 1)) return true;
-    }
-  }
-  if (!record->hasDefinition() || is_system(*record) || is_directors(*record)) return false;
-  for (const FieldDecl* field : record->fields()) {
-    if (carries_context(field->getType(), depth - 1)) return true;
-  }
-  return false;
-}
-
 } // namespace
 
 std::string context_of(QualType type) { return context_of(bare(type)->getAsCXXRecordDecl()); }
 
-bool carries_context(QualType type) { return carries_context(type, deepest_member); }
+/// Searches a type for a context: through its members, its bases, and what its templates are made of. Types may contain
+/// themselves by pointers, so each is searched once.
+class ContextSearch {
+public:
+  explicit ContextSearch(Carriers::Lambdas lambdas) : lambdas_(lambdas) {}
+  bool finds_in(QualType type) {
+    if (type.isNull()) return false;
+    type = bare(type);
+    while (const ArrayType* array = type->getAsArrayTypeUnsafe()) type = bare(array->getElementType());
+    if (!seen_.insert(type.getAsOpaquePtr()).second) return false;
+    if (const auto* function = type->getAs<FunctionProtoType>()) {
+      return std::any_of(function->param_type_begin(), function->param_type_end(),
+                         [&](QualType each) { return finds_in(each); });
+    }
+    const CXXRecordDecl* record = type->getAsCXXRecordDecl();
+    return record != nullptr && finds_in(*record);
+  }
 
-bool carries_context(const Expr& value) {
-  return carries_context(value.getType()) || carries_context(value.IgnoreParenCasts()->getType());
+private:
+  bool finds_in(const CXXRecordDecl& record) {
+    if (!context_of(&record).empty()) return true;
+    if (record.isLambda() && lambdas_ == Carriers::Lambdas::skipped) return false;
+    const auto* special = llvm::dyn_cast<ClassTemplateSpecializationDecl>(&record);
+    if (special != nullptr && finds_in(special->getTemplateArgs().asArray())) return true;
+    if (!record.hasDefinition() || is_system(record) || is_directors(record)) return false;
+    return std::any_of(record.field_begin(), record.field_end(),
+                       [&](const FieldDecl* field) { return finds_in(field->getType()); }) ||
+           std::any_of(record.bases_begin(), record.bases_end(),
+                       [&](const CXXBaseSpecifier& base) { return finds_in(base.getType()); });
+  }
+  bool finds_in(llvm::ArrayRef<TemplateArgument> arguments) {
+    return std::any_of(arguments.begin(), arguments.end(), [&](const TemplateArgument& each) {
+      if (each.getKind() == TemplateArgument::Pack) return finds_in(each.pack_elements());
+      return each.getKind() == TemplateArgument::Type && finds_in(each.getAsType());
+    });
+  }
+
+  Carriers::Lambdas lambdas_;
+  std::set<void*> seen_;
+};
+
+bool Carriers::has(QualType type, Lambdas lambdas) {
+  const auto [at, is_new] = known_.try_emplace({type.getAsOpaquePtr(), lambdas});
+  if (is_new) at->second = ContextSearch(lambdas).finds_in(type);
+  return at->second;
 }
+bool Carriers::has(const Expr& value, Lambdas lambdas) {
+  return has(value.getType(), lambdas) || has(value.IgnoreParenCasts()->getType(), lambdas);
+}
+
+bool Carriers::has(QualType type) { return has(type, Lambdas::searched); }
+bool Carriers::has(const Expr& value) { return has(value, Lambdas::searched); }
+bool Carriers::has_outside_of_lambdas(const Expr& value) { return has(value, Lambdas::skipped); }
 
 bool is_called_like_body(const NamedDecl& decl) {
   if (!decl.getDeclName().isIdentifier()) return false;

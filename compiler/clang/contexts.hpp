@@ -8,7 +8,9 @@
 
 #include <clang/AST/DeclCXX.h>
 
+#include <map>
 #include <string>
+#include <utility>
 
 namespace director::scanning {
 
@@ -20,10 +22,23 @@ clang::QualType bare(clang::QualType type);
 
 /// The name of the provider's or handler's context that the type is; empty: it is none.
 std::string context_of(clang::QualType type);
-/// Whether a context may be reached through such a value.
-bool carries_context(clang::QualType type);
-/// ... also if a cast hides its type: `void*`, a base class.
-bool carries_context(const clang::Expr& value);
+/// Whether a context may be reached through a value. A type is searched once.
+class Carriers {
+public:
+  bool has(clang::QualType type);
+  /// ... also if a cast hides its type: `void*`, a base class.
+  bool has(const clang::Expr& value);
+  /// ... in another way than through what a lambda captures: the effect of a lambda is known.
+  bool has_outside_of_lambdas(const clang::Expr& value);
+
+private:
+  enum class Lambdas { searched, skipped };
+  bool has(clang::QualType type, Lambdas lambdas);
+  bool has(const clang::Expr& value, Lambdas lambdas);
+  friend class ContextSearch;
+
+  std::map<std::pair<void*, Lambdas>, bool> known_; ///< by type
+};
 /// The context of the only parameter of a body; empty: it has another one, or several.
 std::string parameter_context(const clang::CXXMethodDecl& method);
 

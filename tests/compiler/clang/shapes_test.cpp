@@ -150,6 +150,15 @@ const Shape out_of_sight[] = {
      "inline Bold bold; inline Way& way() { return bold; }",
      "way() -= run; return ask(run);"},
     {"OpaqueData", "extern \"C\" int plan(void* user);", "return plan(&run) ? run.keep() : ask(run);"},
+    {"OpaqueBase", "struct Held { Run* run; }; struct Plan : Held { int i; }; Outcome act(Plan& plan);",
+     "Plan plan{{&run}, 1}; return act(plan);"},
+    {"OpaqueArray", "struct Plan { Run* runs[2]; }; Outcome act(Plan& plan);",
+     "Plan plan{{&run, &run}}; return act(plan);"},
+    {"OpaqueVariant", "Outcome act(std::variant<std::monostate, Run*> what);", "return act(&run);"},
+    {"OpaqueDepth",
+     "struct A { Run& run; }; struct B { A a; }; struct C { B b; }; struct D { C c; }; struct E { D d; }; "
+     "Outcome act(E& e);",
+     "E e{{{{{run}}}}}; return act(e);"},
     {"Pointers", "",
      "Outcome (*const ways[])(Run&) = {[](Run& r) { return r.keep(); }, [](Run& r) { r.set(S::on); return ask(r); }}; "
      "return ways[mode_ & 1](run);"},
