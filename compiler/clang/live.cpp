@@ -51,6 +51,7 @@ bool falls_through(const CFGBlock& block) {
 Live::Live(const FunctionDecl& function) {
   CFG::BuildOptions options;
   options.setAllAlwaysAdd();
+  options.AddImplicitDtors = options.AddTemporaryDtors = true; // one of them may end the program
   // Of a coroutine only what the user wrote: the graph would have the rest of it, such as its promise, behind its end.
   Stmt* body = function.getBody();
   const auto* coroutine = llvm::dyn_cast<CoroutineBodyStmt>(body);

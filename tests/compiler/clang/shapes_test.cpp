@@ -111,6 +111,15 @@ const Shape promises[] = {
      "~Bold() override { run.set(S::on); } };",
      "Way* way = new Bold(run); delete way; return ask(run);"},
     {"Braces", "", "constexpr int which = static_cast<int>(S::on); run.try_set(S{which}); return ask(run);"},
+    {"EndsTheProgram", "struct Fatal { int i; [[noreturn]] ~Fatal() { std::abort(); } };",
+     "if (mode_) { run.set(S::on); return ask(run); } Fatal{3};"},
+    {"EndsInLocal", "struct Fatal { int i; [[noreturn]] ~Fatal() { std::abort(); } };",
+     "if (mode_) { run.set(S::on); return ask(run); } const Fatal last{3}; mode_ = last.i;"},
+    {"PartlyTemporary",
+     "struct Last { Run& run; ~Last() { run.set(S::on); } bool good() const { return true; } "
+     "Outcome act() const { return ask(run); } };",
+     "const Last local{run}; return mode_ ? Last{run}.act() : mode_ > 3 && Last{run}.good() ? local.act() : "
+     "run.keep();"},
     {"FinalOverrider",
      "struct Way { virtual ~Way() = default; virtual Outcome act(Run& run) { return run.keep(); } }; "
      "struct Bold final : Way { Outcome act(Run& run) override { run.set(S::on); return ask(run); } };",
@@ -206,7 +215,7 @@ Program program() {
   out.yaml =
       "behaviour: deep\nlanguage: 1\nstates:\n" + states + "roots: [Leg]\ngroups:\n  Leg: {module: legs}\n" + groups;
   const std::string head = "#include \"deep.hpp\"\n#include <algorithm>\n#include <coroutine>\n"
-                           "#include <functional>\n#include <optional>\n"
+                           "#include <cstdlib>\n#include <functional>\n#include <optional>\n"
                            "#include <stdexcept>\n#include <variant>\nusing director::Outcome;\n" +
                            std::string(steps) +
                            "template <class R> Outcome ask(R& run) { return run.request(deep::Leg{}); }\n";
@@ -283,6 +292,8 @@ const Shape never[] = {
     {"DeadRequires", "", "if constexpr (requires { run.set(S::on); }) return ask(run); return run.keep();"},
     {"BehindReturn", "", "return ask(run); run.set(S::on);"},
     {"BehindLoop", "", "for (;;) { if (mode_ > 3) return ask(run); } run.set(S::on);"},
+    {"BehindTemporary", "struct Fatal { int i; [[noreturn]] ~Fatal() { std::abort(); } };",
+     "if (mode_ > 3) { Fatal{3}; run.set(S::on); } return ask(run);"},
     {"BehindEnd", "", "if (mode_ > 3) { std::abort(); run.set(S::on); } return ask(run);"},
 };
 
