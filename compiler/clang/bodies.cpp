@@ -68,10 +68,10 @@ public:
     // A lambda may be called by its receiver. One with `auto` has a body for each way in which it is called.
     if (!lambda->isGenericLambda()) {
       const FunctionDecl* body = lambda->getCallOperator();
-      call(*body, lambda->getBeginLoc(), lambda->getBeginLoc(), true, given_to_std_.count(lambda) == 0, false);
+      call(*body, lambda->getBeginLoc(), lambda->getBeginLoc(), true, run_at_once_.count(lambda) == 0, false);
     } else if (const FunctionTemplateDecl* many = lambda->getDependentCallOperator()) {
       for (const FunctionDecl* each : many->specializations())
-        call(*each, lambda->getBeginLoc(), lambda->getBeginLoc(), true, given_to_std_.count(lambda) == 0, false);
+        call(*each, lambda->getBeginLoc(), lambda->getBeginLoc(), true, run_at_once_.count(lambda) == 0, false);
     }
     for (Expr* capture : lambda->capture_inits()) {
       if (capture != nullptr) TraverseStmt(capture);
@@ -309,10 +309,11 @@ private:
       });
       if (passes_on.count(name) == 0 && !only_lambdas) hide("what `" + name + "` does with it", at, at, true);
     }
-    if (!name.starts_with("std::") || name == "std::async" || name.starts_with("std::thread")) return;
+    // What runs a lambda is found in its definition, but these do so through a pointer.
+    if (name != "std::visit" && name != "std::call_once") return;
     for (const Expr* argument : expr.arguments()) {
       if (const auto* lambda = llvm::dyn_cast<LambdaExpr>(argument->IgnoreUnlessSpelledInSource()))
-        given_to_std_.insert(lambda);
+        run_at_once_.insert(lambda);
     }
   }
 
@@ -386,7 +387,7 @@ private:
   Values values_;
   Live live_;
   std::set<const Expr*> callees_;
-  std::set<const LambdaExpr*> given_to_std_;
+  std::set<const LambdaExpr*> run_at_once_;
   SourceLocation here_; ///< while something is read that is written elsewhere: where it runs
   int inside_ = 0;
 };

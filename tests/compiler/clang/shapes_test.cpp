@@ -464,6 +464,17 @@ const Call calls[] = {
     {"Each", "uses the heap", "for (auto x : texts) n += static_cast<int>(x.size());"},
     {"Index", "uses the heap", "map[3] = 1;"},
     {"Sized", "uses the heap", "std::vector<int> z(30); n = z[0];"},
+    {"Later", "", "job = [] { std::puts(\"x\"); }; jobs[1] = [] { std::puts(\"y\"); };"},
+    {"LaterHeld", "", "perhaps.emplace([] { std::puts(\"x\"); }); std::exchange(job, [] { std::puts(\"y\"); });"},
+    {"LaterQueued", "uses the heap",
+     "static std::deque<std::function<void()>> q; q.push_back([] { std::puts(\"x\"); });"},
+    {"LaterBound", "", "job = std::bind([] { std::puts(\"x\"); });"},
+    {"LaterThread", "waits", "static std::vector<std::jthread> t; t.emplace_back([] { std::puts(\"x\"); });"},
+    {"AtOnce", "does input or output",
+     "std::optional<int> o(3); n = std::invoke([&](int i) { return std::puts(\"x\") + i; }, *o);"},
+    {"AtOnceSorted", "sleeps", "std::ranges::sort(row, [](int a, int b) { ::usleep(3); return a < b; });"},
+    {"AtOnceVisited", "sleeps", "std::variant<int, char> v{n}; std::visit([](auto) { ::usleep(3); }, v);"},
+    {"AtOnceOnly", "locks, sleeps", "static std::once_flag f; std::call_once(f, [] { ::usleep(3); });"},
     {"Coroutine", "sleeps, uses the heap", "resting(3).next();"},
     {"Bye", "does input or output", "Noisy x; n = x.i;"},
     {"ByeWithin", "does input or output", "struct Outer { Noisy x; } outer{}; n = outer.x.i;"},
@@ -486,12 +497,14 @@ TEST_CASE("what blocks is reported in whatever shape it comes, and what only loo
   program.source = std::string(R"(#include "deep.hpp"
 #include <algorithm>
 #include <any>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <coroutine>
 #include <cstddef>
 #include <cstdio>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <iostream>
@@ -517,6 +530,9 @@ TEST_CASE("what blocks is reported in whatever shape it comes, and what only loo
                    R"(
 using director::Outcome;
 static Steps resting(int i) { std::this_thread::sleep_for(std::chrono::milliseconds(i)); co_return; }
+static std::function<void()> job;
+static std::array<std::function<void()>, 2> jobs;
+static std::optional<std::function<void()>> perhaps;
 static std::mutex mutex;
 static std::timed_mutex timed;
 static std::condition_variable condition;
