@@ -79,11 +79,15 @@ Json describe(const clang::EnumDecl& decl, Places& places) {
       {{"at", places.of(decl.getLocation(), decl.getLocation())}, {"enumerators", std::move(enumerators)}});
 }
 
-/// Also what a template would be that has not been instantiated yet.
+/// Also what a template would be that has not been instantiated yet. Of one that is only defined for some arguments,
+/// such as std::function, it is unknown here whether these are among them.
 bool is_complete(clang::QualType type) {
   if (!type->isIncompleteType()) return true;
   const auto* special = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(type->getAsTagDecl());
-  return special != nullptr && special->getSpecializedTemplate()->getTemplatedDecl()->hasDefinition();
+  if (special == nullptr || special->isExplicitSpecialization()) return false;
+  llvm::SmallVector<clang::ClassTemplatePartialSpecializationDecl*, 4> some;
+  special->getSpecializedTemplate()->getPartialSpecializations(some);
+  return !some.empty() || special->getSpecializedTemplate()->getTemplatedDecl()->hasDefinition();
 }
 
 } // namespace

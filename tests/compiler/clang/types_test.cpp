@@ -67,6 +67,22 @@ TEST_CASE("what the generated code includes by itself counts for types too, and 
   CHECK(checked("nowhere::Way").out.find("there is no type `nowhere::Way` in the C++") != std::string::npos);
 }
 
+TEST_CASE("a type whose template is only defined for some arguments is a type") {
+  const Workshop work("types-some");
+  work.write("flags", "g++\n-std=c++20\n-I" + source_folder() + "\n-I" + work.path() + "\n");
+  work.write("way.hpp", "#pragma once\n#include <functional>\nnamespace way {\ntemplate <class> class Call;\n"
+                        "template <class R, class... A> class Call<R(A...)> {};\ntemplate <> class Call<int>;\n}\n");
+  const auto checked = [&](const std::string& data) {
+    work.write("cart.yaml", "behaviour: cart\nlanguage: 1\ncpp: {headers: [way.hpp]}\nroots: [Drive]\ngroups:\n"
+                            "  Drive: {data: '" +
+                                data + "'}\n");
+    return work.directorc({"check", work.path("cart.yaml"), "--flags", work.path("flags")}).out;
+  };
+  CHECK(checked("std::function<void(int)>") == "");
+  CHECK(checked("way::Call<void(int)>") == "");
+  CHECK(checked("way::Call<int>").find("`way::Call<int>` is declared and not defined") != std::string::npos);
+}
+
 TEST_CASE("an enum without values, or one that two states name, is no type of a state") {
   const Workshop work("types-odd");
   work.write("flags", "g++\n-std=c++20\n-I" + work.path("include") + "\n");
