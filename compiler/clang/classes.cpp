@@ -48,14 +48,17 @@ public:
     }
     CXXFinalOverriderMap overriders;
     record->getFinalOverriders(overriders);
+    bool is_base = is_made_below(*record);
     for (const auto& [method, by_subobject] : overriders) {
       for (const auto& [subobject, last] : by_subobject) {
         const CXXMethodDecl* final_one = last.front().Method;
+        is_base = is_base || (final_one->isPureVirtual() && !is_called_like_body(*final_one));
         if (final_one->isPureVirtual() && is_called_like_body(*final_one) &&
             (is_interface(*final_one->getParent()) || promised_by(*final_one) != nullptr))
           missing.add(Json::text(parameter_context(*final_one)));
       }
     }
+    if (is_base) missing = Json::list({});
     for (const CXXMethodDecl* method : record->methods()) {
       if (!is_called_like_body(*method) || method->size_overridden_methods() != 0 || method->isDeleted()) continue;
       const std::string context = parameter_context(*method);
@@ -85,6 +88,16 @@ public:
   }
 
 private:
+  /// Whether only derived classes can have objects, as its constructors are protected.
+  static bool is_made_below(const CXXRecordDecl& record) {
+    const auto any = [&](AccessSpecifier access) {
+      return std::any_of(record.ctor_begin(), record.ctor_end(), [&](const CXXConstructorDecl* each) {
+        return !each->isCopyOrMoveConstructor() && each->getAccess() == access;
+      });
+    };
+    return !record.isEffectivelyFinal() && any(AS_protected) && !any(AS_public);
+  }
+
   static bool has_body(const CXXRecordDecl& record) {
     return std::any_of(record.method_begin(), record.method_end(), [](const CXXMethodDecl* method) {
       return is_called_like_body(*method) && !parameter_context(*method).empty();
