@@ -8,6 +8,7 @@
 #include "compiler/clang/places.hpp"
 
 #include <clang/AST/ASTContext.h>
+#include <clang/AST/Attr.h>
 #include <clang/AST/RecursiveASTVisitor.h>
 
 #include <algorithm>
@@ -52,7 +53,8 @@ bool is_standard(const FunctionDecl& function) {
 bool may_do_anything(const FunctionDecl& function) {
   if (function.getBuiltinID() != 0 || function.isNoReturn() || function.isTrivial() || is_standard(function))
     return false;
-  if (!function.isExternC()) return true;
+  // glibc declares functions such as strchr for C++ twice, with and without `const`, under another name for the linker.
+  if (!function.isExternC() && !function.hasAttr<AsmLabelAttr>()) return true;
   const auto* type = function.getType()->getAs<FunctionProtoType>();
   return type == nullptr || !type->isNothrow();
 }

@@ -464,6 +464,7 @@ const Call calls[] = {
     {"Each", "uses the heap", "for (auto x : texts) n += static_cast<int>(x.size());"},
     {"Index", "uses the heap", "map[3] = 1;"},
     {"Sized", "uses the heap", "std::vector<int> z(30); n = z[0];"},
+    {"FindInText", "", "static char c[9]; n = std::strchr(c, 'x') != nullptr && std::memchr(c, 'x', 3) != nullptr;"},
     {"Later", "", "job = [] { std::puts(\"x\"); }; jobs[1] = [] { std::puts(\"y\"); };"},
     {"LaterHeld", "", "perhaps.emplace([] { std::puts(\"x\"); }); std::exchange(job, [] { std::puts(\"y\"); });"},
     {"LaterQueued", "uses the heap",
@@ -504,6 +505,7 @@ TEST_CASE("what blocks is reported in whatever shape it comes, and what only loo
 #include <coroutine>
 #include <cstddef>
 #include <cstdio>
+#include <cstring>
 #include <deque>
 #include <filesystem>
 #include <functional>
