@@ -78,6 +78,8 @@ std::optional<std::set<Values::Names>> Values::of(const Expr* expr, const EnumDe
   }
   if (const auto* list = llvm::dyn_cast<InitListExpr>(expr))
     return list->getNumInits() == 1 ? of(list->getInit(0), names, depth - 1) : std::nullopt;
+  if (const auto* list = llvm::dyn_cast<CXXParenListInitExpr>(expr))
+    return list->getInitExprs().size() == 1 ? of(list->getInitExprs()[0], names, depth - 1) : std::nullopt;
   if (const auto* made = llvm::dyn_cast<CXXConstructExpr>(expr))
     return made->getNumArgs() >= 1 ? of(made->getArg(0), names, depth - 1) : std::nullopt;
   if (const auto* name = llvm::dyn_cast<DeclRefExpr>(expr)) {
