@@ -207,9 +207,10 @@ private:
   }
 
   void construct(const CXXConstructorDecl& callee, SourceLocation at, bool is_given, bool carries) {
-    if (is_directors(callee)) return;
+    const bool is_generated = callee.isImplicit() || callee.isDefaulted(); // a copy of a task copies its data
+    if (is_directors(callee) && !is_generated) return;
     if (is_system(callee)) return reach(callee, at, is_given);
-    if (!callee.isImplicit() && !callee.isDefaulted()) return call(callee, at, at, carries, false, false);
+    if (!is_generated) return call(callee, at, at, carries, false, false);
     for (const CXXCtorInitializer* part : callee.inits()) go_into(part->getInit(), at);
   }
 
