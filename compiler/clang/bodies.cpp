@@ -26,6 +26,7 @@ public:
 
   bool reaches_end() const { return live_.reaches_end(); }
 
+  bool stores = false; ///< a context, in what outlives the function, or in what does not show it
   Json does = Json::list({}), calls = Json::list({}), blocks = Json::list({}), hidden = Json::list({});
 
   // Skips code that is never run.
@@ -79,8 +80,30 @@ public:
     return true;
   }
 
+  // Where a context gets out of sight: it is stored in what outlives the function, or its type is lost.
+  bool VisitBinaryOperator(BinaryOperator* expr) {
+    if (expr->getOpcode() == BO_Assign) store(*expr->getLHS(), *expr->getRHS());
+    return true;
+  }
+  bool VisitCastExpr(CastExpr* expr) {
+    const CastKind kind = expr->getCastKind();
+    const bool may_lose = kind == CK_BitCast || kind == CK_PointerToIntegral || kind == CK_DerivedToBase ||
+                          kind == CK_UncheckedDerivedToBase;
+    if (may_lose && given_.count(expr) == 0 && !book_.carriers().holds(expr->getType()) &&
+        book_.carriers().holds(expr->getSubExpr()->getType()))
+      stores = true;
+    return true;
+  }
+  bool VisitMemberExpr(MemberExpr* expr) {
+    give(expr->getBase());
+    return true;
+  }
+
   bool VisitCallExpr(CallExpr* expr) {
     callees_.insert(expr->getCallee()->IgnoreParenImpCasts());
+    for (const Expr* argument : expr->arguments()) give(argument);
+    const auto* sign = llvm::dyn_cast<CXXOperatorCallExpr>(expr);
+    if (sign != nullptr && sign->getOperator() == OO_Equal) store(*sign->getArg(0), *sign->getArg(1));
     bool carries = false;
     for (const Expr* argument : expr->arguments()) carries = carries || book_.carriers().has(*argument);
     const Expr* object = object_of(*expr);
@@ -115,7 +138,13 @@ public:
   bool VisitCXXConstructExpr(CXXConstructExpr* expr) {
     const CXXConstructorDecl& callee = *expr->getConstructor();
     bool carries = false;
-    for (const Expr* argument : expr->arguments()) carries = carries || book_.carriers().has(*argument);
+    for (const Expr* argument : expr->arguments()) {
+      give(argument);
+      carries = carries || book_.carriers().has(*argument);
+      // Such as std::any.
+      if (is_system(callee) && book_.carriers().holds(*argument) && !book_.carriers().holds(expr->getType()))
+        stores = true;
+    }
     const bool is_given = expr->getNumArgs() > 0 && !callee.isDefaultConstructor() && !callee.isMoveConstructor();
     construct(callee, expr->getBeginLoc(), is_given, carries);
     return true;
@@ -140,6 +169,8 @@ public:
 
   // Code that runs without being written: destructors, and parts of loops and of objects.
   bool VisitVarDecl(VarDecl* variable) {
+    if (!variable->hasLocalStorage() && variable->getInit() != nullptr && book_.carriers().holds(*variable->getInit()))
+      stores = true;
     if (!variable->hasLocalStorage() || llvm::isa<ParmVarDecl>(variable)) return true;
     if (variable->getInit() != nullptr && !live_.runs(variable->getInit())) return true;
     if (variable->isCXXForRangeDecl() && variable->getInit() != nullptr)
@@ -192,6 +223,41 @@ public:
   }
 
 private:
+  /// Notes the casts around what is given to a call, which has it by its type before them, or is read itself.
+  void give(const Expr* value) {
+    while (value != nullptr) {
+      given_.insert(value);
+      const auto* cast = llvm::dyn_cast<CastExpr>(value);
+      const auto* full = llvm::dyn_cast<FullExpr>(value);
+      const auto* temporary = llvm::dyn_cast<MaterializeTemporaryExpr>(value);
+      const auto* parentheses = llvm::dyn_cast<ParenExpr>(value);
+      value = cast != nullptr          ? cast->getSubExpr()
+              : full != nullptr        ? full->getSubExpr()
+              : temporary != nullptr   ? temporary->getSubExpr()
+              : parentheses != nullptr ? parentheses->getSubExpr()
+                                       : nullptr;
+    }
+  }
+
+  void store(const Expr& to, const Expr& value) {
+    const Expr* at = to.IgnoreParenImpCasts();
+    for (;;) {
+      const auto* member = llvm::dyn_cast<MemberExpr>(at);
+      const auto* element = llvm::dyn_cast<ArraySubscriptExpr>(at);
+      if (member != nullptr && !member->isArrow()) {
+        at = member->getBase()->IgnoreParenImpCasts();
+      } else if (element != nullptr && element->getBase()->IgnoreParenImpCasts()->getType()->isArrayType()) {
+        at = element->getBase()->IgnoreParenImpCasts();
+      } else {
+        break;
+      }
+    }
+    const auto* name = llvm::dyn_cast<DeclRefExpr>(at);
+    const auto* variable = name == nullptr ? nullptr : llvm::dyn_cast<VarDecl>(name->getDecl());
+    const bool is_local = variable != nullptr && variable->hasLocalStorage() && !variable->getType()->isReferenceType();
+    if (!is_local && book_.carriers().holds(value)) stores = true;
+  }
+
   static SourceLocation name_place(const CallExpr& expr) {
     const Expr* callee = expr.getCallee()->IgnoreParenImpCasts();
     SourceLocation out;
@@ -302,6 +368,8 @@ private:
     const std::string name = name_of(callee);
     const auto* method = llvm::dyn_cast<CXXMethodDecl>(&callee);
     reach(callee, at, method == nullptr || !method->isMoveAssignmentOperator());
+    if (name == "std::function::operator()" || name == "std::move_only_function::operator()")
+      hide("a call of a `" + name.substr(0, name.rfind(':') - 1) + "`", at, at, false, true);
     if (carries) {
       static const std::set<std::string> passes_on{"std::forward",   "std::move",     "std::ref", "std::cref",
                                                    "std::addressof", "std::as_const", "std::tie", "std::get"};
@@ -378,8 +446,10 @@ private:
     calls.add(std::move(fact));
   }
 
-  void hide(std::string what, SourceLocation begin, SourceLocation end, bool carries) {
+  /// `if_stored`: it matters only if a context was stored before.
+  void hide(std::string what, SourceLocation begin, SourceLocation end, bool carries, bool if_stored = false) {
     Json fact = Json::object({{"what", Json::text(what)}, {"at", book_.places().of(begin, end)}});
+    if (if_stored) fact.add("if_stored", Json::boolean(true));
     if (carries) fact.add("carries", Json::boolean(true));
     hidden.add(std::move(fact));
   }
@@ -388,6 +458,7 @@ private:
   Values values_;
   Live live_;
   std::set<const Expr*> callees_;
+  std::set<const Expr*> given_; ///< to calls, and what is between that and a cast
   std::set<const LambdaExpr*> run_at_once_;
   SourceLocation here_; ///< while something is read that is written elsewhere: where it runs
   int inside_ = 0;
@@ -448,6 +519,7 @@ void read_function(Book& book, const FunctionDecl& function) {
     const SourceLocation brace = function.getBody()->getEndLoc();
     out.add("open_end", book.places().of(brace, brace));
   }
+  if (reader.stores) out.add("stores", Json::boolean(true));
   const auto add = [&](const char* name, Json& list) {
     if (!list.items().empty()) out.add(name, std::move(list));
   };

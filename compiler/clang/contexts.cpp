@@ -71,13 +71,14 @@ std::string context_of(QualType type) { return context_of(bare(type)->getAsCXXRe
 /// themselves by pointers, so each is searched once.
 class ContextSearch {
 public:
-  explicit ContextSearch(Carriers::Lambdas lambdas) : lambdas_(lambdas) {}
+  explicit ContextSearch(Carriers::Skipped skipped) : skipped_(skipped) {}
   bool finds_in(QualType type) {
     if (type.isNull()) return false;
     type = bare(type);
     while (const ArrayType* array = type->getAsArrayTypeUnsafe()) type = bare(array->getElementType());
     if (!seen_.insert(type.getAsOpaquePtr()).second) return false;
     if (const auto* function = type->getAs<FunctionProtoType>()) {
+      if (skipped_ == Carriers::Skipped::code) return false;
       return std::any_of(function->param_type_begin(), function->param_type_end(),
                          [&](QualType each) { return finds_in(each); });
     }
@@ -88,7 +89,7 @@ public:
 private:
   bool finds_in(const CXXRecordDecl& record) {
     if (!context_of(&record).empty()) return true;
-    if (record.isLambda() && lambdas_ == Carriers::Lambdas::skipped) return false;
+    if (record.isLambda() && skipped_ != Carriers::Skipped::nothing) return false;
     const auto* special = llvm::dyn_cast<ClassTemplateSpecializationDecl>(&record);
     if (special != nullptr && finds_in(special->getTemplateArgs().asArray())) return true;
     if (!record.hasDefinition() || is_system(record) || is_directors(record)) return false;
@@ -104,22 +105,24 @@ private:
     });
   }
 
-  Carriers::Lambdas lambdas_;
+  Carriers::Skipped skipped_;
   std::set<void*> seen_;
 };
 
-bool Carriers::has(QualType type, Lambdas lambdas) {
-  const auto [at, is_new] = known_.try_emplace({type.getAsOpaquePtr(), lambdas});
-  if (is_new) at->second = ContextSearch(lambdas).finds_in(type);
+bool Carriers::has(QualType type, Skipped skipped) {
+  const auto [at, is_new] = known_.try_emplace({type.getAsOpaquePtr(), skipped});
+  if (is_new) at->second = ContextSearch(skipped).finds_in(type);
   return at->second;
 }
-bool Carriers::has(const Expr& value, Lambdas lambdas) {
-  return has(value.getType(), lambdas) || has(value.IgnoreParenCasts()->getType(), lambdas);
+bool Carriers::has(const Expr& value, Skipped skipped) {
+  return has(value.getType(), skipped) || has(value.IgnoreParenCasts()->getType(), skipped);
 }
 
-bool Carriers::has(QualType type) { return has(type, Lambdas::searched); }
-bool Carriers::has(const Expr& value) { return has(value, Lambdas::searched); }
-bool Carriers::has_outside_of_lambdas(const Expr& value) { return has(value, Lambdas::skipped); }
+bool Carriers::has(QualType type) { return has(type, Skipped::nothing); }
+bool Carriers::has(const Expr& value) { return has(value, Skipped::nothing); }
+bool Carriers::holds(QualType type) { return has(type, Skipped::code); }
+bool Carriers::holds(const Expr& value) { return has(value, Skipped::code); }
+bool Carriers::has_outside_of_lambdas(const Expr& value) { return has(value, Skipped::lambdas); }
 
 bool is_called_like_body(const NamedDecl& decl) {
   if (!decl.getDeclName().isIdentifier()) return false;

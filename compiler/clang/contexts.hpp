@@ -30,14 +30,17 @@ public:
   bool has(const clang::Expr& value);
   /// ... in another way than through what a lambda captures: the effect of a lambda is known.
   bool has_outside_of_lambdas(const clang::Expr& value);
+  /// ... and than as a parameter of a function.
+  bool holds(const clang::Expr& value);
+  bool holds(clang::QualType type);
 
 private:
-  enum class Lambdas { searched, skipped };
-  bool has(clang::QualType type, Lambdas lambdas);
-  bool has(const clang::Expr& value, Lambdas lambdas);
+  enum class Skipped { nothing, lambdas, code };
+  bool has(clang::QualType type, Skipped skipped);
+  bool has(const clang::Expr& value, Skipped skipped);
   friend class ContextSearch;
 
-  std::map<std::pair<void*, Lambdas>, bool> known_; ///< by type
+  std::map<std::pair<void*, Skipped>, bool> known_; ///< by type
 };
 /// The context of the only parameter of a body; empty: it has another one, or several.
 std::string parameter_context(const clang::CXXMethodDecl& method);

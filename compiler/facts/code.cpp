@@ -45,6 +45,7 @@ public:
     out.class_name = from["class"].as_text();
     if (!from["open_end"].is_null()) out.open_end = span(from["open_end"]);
     out.unwritten = from["unwritten"].as_boolean();
+    out.stores = from["stores"].as_boolean();
     out.doubtful = !unit_["errors"].items().empty();
     for (const Json& each : from["does"].items()) out.words.push_back(word(each));
     for (const Json& each : from["calls"].items()) {
@@ -55,7 +56,8 @@ public:
     for (const Json& each : from["blocks"].items())
       out.blocks.push_back({each["name"].as_text(), each["why"].as_text(), span(each["at"])});
     for (const Json& each : from["hidden"].items())
-      out.hidden.push_back({each["what"].as_text(), span(each["at"]), each["carries"].as_boolean()});
+      out.hidden.push_back(
+          {each["what"].as_text(), span(each["at"]), each["carries"].as_boolean(), each["if_stored"].as_boolean()});
     return out;
   }
 
@@ -128,6 +130,7 @@ void join(CodeFunction& to, CodeFunction from) {
   // An end that is open where Clang found errors may be none.
   if (to.doubtful && !from.doubtful) to.open_end.reset();
   if (!to.open_end && (to.doubtful || !from.doubtful)) to.open_end = from.open_end;
+  to.stores = to.stores || from.stores;
   to.unwritten = to.unwritten && from.unwritten;
   to.doubtful = to.doubtful && from.doubtful;
 }

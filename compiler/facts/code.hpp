@@ -54,7 +54,8 @@ struct CodeBlock {
 struct CodeHidden {
   std::string what;
   dsl::Span span{};
-  bool carries = false; ///< it is given a context
+  bool carries = false;   ///< it is given a context
+  bool if_stored = false; ///< it matters only if a context was stored before
   bool operator==(const CodeHidden&) const = default;
 };
 
@@ -71,6 +72,7 @@ struct CodeFunction {
   std::vector<CodeHidden> hidden;
   std::optional<dsl::Span> open_end; ///< it must return an answer, and its end can be reached without one: its brace
   bool unwritten = false;            ///< it is as `directorc stubs` wrote it
+  bool stores = false;               ///< it stores a context where others may find it, or hides its type
   bool doubtful = false;             ///< Clang found errors in each file that has it: something may be missing
 };
 

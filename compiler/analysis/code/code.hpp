@@ -37,6 +37,8 @@ struct Unseen {
   dsl::Span span{};
   std::string declared_in; ///< of a function without a body in what was read
   bool carries = false;    ///< it gets a context, so it may request anything
+  bool if_stored = false;  ///< it only matters if a context was stored
+  bool is_virtual = false;
 };
 
 struct Blocked {

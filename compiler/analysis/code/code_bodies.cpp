@@ -39,24 +39,35 @@ public:
   void words_of(Body& body) const {
     std::set<const CodeFunction*> seen{body.function};
     std::deque<const CodeFunction*> waiting{body.function};
+    bool stores = false;
     while (!waiting.empty()) {
       const CodeFunction& at = *waiting.front();
       waiting.pop_front();
+      stores = stores || at.stores;
       body.doubtful = body.doubtful || at.doubtful;
       if (at.open_end && !at.doubtful) body.open_ends.push_back(&at); // else Clang may have dropped the answer
       for (const CodeWord& word : at.words) {
         if (word.context == body.function->context) body.words.push_back(&word);
       }
-      for (const CodeHidden& hidden : at.hidden) body.unseen.push_back({hidden.what, hidden.span, {}, hidden.carries});
+      for (const CodeHidden& hidden : at.hidden)
+        body.unseen.push_back({hidden.what, hidden.span, {}, hidden.carries, hidden.if_stored, false});
       for (const CodeCall& call : at.calls) {
         for (const CodeFunction* next : targets(call)) {
           if (seen.insert(next).second) waiting.push_back(next);
         }
         if (call.is_virtual)
-          body.unseen.push_back({fmt::format("`{}`, which is virtual", call.name), call.span, {}, call.carries});
+          body.unseen.push_back(
+              {fmt::format("`{}`, which is virtual", call.name), call.span, {}, call.carries, false, true});
         if (!call.is_virtual && code_.find(call.to) == nullptr && !call.declared_in.empty())
-          body.unseen.push_back({fmt::format("`{}`", call.name), call.span, call.declared_in, call.carries});
+          body.unseen.push_back(
+              {fmt::format("`{}`", call.name), call.span, call.declared_in, call.carries, false, false});
       }
+    }
+    // What nobody can see may use a stored context. Of a virtual function the overriders in the build are known.
+    if (stores) {
+      for (Unseen& each : body.unseen) each.carries = each.carries || !each.is_virtual;
+    } else {
+      std::erase_if(body.unseen, [](const Unseen& each) { return each.if_stored; });
     }
   }
 

@@ -88,6 +88,20 @@ TEST_CASE("no finding reports that something never happens if the context leaves
   CHECK(look(R"({BODY, "does": [)" + requests_leg + "]}", true).findings.empty());
 }
 
+TEST_CASE("what nobody can see may use a context that was stored before") {
+  const std::string unseen = R"("hidden": [{"what": "a call of a `std::function`", "at": [0, 1, 2], "if_stored": true}],
+      "calls": [{"to": "l", "name": "lib::go", "at": [0, 1, 2], "declared": [0, 3, 4]},
+                {"to": "v", "name": "Base::go", "at": [0, 1, 2], "virtual": true}])";
+  const auto with = [&](const std::string& more) {
+    return look(R"({BODY, "does": [)" + requests_leg + "], " + more + unseen + "}");
+  };
+  CHECK(with("").findings == arm_is_missing);
+  CHECK(with("").unseen == "`lib::go`\n`Base::go`, which is virtual\n");
+  CHECK(with(R"("stores": true, )").findings.empty());
+  CHECK(with(R"("stores": true, )").unseen ==
+        "a call of a `std::function` with the context\n`lib::go` with the context\n`Base::go`, which is virtual\n");
+}
+
 TEST_CASE("an answer that Clang may have dropped, as it does not understand the file, is not missing") {
   const std::string body = R"({BODY, "open_end": [0, 8, 8], "does": [)" + requests_both + "]}";
   CHECK(look(body).findings == "`Walk` may end here without an answer [missing_answer]\n");

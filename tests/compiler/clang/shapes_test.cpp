@@ -124,6 +124,16 @@ const Shape promises[] = {
      "struct Way { virtual ~Way() = default; virtual Outcome act(Run& run) { return run.keep(); } }; "
      "struct Bold final : Way { Outcome act(Run& run) override { run.set(S::on); return ask(run); } };",
      "Bold bold; return static_cast<Way&>(bold).act(run);"},
+    {"StoredAndSeen",
+     "inline Run* now; inline Outcome finish() { now->set(S::on); return ask(*now); } int unrelated();",
+     "now = &run; Run* const here = &run; now = here; return finish();"},
+    {"StoredHere", "struct Plan { Run* run; }; int unrelated();",
+     "Plan plan{}; plan.run = &run; plan.run->set(S::on); if (unrelated()) return run.keep(); return ask(run);"},
+    {"OfBase",
+     "struct Way { int steps = 0; int next() { return ++steps; } }; struct Bold : Way { Run& run; explicit Bold(Run& "
+     "r) : "
+     "run(r) {} Outcome act() { steps += next(); run.set(S::on); return ask(run); } }; int unrelated();",
+     "Bold bold(run); bold.steps = unrelated(); return bold.act();"},
     {"Coroutine", "inline Steps go(Run& run) { run.set(S::on); co_return; }", "go(run).next(); return ask(run);"},
     {"CoroutineYields", "inline Steps go(Run& run) { co_yield 3; run.set(S::on); }",
      "go(run).next(); return ask(run);"},
@@ -168,6 +178,23 @@ const Shape out_of_sight[] = {
      "struct A { Run& run; }; struct B { A a; }; struct C { B b; }; struct D { C c; }; struct E { D d; }; "
      "Outcome act(E& e);",
      "E e{{{{{run}}}}}; return act(e);"},
+    {"OpaquePointer", "extern \"C\" int plan(void* user);",
+     "void* user = &run; return plan(user) ? run.keep() : ask(run);"},
+    {"OpaqueNumber", "int plan(unsigned long user);",
+     "const auto user = reinterpret_cast<unsigned long>(&run); return plan(user) ? run.keep() : ask(run);"},
+    {"OpaqueReference",
+     "struct Way { virtual ~Way() = default; }; struct Bold final : Way { Run& run; explicit Bold(Run& r) : run(r) {} "
+     "}; "
+     "Outcome act(Way& way);",
+     "Bold bold(run); Way& way = bold; return act(way);"},
+    {"OpaqueAny", "Outcome act(std::any what);", "return act(std::any(&run));"},
+    {"StoredAndCalled",
+     "inline Run* now; inline std::function<Outcome()> policy = [] { now->set(S::on); return ask(*now); };",
+     "now = &run; return policy();"},
+    {"StoredAndPointed", "inline Run* now; inline Outcome (*way)() = [] { now->set(S::on); return ask(*now); };",
+     "now = &run; return way();"},
+    {"StoredElsewhere", "struct Held { Run* run; }; inline Held held; Outcome act();",
+     "held = Held{&run}; return act();"},
     {"Pointers", "",
      "Outcome (*const ways[])(Run&) = {[](Run& r) { return r.keep(); }, [](Run& r) { r.set(S::on); return ask(r); }}; "
      "return ways[mode_ & 1](run);"},
@@ -214,7 +241,7 @@ Program program() {
   for (const Shape& shape : out_of_sight) add(shape);
   out.yaml =
       "behaviour: deep\nlanguage: 1\nstates:\n" + states + "roots: [Leg]\ngroups:\n  Leg: {module: legs}\n" + groups;
-  const std::string head = "#include \"deep.hpp\"\n#include <algorithm>\n#include <coroutine>\n"
+  const std::string head = "#include \"deep.hpp\"\n#include <algorithm>\n#include <any>\n#include <coroutine>\n"
                            "#include <cstdlib>\n#include <functional>\n#include <optional>\n"
                            "#include <stdexcept>\n#include <variant>\nusing director::Outcome;\n" +
                            std::string(steps) +
