@@ -32,7 +32,7 @@ void causing_never_set(const CodeInput& input, Findings& findings) {
     if (!body.of.provider || !body.is_whole() || body.is_unwritten()) continue;
     for (const ConditionUse& promise : model.providers[*body.of.provider].causing) {
       const Condition& condition = model.conditions[promise.id];
-      if (std::any_of(body.words.begin(), body.words.end(),
+      if (std::any_of(body.possible.begin(), body.possible.end(),
                       [&](const CodeWord* word) { return may_keep(input, *word, condition); }))
         continue;
       dsl::Diagnostic& finding =

@@ -18,7 +18,7 @@ void task_never_requested(const CodeInput& input, Findings& findings) {
       // If a whole pack is never requested, the pack is reported.
       if (!pack.name.empty() && !requests_pack(body, pack)) continue;
       for (const Task& task : pack.tasks) {
-        const bool requested = std::any_of(body.words.begin(), body.words.end(), [&](const CodeWord* word) {
+        const bool requested = std::any_of(body.possible.begin(), body.possible.end(), [&](const CodeWord* word) {
           const bool is_this_one = pack.name.empty() ? word->kind == CodeWord::Kind::request : is_pack(*word, pack);
           return is_this_one && gives(input, *word, task.target);
         });

@@ -50,10 +50,13 @@ struct Body {
   BodyOf of;
   const CodeFunction* function = nullptr;
   std::vector<const CodeWord*> words; ///< used of its context, here and below
-  std::vector<Blocked> blocks;        ///< each place once, with a shortest chain to it
+  /// ... and by the bodies that override this one: it may be there for these alone, and never run by itself.
+  std::vector<const CodeWord*> possible;
+  std::vector<Blocked> blocks; ///< each place once, with a shortest chain to it
   std::vector<Unseen> unseen;
   std::vector<const CodeFunction*> open_ends; ///< functions that must answer and may not; itself first
   bool doubtful = false;                      ///< some of it is in a file with errors
+  bool open_above = false;                    ///< not all is known of a body that overrides it
 
   /// Whether all that it may request is known: what is not among its words is never used.
   bool is_whole() const;

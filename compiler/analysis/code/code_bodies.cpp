@@ -71,6 +71,18 @@ public:
     }
   }
 
+  void add_overriding(Body& body) const {
+    std::vector<const CodeFunction*> overriding;
+    add_overriders(body.function->key, overriding);
+    body.possible = body.words;
+    for (const CodeFunction* each : overriding) {
+      Body other{body.of, each, {}, {}, {}, {}, {}, false, false};
+      words_of(other);
+      body.possible.insert(body.possible.end(), other.words.begin(), other.words.end());
+      body.open_above = body.open_above || !other.is_whole();
+    }
+  }
+
   void blocks_of(Body& body) const {
     struct Step {
       const CodeFunction* at;
@@ -145,7 +157,8 @@ std::string CodeNames::context(const Model& model, const BodyOf& body) const {
 }
 
 bool Body::is_whole() const {
-  return !doubtful && std::none_of(unseen.begin(), unseen.end(), [](const Unseen& each) { return each.carries; });
+  return !doubtful && !open_above &&
+         std::none_of(unseen.begin(), unseen.end(), [](const Unseen& each) { return each.carries; });
 }
 
 CodeInput look_below(const Model& model, const CodeFacts& code) {
@@ -155,9 +168,10 @@ CodeInput look_below(const Model& model, const CodeFacts& code) {
   for (const CodeFunction& function : code.functions) {
     const auto of = out.names.contexts.find(function.context);
     if (function.context.empty() || of == out.names.contexts.end()) continue;
-    Body body{of->second, &function, {}, {}, {}, {}, false};
+    Body body{of->second, &function, {}, {}, {}, {}, {}, false, false};
     walk.words_of(body);
     walk.blocks_of(body);
+    walk.add_overriding(body);
     out.bodies.push_back(std::move(body));
   }
   const auto order = [](const Body& body) {

@@ -11,7 +11,8 @@ bool is_pack(const CodeWord& word, const Pack& pack) {
 }
 
 bool requests_pack(const Body& body, const Pack& pack) {
-  return std::any_of(body.words.begin(), body.words.end(), [&](const CodeWord* word) { return is_pack(*word, pack); });
+  return std::any_of(body.possible.begin(), body.possible.end(),
+                     [&](const CodeWord* word) { return is_pack(*word, pack); });
 }
 
 bool gives(const CodeInput& input, const CodeWord& word, GroupId task) {
@@ -23,7 +24,7 @@ bool gives(const CodeInput& input, const CodeWord& word, GroupId task) {
 
 bool only_keeps_going(const Body& body) {
   bool keeps = false;
-  for (const CodeWord* word : body.words) {
+  for (const CodeWord* word : body.possible) {
     if (word->kind == CodeWord::Kind::set) continue;
     if (word->kind != CodeWord::Kind::keep) return false;
     keeps = true;

@@ -88,6 +88,19 @@ TEST_CASE("no finding reports that something never happens if the context leaves
   CHECK(look(R"({BODY, "does": [)" + requests_leg + "]}", true).findings.empty());
 }
 
+TEST_CASE("what a body never does counts only if those that override it do not do it either") {
+  const auto with = [](const std::string& of_other) {
+    return look(R"({BODY, "does": [)" + requests_leg + R"(]}, {"key": "own", "name": "Own::provide", "at": [0, 1, 2],
+                "context": "x::Walk::Default", "class": "Own", "overrides": ["walk"], )" +
+                of_other + "}")
+        .findings;
+  };
+  CHECK(with(R"("does": [)" + requests_leg + "]") == arm_is_missing + arm_is_missing);
+  CHECK(with(R"("does": [)" + requests_both + "]").empty());
+  CHECK(with(R"("does": [], "hidden": [{"what": "a call through a pointer", "at": [0, 1, 2], "carries": true}])")
+            .empty());
+}
+
 TEST_CASE("what nobody can see may use a context that was stored before") {
   const std::string unseen = R"("hidden": [{"what": "a call of a `std::function`", "at": [0, 1, 2], "if_stored": true}],
       "calls": [{"to": "l", "name": "lib::go", "at": [0, 1, 2], "declared": [0, 3, 4]},
