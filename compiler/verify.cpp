@@ -85,7 +85,7 @@ private:
     bool any = false;
     for (const CompileCommand& command : commands_) {
       if (is_excluded(command, excluded, met)) continue;
-      Candidate each{&command, fit_for_clang(command.words), {}, false};
+      Candidate each{&command, fit_for_clang(command), {}, false};
       const std::vector<std::string> folders = include_folders(each.flags.words, command.directory);
       for (const std::string& folder : folders) {
         const std::string header = (fs::path(folder) / name).string();

@@ -17,9 +17,9 @@ namespace {
 using Words = std::vector<std::string>;
 
 /// Dropped with the next argument: outputs, and options for the linker.
-constexpr std::array<std::string_view, 13> dropped_pairs{
-    "-include-pch", "-o",      "-MF",       "-MT",       "-MQ", "-MJ", "-Xlinker",
-    "-Xassembler",  "--param", "-aux-info", "-dumpbase", "-u",  "-z"};
+constexpr std::array<std::string_view, 15> dropped_pairs{"-include-pch", "-o",        "-MF", "-MT",         "-MQ",
+                                                         "-MJ",          "-Xlinker",  "-T",  "-Xassembler", "--param",
+                                                         "-aux-info",    "-dumpbase", "-u",  "-z",          "-e"};
 /// Dropped alone: options that produce something else than a tree, and files that only g++ can read.
 constexpr std::array<std::string_view, 13> dropped{"-c",
                                                    "-S",
@@ -79,9 +79,10 @@ constexpr std::array<std::string_view, 42> dropped_beginnings{"-W",
                                                               "-mthumb-interwork",
                                                               "-mlong-calls"};
 /// They take the next argument if their own has no value.
-constexpr std::array<std::string_view, 12> kept_pairs{"-I",        "-isystem",  "-iquote", "-idirafter",
-                                                      "-include",  "-imacros",  "-D",      "-U",
-                                                      "-isysroot", "--sysroot", "-x",      "-target"};
+constexpr std::array<std::string_view, 15> kept_pairs{
+    "-iprefix", "-iwithprefix", "-iwithprefixbefore", "-I",       "-isystem",
+    "-iquote",  "-idirafter",   "-include",           "-imacros", "-D",
+    "-U",       "-isysroot",    "--sysroot",          "-x",       "-target"};
 /// The long forms of both compilers, with the value after `=` or in the next argument.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> long_forms{
     {{"--include", "-include"},
@@ -112,9 +113,18 @@ Words shortened(const std::string& word) {
   return {word};
 }
 
-bool is_launcher(const std::string& program) {
-  const std::string name = stem_of(program);
-  return name == "ccache" || name == "sccache" || name == "distcc" || name == "icecc" || name == "env";
+constexpr std::array<std::string_view, 12> launchers{"ccache", "sccache",    "distcc", "icecc",  "env",  "cmake",
+                                                     "nice",   "buildcache", "time",   "ionice", "chrt", "taskset"};
+
+bool is_launcher(const std::string& program) { return among(stem_of(program), launchers); }
+
+/// `g++`, `arm-none-eabi-gcc-12`, `c++`
+bool is_compiler(const std::string& program) {
+  std::string name = stem_of(program);
+  name.erase(name.find_last_not_of("-.0123456789") + 1);
+  constexpr std::array<std::string_view, 5> endings{"g++", "gcc", "clang", "c++", "cc"};
+  return std::any_of(endings.begin(), endings.end(), [&](std::string_view each) { return name.ends_with(each); }) ||
+         name.ends_with("clang++");
 }
 
 bool is_clang(const std::string& program) { return stem_of(program).find("clang") != std::string::npos; }
@@ -128,6 +138,12 @@ Flags fit_for_clang(const Words& as_written) {
   }
   Flags out;
   std::size_t i = 0;
+  // A launcher may have options of its own before the compiler.
+  if (!command.empty() && is_launcher(command[0])) {
+    const auto at = std::find_if(command.begin(), command.end(),
+                                 [](const std::string& each) { return !is_launcher(each) && is_compiler(each); });
+    if (at != command.end()) i = static_cast<std::size_t>(at - command.begin());
+  }
   while (i < command.size() && (is_launcher(command[i]) || (i > 0 && command[i].find('=') != std::string::npos))) ++i;
   if (i < command.size()) out.compiler = command[i++];
   for (; i < command.size(); ++i) {
@@ -155,6 +171,18 @@ Flags fit_for_clang(const Words& as_written) {
       out.words.push_back(word);
     }
   }
+  return out;
+}
+
+Flags fit_for_clang(const CompileCommand& command) {
+  Flags out = fit_for_clang(command.words);
+  const fs::path compiler = out.compiler;
+  if (compiler.has_parent_path() && compiler.is_relative())
+    out.compiler = (fs::path(command.directory) / compiler).lexically_normal().string();
+  const bool is_named =
+      std::any_of(out.words.begin(), out.words.end(), [](const std::string& word) { return word.starts_with("-x"); });
+  // Clang is called for C++, for which a file of any name is one of C++.
+  if (!is_named && fs::path(command.file).extension() == ".c") out.words.insert(out.words.begin(), {"-x", "c"});
   return out;
 }
 
@@ -192,7 +220,8 @@ Words Compilers::complete(const Flags& flags) {
     if ((word == "--sysroot" || word == "-isysroot") && i + 1 < flags.words.size())
       question.push_back(flags.words[++i]);
   }
-  for (const char* word : {"-v", "-E", "-x", "c++", "/dev/null"}) question.emplace_back(word);
+  const bool is_c = flags.words.size() > 1 && flags.words[0] == "-x" && flags.words[1] == "c";
+  for (const char* word : {"-v", "-E", "-x", is_c ? "c" : "c++", "/dev/null"}) question.emplace_back(word);
   std::string key;
   for (const std::string& word : question) key += word + '\n';
   auto at = known_.find(key);

@@ -21,6 +21,8 @@ struct Flags {
 
 /// `command`: the compiler (a launcher such as ccache before it is skipped) and its arguments.
 Flags fit_for_clang(const std::vector<std::string>& command);
+/// ... of an entry: a compiler with a relative path is in the entry's folder, and a file of C is read as one.
+Flags fit_for_clang(const CompileCommand& command);
 
 /// What a compiler reports with -v.
 struct Habits {

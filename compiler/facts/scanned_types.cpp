@@ -68,14 +68,14 @@ std::vector<std::string> ScannedTypes::missing_in(const CompileCommand& command,
     }
     return out;
   };
-  const Flags flags = fit_for_clang(command.words);
+  const Flags flags = fit_for_clang(command);
   const std::vector<std::string> missing = without(flags.words, headers);
   // The compiler is queried only for a header that may be one of the system's.
   return missing.empty() ? missing : without(compilers_.complete(flags), missing);
 }
 
 bool ScannedTypes::has_runtime(const CompileCommand& command) {
-  const std::vector<std::string> folders = include_folders(fit_for_clang(command.words).words, command.directory);
+  const std::vector<std::string> folders = include_folders(fit_for_clang(command).words, command.directory);
   return std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) {
     return static_cast<bool>(files_.read((fs::path(folder) / "runtime/core/behaviour.hpp").string(), dsl::largest_file,
                                          dsl::Kinds::ordinary));
@@ -130,7 +130,7 @@ Types ScannedTypes::read(const TypeReader::Question& question) {
   const Scan version = scanner_.version();
   if (!version) return fail(version.error().message);
   const std::string file = (fs::path(command->directory) / "director_types.cpp").string();
-  const Json unit = unit_question(file, command->directory, compilers_.complete(fit_for_clang(command->words)));
+  const Json unit = unit_question(file, command->directory, compilers_.complete(fit_for_clang(*command)));
   Json request = Json::object({{"unit", unit},
                                {"headers", Json::texts(question.headers)},
                                {"namespace", Json::text(question.name_space)},

@@ -34,7 +34,7 @@ void read_commands(const Stubs& request, Console& console, Program& out) {
   if (loaded.was_read || !request.build.empty()) out.fault = std::move(loaded.fault);
   Compilers compilers(console.programs);
   for (const CompileCommand& each : loaded.commands)
-    out.compiled.push_back({whole_path(each.file), each.directory, compilers.complete(fit_for_clang(each.words))});
+    out.compiled.push_back({whole_path(each.file), each.directory, compilers.complete(fit_for_clang(each))});
 }
 
 /// The number of common folders of two paths.

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace {
@@ -313,6 +314,34 @@ TEST_CASE("for a compiled library it is reported what cannot be determined, if a
   for (const std::string& each : (*json)["not_decided"].as_texts()) open.push_back(each.substr(each.find("body.cpp")));
   CHECK(open == std::vector<std::string>{"body.cpp:8:11: `chip::read`", "body.cpp:9:9: `chip::Bus::flush`",
                                          "body.cpp:10:11: `chip::read`, which `chip::twice` calls"});
+}
+
+TEST_CASE("what a driver in C does is followed") {
+  const Workshop work("driver");
+  work.write("cart.yaml", "behaviour: cart\nlanguage: 1\nroots: [Drive]\ngroups:\n"
+                          "  Drive: {module: wheels, realtime: true}\n");
+  work.write("hal.h", "#ifdef __cplusplus\nextern \"C\" {\n#endif\nvoid hal_delay(int ms);\n"
+                      "#ifdef __cplusplus\n}\n#endif\n");
+  work.write("hal.c", "#include \"hal.h\"\n#include <stdlib.h>\n#include <unistd.h>\n"
+                      "void hal_delay(int ms) {\n  int* class = malloc(sizeof *class);\n  usleep(ms);\n"
+                      "  free(class);\n}\n");
+  work.write("body.cpp", included + "#include \"hal.h\"\nclass MyWheels final : public cart::Wheels {\n"
+                                    "  director::Outcome provide(cart::Drive::Default& run) override {\n"
+                                    "    hal_delay(3);\n    return run.done();\n  }\n};\n");
+  REQUIRE(work.directorc({"generate", work.path("cart.yaml"), "-o", work.path("generated")}).status == 0);
+  const auto entry = [&](const std::string& compiler, const std::string& file) {
+    return R"({"directory": ")" + work.path() + R"(", "file": ")" + file + R"(", "command": ")" + compiler + " -I" +
+           work.path("generated") + " -I" + source_folder() + " -c " + file + R"("})";
+  };
+  work.write("compile_commands.json",
+             "[" + entry("g++ -std=c++20", "body.cpp") + "," + entry("gcc -std=gnu11", "hal.c") + "]");
+  const Worked worked = verified(work);
+  CHECK(worked.err == "");
+  std::vector<std::string> said = messages(worked.out);
+  std::sort(said.begin(), said.end());
+  CHECK(said == std::vector<std::string>{"`free` uses the heap, and `Drive` is `realtime`",
+                                         "`malloc` uses the heap, and `Drive` is `realtime`",
+                                         "`usleep` sleeps, and `Drive` is `realtime`"});
 }
 
 TEST_CASE("of a long way to what blocks the first calls and the last one are noted") {

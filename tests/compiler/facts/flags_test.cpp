@@ -142,6 +142,34 @@ TEST_CASE("flags that only g++ knows are left out, and what is written too") {
                              "-include", "all.hpp", "--sysroot=/target", "-mcpu=cortex-m3"});
 }
 
+TEST_CASE("the compiler behind a launcher with options of its own is found, also in the folder of its entry") {
+  const auto compiler = [](const Words& words) { return fit_for_clang(CompileCommand{"/s/a.cpp", "/b", words}); };
+  for (const Words& launcher :
+       {Words{"cmake", "-E", "env", "CCACHE_DIR=/c", "ccache"}, Words{"env", "-u", "X", "ccache"},
+        Words{"nice", "-n", "10"}, Words{"/usr/bin/ccache"}, Words{}}) {
+    Words words = launcher;
+    words.insert(words.end(), {"arm-none-eabi-g++-12", "-Ix", "-c", "a.cpp"});
+    CHECK(compiler(words) == Flags{"arm-none-eabi-g++-12", {"-Ix"}});
+  }
+  CHECK(compiler({"ccache", "icpx", "-Ix"}) == Flags{"icpx", {"-Ix"}});
+  CHECK(compiler({"./tools/g++", "-Ix"}) == Flags{"/b/tools/g++", {"-Ix"}});
+  CHECK(compiler({"/usr/bin/cc", "-T", "link.ld", "-e", "start", "-iprefix", "/p", "-std=c++20"}) ==
+        Flags{"/usr/bin/cc", {"-iprefix", "/p", "-std=c++20"}});
+}
+
+TEST_CASE("a file of C is read as one, and its compiler is queried for C") {
+  const auto of = [](const std::string& file, const Words& words) {
+    return fit_for_clang(CompileCommand{file, "/b", words}).words;
+  };
+  CHECK(of("/s/hal.c", {"gcc", "-std=c11", "-c", "hal.c"}) == Words{"-x", "c", "-std=c11"});
+  CHECK(of("/s/hal.c", {"g++", "-x", "c++", "-c", "hal.c"}) == Words{"-x", "c++"});
+  CHECK(of("/s/hal.cc", {"g++", "-c", "hal.cc"}).empty());
+  Compiler compiler;
+  Compilers(compiler).complete({"gcc", {"-x", "c", "-std=c11"}});
+  CHECK(compiler.question ==
+        Words{"sh", "-c", "exec \"$0\" \"$@\" 2>&1", "gcc", "-std=c11", "-v", "-E", "-x", "c", "/dev/null"});
+}
+
 TEST_CASE("a g++ is queried for its target and its folders, once for each way of calling it") {
   Compiler compiler;
   compiler.answer = {true, 0,
