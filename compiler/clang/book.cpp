@@ -8,6 +8,8 @@
 #include <clang/Index/USRGeneration.h>
 #include <llvm/Support/raw_ostream.h>
 
+#include <filesystem>
+
 namespace director::scanning {
 
 using namespace clang;
@@ -21,7 +23,8 @@ std::string left_out(const NamedDecl& decl) {
   std::string out;
   const auto add_place = [&](const CXXRecordDecl* record) {
     if (record == nullptr || (!record->isLambda() && record->isLocalClass() == nullptr)) return;
-    out += "@" + record->getLocation().printToString(context.getSourceManager());
+    const std::filesystem::path place = record->getLocation().printToString(context.getSourceManager());
+    out += "@" + place.lexically_normal().string(); // the same by whatever name the file is included
   };
   const auto add_arguments = [&](const TemplateArgumentList& arguments) {
     llvm::raw_string_ostream text(out);

@@ -5,6 +5,9 @@
 #include <clang/AST/ASTContext.h>
 #include <clang/Lex/Lexer.h>
 
+#include <filesystem>
+#include <system_error>
+
 namespace director::scanning {
 
 Json Places::of(clang::SourceLocation begin, clang::SourceLocation end) {
@@ -19,9 +22,19 @@ Json Places::of(clang::SourceLocation begin, clang::SourceLocation end) {
   std::string path;
   if (const clang::OptionalFileEntryRef entry = sources.getFileEntryRefForID(file)) path = entry->getName().str();
   if (!path.starts_with('/')) path = directory_ + "/" + path;
+  return Json::list({Json::number(row_of(path)), Json::number(first), Json::number(last)});
+}
+
+/// A file has one row, however its name is written in the includes that lead there.
+std::int64_t Places::row_of(const std::string& path) {
   const auto [row, is_new] = rows_.emplace(path, static_cast<std::int64_t>(files_.size()));
-  if (is_new) files_.push_back(path);
-  return Json::list({Json::number(row->second), Json::number(first), Json::number(last)});
+  if (!is_new) return row->second;
+  // Behind a linked folder, `..` may lead elsewhere.
+  const std::string normal = std::filesystem::path(path).lexically_normal().string();
+  std::error_code fault;
+  if (normal != path && std::filesystem::equivalent(normal, path, fault)) return row->second = row_of(normal);
+  files_.push_back(path);
+  return row->second;
 }
 
 std::string name_of(const clang::NamedDecl& decl) {

@@ -8,6 +8,7 @@
 #include <clang/AST/Decl.h>
 #include <clang/Basic/SourceManager.h>
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -28,6 +29,8 @@ public:
   Json files() const { return Json::texts(files_); }
 
 private:
+  std::int64_t row_of(const std::string& path);
+
   const clang::ASTContext& context_;
   std::string directory_;
   std::vector<std::string> files_;

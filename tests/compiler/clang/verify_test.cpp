@@ -316,6 +316,25 @@ TEST_CASE("for a compiled library it is reported what cannot be determined, if a
                                          "body.cpp:10:11: `chip::read`, which `chip::twice` calls"});
 }
 
+TEST_CASE("a header that is included by two names is one file, with all that it does in one of them") {
+  const Workshop work = workshop("spellings");
+  std::string twin = wheels("#pragma once\n" + included);
+  twin.replace(twin.find("return run.done();"), 18,
+               "\n#ifndef SIM\n    const auto go = [&] { return run.request(cart::Wheel{}); };\n"
+               "    if (this == nullptr) return go();\n#endif\n    return run.done();\n");
+  work.write("include/wheels.hpp", twin);
+  work.write("src/a.cpp", "#define SIM\n#include \"../include/wheels.hpp\"\nstatic MyWheels own;\n");
+  work.write("src/b.cpp", "#include <wheels.hpp>\nstatic MyWheels own;\n");
+  std::vector<std::string> all = flags(work);
+  all.push_back("-I" + work.path("include"));
+  work.write_commands({work.path("src/a.cpp"), work.path("src/b.cpp")}, all);
+  const Worked both = verified(work);
+  INFO(both.err);
+  CHECK(messages(both.out).empty());
+  work.write("src/b.cpp", "#define SIM\n#include <wheels.hpp>\nstatic MyWheels own;\n");
+  CHECK(messages(verified(work).out) == std::vector<std::string>{found});
+}
+
 TEST_CASE("what a driver in C does is followed") {
   const Workshop work("driver");
   work.write("cart.yaml", "behaviour: cart\nlanguage: 1\nroots: [Drive]\ngroups:\n"
