@@ -308,12 +308,32 @@ private:
     const CXXDestructorDecl* own = record->getDestructor();
     if (is_system(*record)) {
       if (own != nullptr) reach(*own, at, false, true);
+      if (!book_.is_deep()) destroy_held(*record, carries, at);
       return;
     }
     if (own != nullptr && own->isUserProvided()) call(*own, at, at, carries, false, false);
     for (const FieldDecl* field : record->fields())
       destroy(book_.context().getBaseElementType(field->getType())->getAsCXXRecordDecl(), carries, at);
     for (const CXXBaseSpecifier& base : record->bases()) destroy(base.getType()->getAsCXXRecordDecl(), carries, at);
+  }
+
+  /// Where the library's definitions are not read: what an object of it may hold, such as a `std::unique_ptr<Guard>`.
+  void destroy_held(const CXXRecordDecl& record, bool carries, SourceLocation at) {
+    const auto* special = llvm::dyn_cast<ClassTemplateSpecializationDecl>(&record);
+    if (special == nullptr) return;
+    const auto destroy_each = [&](llvm::ArrayRef<TemplateArgument> arguments, const auto& self) -> void {
+      for (const TemplateArgument& each : arguments) {
+        if (each.getKind() == TemplateArgument::Pack) self(each.pack_elements(), self);
+        if (each.getKind() != TemplateArgument::Type) continue;
+        const CXXRecordDecl* held = each.getAsType()->getAsCXXRecordDecl();
+        destroy(held, carries, at);
+        if (held == nullptr || name_of(record) != "std::unique_ptr" || is_system(*held)) continue;
+        for (const CXXMethodDecl* method : held->methods()) { // a deleter
+          if (method->getOverloadedOperator() == OO_Call) call(*method, at, at, carries, false, false);
+        }
+      }
+    };
+    destroy_each(special->getTemplateArgs().asArray(), destroy_each);
   }
 
   /// Records a use of a context. True: it is one, and nothing else.

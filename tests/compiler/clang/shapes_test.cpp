@@ -124,6 +124,12 @@ const Shape promises[] = {
      "struct Way { virtual ~Way() = default; virtual Outcome act(Run& run) { return run.keep(); } }; "
      "struct Bold final : Way { Outcome act(Run& run) override { run.set(S::on); return ask(run); } };",
      "Bold bold; return static_cast<Way&>(bold).act(run);"},
+    {"HeldDeleter", "struct Last { void operator()(Run* run) const { run->set(S::on); } };",
+     "const std::unique_ptr<Run, Last> last(&run); return ask(run);"},
+    {"HeldGuard", "struct Last { Run& run; explicit Last(Run& r) : run(r) {} ~Last() { run.set(S::on); } };",
+     "const std::unique_ptr<Last> last(new Last(run)); return ask(run);"},
+    {"HeldPair", "struct Last { Run* run = nullptr; ~Last() { if (run != nullptr) run->set(S::on); } };",
+     "std::pair<Last, int> last; last.first.run = &run; return ask(run);"},
     {"StoredAndSeen",
      "inline Run* now; inline Outcome finish() { now->set(S::on); return ask(*now); } int unrelated();",
      "now = &run; Run* const here = &run; now = here; return finish();"},
@@ -241,11 +247,11 @@ Program program() {
   for (const Shape& shape : out_of_sight) add(shape);
   out.yaml =
       "behaviour: deep\nlanguage: 1\nstates:\n" + states + "roots: [Leg]\ngroups:\n  Leg: {module: legs}\n" + groups;
-  const std::string head = "#include \"deep.hpp\"\n#include <algorithm>\n#include <any>\n#include <coroutine>\n"
-                           "#include <cstdlib>\n#include <functional>\n#include <optional>\n"
-                           "#include <stdexcept>\n#include <variant>\nusing director::Outcome;\n" +
-                           std::string(steps) +
-                           "template <class R> Outcome ask(R& run) { return run.request(deep::Leg{}); }\n";
+  const std::string head =
+      "#include \"deep.hpp\"\n#include <algorithm>\n#include <any>\n#include <coroutine>\n"
+      "#include <cstdlib>\n#include <functional>\n#include <memory>\n#include <optional>\n#include <utility>\n"
+      "#include <stdexcept>\n#include <variant>\nusing director::Outcome;\n" +
+      std::string(steps) + "template <class R> Outcome ask(R& run) { return run.request(deep::Leg{}); }\n";
   out.elsewhere = head + "namespace of_OtherFile { Outcome elsewhere(deep::OtherFile::Default& run) { "
                          "run.set(deep::SOtherFile::on); return ask(run); } }\n";
   out.source = head + out.source + "class MyRobot final : public deep::Robot {\nint mode_ = 0;\n" + bodies +
