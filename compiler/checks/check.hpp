@@ -35,6 +35,9 @@ dsl::Level level_of(const Registered& check);
 /// The page's `Certainty:`: `exact`, `may miss`, `may over-report`, or both of these. The page explains why.
 std::string_view certainty_of(const Registered& check);
 
+/// Whether `Certainty:` says so.
+bool may_over_report(const Registered& check);
+
 /// What an error means for later stages: the page's `Consequence:`.
 enum class Consequence {
   none,

@@ -38,6 +38,8 @@ std::string_view certainty_of(const Registered& check) {
   throw std::logic_error(fmt::format("{}.md does not say how certain it is", check.id));
 }
 
+bool may_over_report(const Registered& check) { return certainty_of(check).ends_with("may over-report"); }
+
 std::string summary_of(const Registered& check) {
   // The first paragraph after the title and the lines of the head.
   const std::size_t begin = check.page.find("\n\n");

@@ -158,3 +158,10 @@ TEST_CASE(
   CHECK(checks::reports_never(*checks::find_registered("unreachable_when")));
   CHECK_FALSE(checks::reports_never(*checks::find_registered("needs_cycle")));
 }
+
+TEST_CASE("whether a check may over-report is in the head of the page") {
+  CHECK(checks::may_over_report(*checks::find_registered("uncovered_state")));
+  CHECK(checks::may_over_report(*checks::find_registered("causer_not_running")));
+  CHECK_FALSE(checks::may_over_report(*checks::find_registered("unreachable_when")));
+  CHECK_FALSE(checks::may_over_report(*checks::find_registered("state_without_source")));
+}

@@ -98,6 +98,42 @@ TEST_CASE("the other way round it is soft now") {
         "softened: from `Walk` to `Kick`: soft now, before hard\n");
 }
 
+TEST_CASE("a finding of a check that may over-report does not prove that something never happens") {
+  const auto beeping = [](const std::string& tasks) {
+    return R"(states:
+  Air: {values: [flying, hover], initial: flying, external: true}
+  Battery: {values: [empty, low, fine], initial: fine, external: true}
+roots: [Safety]
+groups:
+  Safety:
+    providers:
+      - {name: empty, when: [Battery == empty], tasks: [)" +
+           tasks + R"(]}
+      - {name: low, when: [Battery == low], packs: {down: {Land: {priority: 5}, Fly: {apart: true}}}}
+      - {name: ok, tasks: [Fly]}
+  Fly:
+    providers:
+      - {name: cruise, needs: [Rotors], sets: [Air == flying], tasks: [Rotors]}
+      - {name: brake, needs: [Rotors], causing: [Air == hover], tasks: [Rotors]}
+  Land: {when: [Air == hover], stay: [Air == flying|hover], needs: [Rotors], tasks: [Rotors]}
+  Rotors: {}
+  Beep: {}
+)";
+  };
+  const std::string finding = "`Land` may wait here for `Air == hover`, and `Fly`, which could cause it, need not be "
+                              "requested\n";
+  CHECK(told(beeping("Beep"), beeping("Beep, Land")) ==
+        "request_added: `Safety.empty` may now request `Land`\n"
+        "transition_changed: from `Fly` to `Land`: condition lost now, before soft\n"
+        "finding_new: warning is new: " +
+            finding);
+  CHECK(told(beeping("Beep, Land"), beeping("Beep")) ==
+        "request_removed: `Safety.empty` no longer requests `Land`\n"
+        "transition_changed: from `Fly` to `Land`: soft now, before condition lost\n"
+        "finding_gone: warning is gone: " +
+            finding);
+}
+
 TEST_CASE("a promise takes longer, and so does the transition that waits for it") {
   CHECK(told(walker(waits, " within 2 s", ranks), walker(waits, " within 500 ms", ranks)) ==
         "bound_shrank: `Walk.halting` promises `Pose == standing` within 500 ms; before within 2 s\n"
