@@ -35,16 +35,40 @@ std::vector<GroupId> Player::lost(const Beginning& row, const Rest& rest) const 
   return out;
 }
 
-bool Player::ends_by(const Beginning& row, const Values& change, const std::vector<GroupId>& all) const {
+bool Player::ends_by(const Beginning& row, const Beginning& column, const Play& now, const Values& change,
+                     const std::vector<GroupId>& all) const {
   if (change.empty()) return false;
   const std::string steps = beginning(row.way, row.outside) + settings_step(model_, change);
-  const Play alone = play(script_of(model_, row.way), steps, 2, row.way);
+  Script script = script_of(model_, row.way);
+  // What the values let run on the way to the column answers as in the play of both.
+  for (const Link& link : column.way.links) {
+    const auto same = [&](const Link& each) { return each.provider == link.provider; };
+    const auto answers = now.script.find(link.provider);
+    if (answers != now.script.end() && std::none_of(row.way.links.begin(), row.way.links.end(), same))
+      script[link.provider] = answers->second;
+  }
+  const Play alone = play(std::move(script), steps, 2, row.way);
   if (!alone.trial.good) return false;
+  // The values may let the column run too: then it takes what is blocked, and not the values.
+  if (runs_at_all(alone.trial.rest, column.way) && !runs_at_all(row.rest, column.way) &&
+      is_blocked(row, alone.trial.rest, all))
+    return false;
   if (!runs(alone.trial.rest, row.way)) return true;
   const std::vector<GroupId> ended = lost(row, alone.trial.rest);
   return !all.empty() && std::all_of(all.begin(), all.end(), [&](GroupId id) {
     return std::find(ended.begin(), ended.end(), id) != ended.end();
   });
+}
+
+bool Player::is_blocked(const Beginning& row, const Rest& rest, const std::vector<GroupId>& all) const {
+  const auto blocked = [&](EdgeId edge) { return rest.blocked[edge.value]; };
+  return blocked(row.way.root->edge) ||
+         std::any_of(row.way.links.begin(), row.way.links.end(),
+                     [&](const Link& link) { return blocked(link.next->edge); }) ||
+         std::any_of(all.begin(), all.end(), [&](GroupId id) {
+           const std::optional<EdgeId> by = row.rest.groups[id.value].by;
+           return by && blocked(*by);
+         });
 }
 
 bool runs(const Rest& rest, const Way& way) { return rest.running[way.last().edge.value]; }

@@ -37,13 +37,17 @@ public:
   /// What ran for the row's task and no longer runs for it.
   std::vector<GroupId> lost(const Beginning& row, const Rest& rest) const;
 
-  /// Whether the values alone end the row's task, or take everything from it that it lost.
-  bool ends_by(const Beginning& row, const Values& change, const std::vector<GroupId>& all) const;
+  /// Whether the values alone end the row's task, or take everything from it that it lost. `now`: the play of both.
+  bool ends_by(const Beginning& row, const Beginning& column, const Play& now, const Values& change,
+               const std::vector<GroupId>& all) const;
 
   /// For all plays: the number of characters read and of groups set up.
   std::size_t work() const { return work_; }
 
 private:
+  /// Whether the row's task, or something that it lost, is still requested but others hold what it needs.
+  bool is_blocked(const Beginning& row, const Rest& rest, const std::vector<GroupId>& all) const;
+
   const Model& model_;
   const Lowered& lowered_;
   std::string head_;

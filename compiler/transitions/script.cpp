@@ -205,8 +205,11 @@ Parting part(const Model& model, const Way& row, const Way& column) {
   if (!out.link) return out;
   const Link &first = row.links[*out.link], &second = column.links[*out.link];
   const Provider& provider = model.providers[second.provider];
-  out.replaced = first.provider != second.provider ||
-                 (provider.has_packs && !holds(pack_of_both(provider, first, second), *first.next));
+  if (first.provider != second.provider) {
+    out.replaced = !provider.has_packs || !holds(provider.packs[second.pack], *first.next);
+  } else {
+    out.replaced = provider.has_packs && !holds(pack_of_both(provider, first, second), *first.next);
+  }
   return out;
 }
 

@@ -27,8 +27,11 @@ Rest rest_of(const View& view, const Model& model) {
     held.granted = view.granted(row);
     out.groups.push_back(held);
   }
-  for (const EdgeId id : model.edges.ids())
-    out.running.push_back(view.state(static_cast<Index>(id.value)) == RunState::running);
+  for (const EdgeId id : model.edges.ids()) {
+    const auto row = static_cast<Index>(id.value);
+    out.running.push_back(view.state(row) == RunState::running);
+    out.blocked.push_back(view.state(row) == RunState::queued && view.queued(row).why == Why::blocked);
+  }
   for (const StateId id : model.states.ids()) {
     const std::int32_t value = view.values[id.value].value;
     if (value != unset) out.values.emplace(id, value);

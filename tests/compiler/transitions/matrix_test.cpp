@@ -333,6 +333,49 @@ steps:
 )");
 }
 
+TEST_CASE("soft: the values let the requester request both, and the second one pushes the first one") {
+  const auto keeper = [](const std::string& clearing) {
+    return R"(states:
+  Ball: {values: [far, near], initial: far, external: true}
+  Posture: {values: [standing, walking], initial: standing}
+roots: [Keep]
+groups:
+  Keep:
+    providers:
+      - {name: clearing, when: [Ball == near], )" +
+           clearing + R"(}
+      - {name: placing, tasks: [Walk]}
+  Clear: {when: [Posture == standing], needs: [Legs], tasks: [Legs]}
+  Walk:
+    providers:
+      - {name: walking, needs: [Legs], sets: [Posture == walking], tasks: [Legs]}
+      - {name: halting, needs: [Legs], causing: [Posture == standing], tasks: [Legs]}
+  Legs: {}
+)";
+  };
+  const char* const soft =
+      "soft: Clear waits. Walk is pushed to halting for Posture == standing. No time is promised for that. Then Clear "
+      "takes over. Walk stops. Legs runs on, but not for Walk any more. The outside says Ball == near.";
+  CHECK(words(keeper("packs: {go: {Clear: {priority: 20}, Walk: {apart: true}}}"), "Walk", "Clear") == soft);
+  CHECK(words(keeper("packs: {idle: {}, go: {Clear: {priority: 20}, Walk: {apart: true}}}"), "Walk", "Clear") == soft);
+}
+
+TEST_CASE("hard: the values let the requester request both, and the second one takes what is below the first one") {
+  CHECK(words(R"(states: {Ball: {values: [far, near], initial: far, external: true}}
+roots: [Keep]
+groups:
+  Keep:
+    providers:
+      - {name: placing, when: [Ball == far], tasks: [Place]}
+      - {name: clearing, packs: {go: {Clear: {priority: 20, apart: true}, Place: {}}}}
+  Clear: {needs: [Legs]}
+  Place: {tasks: [Walk]}
+  Walk: {needs: [Legs]}
+  Legs: {}
+)",
+              "Place", "Clear") == "?");
+}
+
 TEST_CASE("never: nothing causes what it waits for, also when the first one is done") {
   const char* const lost = R"(states: {Pose: {values: [moving, still]}}
 roots: [Walk, Wait]
