@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace director::compiler {
 
 namespace {
@@ -17,15 +19,16 @@ namespace {
 /// The places of the specification that notes are about.
 class Places {
 public:
-  Places(const Because& because, const Model& model, const Lowered& lowered, const Tables& tables)
-      : because_(because),
+  Places(const View& view, const Because& because, const Model& model, const Lowered& lowered)
+      : view_(view),
+        because_(because),
         model_(model),
         lowered_(lowered),
-        tables_(tables) {}
+        tables_(*view.tables) {}
 
   Span of(const WhyNote& note) const {
     switch (note.about) {
-    case WhyNote::About::edge: return note.row < tables_.edges.size() ? model_.edges[EdgeId{note.row}].span : Span{};
+    case WhyNote::About::edge: return note.row < tables_.edges.size() ? edge(EdgeId{note.row}) : Span{};
     case WhyNote::About::condition: return condition(note.row);
     case WhyNote::About::state: return model_.states[StateId{note.row}].name.span;
     case WhyNote::About::provider: return model_.providers[ProviderId{note.row}].span;
@@ -34,6 +37,56 @@ public:
   }
 
 private:
+  /// The place of the request, or of the need, in the active provider of its requester, otherwise where it is declared
+  /// first.
+  Span edge(EdgeId id) const {
+    const Edge& edge = model_.edges[id];
+    const Index active = edge.requester ? view_.assignment[edge.requester->value].active : nil;
+    if (active == nil) return edge.span;
+    const Provider& provider = model_.providers[ProviderId{active}];
+    if (!view_.requested(static_cast<Index>(id.value))) {
+      for (const Use<GroupId>& need : provider.needs) {
+        if (need.id == edge.target) return need.span;
+      }
+    }
+    for (const bool whole : {true, false}) {
+      for (const Pack& pack : provider.packs) {
+        if (whole && !is_requested(pack, *edge.requester)) continue;
+        for (const Task& task : pack.tasks) {
+          if (task.edge == id && (whole || has_level(task))) return task.span;
+        }
+      }
+    }
+    return edge.span;
+  }
+
+  /// Whether the task may be requested at the level at which it is; if it is not requested, at any.
+  bool has_level(const Task& task) const {
+    const auto row = static_cast<Index>(task.edge.value);
+    if (!view_.requested(row)) return true;
+    const Index level = view_.request[row].level - tables_.edges[row].levels.begin;
+    return std::any_of(task.levels.begin(), task.levels.end(),
+                       [&](const Task::NamedLevel& each) { return each.level == level; });
+  }
+
+  /// Whether this pack is what the group requests.
+  bool is_requested(const Pack& pack, GroupId requester) const {
+    for (const EdgeId id : model_.groups[requester].edges) {
+      const auto is_it = [&](const Task& task) { return task.edge == id && has_level(task); };
+      if (view_.requested(static_cast<Index>(id.value)) && std::none_of(pack.tasks.begin(), pack.tasks.end(), is_it))
+        return false;
+    }
+    return std::all_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& task) {
+      return view_.requested(static_cast<Index>(task.edge.value)) || may_be_left_out(task);
+    });
+  }
+
+  bool may_be_left_out(const Task& task) const {
+    const std::vector<Level>& levels = model_.edges[task.edge].levels;
+    return std::any_of(task.levels.begin(), task.levels.end(),
+                       [&](const Task::NamedLevel& each) { return levels[each.level].optional; });
+  }
+
   /// The place of the condition in the waiting provider, otherwise of its state.
   Span condition(Index row) const {
     const ConditionId id = lowered_.condition_ids[row];
@@ -45,6 +98,7 @@ private:
     return model_.states[model_.conditions[id].state].name.span;
   }
 
+  const View& view_;
   const Because& because_;
   const Model& model_;
   const Lowered& lowered_;
@@ -68,7 +122,7 @@ Reasoning reason_why(const View& view, const Because& because, const Model& mode
   out.group = model.groups[GroupId{because.asked}].name.value;
   out.kind = name_of(because.kind);
   out.text = director::to_text(because, names);
-  const Places places(because, model, lowered, *view.tables);
+  const Places places(view, because, model, lowered);
   for (WhyNote& note : why_notes(view, because, names)) {
     const Span span = places.of(note);
     out.notes.push_back({std::move(note.text), span});

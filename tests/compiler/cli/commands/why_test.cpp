@@ -154,6 +154,46 @@ groups:
                      "  it is held for KickTo, priority 10, that for the program, priority 0 (kick.yaml:5)\n");
 }
 
+const char* const boss = R"(behaviour: boss
+language: 1
+states: {Power: {values: [low, fine], initial: fine, external: true}}
+roots: [Boss]
+groups:
+  Boss:
+    providers:
+      - {name: saving, when: [Power == low], needs: [Arm], tasks: {Walk: {priority: 1}}}
+      - name: normal
+        needs: [Arm]
+        packs:
+          slow: {Walk: {priority: 5, optional: true}}
+          fast:
+            Walk: {priority: 5}
+            Look: {priority: 3}
+          far:
+            Look: {priority: 3}
+            Walk: {levels: {slowly: {priority: 5}, quickly: {priority: 7}}}
+  Walk: {needs: [Legs], tasks: [Legs]}
+  Look: {}
+  Legs: {}
+  Arm: {}
+)";
+
+TEST_CASE("the place of a request is that of the active provider and of its pack") {
+  World world;
+  world.files.add("boss.yaml", boss);
+  const auto place = [&](const std::string& pack, const std::string& group) {
+    world.files.add("s.yaml",
+                    "behaviour: boss.yaml\nscript:\n  Boss.normal: {pack: " + pack + "}\nsteps: [{request: Boss}]\n");
+    CHECK(world.directorc({"why", "s.yaml", group}) == 0);
+    return world.out.substr(world.out.find('\n') + 1);
+  };
+  CHECK(place("slow", "Walk") == "  it runs for Boss, priority 5, that for the program, priority 0 (boss.yaml:12)\n");
+  CHECK(place("fast", "Walk") == "  it runs for Boss, priority 5, that for the program, priority 0 (boss.yaml:14)\n");
+  CHECK(place("far, with: [Walk: {level: quickly}]", "Walk") ==
+        "  it runs for Boss, priority 7, that for the program, priority 0 (boss.yaml:18)\n");
+  CHECK(place("fast", "Arm") == "  it is held for Boss, priority 0, that for the program, priority 0 (boss.yaml:10)\n");
+}
+
 TEST_CASE("why a group waits: too little is enabled to meet all its needs") {
   World world;
   world.files.add("carrier.yaml", R"(behaviour: carrier
