@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <optional>
 #include <utility>
 
 namespace director {
@@ -25,7 +27,11 @@ public:
     case Because::Kind::running: chain(because.edge, "it runs for"); break;
     case Because::Kind::no_provider: disabled(because.group); break;
     case Because::Kind::together:
-      if (because.group != nil) disabled_below(because.group);
+      if (because.group == nil) {
+        unit(because);
+      } else {
+        disabled_below(because.group);
+      }
       break;
     case Because::Kind::not_requested: requesters(because.asked); break;
     default: break;
@@ -142,6 +148,90 @@ private:
     }
   }
 
+  /// The members of the unit, and what two of them need, if that alone is why they cannot all be granted.
+  void unit(const Because& because) {
+    const Index requester = t_.edges[because.edge].requester;
+    if (requester == nil) return;
+    std::vector<Index> members;
+    for (const Index edge : t_.groups[requester].edges.rows()) {
+      if (!v_.requested(edge)) continue;
+      const Level& level = t_.levels[v_.request[edge].level];
+      if (!level.optional && !level.apart) members.push_back(edge);
+    }
+    std::vector<std::string> tasks;
+    for (const Index edge : members) tasks.push_back(group(t_.edges[edge].target));
+    add(group(requester) + " requests " + listed(tasks) + " as one unit, which is granted as a whole or waits",
+        About::edge, because.edge);
+    for (const Index contested : contested_by(members)) {
+      tasks.clear();
+      bool is_member = false;
+      Index user = nil;
+      for (const Index edge : members) {
+        const Index target = t_.edges[edge].target;
+        is_member = is_member || target == contested;
+        if (target == contested || !contains(indispensable(target), contested)) continue;
+        tasks.push_back(group(target));
+        if (user == nil || user == because.edge) user = edge; // the place of the other one, if there are two
+      }
+      add(listed(tasks) + (is_member ? tasks.size() == 1 ? " needs " : " need " : " each need ") + group(contested) +
+              (is_member ? ", which is another task of the unit" : ""),
+          About::edge, user);
+    }
+  }
+
+  static bool contains(const std::vector<Index>& list, Index row) {
+    return std::find(list.begin(), list.end(), row) != list.end();
+  }
+
+  /// "a, b and c".
+  static std::string listed(const std::vector<std::string>& words) {
+    std::string out;
+    for (std::size_t i = 0; i < words.size(); ++i)
+      out += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
+    return out;
+  }
+
+  /// The groups that more than one of the edges has to take, without those that are only needed by another one of them.
+  std::vector<Index> contested_by(const std::vector<Index>& edges) {
+    std::map<Index, std::size_t> takers;
+    for (const Index edge : edges) {
+      for (const Index row : indispensable(t_.edges[edge].target)) ++takers[row];
+    }
+    std::vector<Index> out;
+    for (const auto& [row, count] : takers) {
+      const bool is_below = std::any_of(takers.begin(), takers.end(), [&, row = row](const auto& other) {
+        return other.first != row && other.second > 1 && contains(indispensable(other.first), row);
+      });
+      if (count > 1 && !is_below) out.push_back(row);
+    }
+    return out;
+  }
+
+  /// The group, and what every enabled provider of it needs, directly or not.
+  const std::vector<Index>& indispensable(Index group_row) {
+    const auto known = indispensable_.find(group_row);
+    if (known != indispensable_.end()) return known->second;
+    indispensable_[group_row] = {group_row}; // also while the groups below are examined: a cycle ends here
+    std::optional<std::vector<Index>> common;
+    for (const Index provider : t_.groups[group_row].providers.rows()) {
+      if (v_.enabled[provider] == 0) continue;
+      std::vector<Index> needs;
+      for (const Index need : t_.list(t_.providers[provider].needs)) {
+        for (const Index row : indispensable(t_.edges[need].target)) needs.push_back(row);
+      }
+      if (!common) {
+        common = std::move(needs);
+      } else {
+        std::erase_if(*common, [&](Index row) { return !contains(needs, row); });
+      }
+    }
+    std::vector<Index>& out = indispensable_[group_row];
+    for (const Index row : common.value_or(std::vector<Index>{})) {
+      if (!contains(out, row)) out.push_back(row);
+    }
+    return out;
+  }
+
   void requesters(Index group_row) {
     for (const Index edge : t_.list(t_.groups[group_row].requesters)) {
       const Index requester = t_.edges[edge].requester;
@@ -164,6 +254,7 @@ private:
   const Tables& t_;
   const Names& n_;
   std::vector<WhyNote> notes_;
+  std::map<Index, std::vector<Index>> indispensable_; ///< by group
 };
 
 constexpr std::array<std::string_view, 11> kinds{"running",   "not_requested", "no_provider", "lost",

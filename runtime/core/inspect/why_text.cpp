@@ -72,7 +72,8 @@ private:
             << ", ";
       return rivalry(b.rivalry);
     case Kind::together:
-      *this << (b.group == nil ? "" : "with what is disabled, ") << "what it takes cannot be had together";
+      *this << (b.group == nil ? "it and the other tasks of its unit cannot all be granted"
+                               : "with what is disabled, what it takes cannot be had together");
       return;
     case Kind::condition:
       *this << "until " << condition(b.condition) << ", which ";

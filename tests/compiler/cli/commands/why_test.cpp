@@ -194,6 +194,51 @@ TEST_CASE("the place of a request is that of the active provider and of its pack
   CHECK(place("fast", "Arm") == "  it is held for Boss, priority 0, that for the program, priority 0 (boss.yaml:10)\n");
 }
 
+TEST_CASE("why a group waits: another task of its unit needs the same") {
+  World world;
+  world.files.add("boss.yaml", R"(behaviour: boss
+language: 1
+roots: [Boss]
+groups:
+  Boss:
+    tasks:
+      Walk: {}
+      Kick: {}
+      Look: {}
+  Walk: {needs: [Legs], tasks: [Legs]}
+  Kick: {needs: [Legs], tasks: [Legs]}
+  Look: {}
+  Legs: {needs: [Hips]}
+  Hips: {}
+)");
+  world.files.add("s.yaml", "behaviour: boss.yaml\nsteps: [{request: Boss}]\n");
+  CHECK(world.directorc({"why", "s.yaml", "Walk"}) == 0);
+  CHECK(world.out == "Walk waits (Boss>Walk): it and the other tasks of its unit cannot all be granted\n"
+                     "  Boss requests Walk, Kick and Look as one unit, which is granted as a whole or waits "
+                     "(boss.yaml:7)\n"
+                     "  Walk and Kick each need Legs (boss.yaml:8)\n");
+}
+
+TEST_CASE("why a group waits: it needs another task of its unit") {
+  World world;
+  world.files.add("boss.yaml", R"(behaviour: boss
+language: 1
+roots: [Boss]
+groups:
+  Boss:
+    tasks:
+      Walk: {}
+      Legs: {}
+  Walk: {needs: [Legs]}
+  Legs: {}
+)");
+  world.files.add("s.yaml", "behaviour: boss.yaml\nsteps: [{request: Boss}]\n");
+  CHECK(world.directorc({"why", "s.yaml", "Legs"}) == 0);
+  CHECK(world.out == "Legs waits (Boss>Legs): it and the other tasks of its unit cannot all be granted\n"
+                     "  Boss requests Walk and Legs as one unit, which is granted as a whole or waits (boss.yaml:8)\n"
+                     "  Walk needs Legs, which is another task of the unit (boss.yaml:7)\n");
+}
+
 TEST_CASE("why a group waits: too little is enabled to meet all its needs") {
   World world;
   world.files.add("carrier.yaml", R"(behaviour: carrier

@@ -195,7 +195,7 @@ groups:
 )");
   machine.request("Both");
   machine.step();
-  CHECK(why(machine, "Left") == "Left waits (Both>Left): what it takes cannot be had together");
+  CHECK(why(machine, "Left") == "Left waits (Both>Left): it and the other tasks of its unit cannot all be granted");
 }
 
 TEST_CASE("what a unit takes is held before anything below its members is tried, whatever its rank") {
@@ -297,7 +297,7 @@ groups:
   machine.request("Both");
   machine.request("Look");
   machine.step();
-  CHECK(why(machine, "Left") == "Left waits (Both>Left): what it takes cannot be had together");
+  CHECK(why(machine, "Left") == "Left waits (Both>Left): it and the other tasks of its unit cannot all be granted");
 }
 
 TEST_CASE("of several requests made at once the answer is about the one below the sibling that is declared first") {
