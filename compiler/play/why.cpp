@@ -116,6 +116,11 @@ Reasoning reason_why(const View& view, GroupId group, const Model& model, const 
   return reason_why(view, why(view, static_cast<Index>(group.value)), model, lowered, RowNames(model, lowered).names());
 }
 
+Reasoning reason_why(const View& view, EdgeId request, const Model& model, const Lowered& lowered) {
+  return reason_why(view, why_refused(view, static_cast<Index>(request.value)), model, lowered,
+                    RowNames(model, lowered).names());
+}
+
 Reasoning reason_why(const View& view, const Because& because, const Model& model, const Lowered& lowered,
                      const director::Names& names) {
   Reasoning out;

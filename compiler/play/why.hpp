@@ -27,7 +27,10 @@ struct Reasoning {
 
 Reasoning reason_why(const View& view, GroupId group, const Model& model, const Lowered& lowered);
 
-/// The same for repeated calls. `because`: the result of why() for the group; `names`: of the rows.
+/// Why a request is not granted.
+Reasoning reason_why(const View& view, EdgeId request, const Model& model, const Lowered& lowered);
+
+/// The same for repeated calls. `because`: the result of why() or why_refused(); `names`: of the rows.
 Reasoning reason_why(const View& view, const Because& because, const Model& model, const Lowered& lowered,
                      const director::Names& names);
 

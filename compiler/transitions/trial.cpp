@@ -63,9 +63,17 @@ void explain_refusal(const View& view, const Model& model, const Lowered& lowere
     requester = way.group(i);
   }
   if (stuck == nullptr) return;
-  out.is_requested = state(*stuck) != RunState::none;
-  out.why = requester && !out.is_requested ? why_not_requested(view, model, *requester, *stuck)
-                                           : reason_why(view, stuck->target, model, lowered).text;
+  const std::vector<EdgeId>& requesters = model.groups[way.target].requesters;
+  out.is_requested = std::any_of(requesters.begin(), requesters.end(),
+                                 [&](EdgeId id) { return view.requested(static_cast<Index>(id.value)); });
+  const bool waits = state(*stuck) != RunState::none;
+  if (waits && view.granted(static_cast<Index>(stuck->target.value))) { // that one runs for another requester
+    out.why = reason_why(view, stuck->edge, model, lowered).text;
+  } else if (requester && !waits && !out.is_requested) {
+    out.why = why_not_requested(view, model, *requester, *stuck);
+  } else {
+    out.why = reason_why(view, out.is_requested ? way.target : stuck->target, model, lowered).text;
+  }
 }
 
 /// Those that ran in the last quarter of the events.

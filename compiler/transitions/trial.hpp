@@ -39,7 +39,7 @@ struct Trial {
   Runs runs;                 ///< all of them
   std::vector<Event> events; ///< from the step `from` on
   std::string why;           ///< why the first group of the chain does not run; empty: all do
-  bool is_requested = true;  ///< that group is requested
+  bool is_requested = true;  ///< then: something requests the last group of the chain
 };
 
 /// `way`: the chain whose groups are examined at the end.

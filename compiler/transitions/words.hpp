@@ -17,7 +17,7 @@ struct CellContext {
   GroupId replacement{};           ///< likewise what it requests instead, and leads to the second
   std::vector<GroupId> left{};     ///< of the taken groups, those that do not run for the first one any more
   bool row_runs_on = false;        ///< condition lost: only groups below the first one are lost
-  bool is_requested = true;        ///< the second, while the first one runs, or what leads to it
+  bool is_requested = true;        ///< the second, while the first one runs
   std::vector<GroupId> takers{};   ///< soft, hard: what is requested with the second and takes over in its place
   std::optional<GroupId> leader{}; ///< else: on the chain to the second, of which neither it nor what it requests takes
   bool runs_at_once = false;       ///< with takers: the second does not wait

@@ -40,6 +40,14 @@ public:
     return out;
   }
 
+  Because about_request(Index edge) {
+    Because out;
+    out.asked = target(edge);
+    out.edge = out.member = edge;
+    explain(out);
+    return out;
+  }
+
   bool stands_in_the_way(Index holder, Index edge) const {
     Rivalry rivalry;
     return !v_.is_limbo(holder) && goes_first(holder, edge, rivalry);
@@ -352,6 +360,8 @@ private:
 } // namespace
 
 Because why(const View& view, Index group) { return Explainer(view).about(group); }
+
+Because why_refused(const View& view, Index edge) { return Explainer(view).about_request(edge); }
 
 bool stands_in_the_way(const View& view, Index holder, Index edge) {
   return Explainer(view).stands_in_the_way(holder, edge);

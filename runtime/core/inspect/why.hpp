@@ -62,6 +62,9 @@ struct Because {
 /// By number; generated code has `behaviour.why<Task>()`.
 Because why(const View& view, Index group);
 
+/// Why a request is not granted: an edge that is requested, and whose target may run for another edge.
+Because why_refused(const View& view, Index edge);
+
 /// Whether edge `holder` goes before the request `edge`, or is its equal, so that what it holds is in the way.
 bool stands_in_the_way(const View& view, Index holder, Index edge);
 

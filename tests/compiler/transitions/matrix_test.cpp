@@ -199,6 +199,19 @@ steps:
 )");
 }
 
+TEST_CASE("waits: what leads to the second one waits, as the first one has the same task already") {
+  CHECK(words(R"(roots: [Carry, Move]
+groups:
+  Carry: {packs: {go: {Move: {}}}}
+  Move: {packs: {rest: {}, look: {Look: {}}}}
+  Look: {tasks: [Eye]}
+  Eye: {}
+)",
+              "Carry", "Look") ==
+        "waits: Look is not requested yet, and runs when Carry is done. Move waits (root>Move): Move is held by "
+        "Carry>Move, and root>Carry is the equal of root>Move (priority 0) and was there first.");
+}
+
 TEST_CASE("waits: the weaker one is queued, and runs when the stronger one is done") {
   CHECK(
       cell(legs, "Kick", "Walk") ==
