@@ -134,6 +134,37 @@ groups:
             finding);
 }
 
+TEST_CASE("a transition becomes hard that the outside begins, as one requester then requests both") {
+  const auto keeper = [](const std::string& conditions) {
+    return R"(states:
+  Ball: {values: [far, near], initial: far, external: true}
+  Hold: {values: [free, held], initial: free, of: Walk}
+roots: [Keep]
+groups:
+  Keep:
+    providers:
+      - {name: clearing, when: [Ball == near], packs: {go: {Clear: {priority: 20}, Walk: {apart: true}}}}
+      - {name: placing, tasks: [Walk]}
+  Clear: {)" +
+           conditions + R"(needs: [Legs], tasks: [Legs]}
+  Walk:
+    providers:
+      - {name: walking, when: [Hold == free], needs: [Legs], tasks: [Legs]}
+      - {name: halting, needs: [Legs], sets: [Hold == free], causing: [Hold == held], tasks: [Legs]}
+  Legs: {}
+)";
+  };
+  CHECK(
+      told(keeper("when: [Hold == held], stay: [Hold == free|held], "), keeper("")) ==
+      "hardened: from `Walk` to `Clear`: hard now, before soft\n"
+      "became_dead: `Walk.halting` can never run any more\n"
+      "became_dead: warning is new: `Walk.halting` never runs: `Walk.walking` comes before it and can run whenever it "
+      "can\n"
+      "condition_loosened: `Clear` no longer requests `Hold == held` to run\n"
+      "condition_tightened: `Clear` no longer stays active where its `when` does not hold\n"
+      "push_lost: `Clear` can no longer push `Walk.halting`\n");
+}
+
 TEST_CASE("a promise takes longer, and so does the transition that waits for it") {
   CHECK(told(walker(waits, " within 2 s", ranks), walker(waits, " within 500 ms", ranks)) ==
         "bound_shrank: `Walk.halting` promises `Pose == standing` within 500 ms; before within 2 s\n"
