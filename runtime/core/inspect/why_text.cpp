@@ -80,7 +80,9 @@ private:
       if (b.causer == nil) {
         *this << "no enabled provider promises";
       } else {
-        *this << group(b.causer_group) << "." << provider(b.causer) << " could cause";
+        *this << group(b.causer_group);
+        if (!is_unnamed(provider(b.causer))) *this << "." << provider(b.causer);
+        *this << " could cause";
       }
       return;
     case Kind::outdated: *this << "its requester is about to decide anew"; return;

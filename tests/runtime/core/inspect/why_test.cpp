@@ -149,6 +149,21 @@ TEST_CASE("without an enabled provider, of the task or of what it needs, that is
   CHECK(why(machine, "Recover") == "Recover waits (root>Recover): no provider of Recover is enabled");
 }
 
+TEST_CASE("what could cause a condition is called like its group, if that has one provider without a name") {
+  Machine machine(R"(
+behaviour: pose
+language: 1
+states: {Pose: {values: [lying, standing], initial: lying}}
+roots: [Kick]
+groups:
+  Kick: {when: [Pose == standing]}
+  Stand: {causing: [Pose == standing]}
+)");
+  machine.request("Kick");
+  machine.step();
+  CHECK(why(machine, "Kick") == "Kick waits (root>Kick): until Pose == standing, which Stand could cause");
+}
+
 TEST_CASE("if what is enabled cannot be had together, the answer says that something is disabled") {
   Machine machine(R"(
 behaviour: carrier
