@@ -20,7 +20,7 @@ void Judge::judge(const Beginning& row, const Beginning& column, const Play& now
   const Parting parting = part(model_, row.way, column.way);
   const bool ended = !runs(now.trial.rest, row.way);
   context.withdrawer = parting.link ? model_.groups[row.way.group(*parting.link)].name.value : "The program";
-  if ((ended || !all.empty()) && player_.ends_by(row, column, now, change, all)) {
+  if ((ended || !all.empty()) && player_.ends_by(row, column, change, all)) {
     out.kind = Kind::condition_lost;
     context.row_runs_on = !ended;
   } else if (parting.replaced && ended) {

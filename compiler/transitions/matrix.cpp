@@ -187,7 +187,7 @@ private:
       if (never_rests(later, change, out, context)) return;
       context.when_done = false;
       const bool runs_later = later.trial.good && runs_at_all(later.trial.rest, column.way);
-      const bool ends = runs_later && !runs(now.trial.rest, row.way) && player_.ends_by(row, column, now, change, {});
+      const bool ends = runs_later && !runs(now.trial.rest, row.way) && player_.ends_by(row, column, change, {});
       out.kind = ends ? Kind::condition_lost : runs_later ? Kind::waits : Kind::never;
       out.states = words_of(change, model_);
       out.pushes = judge_.pushes_of(now.trial, row);

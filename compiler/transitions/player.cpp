@@ -35,17 +35,18 @@ std::vector<GroupId> Player::lost(const Beginning& row, const Rest& rest) const 
   return out;
 }
 
-bool Player::ends_by(const Beginning& row, const Beginning& column, const Play& now, const Values& change,
+bool Player::ends_by(const Beginning& row, const Beginning& column, const Values& change,
                      const std::vector<GroupId>& all) const {
   if (change.empty()) return false;
   const std::string steps = beginning(row.way, row.outside) + settings_step(model_, change);
-  Script script = script_of(model_, row.way);
+  // A promise that undid the values would hide what they end.
+  const Until until{row.runs, change};
+  Script script = script_of(model_, row.way, until);
   // What the values let run on the way to the column answers as in the play of both.
+  const Script both = script_of(model_, row.way, column.way, until);
   for (const Link& link : column.way.links) {
     const auto same = [&](const Link& each) { return each.provider == link.provider; };
-    const auto answers = now.script.find(link.provider);
-    if (answers != now.script.end() && std::none_of(row.way.links.begin(), row.way.links.end(), same))
-      script[link.provider] = answers->second;
+    if (std::none_of(row.way.links.begin(), row.way.links.end(), same)) script[link.provider] = both.at(link.provider);
   }
   const Play alone = play(std::move(script), steps, 2, row.way);
   if (!alone.trial.good) return false;

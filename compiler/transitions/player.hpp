@@ -37,8 +37,8 @@ public:
   /// What ran for the row's task and no longer runs for it.
   std::vector<GroupId> lost(const Beginning& row, const Rest& rest) const;
 
-  /// Whether the values alone end the row's task, or take everything from it that it lost. `now`: the play of both.
-  bool ends_by(const Beginning& row, const Beginning& column, const Play& now, const Values& change,
+  /// Whether the values alone end the row's task, or take everything from it that it lost.
+  bool ends_by(const Beginning& row, const Beginning& column, const Values& change,
                const std::vector<GroupId>& all) const;
 
   /// For all plays: the number of characters read and of groups set up.

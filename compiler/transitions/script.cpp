@@ -223,8 +223,8 @@ Script script_from(Script out, const Model& model, const Way& row, const Until& 
 
 } // namespace
 
-Script script_of(const Model& model, const Way& row) {
-  return script_from(usual_script(model, {row.root->target}, {}), model, row, {});
+Script script_of(const Model& model, const Way& row, const Until& until) {
+  return script_from(usual_script(model, {row.root->target}, until), model, row, until);
 }
 
 Script script_of(const Model& model, const Way& row, const Way& column, const Until& until) {

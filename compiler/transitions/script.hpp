@@ -24,15 +24,15 @@ struct Parting {
 };
 Parting part(const Model& model, const Way& row, const Way& column);
 
-/// Until it is at rest: the answers that lead there; pushed bodies keep their promises. The target is done a
-/// millisecond later.
-Script script_of(const Model& model, const Way& row);
-
 /// The column's request.
 struct Until {
   Runs runs;      ///< before it
   Values outside; ///< pushed bodies do not change these states from then on
 };
+
+/// Until it is at rest: the answers that lead there; pushed bodies keep their promises. The target is done a
+/// millisecond later.
+Script script_of(const Model& model, const Way& row, const Until& until = {});
 /// ... and then those that lead to the column.
 Script script_of(const Model& model, const Way& row, const Way& column, const Until& until);
 

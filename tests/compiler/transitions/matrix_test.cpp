@@ -386,7 +386,29 @@ groups:
   Walk: {needs: [Legs]}
   Legs: {}
 )",
-              "Place", "Clear") == "?");
+              "Place",
+              "Clear") == "hard: Clear takes at once what Place holds. Walk stops. The outside says Ball == near.");
+}
+
+TEST_CASE("condition lost: a promise that would undo the values from outside does not hide that") {
+  CHECK(words(R"(states: {Stability: {values: [fallen, moving, standing], initial: standing, external: true}}
+roots: {Recover: {priority: 90}, Play: {priority: 10}}
+groups:
+  Recover:
+    providers:
+      - {name: up, when: [Stability == fallen], tasks: [GetUp]}
+      - {name: fine}
+  GetUp: {needs: [Legs], tasks: [Legs]}
+  Play: {packs: {go: {Kick: {priority: 5}, Walk: {apart: true}}}}
+  Kick: {when: [Stability == standing], stay: [Stability >= moving], needs: [Legs], tasks: [Legs]}
+  Walk:
+    providers:
+      - {name: walking, needs: [Legs], tasks: [Legs]}
+      - {name: halting, needs: [Legs], causing: [Stability == standing], tasks: [Legs]}
+  Legs: {}
+)",
+              "Kick", "GetUp") == "condition lost: What GetUp wants from outside ends Kick. Kick stops. Legs runs on, "
+                                  "but not for Kick any more. The outside says Stability == fallen.");
 }
 
 TEST_CASE("never: nothing causes what it waits for, also when the first one is done") {
@@ -503,7 +525,7 @@ groups:
                                  "but not for Look any more.");
 }
 
-TEST_CASE("what is set from outside for the second is not undone by a push of the first one") {
+TEST_CASE("condition lost: what is set from outside for the second is not undone by a push of the first one") {
   CHECK(cell(R"(
 states: {Pose: {values: [moving, still, falling], initial: still, external: true}}
 roots: {Recover: {priority: 90}, Play: {priority: 10}}
@@ -519,7 +541,7 @@ groups:
   Legs: {}
 )",
              "Kick", "Brace") ==
-        R"(hard: Brace takes at once what Kick holds. Kick stops. The outside says Pose == falling.
+        R"(condition lost: What Brace wants from outside ends Kick. The outside says Pose == falling.
 stops Kick
 scenario: from Kick to Brace
 behaviour: test.yaml
