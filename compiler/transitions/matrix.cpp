@@ -136,6 +136,41 @@ private:
     return out;
   }
 
+  /// What else has to change if, with these values, a provider would run that is preferred to the column's requester's
+  /// one: the row may have let it run.
+  Values in_the_way(const Beginning& row, const Beginning& column, const Values& change) const {
+    Values now = row.rest.values, out;
+    for (const auto& [id, value] : change) now.insert_or_assign(id, value);
+    const auto accepts = [&](const ConditionUse& use) {
+      const Condition& condition = model_.conditions[use.id];
+      const auto value = now.find(condition.state);
+      return value != now.end() && condition.accepts.contains(value->second);
+    };
+    const auto prevent = [&](ProviderId id) {
+      for (const ConditionUse& use : model_.providers[id].when) {
+        const Condition& condition = model_.conditions[use.id];
+        const State& state = model_.states[condition.state];
+        if (!state.external) continue;
+        const auto wanted = column.outside.wanted.find(condition.state);
+        const ValueSet left =
+            (wanted == column.outside.wanted.end() ? state.domain() : wanted->second).without(condition.accepts);
+        if (left.empty()) continue;
+        const std::int64_t value = left.intervals().front().low;
+        now.insert_or_assign(condition.state, value);
+        out.insert_or_assign(condition.state, value);
+        return;
+      }
+    };
+    for (const Link& link : column.way.links) {
+      for (const ProviderId id : model_.group_of(link.provider).providers) {
+        if (id == link.provider) break;
+        const std::vector<ConditionUse>& when = model_.providers[id].when;
+        if (std::all_of(when.begin(), when.end(), accepts)) prevent(id);
+      }
+    }
+    return out;
+  }
+
   /// Every choice of these, the fewest first.
   static std::vector<Values> choices(const Values& all) {
     if (all.size() > most_changes) return {{}, all};
@@ -175,18 +210,29 @@ private:
   void decide(const Beginning& row, const Beginning& column, Transition& out, CellContext& context) {
     const Script script = script_of(model_, row.way, column.way, {row.runs, {}});
     const std::string begin = player_.beginning(row.way, row.outside);
+    std::vector<Values> all = choices(lacking(row, column));
+    const std::size_t usual = all.size();
+    for (std::size_t i = 0; i < usual; ++i) {
+      Values more = in_the_way(row, column, all[i]);
+      if (more.empty()) continue;
+      for (const auto& each : all[i]) more.insert(each);
+      if (std::find(all.begin(), all.end(), more) == all.end()) all.push_back(std::move(more));
+    }
     std::optional<Play> decided;
-    for (const Values& change : choices(lacking(row, column))) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Values& change = all[i];
+      const bool is_usual = i < usual;
       const Play now = player_.play(script, begin + request_step(model_, column.way, change), 2, column.way);
       if (runs_now(row, column, now, change, out, context) ||
           (is_undone(now.trial, change) && runs_where_the_outside_stands(row, column, now, change, out, context)))
         return;
-      if (never_rests(now, change, out, context)) return;
+      if (is_usual && never_rests(now, change, out, context)) return;
       const Play later = player_.play(script, now.steps + done_step(), 2, column.way);
       context.when_done = true;
-      if (never_rests(later, change, out, context)) return;
+      if (is_usual && never_rests(later, change, out, context)) return;
       context.when_done = false;
       const bool runs_later = later.trial.good && runs_at_all(later.trial.rest, column.way);
+      if (!is_usual && !runs_later) continue; // that it never runs is said of the usual values
       const bool ends = runs_later && !runs(now.trial.rest, row.way) && player_.ends_by(row, column, change, {});
       out.kind = ends ? Kind::condition_lost : runs_later ? Kind::waits : Kind::never;
       out.states = words_of(change, model_);

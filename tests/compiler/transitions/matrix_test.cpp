@@ -411,6 +411,24 @@ groups:
                                   "but not for Kick any more. The outside says Stability == fallen.");
 }
 
+TEST_CASE("condition lost: the outside ends the provider that is preferred to the one that leads to the second one") {
+  for (const char* const initial : {"away", "near"}) {
+    CHECK(words("states: {Penalty: {values: [away, near], initial: " + std::string(initial) + R"(, external: true}}
+roots: [Keep]
+groups:
+  Keep:
+    providers:
+      - {name: penalty, when: [Penalty == near], tasks: [Dive]}
+      - {name: placing, tasks: [Walk]}
+  Dive: {needs: [Legs], tasks: [Legs]}
+  Walk: {needs: [Legs], tasks: [Legs]}
+  Legs: {}
+)",
+                "Dive", "Walk") == "condition lost: What Walk wants from outside ends Dive. Dive stops. Legs runs on, "
+                                   "but not for Dive any more. The outside says Penalty == away.");
+  }
+}
+
 TEST_CASE("never: nothing causes what it waits for, also when the first one is done") {
   const char* const lost = R"(states: {Pose: {values: [moving, still]}}
 roots: [Walk, Wait]
