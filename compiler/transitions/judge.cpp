@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 namespace director::compiler::transitions {
 
@@ -32,6 +33,7 @@ void Judge::judge(const Beginning& row, const Beginning& column, const Play& now
   } else {
     out.kind = pushed_first(row, now.trial) ? Kind::soft : Kind::hard;
     find_takers(column, now.trial.rest, all, context);
+    if (out.kind == Kind::hard) find_pushed_takers(row, column, now.trial, context);
     context.runs_at_once = runs_before(now.trial, row, column);
   }
   if (out.kind != Kind::soft) return;
@@ -46,18 +48,24 @@ bool Judge::pushes(const Event& event, const Beginning& row) const {
          !row.rest.is_under(model_, model_.edges[EdgeId{event.edge}].target, row.way.last().edge);
 }
 
-/// Whether nothing was taken from the row's side before the first push.
+/// Whether nothing was taken from the row's side before the first push, nor with it, other than what is pushed: that
+/// may get another requester at once, and goes on.
 bool Judge::pushed_first(const Beginning& row, const Trial& trial) const {
   const EdgeId edge = row.way.last().edge;
-  std::uint64_t pushed = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t first = std::numeric_limits<std::uint64_t>::max();
+  std::vector<Index> pushed;
   for (const Event& event : trial.events) {
-    if (pushes(event, row)) pushed = std::min(pushed, event.micro_step);
-    if (event.micro_step >= pushed) return true;
+    if (!pushes(event, row) || event.micro_step > first) continue;
+    first = event.micro_step;
+    pushed.push_back(event.group);
+  }
+  const bool any_taken = std::any_of(trial.events.begin(), trial.events.end(), [&](const Event& event) {
     const bool takes = event.kind == Event::Kind::lose || event.kind == Event::Kind::stop ||
                        (event.kind == Event::Kind::grant && event.other != nil && event.other != event.edge);
-    if (takes && row.rest.is_under(model_, GroupId{event.group}, edge)) return false;
-  }
-  return false;
+    if (!takes || event.micro_step > first || !row.rest.is_under(model_, GroupId{event.group}, edge)) return false;
+    return event.micro_step < first || std::find(pushed.begin(), pushed.end(), event.group) == pushed.end();
+  });
+  return !pushed.empty() && !any_taken;
 }
 
 /// Whether the column was granted when the first push was made.
@@ -97,6 +105,28 @@ void Judge::find_takers(const Beginning& column, const Rest& rest, const std::ve
   // What the chain needs, it takes for the column.
   if (takers.empty() && !leader_needs) context.leader = leader;
   context.takers = std::move(takers);
+}
+
+void Judge::find_pushed_takers(const Beginning& row, const Beginning& column, const Trial& trial,
+                               CellContext& context) const {
+  const auto first =
+      std::find_if(trial.events.begin(), trial.events.end(), [&](const Event& event) { return pushes(event, row); });
+  if (first == trial.events.end()) return;
+  std::vector<GroupId> takers;
+  for (const Event& event : trial.events) {
+    if (event.micro_step != first->micro_step || event.kind != Event::Kind::grant || event.edge >= model_.edges.size())
+      continue;
+    const GroupId group{event.group};
+    if (group == column.way.target) return;
+    const std::optional<GroupId> requester = model_.edges[EdgeId{event.edge}].requester;
+    const bool is_pushed = std::any_of(trial.events.begin(), trial.events.end(), [&](const Event& each) {
+      return pushes(each, row) && each.micro_step == first->micro_step && each.group == event.group;
+    });
+    if (is_pushed && requester && column.way.passes(*requester) && !column.way.passes(group)) takers.push_back(group);
+  }
+  if (takers.empty()) return;
+  context.takers = std::move(takers);
+  context.leader.reset();
 }
 
 std::vector<Transition::Push> Judge::pushes_of(const Trial& trial, const Beginning& row) const {

@@ -30,6 +30,10 @@ private:
   void find_takers(const Beginning& column, const Rest& rest, const std::vector<GroupId>& lost,
                    CellContext& context) const;
 
+  /// Finds what was requested with the column and pushed, and got with the push what the row has.
+  void find_pushed_takers(const Beginning& row, const Beginning& column, const Trial& trial,
+                          CellContext& context) const;
+
   const Model& model_;
   const Lowered& lowered_;
   const Player& player_;

@@ -429,6 +429,27 @@ groups:
   }
 }
 
+TEST_CASE("hard: what is requested with the second one takes all at once, and is pushed itself") {
+  const std::string down = R"(states: {Air: {values: [flying, hover], initial: flying}}
+roots: {Safety: {priority: 100}, Survey: {priority: 10}}
+groups:
+  Safety: {packs: {down: {Land: {priority: 5}, Fly: {apart: true}}}}
+  Survey: {tasks: [TakeOff]}
+  TakeOff: {needs: [Rotors], sets: [Air == flying], tasks: [Rotors], stop: true}
+  Land: {when: [Air == hover], needs: [Rotors], tasks: [Rotors]}
+  Fly:
+    providers:
+      - {name: cruise, needs: [Rotors], sets: [Air == flying], tasks: [Rotors]}
+      - {name: brake, needs: [Rotors], causing: [Air == hover within 4 s], tasks: [Rotors]}
+  Rotors: {}
+)";
+  CHECK(words(down, "TakeOff", "Land") ==
+        "hard: Fly, which is requested with Land, takes at once what TakeOff holds. TakeOff stops. Rotors runs on, but "
+        "not for TakeOff any more.");
+  CHECK(words(down, "TakeOff", "Safety") ==
+        "hard: Safety takes at once what TakeOff holds. TakeOff stops. Rotors runs on, but not for TakeOff any more.");
+}
+
 TEST_CASE("never: nothing causes what it waits for, also when the first one is done") {
   const char* const lost = R"(states: {Pose: {values: [moving, still]}}
 roots: [Walk, Wait]
