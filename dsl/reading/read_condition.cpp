@@ -88,8 +88,7 @@ public:
     if (text(rest) == "within")
       out.within = within(rest);
     else if (!at_end())
-      fail(rest, fmt::format("expected the end of the condition, found {}", found(rest)),
-           is_time(rest) ? "a time stands behind `within`: `Phase == ready within 2 s`" : rest_help(out, text(rest)));
+      fail(rest, fmt::format("expected the end of the condition, found {}", found(rest)), rest_help(out, text(rest)));
     if (!fault_ && is_in_digits(out.state.value))
       fault_ = Fault{out.state.span, fmt::format("expected the name of a state, found `{}`", out.state.value),
                      is_in_digits(out.values.front().value)
@@ -138,14 +137,6 @@ private:
     return habit_help(rest);
   }
 
-  /// For a promise such as `Phase == set in 2 s`.
-  bool is_time(Token rest) const {
-    const std::string_view word = text(rest), after = text_.substr(rest.end);
-    const std::size_t begin = after.find_first_not_of(' ');
-    return use_ == ConditionUse::causing && (word == "in" || word == "after" || word == "for") &&
-           begin != std::string_view::npos && is_digit(after[begin]);
-  }
-
   /// Only the first fault is reported: later ones may follow from it.
   void fail(Token place, std::string message, std::string help = "") {
     if (!fault_) fault_ = Fault{span(place), std::move(message), std::move(help)};
@@ -177,9 +168,8 @@ private:
     if (known != ops.end()) return {static_cast<Op>(known - ops.begin()), span(token)};
     fail(token, fmt::format("expected {} behind `{}`, found {}", known_ops, state, found(token)),
          state == "not" || (text(token) == "is" && text(peek()) == "not") ? std::string(negated)
-         : token.begin == token.end
-             ? std::string("compare it with a value: `Phase == ready`, or `Charge > 20` where it has numbers")
-             : op_help(text(token)));
+         : token.begin == token.end ? fmt::format("compare it with one of its values: `{} == ready`", state)
+                                    : op_help(text(token)));
     return {};
   }
 

@@ -102,11 +102,6 @@ ProviderSpec read_direct_provider(Reader& reader, const YamlNode& mapping, const
   return provider;
 }
 
-bool says_no(const YamlNode& node) {
-  static const Keys words{"false", "False", "FALSE", "no", "No", "NO", "off", "Off", "OFF"};
-  return node.kind == YamlNode::Kind::scalar && std::find(words.begin(), words.end(), node.text) != words.end();
-}
-
 /// `start: true`, `stop: {sets: [...]}`.
 std::optional<HandlerSpec> read_handler(Reader& reader, const YamlNode* node, std::string_view which) {
   if (!node || node->kind == YamlNode::Kind::broken) return std::nullopt;
@@ -129,7 +124,7 @@ std::optional<HandlerSpec> read_handler(Reader& reader, const YamlNode* node, st
     reader.error(
         "start_stop_shape", node->span,
         fmt::format("`{}`: expected true or a mapping with `sets` alone, found {}", which, found(*node)),
-        says_no(*node)
+        node->kind == YamlNode::Kind::scalar && node->text == "false"
             ? "a group without one leaves it out"
             : fmt::format("write `{}: true`, or what it may set: `{}: {{sets: [Pose == standing]}}`", which, which));
     return std::nullopt;
@@ -138,20 +133,9 @@ std::optional<HandlerSpec> read_handler(Reader& reader, const YamlNode* node, st
   return handler;
 }
 
-const Keys& keys_of_group() {
-  static const Keys keys{"doc",       "layer", "module", "data",    "realtime", "start",  "stop",
-                         "providers", "when",  "stay",   "causing", "sets",     "needs",  "uses",
-                         "triggers",  "every", "tasks",  "packs",   "allow",    "because"};
-  return keys;
-}
-
-/// For `Walk: [Legs]` and `Walk: Legs`, which is no key that lacks its colon, and for `tasks: [Legs]`, a key of a
-/// group.
+/// For `Walk: [Legs]` and `Walk: Legs`, which is no key that lacks its colon.
 std::string help_for_short_group(const YamlPair& pair) {
   const YamlNode& value = pair.value;
-  const Keys& keys = keys_of_group();
-  if (std::find(keys.begin(), keys.end(), pair.key.value) != keys.end())
-    return fmt::format("`{}` is a key of a group: is the line indented as it should be?", pair.key.value);
   const bool is_word = value.kind == YamlNode::Kind::scalar && value.text.find(' ') == std::string::npos;
   if (value.kind != YamlNode::Kind::list && !is_word) return "";
   return fmt::format("what it requests stands in `tasks`, what it must control in `needs`: `{}: {{tasks: [{}]}}`",
@@ -172,13 +156,16 @@ std::optional<Word> read_type_of_data(Reader& reader, const YamlNode* node) {
 } // namespace
 
 GroupSpec read_group(Reader& reader, const YamlPair& pair) {
+  static const Keys keys{"doc",       "layer", "module", "data",    "realtime", "start",  "stop",
+                         "providers", "when",  "stay",   "causing", "sets",     "needs",  "uses",
+                         "triggers",  "every", "tasks",  "packs",   "allow",    "because"};
   GroupSpec group;
   group.span = pair.span;
   group.name = reader.name(pair);
   group.realtime.span = pair.key.span;
   const YamlNode& mapping = pair.value;
   if (!reader.is_mapping(&mapping, pair.key.value, "a mapping", help_for_short_group(pair))) return group;
-  reader.know_keys(mapping, fmt::format("group `{}`", pair.key.value), keys_of_group(), slips_of_group());
+  reader.know_keys(mapping, fmt::format("group `{}`", pair.key.value), keys, slips_of_group());
   group.doc = reader.text(mapping.find("doc"), "doc");
   group.layer = reader.word(mapping.find("layer"), "layer", "the name of a layer");
   group.module = reader.word(mapping.find("module"), "module", "the name of a module");

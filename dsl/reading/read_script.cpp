@@ -106,11 +106,7 @@ RequestSpec read_request(Reader& reader, const YamlPair& pair, const Keys& keys)
 
 std::vector<SettingSpec> read_settings(Reader& reader, const YamlNode* node, std::string_view subject) {
   std::vector<SettingSpec> out;
-  std::string help;
-  const std::size_t equals = node ? node->text.find(" == ") : std::string::npos;
-  if (equals != std::string::npos)
-    help = fmt::format("write `{}: {{{}: {}}}`", subject, node->text.substr(0, equals), node->text.substr(equals + 4));
-  if (!reader.is_mapping(node, subject, "a mapping of states to values", std::move(help))) return out;
+  if (!reader.is_mapping(node, subject, "a mapping of states to values")) return out;
   for (const YamlPair& pair : node->pairs)
     if (auto value = reader.word(&pair.value, pair.key.value, "a value of the state"))
       out.push_back({reader.name(pair), std::move(*value)});

@@ -90,9 +90,7 @@ bool Reader::is_list(const YamlNode* node, std::string_view subject, std::string
   const bool good = node->kind == YamlNode::Kind::list;
   if (node->kind == YamlNode::Kind::null) help = "an empty one is `[]`";
   if (help.empty() && node->kind == YamlNode::Kind::scalar && !node->text.empty())
-    help = node->text.starts_with('-') && !node->quoted() && node->text.size() > 1
-               ? fmt::format("an item of a list has a blank behind its `-`: `- {}`", node->text.substr(1))
-               : fmt::format("write `[{}]`", node->text);
+    help = fmt::format("write `[{}]`", node->text);
   if (!good) unexpected(*node, subject, expected, std::move(help));
   return good;
 }

@@ -60,9 +60,7 @@ const Slips& slips_of_cpp() {
 
 const Slips& slips_of_state() {
   static const Slips slips{
-      {{"default"}, "the value at the start stands in `initial`"},
-      {{"value"}, "the values stand in `values`, the one at the start in `initial`"},
-      {{"description", "comment"}, "a text for people stands in `doc`"},
+      {{"default", "value"}, "the value at the start stands in `initial`"},
       {{"enum"}, "the values stand in `values`, a C++ enum in `type`"},
       {{"min", "max", "minimum", "maximum"}, "lowest and highest number stand in `range`: `range: [0, 100]`"},
       {{"timeout", "ttl", "lifetime"}, "a state that is not set again for so long `expires`: `expires: 500 ms`"},
@@ -79,7 +77,7 @@ const Slips& slips_of_group() {
        "it set the next value"},
       {{"fallback", "selector", "alternatives"}, "list the ways in `providers`: the first one that can run is chosen"},
       {{"parallel"}, "list them in `tasks`: what a run requests goes on at once"},
-      {{"children", "subtasks", "request", "requests", "actions"}, "what it may request stands in `tasks` or `packs`"},
+      {{"children", "subtasks", "requests", "actions"}, "what it may request stands in `tasks` or `packs`"},
       {{"timeout", "deadline"},
        "a promise may have a time, `causing: [Motion == still within 3 s]`; a body that waits calls `run.wait(3s)`"},
       {{"unless", "except"}, "`when` says what must hold: write the opposite, such as `when: [Motion != rolling]`"},
@@ -90,7 +88,7 @@ const Slips& slips_of_group() {
        "it stands where the task is requested: `roots: {Walk: {priority: 10}}`, or in `tasks` of the group that "
        "requests it"},
       {{"requires", "resources", "locks", "uses_resource"}, "groups that it must control stand in `needs`"},
-      {{"cause", "causes", "effects", "effect", "postconditions", "achieves"},
+      {{"causes", "effects", "effect", "postconditions", "achieves"},
        "what it promises to make true stands in `causing`: `causing: [Motion == still]`"},
       {{"set", "writes"}, "what it may set stands in `sets`: `sets: [Motion == rolling]`"},
       {{"rate", "period", "interval", "frequency", "hz"}, "it runs again after a period with `every: 10 ms`"},
@@ -99,7 +97,6 @@ const Slips& slips_of_group() {
       {{"on_stop", "on_exit", "exit", "cleanup"}, "a handler for when it ceases to run: `stop: true`"},
       {{"type", "message", "params", "parameters", "args"},
        "the C++ type that the task carries stands in `data` of the group"},
-      {{"description", "comment"}, "a text for people stands in `doc`"},
   };
   return slips;
 }

@@ -68,7 +68,7 @@ TEST_CASE("A state alone may be set to any value, but not compared") {
   CHECK_FALSE(sets.at(1).any);
   CHECK(with_conditions("when", "[Phase]").findings() ==
         "5:17 `` bad_condition: expected one of ==, !=, <, <=, >, >= behind `Phase`, found nothing (compare it with "
-        "a value: `Phase == ready`, or `Charge > 20` where it has numbers)\n");
+        "one of its values: `Phase == ready`)\n");
 }
 
 TEST_CASE("A mistake inside a condition is shown where it is") {

@@ -79,43 +79,6 @@ TEST_CASE("keys of other tools are reported with the right ones") {
         "2:10 `wait` unknown_key: a step has no key `wait` (time passes with `advance: 100 ms`)\n");
 }
 
-TEST_CASE("the help says what stands where another word or shape was tried") {
-  check_body(
-      "groups:\n  A:\n    tasks:\n      -B\n",
-      "6:7 `-B` wrong_node_kind: `tasks`: expected a list of groups or a mapping, found `-B` (an item of a list has a "
-      "blank behind its `-`: `- B`)\n");
-  check_body(
-      "groups:\n  A:\n  tasks: [B]\n",
-      "4:3 `A` wrong_node_kind: `A`: expected a mapping, found nothing (an empty one is `{}`)\n"
-      "5:10 `[B]` wrong_node_kind: `tasks`: expected a mapping, found a list (`tasks` is a key of a group: is the "
-      "line indented as it should be?)\n");
-  check_body(
-      "groups: {A: {stop: no}}\n",
-      "3:20 `no` start_stop_shape: `stop`: expected true or a mapping with `sets` alone, found `no` (a group without "
-      "one leaves it out)\n");
-  check_body(
-      "states: {S: {value: [a, b]}}\n",
-      "3:10 `S` missing_key: state `S` needs `values`, `range` or `type` (for example `values: [low, high]`, or "
-      "`range: "
-      "[0, 100]`)\n"
-      "3:14 `value` unknown_key: state `S` has no key `value` (the values stand in `values`, the one at the start "
-      "in `initial`)\n");
-  check_body(
-      "groups: {A: {cause: [S == b], request: [B], description: walks}}\n",
-      "3:14 `cause` unknown_key: group `A` has no key `cause` (what it promises to make true stands in `causing`: "
-      "`causing: [Motion == still]`)\n"
-      "3:31 `request` unknown_key: group `A` has no key `request` (what it may request stands in `tasks` or "
-      "`packs`)\n"
-      "3:45 `description` unknown_key: group `A` has no key `description` (a text for people stands in `doc`)\n");
-  check_body("groups: {A: {causing: [S == b in 3 s]}}\n", "3:31 `in` bad_condition: expected the end of the condition, "
-                                                          "found `in` (a time stands behind `within`: `Phase == "
-                                                          "ready within 2 s`)\n");
-  CHECK(
-      read_scenario_body("steps: [{set: Battery == 5}]\n").findings() ==
-      "2:15 `Battery == 5` wrong_node_kind: `set`: expected a mapping of states to values, found `Battery == 5` (write "
-      "`set: {Battery: 5}`)\n");
-}
-
 TEST_CASE("a list in place of a mapping, and a mapping in place of a list") {
   check_body("groups: [A]\n",
              "3:9 `[A]` wrong_node_kind: `groups`: expected a mapping, found a list (each with its name "
