@@ -41,6 +41,15 @@ std::vector<std::string_view> parts_of(std::string_view text) {
   return out;
 }
 
+/// Whether this is the entry of a list without the blank behind its dash: `-Walk`, `-name: walking`.
+std::optional<std::string_view> behind_bare_dash(const YamlNode& node) {
+  const bool mapping = node.kind == YamlNode::Kind::mapping && !node.pairs.empty();
+  if (!mapping && (node.kind != YamlNode::Kind::scalar || node.quoted())) return std::nullopt;
+  const std::string_view text = mapping ? node.pairs.front().key.value : node.text;
+  if (text.size() < 2 || text[0] != '-' || !(is_letter(text[1]) || text[1] == '_')) return std::nullopt;
+  return text.substr(1, text.find(' ') - 1);
+}
+
 } // namespace
 
 std::string found(const YamlNode& node) {
@@ -89,6 +98,8 @@ bool Reader::is_list(const YamlNode* node, std::string_view subject, std::string
   if (!node) return false;
   const bool good = node->kind == YamlNode::Kind::list;
   if (node->kind == YamlNode::Kind::null) help = "an empty one is `[]`";
+  if (const auto entry = behind_bare_dash(*node))
+    help = fmt::format("an entry of a list needs a blank behind its dash: `- {}`", *entry);
   if (help.empty() && node->kind == YamlNode::Kind::scalar && !node->text.empty())
     help = fmt::format("write `[{}]`", node->text);
   if (!good) unexpected(*node, subject, expected, std::move(help));

@@ -105,6 +105,22 @@ TEST_CASE("a list in place of a mapping, and a mapping in place of a list") {
              "`packs`: `packs: {go: [Walk]}`)\n");
 }
 
+TEST_CASE("an entry of a list lacks the blank behind its dash") {
+  check_body(
+      "groups:\n  A:\n    tasks:\n      -B\n",
+      "6:7 `-B` wrong_node_kind: `tasks`: expected a list of groups or a mapping, found `-B` (an entry of a list "
+      "needs a blank behind its dash: `- B`)\n");
+  check_body("groups:\n  A:\n    needs:\n      -B\n      -C\n",
+             "6:7 `-B…` wrong_node_kind: `needs`: expected a list, found `-B -C` (an entry of a list needs a blank "
+             "behind its dash: `- B`)\n");
+  check_body("groups:\n  A:\n    providers:\n      -name: walking\n",
+             "6:7 `-name: walking` wrong_node_kind: `providers`: expected a list of providers, found a mapping (an "
+             "entry of a list needs a blank behind its dash: `- name`)\n");
+  check_body("states: {X: {range: -5}}\n",
+             "3:21 `-5` wrong_node_kind: `range`: expected a list of the lowest and the highest number, found `-5` "
+             "(for example `[0, 100]`)\n");
+}
+
 TEST_CASE("a condition is written as a sentence") {
   check_body("groups: {A: {when: [not X == a]}}\n",
              "3:25 `X` bad_condition: expected one of ==, !=, <, <=, >, >= behind `not`, found `X` (write `!=` between "
