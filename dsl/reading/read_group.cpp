@@ -133,9 +133,15 @@ std::optional<HandlerSpec> read_handler(Reader& reader, const YamlNode* node, st
   return handler;
 }
 
-/// For `Walk: [Legs]` and `Walk: Legs`, which is no key that lacks its colon.
+const Keys group_keys{"doc",       "layer", "module", "data",    "realtime", "start",  "stop",
+                      "providers", "when",  "stay",   "causing", "sets",     "needs",  "uses",
+                      "triggers",  "every", "tasks",  "packs",   "allow",    "because"};
+
+/// For `Walk: [Legs]` and `Walk: Legs`, which is no key that lacks its colon, and for a key of a group beside it.
 std::string help_for_short_group(const YamlPair& pair) {
   const YamlNode& value = pair.value;
+  if (std::find(group_keys.begin(), group_keys.end(), pair.key.value) != group_keys.end())
+    return fmt::format("`{}` is a key of a group: is the line indented as it should be?", pair.key.value);
   const bool is_word = value.kind == YamlNode::Kind::scalar && value.text.find(' ') == std::string::npos;
   if (value.kind != YamlNode::Kind::list && !is_word) return "";
   return fmt::format("what it requests stands in `tasks`, what it must control in `needs`: `{}: {{tasks: [{}]}}`",
@@ -156,16 +162,13 @@ std::optional<Word> read_type_of_data(Reader& reader, const YamlNode* node) {
 } // namespace
 
 GroupSpec read_group(Reader& reader, const YamlPair& pair) {
-  static const Keys keys{"doc",       "layer", "module", "data",    "realtime", "start",  "stop",
-                         "providers", "when",  "stay",   "causing", "sets",     "needs",  "uses",
-                         "triggers",  "every", "tasks",  "packs",   "allow",    "because"};
   GroupSpec group;
   group.span = pair.span;
   group.name = reader.name(pair);
   group.realtime.span = pair.key.span;
   const YamlNode& mapping = pair.value;
   if (!reader.is_mapping(&mapping, pair.key.value, "a mapping", help_for_short_group(pair))) return group;
-  reader.know_keys(mapping, fmt::format("group `{}`", pair.key.value), keys, slips_of_group());
+  reader.know_keys(mapping, fmt::format("group `{}`", pair.key.value), group_keys, slips_of_group());
   group.doc = reader.text(mapping.find("doc"), "doc");
   group.layer = reader.word(mapping.find("layer"), "layer", "the name of a layer");
   group.module = reader.word(mapping.find("module"), "module", "the name of a module");

@@ -121,6 +121,16 @@ TEST_CASE("an entry of a list lacks the blank behind its dash") {
              "(for example `[0, 100]`)\n");
 }
 
+TEST_CASE("a key of a group stands beside the group") {
+  check_body("groups:\n  A: {}\n  tasks: [B]\n  realtime: true\n  stop: here and there\n",
+             "5:10 `[B]` wrong_node_kind: `tasks`: expected a mapping, found a list (`tasks` is a key of a group: is "
+             "the line indented as it should be?)\n"
+             "6:13 `true` wrong_node_kind: `realtime`: expected a mapping, found `true` (`realtime` is a key of a "
+             "group: is the line indented as it should be?)\n"
+             "7:9 `here and there` wrong_node_kind: `stop`: expected a mapping, found `here and there` (`stop` is a "
+             "key of a group: is the line indented as it should be?)\n");
+}
+
 TEST_CASE("a condition is written as a sentence") {
   check_body("groups: {A: {when: [not X == a]}}\n",
              "3:25 `X` bad_condition: expected one of ==, !=, <, <=, >, >= behind `not`, found `X` (write `!=` between "
