@@ -124,7 +124,7 @@ std::optional<HandlerSpec> read_handler(Reader& reader, const YamlNode* node, st
     reader.error(
         "start_stop_shape", node->span,
         fmt::format("`{}`: expected true or a mapping with `sets` alone, found {}", which, found(*node)),
-        node->kind == YamlNode::Kind::scalar && node->text == "false"
+        node->kind == YamlNode::Kind::scalar && is_a_no(node->text)
             ? "a group without one leaves it out"
             : fmt::format("write `{}: true`, or what it may set: `{}: {{sets: [Pose == standing]}}`", which, which));
     return std::nullopt;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <utility>
 
@@ -62,6 +63,12 @@ std::string found(const YamlNode& node) {
   case YamlNode::Kind::scalar: break;
   }
   return (node.quoted() ? "the text " : "") + in_quotes(node.text);
+}
+
+bool is_a_no(std::string_view text) {
+  constexpr std::array<std::string_view, 12> spellings{"no",  "No",  "NO",    "n",     "N",     "off",
+                                                       "Off", "OFF", "false", "False", "FALSE", "0"};
+  return std::find(spellings.begin(), spellings.end(), text) != spellings.end();
 }
 
 std::optional<std::int64_t> parse_number(std::string_view text) {
@@ -226,11 +233,10 @@ std::optional<Located<bool>> Reader::flag(const YamlNode* node, std::string_view
     return Located<bool>{node->text == "true", node->span};
   const std::string_view text = node->text;
   const bool yes = text == "yes" || text == "on" || text == "True" || text == "TRUE" || text == "true" || text == "1";
-  const bool no = text == "no" || text == "off" || text == "False" || text == "FALSE" || text == "false" || text == "0";
   unexpected(*node, subject, "true or false",
-             yes  ? "write `true`, without quotes"
-             : no ? "write `false`, without quotes"
-                  : "");
+             yes             ? "write `true`, without quotes"
+             : is_a_no(text) ? "write `false`, without quotes"
+                             : "");
   return std::nullopt;
 }
 

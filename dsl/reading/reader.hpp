@@ -88,6 +88,9 @@ private:
 /// The node in a message: "a list", "nothing", "`yes`".
 std::string found(const YamlNode& node);
 
+/// Whether the text is one of the spellings of false in YAML, also of older versions: `no`, `Off`, `FALSE`, `0`.
+bool is_a_no(std::string_view text);
+
 /// A whole number as the language writes it: no leading zeros, no plus, nothing but decimal digits.
 std::optional<std::int64_t> parse_number(std::string_view text);
 

@@ -189,6 +189,8 @@ TEST_CASE("A handler is true, or a mapping with its sets alone") {
            Case{"{start: false}",
                 "4:17 `false` start_stop_shape: `start`: expected true or a mapping with `sets` alone, "
                 "found `false` (a group without one leaves it out)\n"},
+           Case{"{stop: no}", "4:16 `no` start_stop_shape: `stop`: expected true or a mapping with `sets` alone, "
+                              "found `no` (a group without one leaves it out)\n"},
            Case{"{stop: \"true\"}",
                 "4:16 `\"true\"` start_stop_shape: `stop`: expected true or a mapping with `sets` alone, "
                 "found the text `true` (write `stop: true`, or what it may set: `stop: {sets: [Pose == standing]}`)\n"},
