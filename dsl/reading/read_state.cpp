@@ -54,6 +54,16 @@ std::string help_for_short_state(const YamlPair& pair) {
   return builtin ? *help_for_type(pair.value.text) : "";
 }
 
+/// A `value` beside the possible values is the one at the start; otherwise `values` is meant.
+const Slips& slips_with_value() {
+  static const Slips slips = [] {
+    Slips out = slips_of_state();
+    out.push_back({{"value"}, "the value at the start stands in `initial`"});
+    return out;
+  }();
+  return slips;
+}
+
 /// A type of C++ itself is not accepted as the name of an enum, so that its enumerators are not searched.
 std::optional<Word> read_type(Reader& reader, const YamlNode& mapping) {
   constexpr std::string_view expected = "a C++ enum";
@@ -79,7 +89,8 @@ StateSpec read_state(Reader& reader, const YamlPair& pair) {
   const YamlNode& mapping = pair.value;
   if (!reader.is_mapping(&mapping, pair.key.value, "a mapping", help_for_short_state(pair))) return state;
   const std::string thing = fmt::format("state `{}`", pair.key.value);
-  reader.know_keys(mapping, thing, keys, slips_of_state());
+  const bool has_values = mapping.find("values") || mapping.find("range") || mapping.find("type");
+  reader.know_keys(mapping, thing, keys, has_values ? slips_with_value() : slips_of_state());
   reader.exclude(mapping, "range", "values", "leave out one: `range` is for whole numbers, `values` is for words");
   const YamlNode* type = mapping.find("type");
   if (!type || !help_for_type(type->text)) // its message is about `type` alone

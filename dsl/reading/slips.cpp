@@ -60,7 +60,7 @@ const Slips& slips_of_cpp() {
 
 const Slips& slips_of_state() {
   static const Slips slips{
-      {{"default", "value"}, "the value at the start stands in `initial`"},
+      {{"default"}, "the value at the start stands in `initial`"},
       {{"enum"}, "the values stand in `values`, a C++ enum in `type`"},
       {{"min", "max", "minimum", "maximum"}, "lowest and highest number stand in `range`: `range: [0, 100]`"},
       {{"timeout", "ttl", "lifetime"}, "a state that is not set again for so long `expires`: `expires: 500 ms`"},

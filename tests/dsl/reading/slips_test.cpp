@@ -75,6 +75,10 @@ TEST_CASE("keys of other tools are reported with the right ones") {
              "task, or to the one that requests it)\n");
   check_body("states: {X: {values: [a], default: a}}\n", "3:27 `default` unknown_key: state `X` has no key `default` "
                                                          "(the value at the start stands in `initial`)\n");
+  check_body("states: {X: {values: [a], value: a}}\n", "3:27 `value` unknown_key: state `X` has no key `value` "
+                                                       "(the value at the start stands in `initial`)\n");
+  check_body("states: {X: {value: [a, b]}}\n",
+             "3:14 `value` unknown_key: state `X` has no key `value` (did you mean `values`?)\n");
   CHECK(read_scenario_body("steps: [{wait: 3 s}]\n").findings() ==
         "2:10 `wait` unknown_key: a step has no key `wait` (time passes with `advance: 100 ms`)\n");
 }
