@@ -31,6 +31,7 @@ const Slips& slips_of_file() {
        "there are no sequences: a provider runs as soon as its `when` holds, and promises in `causing` what others "
        "wait "
        "for"},
+      {{"description", "comment"}, "a text for people stands in `doc`"},
   };
   return slips;
 }
@@ -46,6 +47,7 @@ const Slips& slips_of_scenario_file() {
        "it stands in `steps`: `- request: Walk`"},
       {{"bodies", "mocks"}, "what bodies do stands in `script`"},
       {{"initial"}, "values at the start stand in `given`"},
+      {{"description", "comment"}, "a text for people stands in `doc`"},
   };
   return slips;
 }
@@ -66,6 +68,7 @@ const Slips& slips_of_state() {
       {{"timeout", "ttl", "lifetime"}, "a state that is not set again for so long `expires`: `expires: 500 ms`"},
       {{"input", "sensor"}, "a state that the program sets says `external: true`"},
       {{"owner", "group"}, "the group to which it belongs stands in `of`"},
+      {{"description", "comment"}, "a text for people stands in `doc`"},
   };
   return slips;
 }
@@ -77,7 +80,7 @@ const Slips& slips_of_group() {
        "it set the next value"},
       {{"fallback", "selector", "alternatives"}, "list the ways in `providers`: the first one that can run is chosen"},
       {{"parallel"}, "list them in `tasks`: what a run requests goes on at once"},
-      {{"children", "subtasks", "requests", "actions"}, "what it may request stands in `tasks` or `packs`"},
+      {{"children", "subtasks", "request", "requests", "actions"}, "what it may request stands in `tasks` or `packs`"},
       {{"timeout", "deadline"},
        "a promise may have a time, `causing: [Motion == still within 3 s]`; a body that waits calls `run.wait(3s)`"},
       {{"unless", "except"}, "`when` says what must hold: write the opposite, such as `when: [Motion != rolling]`"},
@@ -88,7 +91,7 @@ const Slips& slips_of_group() {
        "it stands where the task is requested: `roots: {Walk: {priority: 10}}`, or in `tasks` of the group that "
        "requests it"},
       {{"requires", "resources", "locks", "uses_resource"}, "groups that it must control stand in `needs`"},
-      {{"causes", "effects", "effect", "postconditions", "achieves"},
+      {{"cause", "causes", "effects", "effect", "postconditions", "achieves"},
        "what it promises to make true stands in `causing`: `causing: [Motion == still]`"},
       {{"set", "writes"}, "what it may set stands in `sets`: `sets: [Motion == rolling]`"},
       {{"rate", "period", "interval", "frequency", "hz"}, "it runs again after a period with `every: 10 ms`"},
@@ -97,6 +100,7 @@ const Slips& slips_of_group() {
       {{"on_stop", "on_exit", "exit", "cleanup"}, "a handler for when it ceases to run: `stop: true`"},
       {{"type", "message", "params", "parameters", "args"},
        "the C++ type that the task carries stands in `data` of the group"},
+      {{"description", "comment"}, "a text for people stands in `doc`"},
   };
   return slips;
 }
@@ -110,6 +114,7 @@ const Slips& slips_of_task() {
       {{"data", "params", "parameters", "args", "with"}, "the body that requests a task gives it its data, in C++"},
       {{"parallel"}, "a task that waits for itself alone says `apart: true`"},
       {{"needs", "uses", "causing", "sets", "every", "providers"}, "this belongs to the group, in `groups`"},
+      {{"description", "comment"}, "a text for people stands in `doc`"},
   };
   return slips;
 }
@@ -121,7 +126,7 @@ const Slips& slips_of_step() {
       {{"fire", "triggers"}, "one trigger is fired with `trigger: Picture`"},
       {{"requests", "tasks"}, "several tasks are one input: `request: [Walk, Look]`"},
       {{"states"}, "states are set with `set: {Ball: near}`"},
-      {{"name", "comment"}, "a text for people stands in `doc`"},
+      {{"name", "description", "comment"}, "a text for people stands in `doc`"},
   };
   return slips;
 }

@@ -79,6 +79,19 @@ TEST_CASE("keys of other tools are reported with the right ones") {
                                                        "(the value at the start stands in `initial`)\n");
   check_body("states: {X: {value: [a, b]}}\n",
              "3:14 `value` unknown_key: state `X` has no key `value` (did you mean `values`?)\n");
+  check_body("groups: {A: {cause: [X == a], request: [B]}}\n",
+             "3:14 `cause` unknown_key: group `A` has no key `cause` (what it promises to make true stands in "
+             "`causing`: `causing: [Motion == still]`)\n"
+             "3:31 `request` unknown_key: group `A` has no key `request` (what it may request stands in `tasks` or "
+             "`packs`)\n");
+  check_body(
+      "groups: {A: {description: x}}\nroots: {A: {comment: x}}\nstates: {X: {description: x, values: [a]}}\n",
+      "3:14 `description` unknown_key: group `A` has no key `description` (a text for people stands in `doc`)\n"
+      "4:13 `comment` unknown_key: task `A` has no key `comment` (a text for people stands in `doc`)\n"
+      "5:14 `description` unknown_key: state `X` has no key `description` (a text for people stands in `doc`)\n");
+  CHECK(read_text("behaviour: b\nlanguage: 1\ndescription: x\n").findings() ==
+        "3:1 `description` unknown_key: a behaviour file has no key `description` (a text for people stands in "
+        "`doc`)\n");
   CHECK(read_scenario_body("steps: [{wait: 3 s}]\n").findings() ==
         "2:10 `wait` unknown_key: a step has no key `wait` (time passes with `advance: 100 ms`)\n");
 }
