@@ -88,7 +88,7 @@ public:
     if (text(rest) == "within")
       out.within = within(rest);
     else if (!at_end())
-      fail(rest, fmt::format("expected the end of the condition, found {}", found(rest)), rest_help(out, text(rest)));
+      fail(rest, fmt::format("expected the end of the condition, found {}", found(rest)), rest_help(out, rest));
     if (!fault_ && is_in_digits(out.state.value))
       fault_ = Fault{out.state.span, fmt::format("expected the name of a state, found `{}`", out.state.value),
                      is_in_digits(out.values.front().value)
@@ -128,7 +128,11 @@ private:
   bool at_end() const { return peek().begin == text_.size(); }
 
   /// Help for text after a complete condition.
-  static std::string rest_help(const ConditionSpec& condition, std::string_view rest) {
+  std::string rest_help(const ConditionSpec& condition, Token from) const {
+    const std::string_view rest = text(from);
+    const auto time = use_ == ConditionUse::causing ? parse_duration(text_.substr(from.end)) : std::nullopt;
+    if (time && is_in_word(rest.front())) // `in 3 s`, `after 3 s`
+      return fmt::format("the time of a promise stands behind `within`: `within {}`", to_text(*time));
     if (std::find(ops.begin(), ops.end(), rest) != ops.end()) return std::string(one_by_one);
     const bool number = !condition.values.empty() && is_in_digits(condition.values.back().value);
     if (rest == "..") return "for numbers from one to another write two conditions, with >= and <=";
