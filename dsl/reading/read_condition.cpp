@@ -172,7 +172,7 @@ private:
     if (known != ops.end()) return {static_cast<Op>(known - ops.begin()), span(token)};
     fail(token, fmt::format("expected {} behind `{}`, found {}", known_ops, state, found(token)),
          state == "not" || (text(token) == "is" && text(peek()) == "not") ? std::string(negated)
-         : token.begin == token.end ? fmt::format("compare it with one of its values: `{} == ready`", state)
+         : token.begin == token.end ? "compare it with one of its values, as in `Phase == ready` or `Charge >= 10`"
                                     : op_help(text(token)));
     return {};
   }

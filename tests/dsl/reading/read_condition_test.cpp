@@ -68,7 +68,10 @@ TEST_CASE("A state alone may be set to any value, but not compared") {
   CHECK_FALSE(sets.at(1).any);
   CHECK(with_conditions("when", "[Phase]").findings() ==
         "5:17 `` bad_condition: expected one of ==, !=, <, <=, >, >= behind `Phase`, found nothing (compare it with "
-        "one of its values: `Phase == ready`)\n");
+        "one of its values, as in `Phase == ready` or `Charge >= 10`)\n");
+  CHECK(with_conditions("when", "[Height]").findings() ==
+        "5:18 `` bad_condition: expected one of ==, !=, <, <=, >, >= behind `Height`, found nothing (compare it with "
+        "one of its values, as in `Phase == ready` or `Charge >= 10`)\n");
 }
 
 TEST_CASE("A mistake inside a condition is shown where it is") {
