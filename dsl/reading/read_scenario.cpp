@@ -61,6 +61,16 @@ std::vector<RequestSpec> read_root_requests(Reader& reader, const YamlNode& node
   return {{*name, {}, {}, {false, name->span}}};
 }
 
+/// `cancel: Walk`, of which an input has one.
+Word read_one_name(Reader& reader, const YamlNode& node, std::string_view word, std::string_view expected) {
+  if (node.kind != YamlNode::Kind::list) return reader.word(&node, word, expected).value_or(Word{});
+  const bool named = !node.items.empty() && node.items.front().kind == YamlNode::Kind::scalar;
+  reader.unexpected(node, word, expected,
+                    fmt::format("an input has one: for several at once write `inputs: [{{{0}: {1}}}, {{{0}: ...}}]`",
+                                word, named ? node.items.front().text : "..."));
+  return {};
+}
+
 /// `Walk.halting`.
 void read_provider_name(Reader& reader, const YamlNode& node, InputSpec& input, std::string_view word) {
   constexpr std::string_view expected = "a provider such as Walk.halting";
@@ -82,8 +92,8 @@ InputSpec read_input(Reader& reader, const YamlNode& mapping, std::size_t which)
   input.shown = fmt::format("{} {}", word, to_text(data_of(value)));
   switch (input.kind.value) {
   case Kind::request: input.requests = read_root_requests(reader, value); break;
-  case Kind::cancel: input.name = reader.word(&value, word, "a root").value_or(Word{}); break;
-  case Kind::trigger: input.name = reader.word(&value, word, "the name of a trigger").value_or(Word{}); break;
+  case Kind::cancel: input.name = read_one_name(reader, value, word, "a root"); break;
+  case Kind::trigger: input.name = read_one_name(reader, value, word, "the name of a trigger"); break;
   case Kind::set: input.set = read_settings(reader, &value, word); break;
   case Kind::enable:
   case Kind::disable: read_provider_name(reader, value, input, word); break;
@@ -104,7 +114,10 @@ std::vector<InputSpec> read_inputs(Reader& reader, const YamlNode* node) {
 }
 
 std::optional<ExpectSpec> read_expect(Reader& reader, const YamlNode* node) {
-  if (!reader.is_scalar(node, "expect", "a text with one event a line")) return std::nullopt;
+  constexpr std::string_view expected = "a text with one event a line";
+  if (node && node->kind == YamlNode::Kind::list)
+    reader.unexpected(*node, "expect", expected, "write `expect: |`, and below it each event in a line without a dash");
+  if ((node && node->kind == YamlNode::Kind::list) || !reader.is_scalar(node, "expect", expected)) return std::nullopt;
   ExpectSpec out{lines_of(*node, reader.source()), node->span};
   std::erase_if(out.lines, [](const Word& line) { return line.value.empty() || line.value.starts_with('#'); });
   return out;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsl/reading/read_script.hpp"
 
+#include "dsl/lexical/characters.hpp"
 #include "dsl/reading/read_data.hpp"
 
 #include <fmt/format.h>
@@ -104,9 +105,24 @@ RequestSpec read_request(Reader& reader, const YamlPair& pair, const Keys& keys)
 
 } // namespace
 
+namespace {
+
+/// For `set: Battery == 5` and `set: [Ball == near]`.
+std::string help_for_settings(const YamlNode* node) {
+  if (!node) return "";
+  const YamlNode& one = node->kind == YamlNode::Kind::list && node->items.size() == 1 ? node->items.front() : *node;
+  const std::size_t sign = one.text.find('=');
+  if (one.kind != YamlNode::Kind::scalar || sign == std::string::npos || sign == 0) return "";
+  if (one.text.find_first_of("!<>|") != std::string::npos) return "";
+  const std::string_view value = std::string_view(one.text).substr(one.text.find_last_of('=') + 1);
+  return fmt::format("write `{{{}: {}}}`", trimmed(std::string_view(one.text).substr(0, sign)), trimmed(value));
+}
+
+} // namespace
+
 std::vector<SettingSpec> read_settings(Reader& reader, const YamlNode* node, std::string_view subject) {
   std::vector<SettingSpec> out;
-  if (!reader.is_mapping(node, subject, "a mapping of states to values")) return out;
+  if (!reader.is_mapping(node, subject, "a mapping of states to values", help_for_settings(node))) return out;
   for (const YamlPair& pair : node->pairs)
     if (auto value = reader.word(&pair.value, pair.key.value, "a value of the state"))
       out.push_back({reader.name(pair), std::move(*value)});

@@ -265,9 +265,20 @@ TEST_CASE("What is wrong in a step is reported at its place") {
                 "`inputs: [...]` where they come at once)\n"
                 "  2:36 `request` `request` stands here\n"},
            Case{"[{cancel: A, expect: [b]}]",
-                "2:29 `[b]` wrong_node_kind: `expect`: expected a text with one event a line, found a list\n"},
+                "2:29 `[b]` wrong_node_kind: `expect`: expected a text with one event a line, found a list "
+                "(write `expect: |`, and below it each event in a line without a dash)\n"},
+           Case{"[{set: B == 5}]", "2:15 `B == 5` wrong_node_kind: `set`: expected a mapping of states to values, "
+                                   "found `B == 5` (write `{B: 5}`)\n"},
+           Case{"[{set: [B = near]}]", "2:15 `[B = near]` wrong_node_kind: `set`: expected a mapping of states to "
+                                       "values, found a list (write `{B: near}`)\n"},
+           Case{"[{trigger: [A, B]}]",
+                "2:19 `[A, B]` wrong_node_kind: `trigger`: expected the name of a trigger, found "
+                "a list (an input has one: for several at once write `inputs: [{trigger: A}, "
+                "{trigger: ...}]`)\n"},
            Case{"[{set: A}]", "2:15 `A` wrong_node_kind: `set`: expected a mapping of states to values, found `A`\n"},
-           Case{"[{cancel: [A]}]", "2:18 `[A]` wrong_node_kind: `cancel`: expected a root, found a list\n"},
+           Case{"[{cancel: [A]}]",
+                "2:18 `[A]` wrong_node_kind: `cancel`: expected a root, found a list (an input has one: for "
+                "several at once write `inputs: [{cancel: A}, {cancel: ...}]`)\n"},
        }) {
     CAPTURE(c.text);
     CHECK(steps_findings(c.text) == c.findings);
