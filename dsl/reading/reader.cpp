@@ -80,6 +80,28 @@ std::optional<std::int64_t> parse_number(std::string_view text) {
   return value;
 }
 
+std::optional<OddNumber> odd_number(std::string_view text) {
+  const auto write = [](std::optional<std::int64_t> value, std::string_view why) -> std::optional<OddNumber> {
+    if (!value) return std::nullopt;
+    return OddNumber{*value, fmt::format("write `{}`{}", *value, why)};
+  };
+  if (text.starts_with("0x") || text.starts_with("0X")) {
+    std::int64_t value = 0;
+    const std::string_view digits = text.substr(2);
+    const auto [end, failed] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+    if (failed != std::errc() || end != digits.data() + digits.size() || value < 0) return std::nullopt;
+    return write(value, ": a number is decimal");
+  }
+  if (text.starts_with('+')) return write(parse_number(text.substr(1)), ", without the plus");
+  const std::string sign = text.starts_with('-') ? "-" : "";
+  std::string_view digits = text.substr(sign.size());
+  if (!digits.starts_with('0') || parse_number(text)) return std::nullopt;
+  const bool one_zero = digits == "0";
+  digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
+  return write(digits.empty() ? 0 : parse_number(sign + std::string(digits)),
+               one_zero ? "" : ", without leading zeros: older YAML tools read those as octal");
+}
+
 void Reader::error(std::string id, Span span, std::string message, std::string help, std::vector<Note> notes) {
   diagnostics_.push_back({std::move(id), Level::error, span, std::move(message), std::move(notes), std::move(help)});
 }
@@ -258,7 +280,9 @@ std::optional<Located<std::int64_t>> Reader::number(const YamlNode* node, std::s
   else if (bounds.low != all.low)
     range = fmt::format(" from {}", bounds.low);
   const bool is_number = node->quoted() && parse_number(node->text);
-  unexpected(*node, subject, "a whole number" + range, is_number ? "write it without quotes" : "");
+  const auto odd = odd_number(node->text);
+  const bool fits = odd && odd->value >= bounds.low && odd->value <= bounds.high;
+  unexpected(*node, subject, "a whole number" + range, is_number ? "write it without quotes" : fits ? odd->help : "");
   return std::nullopt;
 }
 

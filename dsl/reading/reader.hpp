@@ -94,4 +94,11 @@ bool is_a_no(std::string_view text);
 /// A whole number as the language writes it: no leading zeros, no plus, nothing but decimal digits.
 std::optional<std::int64_t> parse_number(std::string_view text);
 
+/// The number that is meant by one in a spelling that the language has not: `010`, `-0`, `+5`, `0x10`.
+struct OddNumber {
+  std::int64_t value;
+  std::string help; ///< how to write it
+};
+std::optional<OddNumber> odd_number(std::string_view text);
+
 } // namespace director::dsl

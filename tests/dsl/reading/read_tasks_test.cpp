@@ -94,7 +94,7 @@ TEST_CASE("What is wrong in a task is reported at its place") {
               "the text `3` (write it without quotes)\n"},
           Case{"{Walk: {priority: 010}}",
                "3:26 `010` wrong_node_kind: `priority`: expected a whole number from -2147483648 to 2147483647, found "
-               "`010`\n"},
+               "`010` (write `10`, without leading zeros: older YAML tools read those as octal)\n"},
           Case{"{Walk: {priority: {}}}", "3:26 `{}` wrong_node_kind: `priority`: expected at least one level, found "
                                          "none (for example `{normal: 10, urgent: 80}`)\n"},
           Case{"{Walk: {optional: yes}}", "3:26 `yes` wrong_node_kind: `optional`: expected true or false, found `yes` "

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <map>
+
 using namespace director::dsl;
 
 namespace {
@@ -38,6 +40,31 @@ TEST_CASE("A whole number is written one way only") {
     CAPTURE(text);
     CHECK_FALSE(parse_number(text));
   }
+}
+
+TEST_CASE("The help for a number in another spelling is how to write it") {
+  for (const auto& [text, help] : std::map<std::string, std::string>{
+           {"010", "write `10`, without leading zeros: older YAML tools read those as octal"},
+           {"-07", "write `-7`, without leading zeros: older YAML tools read those as octal"},
+           {"00", "write `0`, without leading zeros: older YAML tools read those as octal"},
+           {"-0", "write `0`"},
+           {"+5", "write `5`, without the plus"},
+           {"0x10", "write `16`: a number is decimal"},
+           {"1.5", ""},
+           {"0x", ""},
+           {"0x-1", ""},
+           {"+", ""},
+           {"0a", ""},
+           {"", ""}}) {
+    CAPTURE(text);
+    Fixture f("{n: \"\"}");
+    f.root.pairs.at(0).value.text = text;
+    CHECK_FALSE(f.reader.number(f.root.find("n"), "n"));
+    CHECK(f.diagnostics.at(0).help == help);
+  }
+  Fixture f("{n: 0x100}");
+  CHECK_FALSE(f.reader.number(f.root.find("n"), "n", {0, 100}));
+  CHECK(f.diagnostics.at(0).help == "");
 }
 
 TEST_CASE("What is absent or was reported before is passed over in silence") {

@@ -119,13 +119,14 @@ TEST_CASE("yaml-cpp: 010 is eight, and 0x1F thirty-one") {
   check_behaviour(
       "roots: {A: {priority: 010}, B: {priority: 0x1F}, C: {priority: 1_000}}\n",
       "3:23 `010` wrong_node_kind: `priority`: expected a whole number from -2147483648 to 2147483647, found "
-      "`010`\n"
+      "`010` (write `10`, without leading zeros: older YAML tools read those as octal)\n"
       "3:43 `0x1F` wrong_node_kind: `priority`: expected a whole number from -2147483648 to 2147483647, found "
-      "`0x1F`\n"
+      "`0x1F` (write `31`: a number is decimal)\n"
       "3:64 `1_000` wrong_node_kind: `priority`: expected a whole number from -2147483648 to 2147483647, "
       "found `1_000`\n");
   check_scenario("script:\n  A: {run: 010}\n",
-                 "3:12 `010` wrong_node_kind: `run`: expected a whole number from 1, found `010`\n");
+                 "3:12 `010` wrong_node_kind: `run`: expected a whole number from 1, found `010` (write `10`, without "
+                 "leading zeros: older YAML tools read those as octal)\n");
 }
 
 TEST_CASE("yaml-cpp: a number in quotes is a number") {
