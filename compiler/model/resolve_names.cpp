@@ -1,6 +1,7 @@
 // Header: compiler/model/resolver.hpp. Test: tests/compiler/model/resolve_names_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/model/resolver.hpp"
+#include "dsl/lexical/beyond_ascii.hpp"
 #include "dsl/lexical/cpp_type.hpp"
 #include "dsl/lexical/duration.hpp"
 #include "dsl/lexical/names.hpp"
@@ -64,14 +65,20 @@ std::vector<std::string> names_of(const Resolver& r, const Table& table) {
   return out;
 }
 
+/// Of what a name consists; with the character that it cannot have, which may look like another one, or like nothing.
+std::string help_for_name(std::string_view text) {
+  const std::string odd = dsl::first_beyond_ascii(text);
+  return fmt::format("a name has letters from a to z or A to Z, digits and `_`, {}",
+                     odd.empty() ? "and does not begin with a digit" : fmt::format("but not {}, as this one has", odd));
+}
+
 } // namespace
 
 bool check_name(Resolver& r, std::string_view kind, const Word& name, bool whole_rule) {
   const std::string& text = name.value;
   if (text.empty()) return false; // the reader has reported that it is missing
   if (!dsl::is_identifier(text)) {
-    r.error("reserved_name", name.span, fmt::format("`{}` is no name for a {}", text, kind),
-            "a name has letters from a to z or A to Z, digits and `_`, and does not begin with a digit");
+    r.error("reserved_name", name.span, fmt::format("`{}` is no name for a {}", text, kind), help_for_name(text));
     return false;
   }
   std::string why;
@@ -196,7 +203,9 @@ void report_undefined(Resolver& r, std::string_view kind, const Word& name, cons
     finding.notes.push_back(
         {other->second.name.span, fmt::format("this `{}` is a {}", name.value, other->second.kind)});
   const std::string group = name.value.substr(0, name.value.find('.'));
-  if (kind == "group" && group.size() < name.value.size() && r.groups.count(group) != 0) {
+  if (!dsl::first_beyond_ascii(name.value).empty()) {
+    finding.help = help_for_name(name.value);
+  } else if (kind == "group" && group.size() < name.value.size() && r.groups.count(group) != 0) {
     finding.help = fmt::format("name the group alone, `{}`: which provider runs is not for others to say", group);
   } else if (kind == "trigger" && dsl::parse_duration(name.value)) {
     finding.help = fmt::format("a period has a key of its own: `every: {}`", name.value);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsl/reading/reader.hpp"
 
+#include "dsl/lexical/beyond_ascii.hpp"
 #include "dsl/lexical/characters.hpp"
 #include "dsl/lexical/names.hpp"
 #include "dsl/lexical/suggest.hpp"
@@ -153,6 +154,10 @@ void Reader::know_keys(const YamlNode& mapping, std::string_view thing, const Ke
     }
     if (key.find("\xC2\xA0") != std::string::npos) {
       error("unknown_key", pair.key.span, message, "it has no-break spaces in it: write blanks in their place");
+      continue;
+    }
+    if (const std::string odd = first_beyond_ascii(key); !odd.empty()) {
+      error("unknown_key", pair.key.span, message, fmt::format("it has {} in it, which no key has", odd));
       continue;
     }
     const auto near = suggest(key, keys);

@@ -10,6 +10,7 @@
 //   - it reads a bracket to its end, as it may be a key, at some 200 bytes a token, before the first event.
 #include "dsl/yaml/yaml_tree.hpp"
 
+#include "dsl/lexical/characters.hpp"
 #include "dsl/yaml/tree_builder.hpp"
 #include "dsl/yaml/yaml_scan.hpp"
 
@@ -147,11 +148,23 @@ bool report_tab(TreeBuilder& builder, std::string_view text, std::size_t at) {
   return tab.has_value();
 }
 
+/// What looks like a blank in the indentation of the line at `at`, copied from a page.
+bool report_no_break_space(TreeBuilder& builder, std::string_view text, std::size_t at) {
+  constexpr std::string_view no_break_space = "\xC2\xA0";
+  const std::size_t begin = at - column_of(text, at);
+  const std::size_t blank = std::min(text.find_first_not_of(" \t", begin), text.size());
+  if (!text.substr(blank).starts_with(no_break_space)) return false;
+  builder.report("yaml_syntax", blank, blank + no_break_space.size(), "a no-break space, U+00A0, in the indentation",
+                 "indent with blanks");
+  return true;
+}
+
 void report_exception(TreeBuilder& builder, std::string_view text, const YAML::Exception& exception) {
   const std::size_t at = std::min(offset(exception.mark), text.size());
   // The parser may report a tab, or an unclosed quote, only far behind it.
   if (report_tab(builder, text, at) || report_tab(builder, text, yaml_scan::skip_blanks(text, builder.cursor())))
     return;
+  if (report_no_break_space(builder, text, at)) return;
   if (exception.msg.find("in scalar") != std::string::npos)
     if (const auto quote = yaml_scan::unclosed_quote(text, builder.cursor()))
       return builder.report("yaml_syntax", *quote, *quote + 1, "this quote is never closed",

@@ -15,6 +15,19 @@ TEST_CASE("faults in what is declared twice are found all the same") {
         "main.yaml:5: there is no group called `Lgs` [undefined_name]\n");
 }
 
+TEST_CASE("a name with a character that looks like another one, or like nothing") {
+  const tests::CheckedText text = tests::check_text("roots: [\xD0\x90]\ngroups:\n  A: {needs: [Legs\xE2\x80\x8B]}\n"
+                                                    "  Legs: {}\n  B\xD0\x90: {}\n");
+  std::string helps;
+  for (const dsl::Diagnostic& finding : text.checked.findings) helps += finding.help + "\n";
+  CHECK(text.findings() == "main.yaml:3: there is no group called `\xD0\x90` [undefined_name]\n"
+                           "main.yaml:5: there is no group called `Legs\xE2\x80\x8B` [undefined_name]\n"
+                           "main.yaml:7: `B\xD0\x90` is no name for a group [reserved_name]\n");
+  CHECK(helps == "a name has letters from a to z or A to Z, digits and `_`, but not U+0410, as this one has\n"
+                 "a name has letters from a to z or A to Z, digits and `_`, but not U+200B, as this one has\n"
+                 "a name has letters from a to z or A to Z, digits and `_`, but not U+0410, as this one has\n");
+}
+
 TEST_CASE("providers that lack their names are not declared twice") {
   CHECK(findings("roots: [Walk]\ngroups:\n  Walk: {providers: [{needs: [Legs]}, {tasks: [Legs]}]}\n  Legs: {}\n") ==
         "main.yaml:5: a provider needs `name` [missing_key]\n"

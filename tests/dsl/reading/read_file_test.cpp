@@ -90,6 +90,9 @@ TEST_CASE("What is wrong at the top of a file is reported at its place") {
                "behaviour: a\nlanguage: 1\n\xC2\xA0groups: {}\n",
                "3:1 `\xC2\xA0groups` unknown_key: a behaviour file has no key `\xC2\xA0groups` (it has no-break spaces "
                "in it: write blanks in their place)\n"},
+           Case{"behaviour: a\nlanguage: 1\ngroups\xE2\x80\x8B: {}\n",
+                "3:1 `groups\xE2\x80\x8B` unknown_key: a behaviour file has no key `groups\xE2\x80\x8B` (it has "
+                "U+200B in it, which no key has)\n"},
            Case{"behaviour: a\nlanguage: 2\ngrups: {}\n", "2:11 `2` language_version: this compiler reads language 1, "
                                                           "found 2 (use the compiler that the file was written for)\n"},
            Case{"behaviour: a\nlanguage: one\n",

@@ -157,6 +157,12 @@ TEST_CASE("yaml-cpp: a tab may indent") {
   check_scenario("given: {\n\tA: b}\n", "3:1 `\t` yaml_syntax: a tab in the indentation (indent with blanks)\n");
 }
 
+TEST_CASE("yaml-cpp: a no-break space is no blank") {
+  check_behaviour("groups:\n  A: {}\n \xC2\xA0"
+                  "B: {}\n",
+                  "5:2 `\xC2\xA0` yaml_syntax: a no-break space, U+00A0, in the indentation (indent with blanks)\n");
+}
+
 TEST_CASE("yaml-cpp: nesting ends the program, or an exception, at 500 levels") {
   check_behaviour("layers: " + std::string(600, '[') + "\n",
                   "3:41 `[` input_limit: nested deeper than 64 levels (the language needs ten at most: leave out what "
