@@ -4,8 +4,11 @@
 
 #include "compiler/play/input_records.hpp"
 #include "compiler/play/scripted_bodies.hpp"
+#include "dsl/source/shortened.hpp"
 #include "runtime/core/engine/engine.hpp"
 #include "runtime/hosted/engine_memory.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
@@ -39,6 +42,7 @@ public:
   Player(const Scenario& scenario, const Model& model, const Lowered& lowered, const PlayOptions& options,
          const Sink& sink)
       : scenario_(scenario),
+        model_(model),
         tables_(lowered.view()),
         options_(options),
         onlooker_(options.onlooker),
@@ -68,7 +72,12 @@ public:
       if (!(step.advance ? advance(*step.advance) : take(step.inputs)) || is_beyond) break;
     }
     if (options_.end) options_.end(engine_);
-    return {step_, exhausted_, too_many_stops_, bodies_.refused()};
+    Played out{step_, exhausted_, too_many_stops_, bodies_.refused(), {}, {}};
+    if (!exhausted_ || too_many_stops_) return out;
+    const auto [groups, after_done] = recorder_.latest();
+    for (const GroupId group : groups) out.round.push_back(model_.groups[group].name.value);
+    if (after_done) out.after_done = model_.groups[*after_done].name.value;
+    return out;
   }
 
 private:
@@ -120,6 +129,7 @@ private:
   }
 
   const Scenario& scenario_;
+  const Model& model_;
   const Tables tables_;
   const PlayOptions& options_;
   const Onlooker* onlooker_;
@@ -141,6 +151,17 @@ Time time_after(const Scenario& scenario, std::size_t steps) {
   Time now = 0;
   for (std::size_t i = 0; i < steps; ++i) now = advanced(now, scenario.steps[i].advance.value_or(0));
   return now;
+}
+
+std::string words_of_round(const Played& played) {
+  if (played.round.empty()) return "";
+  std::string out =
+      fmt::format(": {} {} again and again", dsl::list_of(played.round), played.round.size() == 1 ? "runs" : "run");
+  if (!played.after_done.empty())
+    out += fmt::format("; a case with `reason: subtask_done` in the script says what {} answers when one of its tasks "
+                       "is done",
+                       played.after_done);
+  return out;
 }
 
 Played play(const Scenario& scenario, const Model& model, const Lowered& lowered, const PlayOptions& options,

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace director::compiler {
 
@@ -37,7 +39,12 @@ struct Played {
   bool budget_exhausted = false;
   bool too_many_stops = false;            ///< ... that of stops, and not of micro-steps
   std::optional<dsl::Diagnostic> refused; ///< the action that a body may not do
+  std::vector<std::string> round;         ///< groups that run again and again, if it does not come to rest
+  std::string after_done;                 ///< the first of them that runs for subtask_done; empty: none
 };
+
+/// `: Walk, Legs run again and again`, and what to do about it; empty if it came to rest.
+std::string words_of_round(const Played& played);
 
 /// `sink` gets everything in order: each step's inputs, then what happened.
 Played play(const Scenario& scenario, const Model& model, const Lowered& lowered, const PlayOptions& options,

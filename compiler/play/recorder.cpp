@@ -4,6 +4,8 @@
 
 #include "runtime/core/api/event_names.hpp"
 
+#include <algorithm>
+
 namespace director::compiler {
 
 Observer Recorder::observer() {
@@ -26,6 +28,19 @@ void Recorder::input(std::string words) {
 
 void Recorder::budget_exhausted() { sink_(happening(Happening::Kind::budget_exhausted)); }
 
+std::pair<std::vector<GroupId>, std::optional<GroupId>> Recorder::latest() const {
+  std::pair<std::vector<GroupId>, std::optional<GroupId>> out;
+  const auto end = runs_.begin() + static_cast<std::ptrdiff_t>(std::min(runs_seen_, latest_kept));
+  for (auto run = runs_.begin(); run != end; ++run) {
+    const GroupId group{run->group};
+    out.first.push_back(group);
+    if (run->after_done && (!out.second || group < *out.second)) out.second = group;
+  }
+  std::sort(out.first.begin(), out.first.end());
+  out.first.erase(std::unique(out.first.begin(), out.first.end()), out.first.end());
+  return out;
+}
+
 std::string Recorder::requester(Index edge) const {
   const Index from = lowered_.edges[edge].requester;
   return from == nil ? "root" : group(from);
@@ -46,6 +61,7 @@ void Recorder::tell(const Event& event) {
   if (event.provider != nil) out.provider = model_.providers[ProviderId{event.provider}].name;
   switch (event.kind) {
   case Event::Kind::run:
+    runs_[runs_seen_++ % latest_kept] = {event.group, event.reasons.has(Reason::subtask_done)};
     for (const Reason each : all_reasons) {
       if (event.reasons.has(each)) out.reasons.emplace_back(name_of(each));
     }

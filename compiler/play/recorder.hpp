@@ -7,7 +7,12 @@
 #include "compiler/play/happening.hpp"
 #include "runtime/core/base/observer.hpp"
 
+#include <array>
+#include <cstddef>
 #include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace director::compiler {
 
@@ -30,8 +35,12 @@ public:
   void now(Time time) { time_ = time; }                    ///< the time of events from the player, not from the engine
   void input(std::string words);
   void budget_exhausted();
+  /// Of the latest runs: which groups ran, and the first of them that ran for subtask_done. Sorted by declaration.
+  std::pair<std::vector<GroupId>, std::optional<GroupId>> latest() const;
 
 private:
+  static constexpr std::size_t latest_kept = 64; ///< a cycle with more runs is named in part
+
   void tell(const Event& event);
   void decide(const Event& event, Happening& out);
   const std::string& group(Index index) const { return model_.groups[GroupId{index}].name.value; }
@@ -46,6 +55,12 @@ private:
   std::uint32_t step_ = 0;
   Time time_ = 0;
   Observer shared_{};
+  struct Run {
+    Index group = nil;
+    bool after_done = false;
+  };
+  std::array<Run, latest_kept> runs_{}; ///< a ring
+  std::size_t runs_seen_ = 0;
 };
 
 } // namespace director::compiler

@@ -75,7 +75,8 @@ std::string render(const ScenarioResult& result, const dsl::Sources& sources, bo
     if (mismatch.too_many_stops)
       out += fmt::format("    something is due at more than {} times within it\n", stops_of_advance);
     else if (mismatch.exhausted)
-      out += fmt::format("    it did not come to rest within {} micro-steps\n", play_budget);
+      out += fmt::format("    it did not come to rest within {} micro-steps{}\n", play_budget,
+                         words_of_round(result.played));
     const std::size_t most_lines = mismatch.exhausted ? 30 : 200;
     const std::vector<std::string> lines = mismatch.expected
                                                ? unified_diff(*mismatch.expected, mismatch.happened, most_lines)

@@ -54,8 +54,9 @@ int run(const Simulate& request, Console& console) {
   if (!request.trace.empty()) options.events = tape.emplace(loaded, request.trace).observer();
   const Played played = play(loaded.scenario, loaded.model, loaded.lowered, options, sink);
   if (tape && !write({{request.trace, tape->take(), is_trace}}, console)) return misused;
+  if (played.refused || played.budget_exhausted) console.out.flush();
+  if (played.budget_exhausted) print_early_end(played, request.file, console);
   if (played.refused) {
-    console.out.flush();
     print_findings({*played.refused}, sources, console.err, console.err_colours, console.err_width);
   }
   return played.refused || played.budget_exhausted ? found : clean;

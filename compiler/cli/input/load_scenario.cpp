@@ -108,8 +108,9 @@ bool has_moment(const LoadedScenario& loaded, const std::string& file, std::uint
 }
 
 void print_early_end(const Played& played, const std::string& file, Console& console) {
-  print_message(console, fmt::format("directorc: `{}` ends in step {}: {}\n", shown_path(file), played.last_step,
-                                     played.too_many_stops ? "too much is due" : "the engine does not come to rest"));
+  const std::string why =
+      played.too_many_stops ? "too much is due" : "the engine does not come to rest" + words_of_round(played);
+  print_message(console, fmt::format("directorc: `{}` ends in step {}: {}\n", shown_path(file), played.last_step, why));
 }
 
 } // namespace director::compiler::cli

@@ -83,7 +83,7 @@ steps:
 )");
   CHECK(!tested.holds);
   const std::string begin = R"(test.scenario.yaml:5:5: step 1: request A
-    it did not come to rest within 10000 micro-steps
+    it did not come to rest within 10000 micro-steps: A, B run again and again; a case with `reason: subtask_done` in the script says what A answers when one of its tasks is done
     run A new_task
     run B new_task
     done B

@@ -112,7 +112,12 @@ TEST_CASE("a step that is not played, because the engine does not come to rest b
                   "  Part: {}\n");
   world.files.add("b.scenario.yaml", "behaviour: busy.yaml\nscript: {Part: {done: true}}\n"
                                      "steps: [request: Busy, cancel: Busy]\n");
-  const std::string ends = "directorc: `b.scenario.yaml` ends in step 1: the engine does not come to rest\n";
+  const std::string ends =
+      "directorc: `b.scenario.yaml` ends in step 1: the engine does not come to rest: Busy, Part run again and again; "
+      "a case with `reason: subtask_done` in the script says what Busy answers when one of its tasks is done\n";
+  CHECK(world.directorc({"simulate", "b.scenario.yaml"}) == 1);
+  CHECK(world.out.ends_with("\nbudget_exhausted\n"));
+  CHECK(world.err == ends);
   CHECK(world.directorc({"why", "b.scenario.yaml", "Busy", "--step", "2"}) == 1);
   CHECK(world.out.empty());
   CHECK(world.err == ends);
