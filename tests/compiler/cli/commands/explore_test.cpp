@@ -27,6 +27,15 @@ TEST_CASE("an exploration reports what it saw, what it proved, and what it did n
   CHECK(world.outputs.files.empty());
 }
 
+TEST_CASE("a cycle that only other answers than the first ones lead into is listed as not tried") {
+  World world = with("roots: [Photograph]\ngroups:\n  Photograph: {tasks: [Camera], uses: [Camera]}\n  Camera: {}\n");
+  CHECK(world.directorc({"explore", "b.yaml"}) == 0); // Camera may say done each time, and be requested again
+  CHECK(world.out.find("Never at rest") == std::string::npos);
+  CHECK(world.out.find(
+            "\n  - cycles in which a body answers otherwise than with its first pack or all its tasks, such as "
+            "with done\n") != std::string::npos);
+}
+
 TEST_CASE("a refuted assertion is an error, and its scenario is written") {
   World world = with(two + "assertions: [{never_together: [A, B]}]\n");
   CHECK(world.directorc({"explore", "b.yaml", "--output", "found"}) == 1);
