@@ -67,7 +67,9 @@ std::optional<Message> unknown_subcommand(const std::vector<std::string>& argume
   for (const Subcommand& subcommand : subcommands) names.push_back(subcommand.name);
   const std::string& word = arguments.front();
   if (std::find(names.begin(), names.end(), word) != names.end()) return {};
-  const std::optional<std::string> near = dsl::suggest(word, names);
+  if (word == "help") return Message{"directorc: there is no subcommand `help`; `directorc --help` lists them\n", true};
+  const bool plays = word == "play" || word == "run"; // `play` is similar to `replay`, which takes a recording
+  const std::optional<std::string> near = plays ? "simulate" : dsl::suggest(word, names);
   return Message{fmt::format("directorc: there is no subcommand `{}`{}\n", word,
                              near ? fmt::format("; did you mean `{}`?", *near)
                                   : fmt::format("; there are {}", fmt::join(names, ", "))),

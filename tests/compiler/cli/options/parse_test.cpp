@@ -11,6 +11,10 @@ TEST_CASE("a wrong command line is reported, with a suggestion") {
   World world;
   CHECK(world.directorc({"chek", "x.yaml"}) == 2);
   CHECK(world.err == "directorc: there is no subcommand `chek`; did you mean `check`?\n");
+  CHECK(world.directorc({"play", "x.scenario.yaml"}) == 2);
+  CHECK(world.err == "directorc: there is no subcommand `play`; did you mean `simulate`?\n");
+  CHECK(world.directorc({"help"}) == 2);
+  CHECK(world.err == "directorc: there is no subcommand `help`; `directorc --help` lists them\n");
   CHECK(world.directorc({"xyzzy"}) == 2);
   CHECK(world.err ==
         "directorc: there is no subcommand `xyzzy`; there are check, generate, graph, docs, diff, explain, checks, "
