@@ -37,7 +37,7 @@ void unreserved_tasks(const Input& input, Findings& findings) {
     }
     const std::string them = all.size() == 1 ? "it" : "them", by = name_of(model, id);
     finding.help = possible ? fmt::format("need {}, if {} is of no use without {}", list_of(needed), by, them)
-                            : fmt::format("make what {} can do without `apart` or `optional`", by);
+                            : fmt::format("make those tasks `apart` or `optional` that {} can do without", by);
   }
 }
 
