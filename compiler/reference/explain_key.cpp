@@ -250,7 +250,8 @@ std::optional<std::string> explain_key(std::string_view page, std::string_view k
     for (const Row& row : section.rows) {
       if (!contains(row.keys, key)) continue;
       known = true;
-      rows += fmt::format("- {} ({}, under \"{}\")\n", row.text, row.head, section.title);
+      const std::string kind = row.head.starts_with("key") ? row.head : fmt::format("in the table \"{}\"", row.head);
+      rows += fmt::format("- {} ({}, under \"{}\")\n", row.text, kind, section.title);
       leads.insert(row.sections.begin(), row.sections.end());
     }
     if (section.anchor == key) leads.insert(section.anchor);

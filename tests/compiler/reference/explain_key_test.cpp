@@ -57,6 +57,13 @@ TEST_CASE("a key is explained by its row and by the section to which that leads"
         "```\n");
 }
 
+TEST_CASE("a row of a table that does not say what kind of key it has is explained with the head of the table") {
+  CHECK(
+      explain_key("## Scripts\n\n| a case applies if | |\n| --- | --- |\n| `run: 2` | it is the second run |\n", "run")
+          .value_or("none") ==
+      "# run\n\n- `run: 2`: it is the second run (in the table \"a case applies if\", under \"Scripts\")\n");
+}
+
 TEST_CASE("a key whose row leads nowhere is explained by its row and by what else mentions it") {
   CHECK(explain_key(page, "start").value_or("none") ==
         "# start\n"
