@@ -2,12 +2,24 @@
 // SPDX-License-Identifier: MIT
 #include "dsl/data.hpp"
 
+#include "dsl/lexical/numbers.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
 namespace director::dsl {
+
+namespace {
+
+/// Whether the text without quotes would be read as data of another kind.
+bool needs_quotes(std::string_view text) {
+  return text.empty() || text == "true" || text == "false" || text == "null" || text == "~" || integer_of_yaml(text) ||
+         real_of_yaml(text);
+}
+
+} // namespace
 
 bool Data::operator==(const Data& other) const {
   if (kind != other.kind || text != other.text || items.size() != other.items.size()) return false;
@@ -26,6 +38,7 @@ std::string to_text(const Data& data) {
     parts.push_back((data.kind == Data::Kind::mapping ? data.keys[i] + ": " : "") + to_text(data.items[i]));
   if (data.kind == Data::Kind::list) return fmt::format("[{}]", fmt::join(parts, ", "));
   if (data.kind == Data::Kind::mapping) return fmt::format("{{{}}}", fmt::join(parts, ", "));
+  if (data.kind == Data::Kind::text && needs_quotes(data.text)) return fmt::format("'{}'", data.text);
   return data.text;
 }
 

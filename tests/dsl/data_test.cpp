@@ -21,6 +21,18 @@ TEST_CASE("Data is printed in flow style") {
   CHECK(to_text(Data{Data::Kind::mapping, "", {}, {}}) == "{}");
 }
 
+TEST_CASE("A text that would be read as something else is printed in quotes") {
+  for (const char* text : {"3", "-3", "0x1F", "1.5", "1e3", "true", "false", "null", "~", ""}) {
+    CAPTURE(text);
+    CHECK(to_text(scalar(Data::Kind::text, text)) == "'" + std::string(text) + "'");
+  }
+  for (const char* text : {"left", "2024-01-01", "3 s", "True", "0x"}) {
+    CAPTURE(text);
+    CHECK(to_text(scalar(Data::Kind::text, text)) == text);
+  }
+  CHECK(to_text(number("3")) == "3");
+}
+
 TEST_CASE("The order of a mapping does not count, that of a list does") {
   const Data one = number("1"), two = number("2");
   CHECK(Data{Data::Kind::mapping, "", {"a", "b"}, {one, two}} == Data{Data::Kind::mapping, "", {"b", "a"}, {two, one}});
