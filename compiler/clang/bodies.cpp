@@ -300,11 +300,13 @@ private:
       if (own != nullptr && own->isVirtual() && !record->isEffectivelyFinal())
         call(*own, at, at, book_.carriers().has(type), false, true);
     }
+    std::set<const CXXRecordDecl*> outer = std::exchange(destroyed_, {});
     destroy(record, book_.carriers().has(type), at);
+    destroyed_ = std::move(outer);
   }
   void destroy(const CXXRecordDecl* record, bool carries, SourceLocation at) {
     if (record == nullptr || !record->hasDefinition() || record->hasTrivialDestructor()) return;
-    if (is_directors(*record)) return;
+    if (is_directors(*record) || !destroyed_.insert(record).second) return;
     const CXXDestructorDecl* own = record->getDestructor();
     if (is_system(*record)) {
       if (own != nullptr) reach(*own, at, false, true);
@@ -480,6 +482,8 @@ private:
   std::set<const Expr*> callees_;
   std::set<const Expr*> given_; ///< to calls, and what is between that and a cast
   std::set<const LambdaExpr*> run_at_once_;
+  std::set<const CXXRecordDecl*>
+      destroyed_;       ///< classes that were read of the object being destroyed: a tree has its own
   SourceLocation here_; ///< while something is read that is written elsewhere: where it runs
   int inside_ = 0;
 };

@@ -128,6 +128,10 @@ const Shape promises[] = {
      "const std::unique_ptr<Run, Last> last(&run); return ask(run);"},
     {"HeldGuard", "struct Last { Run& run; explicit Last(Run& r) : run(r) {} ~Last() { run.set(S::on); } };",
      "const std::unique_ptr<Last> last(new Last(run)); return ask(run);"},
+    {"HeldTree",
+     "struct Last { std::vector<Last> below; std::unique_ptr<Last> next; Run* run = nullptr; "
+     "~Last() { if (run != nullptr) run->set(S::on); } };",
+     "Last last; last.run = &run; return ask(run);"},
     {"HeldPair", "struct Last { Run* run = nullptr; ~Last() { if (run != nullptr) run->set(S::on); } };",
      "std::pair<Last, int> last; last.first.run = &run; return ask(run);"},
     {"StoredAndSeen",
