@@ -145,7 +145,7 @@ director::Outcome chase_ball::detail::Bodies::run_0(Behaviour& behaviour, direct
 
 namespace chase_ball {
 
-Behaviour::Behaviour(detail::chase_ball_behaviour, Cart& module_0)
+Behaviour::Behaviour(detail::chase_ball_behaviour_a7a083bb388b382b, Cart& module_0)
     : Program(detail::Bodies::of(*this)), modules_(module_0) {}
 
 void Behaviour::throw_on() {

@@ -84,8 +84,8 @@ protected:
 
 namespace detail {
 struct Bodies;
-/// Which behaviour is constructed: two of one namespace cannot be linked into one program.
-struct chase_ball_behaviour {};
+/// Which behaviour is constructed: two different ones of one namespace cannot be linked into one program.
+struct chase_ball_behaviour_a7a083bb388b382b {};
 } // namespace detail
 
 /// The smallest useful behaviour. A cart turns until it sees the ball, and drives to it. (chase_ball.yaml:2)
@@ -95,7 +95,7 @@ struct chase_ball_behaviour {};
 class Behaviour final : public director::Program<detail::Whole> {
 public:
   explicit Behaviour(Cart& module_0)
-      : Behaviour(detail::chase_ball_behaviour{}, module_0) {}
+      : Behaviour(detail::chase_ball_behaviour_a7a083bb388b382b{}, module_0) {}
   /// With one that is told of every decision: without it, what tells is not linked.
   template <bool reports = director::observable>
   Behaviour(Cart& module_0, director::Observer observer)
@@ -113,7 +113,7 @@ public:
 
 private:
   friend struct detail::Bodies;
-  Behaviour(detail::chase_ball_behaviour, Cart& module_0);
+  Behaviour(detail::chase_ball_behaviour_a7a083bb388b382b, Cart& module_0);
   director::StepResult hand_on(director::StepResult result) {
     if (result == director::StepResult::fault) throw_on();
     return result;

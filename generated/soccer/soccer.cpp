@@ -398,8 +398,8 @@ director::Outcome soccer::detail::Bodies::run_32(Behaviour& behaviour, director:
 namespace soccer {
 
 Behaviour::Behaviour(
-    detail::soccer_behaviour, Recovery& module_0, Safety& module_1, Locomotion& module_2, Kicking& module_3,
-    Looking& module_4, Planning& module_5, Strategy& module_6, Limbs& module_7, Servos& module_8)
+    detail::soccer_behaviour_8a339dba0cd58979, Recovery& module_0, Safety& module_1, Locomotion& module_2,
+    Kicking& module_3, Looking& module_4, Planning& module_5, Strategy& module_6, Limbs& module_7, Servos& module_8)
     : Program(detail::Bodies::of(*this)), modules_(
     module_0, module_1, module_2, module_3, module_4, module_5, module_6, module_7, module_8) {}
 

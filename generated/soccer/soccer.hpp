@@ -803,8 +803,8 @@ protected:
 
 namespace detail {
 struct Bodies;
-/// Which behaviour is constructed: two of one namespace cannot be linked into one program.
-struct soccer_behaviour {};
+/// Which behaviour is constructed: two different ones of one namespace cannot be linked into one program.
+struct soccer_behaviour_8a339dba0cd58979 {};
 } // namespace detail
 
 /// A striker that walks to the ball, stops softly, kicks, falls, gets up and plays on. (soccer.yaml:2)
@@ -817,8 +817,8 @@ public:
       Recovery& module_0, Safety& module_1, Locomotion& module_2, Kicking& module_3, Looking& module_4,
       Planning& module_5, Strategy& module_6, Limbs& module_7, Servos& module_8)
       : Behaviour(
-      detail::soccer_behaviour{}, module_0, module_1, module_2, module_3, module_4, module_5, module_6, module_7,
-      module_8) {}
+      detail::soccer_behaviour_8a339dba0cd58979{}, module_0, module_1, module_2, module_3, module_4, module_5, module_6,
+      module_7, module_8) {}
   /// With one that is told of every decision: without it, what tells is not linked.
   template <bool reports = director::observable>
   Behaviour(
@@ -839,8 +839,8 @@ public:
 private:
   friend struct detail::Bodies;
   Behaviour(
-      detail::soccer_behaviour, Recovery& module_0, Safety& module_1, Locomotion& module_2, Kicking& module_3,
-      Looking& module_4, Planning& module_5, Strategy& module_6, Limbs& module_7, Servos& module_8);
+      detail::soccer_behaviour_8a339dba0cd58979, Recovery& module_0, Safety& module_1, Locomotion& module_2,
+      Kicking& module_3, Looking& module_4, Planning& module_5, Strategy& module_6, Limbs& module_7, Servos& module_8);
   director::StepResult hand_on(director::StepResult result) {
     if (result == director::StepResult::fault) throw_on();
     return result;

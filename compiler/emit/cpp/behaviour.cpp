@@ -42,7 +42,9 @@ void define_steps(Code& code, const CppEmission& e) {
 
 } // namespace
 
-std::string constructor_tag(const CppEmission& e) { return fmt::format("{}_behaviour", e.model.name); }
+std::string constructor_tag(const CppEmission& e) {
+  return fmt::format("{}_behaviour_{:016x}", e.model.name, fingerprint(e));
+}
 
 Code behaviour_part(const CppEmission& e) {
   Code code;
@@ -50,7 +52,7 @@ Code behaviour_part(const CppEmission& e) {
   code.line("struct Bodies;");
   // The symbol of the constructor has this name in it, so a linker that has another behaviour's objects opens these too.
   const std::string tag = constructor_tag(e);
-  code.comment("Which behaviour is constructed: two of one namespace cannot be linked into one program.");
+  code.comment("Which behaviour is constructed: two different ones of one namespace cannot be linked into one program.");
   code.line(fmt::format("struct {} {{}};", tag));
   code.line("} // namespace detail");
   code.blank();

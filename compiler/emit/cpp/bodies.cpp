@@ -175,13 +175,16 @@ void functions_of(Code& code, const CppEmission& e) {
 
 } // namespace
 
+std::uint64_t fingerprint(const CppEmission& e) {
+  return director::fingerprint(RowNames(e.model, e.from.lowered).names());
+}
+
 Code bodies_part(const CppEmission& e) {
   Code code;
   code.line("namespace detail {");
   code.blank();
   code.line("const director::Tables& Whole::tables() { return rows; }");
-  code.line(fmt::format("std::uint64_t Whole::fingerprint() {{ return 0x{:016x}; }}",
-                        director::fingerprint(RowNames(e.model, e.from.lowered).names())));
+  code.line(fmt::format("std::uint64_t Whole::fingerprint() {{ return 0x{:016x}; }}", fingerprint(e)));
   code.blank();
   code.block(called_from_inside);
   code.blank();

@@ -8,6 +8,7 @@
 #include "compiler/emit/artefact/deployment.hpp"
 #include "compiler/model/cpp_names.hpp"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,7 +44,9 @@ std::string conditions_text(const Model& model, const std::vector<ConditionUse>&
 /// The declarations of a provider, a line for each key: "- needs: LeftLeg, RightLeg".
 std::vector<std::string> words_of(const Model& model, const Provider& provider);
 
-/// `soccer_behaviour`, a type in `detail`
+/// Of names and tables.
+std::uint64_t fingerprint(const CppEmission& e);
+/// A type in `detail`, `soccer_behaviour_` and the fingerprint.
 std::string constructor_tag(const CppEmission& e);
 
 /// The first lines of each file: the notice, and the licence.
