@@ -29,7 +29,7 @@ public:
       : model_(model),
         facts_(analysis::find_facts(model, graph, analysis::Reported::as_is)),
         counts_([this](ProviderId id) {
-          return facts_.active.contains(id) && facts_.requested.contains(model_.providers[id].group);
+          return facts_.capable.contains(id) && facts_.requested.contains(model_.providers[id].group);
         }),
         branches_(model, counts_, [this](ProviderId id) { return facts_.capable.contains(id); }),
         together_(analysis::find_together(model, counts_)) {}

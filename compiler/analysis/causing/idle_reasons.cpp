@@ -48,6 +48,12 @@ private:
     for (const ConditionUse& use : provider.when) {
       if (!facts_.may_hold(model_, id, use)) explain_condition(use);
     }
+    for (const Impossible& fault : facts_.impossible_of(id)) {
+      if (fault.stay || fault.why != Impossible::Why::contradictory) continue;
+      std::vector<std::string> names;
+      for (const ConditionUse& use : fault.uses) names.push_back(name_of(model_, use.id));
+      notes_.push_back({fault.uses.back().span, fmt::format("{} never hold together", list_of(names, "and"))});
+    }
     for (const Use<GroupId>& need : provider.needs) {
       if (facts_.capable_groups.contains(need.id)) continue;
       notes_.push_back({need.span, fmt::format("it needs {}, which never can run", name_of(model_, need.id))});

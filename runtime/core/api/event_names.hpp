@@ -7,6 +7,9 @@
 #include <array>
 #include <bit>
 
+/// @file
+/// The names of enumerators in events.
+
 namespace director {
 
 namespace detail {
@@ -20,6 +23,7 @@ constexpr const char* name_in(const std::array<const char*, count>& names, std::
 
 } // namespace detail
 
+/// `run`, `start`, ...
 constexpr const char* name_of(Event::Kind row) {
   constexpr std::array names{"input",  "run",       "start", "stop",    "done",     "failed",  "grant",
                              "lose",   "queue",     "push",  "release", "set",      "refused", "broken",
@@ -42,6 +46,7 @@ constexpr const char* name_of(Reason reason) {
   return detail::name_in<bit_of(Reason::stopped)>(names, bit_of(reason));
 }
 
+/// `blocked`, `waiting`, ...
 constexpr const char* name_of(Why row) {
   constexpr std::array names{"none", "blocked", "waiting", "outdated", "deferred"};
   return detail::name_in<std::size_t(Why::deferred)>(names, std::size_t(row));

@@ -27,6 +27,20 @@ TEST_CASE("the way to something reachable is printed behind the findings") {
                      "  lamp.yaml:7:3: nothing requests `Bell`\n");
 }
 
+TEST_CASE("of conditions that exclude each other it is said that they do") {
+  World world;
+  world.files.add("door.yaml", R"(behaviour: door
+language: 1
+states: {Door: {values: [shut, open], initial: shut, external: true}}
+roots: [Enter]
+groups:
+  Enter: {when: [Door == shut, Door == open]}
+)");
+  CHECK(world.directorc({"check", "door.yaml", "--explain-reachable=Enter"}) == 1);
+  CHECK(world.out.ends_with("`Enter` can never be reached:\n"
+                            "  door.yaml:6:32: `Door == shut` and `Door == open` never hold together\n"));
+}
+
 TEST_CASE("what is missing is reported down to the cause") {
   World world;
   world.files.add("door.yaml", R"(behaviour: door
