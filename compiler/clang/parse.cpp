@@ -12,6 +12,8 @@
 #include <llvm/Support/VirtualFileSystem.h>
 
 #include <map>
+#include <set>
+#include <system_error>
 #include <utility>
 
 namespace director::scanning {
@@ -46,6 +48,34 @@ public:
 private:
   const Unit& unit_;
   std::vector<Fault>& faults_;
+};
+
+/// Notes the paths at which nothing was found, such as a header in a folder before the one where it is.
+class NotingFiles final : public llvm::vfs::ProxyFileSystem {
+public:
+  NotingFiles(llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> files, const std::string& directory)
+      : ProxyFileSystem(std::move(files)),
+        directory_(directory) {}
+
+  llvm::ErrorOr<llvm::vfs::Status> status(const llvm::Twine& path) override {
+    auto out = ProxyFileSystem::status(path);
+    note(path, out.getError());
+    return out;
+  }
+  llvm::ErrorOr<std::unique_ptr<llvm::vfs::File>> openFileForRead(const llvm::Twine& path) override {
+    auto out = ProxyFileSystem::openFileForRead(path);
+    note(path, out.getError());
+    return out;
+  }
+
+  std::set<std::string> absent;
+
+private:
+  void note(const llvm::Twine& path, std::error_code fault) {
+    if (fault == std::errc::no_such_file_or_directory) absent.insert(absolute(path.str(), directory_));
+  }
+
+  const std::string& directory_;
 };
 
 struct Callbacks {
@@ -153,7 +183,9 @@ Reading parse_once(const Unit& unit, const std::vector<std::string>& arguments, 
   disk->pushOverlay(memory);
   Errors errors(unit, reading.errors);
   Action action(unit, reading, callbacks);
-  Frontend().run({unit.file, unit.directory, arguments}, disk, action, errors);
+  const llvm::IntrusiveRefCntPtr<NotingFiles> noting(new NotingFiles(disk, unit.directory));
+  Frontend().run({unit.file, unit.directory, arguments}, noting, action, errors);
+  reading.absent.assign(noting->absent.begin(), noting->absent.end());
   return reading;
 }
 

@@ -37,7 +37,8 @@ struct Fault {
 };
 
 struct Reading {
-  std::vector<Included> files; ///< all that were read, in order of path
+  std::vector<Included> files;     ///< all that were read, in order of path
+  std::vector<std::string> absent; ///< paths that were looked for in vain, absolute: had they existed, they might count
   std::vector<Fault> errors;
 };
 

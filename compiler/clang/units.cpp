@@ -20,6 +20,7 @@ void report_reading(Json& answer, const Reading& reading) {
   }
   answer.add("files", std::move(files));
   answer.add("errors", std::move(errors));
+  answer.add("absent", Json::texts(reading.absent));
 }
 
 } // namespace director::scanning

@@ -37,6 +37,9 @@ std::optional<Json> FactCache::recall(const std::string& question) {
     const std::vector<Json>& file = files[i].items();
     if (file.size() != 2 || state_of(file[0].as_text(), file[1].as_boolean()) != states[i].as_text()) return {};
   }
+  for (const Json& path : (*entry)["answer"]["absent"].items()) {
+    if (!store_.stamp(path.as_text()).empty()) return {};
+  }
   return (*entry)["answer"];
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 // A cache of director-clang's answers. The key of an answer is its request, with all flags and the versions of both
 // programs; it is valid only if every file that was read for it is unchanged: the user's by content, those of the
-// system by size and time. An entry that cannot be read or understood counts as missing. An answer with errors is not
-// kept: a missing file may exist the next time.
+// system by size and time, and no file exists that was looked for in vain. An entry that cannot be read or understood
+// counts as missing. An answer with errors is not kept: a missing file may exist the next time.
 
 #include "compiler/base/json.hpp"
 #include "dsl/source/file_access.hpp"
@@ -21,7 +21,7 @@ public:
   virtual std::optional<std::string> load(const std::string& name) = 0;
   /// A failure is no error: the next run computes it again.
   virtual void save(const std::string& name, const std::string& text) = 0;
-  /// Size and last change of any file; empty: there is none.
+  /// Size and last change of any file, or that it is a folder; empty: there is none.
   virtual std::string stamp(const std::string& path) = 0;
 
 protected:
@@ -30,13 +30,13 @@ protected:
 
 /// Part of every question: raised whenever director-clang reads something else, or says it in another way, so that
 /// answers from before are not used.
-inline constexpr std::int64_t facts_format = 2;
+inline constexpr std::int64_t facts_format = 3;
 
 class FactCache {
 public:
   FactCache(FactStore& store, dsl::FileAccess& files) : store_(store), files_(files) {}
   std::optional<Json> recall(const std::string& question);
-  /// `answer`: with `files`, as in director-clang's answer, and `errors`.
+  /// `answer`: with `files`, `absent` and `errors`, as in director-clang's answer.
   void keep(const std::string& question, const Json& answer);
 
 private:

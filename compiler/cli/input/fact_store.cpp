@@ -28,6 +28,7 @@ void DiskFacts::save(const std::string& name, const std::string& text) {
 
 std::string DiskFacts::stamp(const std::string& path) {
   std::error_code fault;
+  if (fs::is_directory(path, fault)) return "folder";
   const auto size = fs::file_size(path, fault);
   if (fault) return {};
   const auto time = fs::last_write_time(path, fault);

@@ -335,6 +335,25 @@ TEST_CASE("a header that is included by two names is one file, with all that it 
   CHECK(messages(verified(work).out) == std::vector<std::string>{found});
 }
 
+TEST_CASE("an answer is not taken from the cache if a header appears that the program would include") {
+  const Workshop work = workshop("appears");
+  std::string twin =
+      wheels("#if __has_include(\"site/own.hpp\")\n#include \"site/own.hpp\"\n#endif\n#include <way.hpp>\n" + included);
+  twin.replace(twin.find("return run.done();"), 18, "REQUESTS return run.done();");
+  const std::string requests = "#define REQUESTS if (this != nullptr) return run.request(cart::Wheel{});\n";
+  work.write("body.cpp", twin);
+  work.write("second/way.hpp", "#ifndef REQUESTS\n#define REQUESTS\n#endif\n");
+  std::vector<std::string> all = flags(work);
+  all.insert(all.end(), {"-I" + work.path(), "-I" + work.path("first"), "-I" + work.path("second")});
+  work.write_commands({work.path("body.cpp")}, all);
+  CHECK(messages(verified(work).out) == std::vector<std::string>{found});
+  CHECK(messages(verified(work).out) == std::vector<std::string>{found});
+  const std::string path = GENERATE("site/own.hpp", "first/way.hpp", "way.hpp");
+  CAPTURE(path);
+  work.write(path, requests);
+  CHECK(messages(verified(work).out).empty());
+}
+
 TEST_CASE("what a driver in C does is followed") {
   const Workshop work("driver");
   work.write("cart.yaml", "behaviour: cart\nlanguage: 1\nroots: [Drive]\ngroups:\n"

@@ -10,7 +10,8 @@ using namespace director::compiler;
 using director::tests::MemoryFacts;
 
 const char* const answer_text =
-    R"({"values": [1], "files": [["/u/types.hpp", false], ["/usr/include/vector", true]], "errors": []})";
+    R"({"values": [1], "files": [["/u/types.hpp", false], ["/usr/include/vector", true]], "errors": [],
+        "absent": ["/u/first/types.hpp"]})";
 
 TEST_CASE("an answer is recalled as long as nothing changes that it was made from") {
   MemoryFacts store;
@@ -27,6 +28,12 @@ TEST_CASE("an answer is recalled as long as nothing changes that it was made fro
   }
   SECTION("a header of the system was replaced") {
     store.system = "of today";
+    CHECK_FALSE(FactCache(store, files).recall("question"));
+  }
+  SECTION("a file exists that was looked for in vain") {
+    store.absent = "/u/first/types.hpp";
+    CHECK(FactCache(store, files).recall("question") == answer);
+    store.absent.clear();
     CHECK_FALSE(FactCache(store, files).recall("question"));
   }
   SECTION("the entry is broken off, or changed, or empty") {

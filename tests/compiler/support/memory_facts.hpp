@@ -18,9 +18,10 @@ public:
     return at->second;
   }
   void save(const std::string& name, const std::string& text) override { entries[name] = text; }
-  std::string stamp(const std::string& path) override { return path + " " + system; }
+  std::string stamp(const std::string& path) override { return path == absent ? std::string{} : path + " " + system; }
   std::map<std::string, std::string> entries;
   std::string system = "of yesterday";
+  std::string absent = "/u/first/types.hpp";
 };
 
 } // namespace director::tests
