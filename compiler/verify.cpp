@@ -77,8 +77,7 @@ private:
     commands_ = std::move(loaded.commands);
     depends_.insert(absolute_path(loaded.path).lexically_normal().string());
     const std::string name = header_name(checked_.model.name);
-    const std::string only =
-        scope.generated.empty() ? std::string{} : (absolute_path(scope.generated) / name).lexically_normal().string();
+    const fs::path only = scope.generated.empty() ? fs::path{} : whole(fs::path(scope.generated) / name);
     std::vector<fs::path> excluded;
     for (const std::string& each : scope.excluded) excluded.push_back(whole(each));
     std::vector<bool> met(excluded.size(), false);
@@ -100,7 +99,7 @@ private:
           each.header =
               includes_.find_named(file, folders, name, [&](const auto& header) { return is_generated(header); });
       }
-      const bool is_other = !only.empty() && each.header != only;
+      const bool is_other = !only.empty() && !each.header.empty() && whole(each.header) != only;
       const bool is_output =
           fs::path(command.file).parent_path() == fs::path(each.header).parent_path() && is_generated(command.file);
       if (is_other || is_output) each.header.clear();

@@ -354,6 +354,16 @@ TEST_CASE("an answer is not taken from the cache if a header appears that the pr
   CHECK(messages(verified(work).out).empty());
 }
 
+TEST_CASE("the folder of the generated files may be named by a symbolic link") {
+  const Workshop work = workshop("linked");
+  work.write("body.cpp", wheels(included));
+  work.write_commands({work.path("body.cpp")}, flags(work));
+  std::filesystem::remove(work.path("link"));
+  std::filesystem::create_directory_symlink(work.path(), work.path("link"));
+  CHECK(messages(verified(work, {"--generated", work.path("link/generated")}).out) == std::vector<std::string>{found});
+  CHECK(verified(work, {"--generated", work.path("link")}).status == 2);
+}
+
 TEST_CASE("what a driver in C does is followed") {
   const Workshop work("driver");
   work.write("cart.yaml", "behaviour: cart\nlanguage: 1\nroots: [Drive]\ngroups:\n"
