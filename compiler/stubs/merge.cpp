@@ -42,12 +42,14 @@ public:
         type_(type),
         found_(found),
         texts_(texts),
-        out_(out) {}
+        out_(out),
+        has_namesake_(std::any_of(found.classes.begin(), found.classes.end(),
+                                  [&](const FoundClass& other) { return is_namesake(other); })) {}
 
   void run(bool is_last) {
     for (std::size_t i = 0; i < module_.functions.size(); ++i) {
       const WantedFunction& function = module_.functions[i];
-      if (const FoundFunction* own = declared(function, type_.name)) {
+      if (const FoundFunction* own = declared(function)) {
         if (!own->defines && defined(function) == nullptr) add_definition(i, true);
       } else if (is_last && !inherited(function)) {
         add_declaration(i);
@@ -57,37 +59,55 @@ public:
   }
 
 private:
-  const FoundFunction* declared(const WantedFunction& function, const std::string& of) const {
-    const auto at = std::find_if(found_.functions.begin(), found_.functions.end(), [&](const FoundFunction& row) {
-      return row.within && row.of == of && serves(row, function);
-    });
+  bool is_namesake(const FoundClass& other) const { return other.name == type_.name && other.place != type_.place; }
+
+  /// Whether the function is of this class, and not of another one with its name, such as a test double.
+  bool is_own(const FoundFunction& row) const {
+    if (row.of != type_.name || !has_namesake_) return row.of == type_.name;
+    if (row.within) {
+      return row.place.path == type_.place.path && row.end <= type_.end &&
+             std::tie(type_.place.line, type_.place.column) < std::tie(row.place.line, row.place.column);
+    }
+    // Its definition may be anywhere but in the file of a namesake.
+    return row.place.path == type_.place.path ||
+           std::none_of(found_.classes.begin(), found_.classes.end(), [&](const FoundClass& other) {
+             return is_namesake(other) && other.place.path == row.place.path;
+           });
+  }
+
+  template <class Fits>
+  const FoundFunction* first(Fits fits) const {
+    const auto at = std::find_if(found_.functions.begin(), found_.functions.end(), fits);
     return at == found_.functions.end() ? nullptr : &*at;
   }
 
+  const FoundFunction* declared(const WantedFunction& function) const {
+    return first([&](const FoundFunction& row) { return row.within && is_own(row) && serves(row, function); });
+  }
+
   const FoundFunction* defined(const WantedFunction& function) const {
-    const auto at = std::find_if(found_.functions.begin(), found_.functions.end(), [&](const FoundFunction& row) {
-      return !row.within && row.defines && row.of == type_.name && serves(row, function);
-    });
-    return at == found_.functions.end() ? nullptr : &*at;
+    return first(
+        [&](const FoundFunction& row) { return !row.within && row.defines && is_own(row) && serves(row, function); });
   }
 
   bool inherited(const WantedFunction& function) const {
     if (contains(type_.given, fmt::format("{} {}", name_of(function.kind), function.context))) return true;
     return std::any_of(type_.bases.begin(), type_.bases.end(), [&](const std::string& base) {
-      const FoundFunction* found = declared(function, base);
+      const FoundFunction* found =
+          first([&](const FoundFunction& row) { return row.within && row.of == base && serves(row, function); });
       return found != nullptr && !found->pure;
     });
   }
 
   bool fits_declaration(const FoundFunction& row) const {
-    return row.within && row.of == type_.name && !row.in_macro && row.place.path == type_.place.path &&
+    return row.within && is_own(row) && !row.in_macro && row.place.path == type_.place.path &&
            row.inside == type_.inside;
   }
 
   /// Whether a definition there is not under an `#if`: another one behind it would be under it too.
   bool fits_definition(const FoundFunction& row) const {
     const bool same = row.inside == unconditional || (row.place.path == type_.place.path && row.inside == type_.inside);
-    return !row.within && row.defines && row.of == type_.name && !row.in_macro && same && !row.qualifier.empty() &&
+    return !row.within && row.defines && is_own(row) && !row.in_macro && same && !row.qualifier.empty() &&
            texts_.count(row.place.path) > 0;
   }
 
@@ -209,7 +229,8 @@ private:
   const Found& found_;
   const Texts& texts_;
   Merge& out_;
-  Code at_end_; ///< of the class
+  bool has_namesake_; ///< another class of this name is somewhere else
+  Code at_end_;       ///< of the class
 };
 
 void sort(std::vector<Remark>& remarks) {

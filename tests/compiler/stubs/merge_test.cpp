@@ -71,6 +71,18 @@ TEST_CASE("a class that has everything gets nothing") {
   CHECK(merged(wanted_with({walk}), texts) == Merge{});
 }
 
+TEST_CASE("a class of the same name in another file does not have what is missing here") {
+  const std::string head = "class Legs : public b::Legs {\n public:\n";
+  const std::string whole = "director::Outcome Legs::provide(b::Walk::Default& run) { return {}; }\n"
+                            "director::Outcome Legs::provide(b::Jump::Default& run) { return {}; }\n";
+  const Texts texts{{"/p/legs.cpp", head + decl_walk + "};\n" + whole.substr(0, whole.find('\n') + 1)},
+                    {"/p/fake.cpp", head + decl_walk + decl_jump + "};\n" + whole}};
+  const Texts changed = after(merged(wanted_with({walk, jump}), texts), texts);
+  CHECK(changed.at("/p/fake.cpp") == texts.at("/p/fake.cpp"));
+  CHECK(changed.at("/p/legs.cpp") ==
+        head + decl_walk + decl_jump + "};\n" + whole.substr(0, whole.find('\n') + 1) + "\n" + body_jump);
+}
+
 TEST_CASE("what is missing goes behind what comes before it in the behaviour, declaration and definition") {
   const Texts texts{{"/p/legs.hpp", "class Legs : public b::Legs {\n public:\n" + decl_walk + decl_jump + "};\n"},
                     {"/p/legs.cpp", "director::Outcome Legs::provide(b::Jump::Default& run) { return {}; }\n"
