@@ -63,13 +63,13 @@ bool Player::ends_by(const Beginning& row, const Beginning& column, const Values
 
 bool Player::is_blocked(const Beginning& row, const Rest& rest, const std::vector<GroupId>& all) const {
   const auto blocked = [&](EdgeId edge) { return rest.blocked[edge.value]; };
-  return blocked(row.way.root->edge) ||
-         std::any_of(row.way.links.begin(), row.way.links.end(),
-                     [&](const Link& link) { return blocked(link.next->edge); }) ||
-         std::any_of(all.begin(), all.end(), [&](GroupId id) {
-           const std::optional<EdgeId> by = row.rest.groups[id.value].by;
-           return by && blocked(*by);
-         });
+  if (!runs(rest, row.way))
+    return blocked(row.way.root->edge) || std::any_of(row.way.links.begin(), row.way.links.end(),
+                                                      [&](const Link& link) { return blocked(link.next->edge); });
+  return std::any_of(all.begin(), all.end(), [&](GroupId id) {
+    const std::optional<EdgeId> by = row.rest.groups[id.value].by;
+    return by && blocked(*by);
+  });
 }
 
 bool runs(const Rest& rest, const Way& way) { return rest.running[way.last().edge.value]; }

@@ -45,7 +45,8 @@ public:
   std::size_t work() const { return work_; }
 
 private:
-  /// Whether the row's task, or something that it lost, is still requested but others hold what it needs.
+  /// Whether the row's task, or if that runs on, something that it lost, is still requested but others hold what it
+  /// needs.
   bool is_blocked(const Beginning& row, const Rest& rest, const std::vector<GroupId>& all) const;
 
   const Model& model_;

@@ -390,6 +390,23 @@ groups:
               "Clear") == "hard: Clear takes at once what Place holds. Walk stops. The outside says Ball == near.");
 }
 
+TEST_CASE("condition lost: the second one takes what is below the first one, which the outside has ended") {
+  CHECK(words(R"(states: {Ball: {values: [far, near], initial: far, external: true}}
+roots: [Keep]
+groups:
+  Keep:
+    providers:
+      - {name: placing, when: [Ball == far], tasks: [Walk]}
+      - {name: clearing, packs: {go: {Clear: {}}}}
+  Clear: {packs: {go: {Walk: {optional: true}, Legs: {priority: 20, optional: true}}}}
+  Walk: {tasks: [Legs]}
+  Legs: {}
+)",
+              "Walk", "Clear") ==
+        "condition lost: By what Clear wants from outside, Walk runs on, but not for Keep any more. Legs runs on, but "
+        "not for Walk any more. The outside says Ball == near.");
+}
+
 TEST_CASE("condition lost: a promise that would undo the values from outside does not hide that") {
   CHECK(words(R"(states: {Stability: {values: [fallen, moving, standing], initial: standing, external: true}}
 roots: {Recover: {priority: 90}, Play: {priority: 10}}
