@@ -4,6 +4,7 @@
 #include "compiler/analysis/causing/promises.hpp"
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/needs/units.hpp"
+#include "compiler/analysis/states/region.hpp"
 #include "compiler/analysis/states/sources.hpp"
 #include "compiler/analysis/words/words.hpp"
 
@@ -48,12 +49,7 @@ private:
     for (const ConditionUse& use : provider.when) {
       if (!facts_.may_hold(model_, id, use)) explain_condition(use);
     }
-    for (const Impossible& fault : facts_.impossible_of(id)) {
-      if (fault.stay || fault.why != Impossible::Why::contradictory) continue;
-      std::vector<std::string> names;
-      for (const ConditionUse& use : fault.uses) names.push_back(name_of(model_, use.id));
-      notes_.push_back({fault.uses.back().span, fmt::format("{} never hold together", list_of(names, "and"))});
-    }
+    explain_contradictions(provider);
     for (const Use<GroupId>& need : provider.needs) {
       if (facts_.capable_groups.contains(need.id)) continue;
       notes_.push_back({need.span, fmt::format("it needs {}, which never can run", name_of(model_, need.id))});
@@ -70,6 +66,20 @@ private:
     }
     for (Note& note : explain_exclusion(model_, facts_, id, reported_)) {
       if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) notes_.push_back(std::move(note));
+    }
+  }
+
+  void explain_contradictions(const Provider& provider) {
+    for (const auto& [state, values] : region_of(model_, provider.when).states) {
+      if (!values.empty()) continue;
+      std::vector<std::string> names;
+      Span last{};
+      for (const ConditionUse& use : provider.when) {
+        if (model_.conditions[use.id].state != state) continue;
+        names.push_back(name_of(model_, use.id));
+        last = use.span;
+      }
+      notes_.push_back({last, fmt::format("{} never hold together", list_of(names, "and"))});
     }
   }
 
