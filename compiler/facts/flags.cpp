@@ -118,16 +118,31 @@ constexpr std::array<std::string_view, 12> launchers{"ccache", "sccache",    "di
 
 bool is_launcher(const std::string& program) { return among(stem_of(program), launchers); }
 
-/// `g++`, `arm-none-eabi-gcc-12`, `c++`
+/// `g++`, `arm-none-eabi-gcc-12`, `c++`, but not `motor.cc`
 bool is_compiler(const std::string& program) {
   std::string name = stem_of(program);
   name.erase(name.find_last_not_of("-.0123456789") + 1);
-  constexpr std::array<std::string_view, 5> endings{"g++", "gcc", "clang", "c++", "cc"};
-  return std::any_of(endings.begin(), endings.end(), [&](std::string_view each) { return name.ends_with(each); }) ||
-         name.ends_with("clang++");
+  constexpr std::array<std::string_view, 6> endings{"g++", "gcc", "clang", "clang++", "c++", "cc"};
+  return std::any_of(endings.begin(), endings.end(), [&](std::string_view each) {
+    return name.ends_with(each) && (name.size() == each.size() || name[name.size() - each.size() - 1] != '.');
+  });
 }
 
 bool is_clang(const std::string& program) { return stem_of(program).find("clang") != std::string::npos; }
+
+/// The place of the compiler in a command: behind launchers, which may have options of their own.
+std::size_t compiler_in(const Words& command) {
+  std::size_t i = 0;
+  while (i < command.size() && (is_launcher(command[i]) || (i > 0 && command[i].find('=') != std::string::npos))) ++i;
+  if (i == 0 || i == command.size()) return i;
+  // `taskset 0x3 g++`
+  constexpr std::array<std::string_view, 2> with_arguments{"taskset", "chrt"};
+  if (!command[i].starts_with('-') && !among(stem_of(command[i - 1]), with_arguments)) return i;
+  const auto at = std::find_if(command.begin() + static_cast<std::ptrdiff_t>(i), command.end(), [](const auto& each) {
+    return !each.starts_with('-') && each.find('=') == std::string::npos && !is_launcher(each) && is_compiler(each);
+  });
+  return at == command.end() ? i : static_cast<std::size_t>(at - command.begin());
+}
 
 } // namespace
 
@@ -137,14 +152,7 @@ Flags fit_for_clang(const Words& as_written) {
     for (std::string& each : shortened(word)) command.push_back(std::move(each));
   }
   Flags out;
-  std::size_t i = 0;
-  // A launcher may have options of its own before the compiler.
-  if (!command.empty() && is_launcher(command[0])) {
-    const auto at = std::find_if(command.begin(), command.end(),
-                                 [](const std::string& each) { return !is_launcher(each) && is_compiler(each); });
-    if (at != command.end()) i = static_cast<std::size_t>(at - command.begin());
-  }
-  while (i < command.size() && (is_launcher(command[i]) || (i > 0 && command[i].find('=') != std::string::npos))) ++i;
+  std::size_t i = compiler_in(command);
   if (i < command.size()) out.compiler = command[i++];
   for (; i < command.size(); ++i) {
     const std::string& word = command[i];

@@ -146,12 +146,16 @@ TEST_CASE("the compiler behind a launcher with options of its own is found, also
   const auto compiler = [](const Words& words) { return fit_for_clang(CompileCommand{"/s/a.cpp", "/b", words}); };
   for (const Words& launcher :
        {Words{"cmake", "-E", "env", "CCACHE_DIR=/c", "ccache"}, Words{"env", "-u", "X", "ccache"},
+        Words{"env", "CXX=g++", "-u", "X", "ccache"}, Words{"taskset", "0x3"}, Words{"ionice", "-c", "2"},
         Words{"nice", "-n", "10"}, Words{"/usr/bin/ccache"}, Words{}}) {
     Words words = launcher;
     words.insert(words.end(), {"arm-none-eabi-g++-12", "-Ix", "-c", "a.cpp"});
     CHECK(compiler(words) == Flags{"arm-none-eabi-g++-12", {"-Ix"}});
   }
-  CHECK(compiler({"ccache", "icpx", "-Ix"}) == Flags{"icpx", {"-Ix"}});
+  for (const char* other : {"icpx", "em++", "x86_64-w64-mingw32-g++-posix"})
+    CHECK(compiler({"ccache", other, "-Ix", "-I", "/opt/gcc", "-c", "src/motor.cc"}) ==
+          Flags{other, {"-Ix", "-I", "/opt/gcc"}});
+  CHECK(compiler({"nice", "-n", "10", "icpx", "-Ix", "-c", "src/motor.cc"}).words == Words{"-Ix"});
   CHECK(compiler({"./tools/g++", "-Ix"}) == Flags{"/b/tools/g++", {"-Ix"}});
   CHECK(compiler({"/usr/bin/cc", "-T", "link.ld", "-e", "start", "-iprefix", "/p", "-std=c++20"}) ==
         Flags{"/usr/bin/cc", {"-iprefix", "/p", "-std=c++20"}});
