@@ -182,6 +182,22 @@ Flags fit_for_clang(const Words& as_written) {
   return out;
 }
 
+bool is_of_c(const CompileCommand& command) {
+  const Flags flags = fit_for_clang(command.words);
+  for (std::size_t i = 0; i < flags.words.size(); ++i) {
+    const std::string& word = flags.words[i];
+    if (word == "-x" && i + 1 < flags.words.size()) return flags.words[i + 1] == "c";
+    if (word.starts_with("-x")) return word == "-xc";
+  }
+  const std::string extension = fs::path(command.file).extension().string();
+  if (extension == ".s" || extension == ".S") return true;
+  for (const std::string& word : flags.words) {
+    if (word.starts_with("-std=")) return word.find("++") == std::string::npos;
+  }
+  // `g++` and `clang++` compile a file of C as one of C++.
+  return extension == ".c" && stem_of(flags.compiler).find("++") == std::string::npos;
+}
+
 Flags fit_for_clang(const CompileCommand& command) {
   Flags out = fit_for_clang(command.words);
   const fs::path compiler = out.compiler;
@@ -190,7 +206,8 @@ Flags fit_for_clang(const CompileCommand& command) {
   const bool is_named =
       std::any_of(out.words.begin(), out.words.end(), [](const std::string& word) { return word.starts_with("-x"); });
   // Clang is called for C++, for which a file of any name is one of C++.
-  if (!is_named && fs::path(command.file).extension() == ".c") out.words.insert(out.words.begin(), {"-x", "c"});
+  if (!is_named && fs::path(command.file).extension() == ".c" && is_of_c(command))
+    out.words.insert(out.words.begin(), {"-x", "c"});
   return out;
 }
 

@@ -24,6 +24,9 @@ Flags fit_for_clang(const std::vector<std::string>& command);
 /// ... of an entry: a compiler with a relative path is in the entry's folder, and a file of C is read as one.
 Flags fit_for_clang(const CompileCommand& command);
 
+/// Whether an entry compiles another language than C++: C, or assembly.
+bool is_of_c(const CompileCommand& command);
+
 /// What a compiler reports with -v.
 struct Habits {
   std::string target;                ///< `arm-none-eabi`

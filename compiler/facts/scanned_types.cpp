@@ -29,15 +29,6 @@ CppType type_of(const Json& from, const Json& paths) {
   return out;
 }
 
-/// Whether it compiles another language than C++.
-bool is_of_c(const CompileCommand& command) {
-  const std::string extension = fs::path(command.file).extension().string();
-  if (extension == ".c" || extension == ".s" || extension == ".S") return true;
-  return std::any_of(command.words.begin(), command.words.end(), [](const std::string& word) {
-    return word.starts_with("-std=") && word.find("++") == std::string::npos;
-  });
-}
-
 /// Whether Clang found a fault outside of the requested names: in a header.
 bool fails_elsewhere(const Json& answer, const std::string& file) {
   const std::vector<Json>& errors = answer["errors"].items();

@@ -392,6 +392,23 @@ TEST_CASE("what a driver in C does is followed") {
                                          "`usleep` sleeps, and `Drive` is `realtime`"});
 }
 
+TEST_CASE("a file with the name of one of C that a compiler of C++ compiles is read as C++") {
+  const Workshop work("driver_of_cpp");
+  work.write("cart.yaml", "behaviour: cart\nlanguage: 1\nroots: [Drive]\ngroups:\n"
+                          "  Drive: {module: wheels, realtime: true}\n");
+  work.write("hal.hpp", "namespace hal {\nvoid delay(int ms);\n}\n");
+  work.write("hal.c", "#include \"hal.hpp\"\n#include <unistd.h>\n"
+                      "void hal::delay(int ms) { usleep(static_cast<unsigned>(ms)); }\n");
+  work.write("body.cpp", included + "#include \"hal.hpp\"\nclass MyWheels final : public cart::Wheels {\n"
+                                    "  director::Outcome provide(cart::Drive::Default& run) override {\n"
+                                    "    hal::delay(3);\n    return run.done();\n  }\n};\n");
+  REQUIRE(work.directorc({"generate", work.path("cart.yaml"), "-o", work.path("generated")}).status == 0);
+  work.write_commands({work.path("body.cpp"), work.path("hal.c")}, flags(work));
+  const Worked worked = verified(work);
+  CHECK(worked.err == "");
+  CHECK(messages(worked.out) == std::vector<std::string>{"`usleep` sleeps, and `Drive` is `realtime`"});
+}
+
 TEST_CASE("of a long way to what blocks the first calls and the last one are noted") {
   const Workshop work("long-way");
   work.write("cart.yaml", "behaviour: cart\nlanguage: 1\nroots: [Drive]\ngroups:\n"

@@ -168,6 +168,11 @@ TEST_CASE("a file of C is read as one, and its compiler is queried for C") {
   CHECK(of("/s/hal.c", {"gcc", "-std=c11", "-c", "hal.c"}) == Words{"-x", "c", "-std=c11"});
   CHECK(of("/s/hal.c", {"g++", "-x", "c++", "-c", "hal.c"}) == Words{"-x", "c++"});
   CHECK(of("/s/hal.cc", {"g++", "-c", "hal.cc"}).empty());
+  CHECK(of("/s/hal.c", {"g++", "-std=c++20", "-c", "hal.c"}) == Words{"-std=c++20"});
+  for (const char* of_cpp : {"g++", "/usr/bin/clang++-19", "g++-posix"})
+    CHECK(of("/s/hal.c", {of_cpp, "-c", "hal.c"}).empty());
+  CHECK(of("/s/hal.c", {"gcc", "-std=c++20", "-c", "hal.c"}) == Words{"-std=c++20"});
+  CHECK(of("/s/hal.c", {"gcc", "-c", "hal.c"}) == Words{"-x", "c"});
   Compiler compiler;
   Compilers(compiler).complete({"gcc", {"-x", "c", "-std=c11"}});
   CHECK(compiler.question ==
