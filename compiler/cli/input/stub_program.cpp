@@ -33,8 +33,10 @@ void read_commands(const Stubs& request, Console& console, Program& out) {
                                                 : load_compile_commands(request.build, console.files);
   if (loaded.was_read || !request.build.empty()) out.fault = std::move(loaded.fault);
   Compilers compilers(console.programs);
-  for (const CompileCommand& each : loaded.commands)
+  for (const CompileCommand& each : loaded.commands) {
+    if (is_of_c(each)) continue; // its flags are none for a file beside it
     out.compiled.push_back({whole_path(each.file), each.directory, compilers.complete(fit_for_clang(each))});
+  }
 }
 
 /// The number of common folders of two paths.

@@ -89,6 +89,16 @@ TEST_CASE("the headers of the runtime are found relative to directorc, in a buil
   CHECK(work.stubs("--check", "") == "");
 }
 
+TEST_CASE("a source that the build does not list takes no flags from a file of C beside it") {
+  const Workshop shop;
+  CHECK(shop.stubs() == "new: src/wheels.hpp\nnew: src/wheels.cpp\n");
+  shop.write("compile_commands.json", R"([{"directory": ")" + shop.folder() +
+                                          R"(", "file": "src/hal.c", "command": "gcc -c src/hal.c"},)" +
+                                          R"({"directory": ")" + shop.folder() +
+                                          R"(", "file": "main.cpp", "command": "g++ -std=c++20 -c main.cpp"}])");
+  CHECK(shop.stubs("--check") == "");
+}
+
 TEST_CASE("what is there is left alone, however often stubs are requested") {
   const Workshop shop;
   CHECK(shop.stubs() == "new: src/wheels.hpp\nnew: src/wheels.cpp\n");
