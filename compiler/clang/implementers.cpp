@@ -109,6 +109,7 @@ private:
   }
 
   void look_up(const clang::CXXRecordDecl& type, std::set<std::string>& interfaces, std::set<std::string>& bases) {
+    if (!type.hasDefinition()) return; // with errors in it
     for (const clang::CXXBaseSpecifier& specifier : type.bases()) {
       const clang::CXXRecordDecl* base = specifier.getType()->getAsCXXRecordDecl();
       if (base == nullptr || !base->hasDefinition()) continue;

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 
 using namespace director::tests;
@@ -97,6 +98,17 @@ TEST_CASE("a source that the build does not list takes no flags from a file of C
                                           R"({"directory": ")" + shop.folder() +
                                           R"(", "file": "main.cpp", "command": "g++ -std=c++20 -c main.cpp"}])");
   CHECK(shop.stubs("--check") == "");
+}
+
+TEST_CASE("what is generated, read as C++17, is reported as not understood") {
+  const Workshop shop;
+  CHECK(shop.stubs() == "new: src/wheels.hpp\nnew: src/wheels.cpp\n");
+  const std::string generate = "cd '" + shop.folder() + "' && '" + (binary_dir() / "bin/directorc").string() +
+                               "' generate cart.yaml -o src/generated > /dev/null 2>&1";
+  REQUIRE(std::system(generate.c_str()) == 0);
+  shop.write("compile_commands.json", R"([{"directory": ")" + shop.folder() +
+                                          R"(", "file": "main.cpp", "command": "g++ -std=c++17 -c main.cpp"}])");
+  CHECK(shop.stubs("--check").ends_with("directorc: this C++ cannot be read, so nothing is written\nstatus 1\n"));
 }
 
 TEST_CASE("what is there is left alone, however often stubs are requested") {
