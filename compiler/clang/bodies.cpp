@@ -87,8 +87,8 @@ public:
   }
   bool VisitCastExpr(CastExpr* expr) {
     const CastKind kind = expr->getCastKind();
-    const bool may_lose = kind == CK_BitCast || kind == CK_PointerToIntegral || kind == CK_DerivedToBase ||
-                          kind == CK_UncheckedDerivedToBase;
+    const bool may_lose = kind == CK_BitCast || kind == CK_LValueBitCast || kind == CK_PointerToIntegral ||
+                          kind == CK_DerivedToBase || kind == CK_UncheckedDerivedToBase;
     if (may_lose && given_.count(expr) == 0 && !book_.carriers().holds(expr->getType()) &&
         book_.carriers().holds(expr->getSubExpr()->getType()))
       stores = true;
@@ -158,7 +158,11 @@ public:
   }
 
   bool VisitCXXNewExpr(CXXNewExpr* expr) {
-    if (const FunctionDecl* made_by = expr->getOperatorNew()) manage_memory(*made_by, expr->getBeginLoc());
+    const FunctionDecl* made_by = expr->getOperatorNew();
+    if (made_by == nullptr) return true;
+    // In memory that others may know.
+    if (made_by->isReservedGlobalPlacementOperator() && book_.carriers().holds(expr->getAllocatedType())) stores = true;
+    manage_memory(*made_by, expr->getBeginLoc());
     return true;
   }
   bool VisitCXXDeleteExpr(CXXDeleteExpr* expr) {

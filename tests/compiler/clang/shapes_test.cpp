@@ -197,6 +197,10 @@ const Shape out_of_sight[] = {
      "}; "
      "Outcome act(Way& way);",
      "Bold bold(run); Way& way = bold; return act(way);"},
+    {"OpaqueCast", "struct Plan { int i; }; inline Plan* kept; int plan();",
+     "Plan& user = reinterpret_cast<Plan&>(run); kept = &user; return plan() ? run.keep() : ask(run);"},
+    {"OpaqueMemory", "struct Held { Run& run; }; alignas(Held) inline unsigned char raw[sizeof(Held)]; int plan();",
+     "new (raw) Held{run}; return plan() ? run.keep() : ask(run);"},
     {"OpaqueAny", "Outcome act(std::any what);", "return act(std::any(&run));"},
     {"StoredAndCalled",
      "inline Run* now; inline std::function<Outcome()> policy = [] { now->set(S::on); return ask(*now); };",
