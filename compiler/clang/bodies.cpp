@@ -299,14 +299,16 @@ private:
   void destroy(QualType type, SourceLocation at, bool by_pointer = false) {
     if (type->isReferenceType() || type->isDependentType()) return;
     const CXXRecordDecl* record = book_.context().getBaseElementType(type)->getAsCXXRecordDecl();
-    if (by_pointer && record != nullptr && record->hasDefinition() && !is_system(*record) && !is_directors(*record)) {
-      const CXXDestructorDecl* own = record->getDestructor();
-      if (own != nullptr && own->isVirtual() && !record->isEffectivelyFinal())
-        call(*own, at, at, book_.carriers().has(type), false, true);
-    }
+    if (by_pointer) destroy_below(record, book_.carriers().has(type), at);
     std::set<const CXXRecordDecl*> outer = std::exchange(destroyed_, {});
     destroy(record, book_.carriers().has(type), at);
     destroyed_ = std::move(outer);
+  }
+  /// ... those of the classes below, if its destructor is virtual.
+  void destroy_below(const CXXRecordDecl* record, bool carries, SourceLocation at) {
+    if (record == nullptr || !record->hasDefinition() || is_system(*record) || is_directors(*record)) return;
+    const CXXDestructorDecl* own = record->getDestructor();
+    if (own != nullptr && own->isVirtual() && !record->isEffectivelyFinal()) call(*own, at, at, carries, false, true);
   }
   void destroy(const CXXRecordDecl* record, bool carries, SourceLocation at) {
     if (record == nullptr || !record->hasDefinition() || record->hasTrivialDestructor()) return;
@@ -327,19 +329,35 @@ private:
   void destroy_held(const CXXRecordDecl& record, bool carries, SourceLocation at) {
     const auto* special = llvm::dyn_cast<ClassTemplateSpecializationDecl>(&record);
     if (special == nullptr) return;
+    const std::string name = name_of(record);
+    const bool is_unique = name == "std::unique_ptr";
     const auto destroy_each = [&](llvm::ArrayRef<TemplateArgument> arguments, const auto& self) -> void {
       for (const TemplateArgument& each : arguments) {
         if (each.getKind() == TemplateArgument::Pack) self(each.pack_elements(), self);
         if (each.getKind() != TemplateArgument::Type) continue;
-        const CXXRecordDecl* held = each.getAsType()->getAsCXXRecordDecl();
+        const CXXRecordDecl* held = book_.context().getBaseElementType(each.getAsType())->getAsCXXRecordDecl();
+        const bool is_first = &each == arguments.begin();
+        if (is_first && (is_unique || name == "std::shared_ptr")) destroy_below(held, carries, at);
         destroy(held, carries, at);
-        if (held == nullptr || name_of(record) != "std::unique_ptr" || is_system(*held)) continue;
-        for (const CXXMethodDecl* method : held->methods()) { // a deleter
-          if (method->getOverloadedOperator() == OO_Call) call(*method, at, at, carries, false, false);
-        }
+        if (!is_first && is_unique)
+          delete_by(each.getAsType().getNonReferenceType()->getAsCXXRecordDecl(), carries, at);
       }
     };
     destroy_each(special->getTemplateArgs().asArray(), destroy_each);
+  }
+
+  /// Reads what the deleter of a `std::unique_ptr` does.
+  void delete_by(const CXXRecordDecl* deleter, bool carries, SourceLocation at) {
+    if (deleter == nullptr || !deleter->hasDefinition() || is_system(*deleter)) return;
+    const auto is_call = [](const FunctionDecl& each) { return each.getOverloadedOperator() == OO_Call; };
+    for (const Decl* each : deleter->decls()) {
+      const auto* method = llvm::dyn_cast<CXXMethodDecl>(each);
+      const auto* many = llvm::dyn_cast<FunctionTemplateDecl>(each);
+      if (method != nullptr && is_call(*method)) call(*method, at, at, carries, false, false);
+      // The library's code that instantiates it is not read.
+      if (many != nullptr && is_call(*many->getTemplatedDecl())) hide("a deleter that is a template", at, at, carries);
+    }
+    for (const CXXBaseSpecifier& base : deleter->bases()) delete_by(base.getType()->getAsCXXRecordDecl(), carries, at);
   }
 
   /// Records a use of a context. True: it is one, and nothing else.
