@@ -68,14 +68,18 @@ std::string context_of(const CXXRecordDecl* record) {
 std::string context_of(QualType type) { return context_of(bare(type)->getAsCXXRecordDecl()); }
 
 /// Searches a type for a context: through its members, its bases, and what its templates are made of. Types may contain
-/// themselves by pointers, so each is searched once.
+/// themselves by pointers, so each is searched once. If none is found, none is in any type on the way: the whole costs
+/// as much as there are types, however often one is asked for.
 class ContextSearch {
 public:
-  explicit ContextSearch(Carriers::Skipped skipped) : skipped_(skipped) {}
+  using Known = std::map<std::pair<void*, Carriers::Skipped>, bool>;
+  ContextSearch(Carriers::Skipped skipped, const Known& known) : skipped_(skipped), known_(known) {}
+  const std::set<void*>& seen() const { return seen_; }
   bool finds_in(QualType type) {
     if (type.isNull()) return false;
     type = bare(type);
     while (const ArrayType* array = type->getAsArrayTypeUnsafe()) type = bare(array->getElementType());
+    if (const auto at = known_.find({type.getAsOpaquePtr(), skipped_}); at != known_.end()) return at->second;
     if (!seen_.insert(type.getAsOpaquePtr()).second) return false;
     if (const auto* function = type->getAs<FunctionProtoType>()) {
       if (skipped_ == Carriers::Skipped::code) return false;
@@ -106,13 +110,19 @@ private:
   }
 
   Carriers::Skipped skipped_;
+  const Known& known_;
   std::set<void*> seen_;
 };
 
 bool Carriers::has(QualType type, Skipped skipped) {
-  const auto [at, is_new] = known_.try_emplace({type.getAsOpaquePtr(), skipped});
-  if (is_new) at->second = ContextSearch(skipped).finds_in(type);
-  return at->second;
+  if (const auto at = known_.find({type.getAsOpaquePtr(), skipped}); at != known_.end()) return at->second;
+  ContextSearch search(skipped, known_);
+  const bool found = search.finds_in(type);
+  if (!found) {
+    for (void* each : search.seen()) known_.emplace(std::pair(each, skipped), false);
+  }
+  known_.emplace(std::pair(type.getAsOpaquePtr(), skipped), found);
+  return found;
 }
 bool Carriers::has(const Expr& value, Skipped skipped) {
   return has(value.getType(), skipped) || has(value.IgnoreParenCasts()->getType(), skipped);
