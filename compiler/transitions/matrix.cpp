@@ -26,6 +26,9 @@ constexpr std::size_t most_tries = 64;
 /// Limit for states of which every choice is tried; with more, all or none.
 constexpr std::size_t most_changes = 4;
 
+/// Limit for choices of values with which preferred providers would not run.
+constexpr std::size_t most_preventions = 32;
+
 class TransitionFinder {
 public:
   /// `behaviour`: its file, as it is written in a scenario.
@@ -136,39 +139,71 @@ private:
     return out;
   }
 
-  /// What else has to change if, with these values, a provider would run that is preferred to the column's requester's
-  /// one: the row may have let it run.
+  /// What else has to change if, with these values, providers would run that are preferred to the column's requester's
+  /// ones: the row may have let them run.
   Values in_the_way(const Beginning& row, const Beginning& column, const Values& change) const {
-    Values now = row.rest.values, out;
+    std::vector<ProviderId> preferred;
+    for (const Link& link : column.way.links) {
+      for (const ProviderId id : model_.group_of(link.provider).providers) {
+        if (id == link.provider) break;
+        if (is_preventable(column, id)) preferred.push_back(id);
+      }
+    }
+    Values now = row.rest.values;
     for (const auto& [id, value] : change) now.insert_or_assign(id, value);
+    std::map<StateId, ValueSet> left;
+    std::size_t tries = 0;
+    Values out;
+    if (!prevent(preferred, column, now, left, tries)) return out;
+    for (const auto& [id, set] : left) out.emplace(id, set.intervals().front().low);
+    return out;
+  }
+
+  ValueSet wanted_of(const Beginning& column, StateId id) const {
+    const auto wanted = column.outside.wanted.find(id);
+    return wanted == column.outside.wanted.end() ? model_.states[id].domain() : wanted->second;
+  }
+
+  /// Whether some value from outside that suits the column keeps the provider from running.
+  bool is_preventable(const Beginning& column, ProviderId id) const {
+    const std::vector<ConditionUse>& when = model_.providers[id].when;
+    return std::any_of(when.begin(), when.end(), [&](const ConditionUse& use) {
+      const Condition& condition = model_.conditions[use.id];
+      return model_.states[condition.state].external &&
+             !wanted_of(column, condition.state).without(condition.accepts).empty();
+    });
+  }
+
+  /// Narrows `left`, the values of the states that have to change, of which the first ones are in `now`, until none of
+  /// these providers would run. A value that prevents one may let another one run: so all are asked again.
+  bool prevent(const std::vector<ProviderId>& preferred, const Beginning& column, Values& now,
+               std::map<StateId, ValueSet>& left, std::size_t& tries) const {
     const auto accepts = [&](const ConditionUse& use) {
       const Condition& condition = model_.conditions[use.id];
       const auto value = now.find(condition.state);
       return value != now.end() && condition.accepts.contains(value->second);
     };
-    const auto prevent = [&](ProviderId id) {
-      for (const ConditionUse& use : model_.providers[id].when) {
-        const Condition& condition = model_.conditions[use.id];
-        const State& state = model_.states[condition.state];
-        if (!state.external) continue;
-        const auto wanted = column.outside.wanted.find(condition.state);
-        const ValueSet left =
-            (wanted == column.outside.wanted.end() ? state.domain() : wanted->second).without(condition.accepts);
-        if (left.empty()) continue;
-        const std::int64_t value = left.intervals().front().low;
-        now.insert_or_assign(condition.state, value);
-        out.insert_or_assign(condition.state, value);
-        return;
+    const auto first = std::find_if(preferred.begin(), preferred.end(), [&](ProviderId id) {
+      const std::vector<ConditionUse>& when = model_.providers[id].when;
+      return std::all_of(when.begin(), when.end(), accepts);
+    });
+    if (first == preferred.end()) return true;
+    if (++tries > most_preventions) return false;
+    for (const ConditionUse& use : model_.providers[*first].when) {
+      const Condition& condition = model_.conditions[use.id];
+      if (!model_.states[condition.state].external) continue;
+      const Values now_before = now;
+      const std::map<StateId, ValueSet> left_before = left;
+      ValueSet& set = left.try_emplace(condition.state, wanted_of(column, condition.state)).first->second;
+      set = set.without(condition.accepts);
+      if (!set.empty()) {
+        now.insert_or_assign(condition.state, set.intervals().front().low);
+        if (prevent(preferred, column, now, left, tries)) return true;
       }
-    };
-    for (const Link& link : column.way.links) {
-      for (const ProviderId id : model_.group_of(link.provider).providers) {
-        if (id == link.provider) break;
-        const std::vector<ConditionUse>& when = model_.providers[id].when;
-        if (std::all_of(when.begin(), when.end(), accepts)) prevent(id);
-      }
+      now = now_before;
+      left = left_before;
     }
-    return out;
+    return false;
   }
 
   /// Every choice of these, the fewest first.

@@ -467,6 +467,32 @@ groups:
         "hard: Safety takes at once what TakeOff holds. TakeOff stops. Rotors runs on, but not for TakeOff any more.");
 }
 
+TEST_CASE("condition lost: the outside ends several providers that are preferred to the one of the second one") {
+  const auto keeper = [](const std::string& states, const std::string& first, const std::string& second) {
+    return "states: " + states + "\nroots: [Keep]\ngroups:\n  Keep:\n    providers:\n      - {name: first, when: [" +
+           first + "], tasks: [Dive]}\n      - {name: second, when: [" + second + R"(], tasks: [Kick]}
+      - {name: placing, tasks: [Walk]}
+  Dive: {needs: [Legs], tasks: [Legs]}
+  Kick: {needs: [Legs], tasks: [Legs]}
+  Walk: {needs: [Legs], tasks: [Legs]}
+  Legs: {}
+)";
+  };
+  const auto lost = [](const std::string& group, const std::string& state) {
+    return "condition lost: What Walk wants from outside ends " + group + ". " + group +
+           " stops. Legs runs on, but not for " + group + " any more. The outside says " + state + ".";
+  };
+  // A value that prevents one of them lets the other one run.
+  const std::string modes = keeper("{Mode: {values: [a, b, c], initial: c, external: true}}", "Mode == b", "Mode == a");
+  CHECK(words(modes, "Dive", "Walk") == lost("Dive", "Mode == c"));
+  CHECK(words(modes, "Kick", "Walk") == lost("Kick", "Mode == c"));
+  // Not both conditions of the first one can be made false with one of the second one.
+  const std::string range = keeper("{Battery: {range: [0, 100], initial: 100, external: true}}",
+                                   "Battery >= 20, Battery < 50", "Battery < 20");
+  CHECK(words(range, "Dive", "Walk") == lost("Dive", "Battery == 50"));
+  CHECK(words(range, "Kick", "Walk") == lost("Kick", "Battery == 50"));
+}
+
 TEST_CASE("never: nothing causes what it waits for, also when the first one is done") {
   const char* const lost = R"(states: {Pose: {values: [moving, still]}}
 roots: [Walk, Wait]
