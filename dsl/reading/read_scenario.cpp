@@ -61,25 +61,30 @@ std::vector<RequestSpec> read_root_requests(Reader& reader, const YamlNode& node
   return {{*name, {}, {}, {false, name->span}}};
 }
 
-/// `cancel: Walk`, of which an input has one.
+/// For `cancel: [A, B]`: an input has one.
+std::string help_for_names(const YamlNode& list, std::string_view word) {
+  const bool named = !list.items.empty() && list.items.front().kind == YamlNode::Kind::scalar;
+  const std::string_view first = named ? std::string_view(list.items.front().text) : "...";
+  if (named && list.items.size() == 1) return fmt::format("an input has one: write `{}: {}`", word, first);
+  return fmt::format("an input has one: for several at once write `inputs: [{{{0}: {1}}}, {{{0}: ...}}]`", word, first);
+}
+
+/// `cancel: Walk`.
 Word read_one_name(Reader& reader, const YamlNode& node, std::string_view word, std::string_view expected) {
   if (node.kind != YamlNode::Kind::list) return reader.word(&node, word, expected).value_or(Word{});
-  const bool named = !node.items.empty() && node.items.front().kind == YamlNode::Kind::scalar;
-  reader.unexpected(node, word, expected,
-                    fmt::format("an input has one: for several at once write `inputs: [{{{0}: {1}}}, {{{0}: ...}}]`",
-                                word, named ? node.items.front().text : "..."));
+  reader.unexpected(node, word, expected, help_for_names(node, word));
   return {};
 }
 
 /// `Walk.halting`.
 void read_provider_name(Reader& reader, const YamlNode& node, InputSpec& input, std::string_view word) {
   constexpr std::string_view expected = "a provider such as Walk.halting";
-  const auto name = reader.word(&node, word, expected);
-  if (!name) return;
-  std::tie(input.name, input.provider) = split_at_dot(*name, !node.quoted());
+  const Word name = read_one_name(reader, node, word, expected);
+  if (name.value.empty()) return;
+  std::tie(input.name, input.provider) = split_at_dot(name, !node.quoted());
   if (input.provider.value.empty())
     reader.unexpected(node, word, expected,
-                      fmt::format("if it has no `providers`, the only one is called `{}.default`", name->value));
+                      fmt::format("if it has no `providers`, the only one is called `{}.default`", name.value));
 }
 
 InputSpec read_input(Reader& reader, const YamlNode& mapping, std::size_t which) {

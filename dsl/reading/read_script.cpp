@@ -107,15 +107,45 @@ RequestSpec read_request(Reader& reader, const YamlPair& pair, const Keys& keys)
 
 namespace {
 
-/// For `set: Battery == 5` and `set: [Ball == near]`.
+bool can_be_name(std::string_view text) { return !text.empty() && std::all_of(text.begin(), text.end(), is_word); }
+
+/// `Battery: 5` for `Battery == 5` and `Battery = 5`; empty for another text.
+std::string as_setting(std::string_view text) {
+  const std::size_t sign = text.find('=');
+  if (sign == std::string_view::npos) return "";
+  const std::string_view name = trimmed(text.substr(0, sign));
+  const std::string_view value = trimmed(text.substr(sign + (text.substr(sign).starts_with("==") ? 2 : 1)));
+  const bool good = can_be_name(name) && can_be_name(value.substr(value.starts_with('-') ? 1 : 0));
+  return good ? fmt::format("{}: {}", name, value) : "";
+}
+
+/// Split at each comma and `and`.
+std::vector<std::string_view> conditions_in(std::string_view text) {
+  constexpr std::string_view separator = " and ";
+  std::vector<std::string_view> out;
+  while (true) {
+    const std::size_t comma = text.find(','), word = text.find(separator), end = std::min(comma, word);
+    out.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return out;
+    text.remove_prefix(end + (word < comma ? separator.size() : 1));
+  }
+}
+
+/// For `set: Battery == 5` and `set: [Battery == 5, Ball == near]`.
 std::string help_for_settings(const YamlNode* node) {
-  if (!node) return "";
-  const YamlNode& one = node->kind == YamlNode::Kind::list && node->items.size() == 1 ? node->items.front() : *node;
-  const std::size_t sign = one.text.find('=');
-  if (one.kind != YamlNode::Kind::scalar || sign == std::string::npos || sign == 0) return "";
-  if (one.text.find_first_of("!<>|") != std::string::npos) return "";
-  const std::string_view value = std::string_view(one.text).substr(one.text.find_last_of('=') + 1);
-  return fmt::format("write `{{{}: {}}}`", trimmed(std::string_view(one.text).substr(0, sign)), trimmed(value));
+  std::vector<std::string> settings;
+  bool compares = false, good = true;
+  const auto add = [&](const YamlNode& one) {
+    compares = compares || one.text.find_first_of("=<>") != std::string::npos;
+    for (const std::string_view part : conditions_in(one.text)) {
+      settings.push_back(as_setting(part));
+      good = good && !settings.back().empty();
+    }
+  };
+  if (node && node->kind == YamlNode::Kind::scalar) add(*node);
+  if (node && node->kind == YamlNode::Kind::list) std::for_each(node->items.begin(), node->items.end(), add);
+  if (!compares) return "";
+  return good ? fmt::format("write `{{{}}}`", fmt::join(settings, ", ")) : "each state gets one value: `{Ball: near}`";
 }
 
 } // namespace

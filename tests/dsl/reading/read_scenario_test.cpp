@@ -271,14 +271,29 @@ TEST_CASE("What is wrong in a step is reported at its place") {
                                    "found `B == 5` (write `{B: 5}`)\n"},
            Case{"[{set: [B = near]}]", "2:15 `[B = near]` wrong_node_kind: `set`: expected a mapping of states to "
                                        "values, found a list (write `{B: near}`)\n"},
+           Case{"[{set: [B == 5, C = -1]}, {set: 'B == 5, C == near and D == far'}]",
+                "2:15 `[B == 5, C = -1]` wrong_node_kind: `set`: expected a mapping of states to values, found a list "
+                "(write `{B: 5, C: -1}`)\n"
+                "2:40 `'B == 5, C == near and D == far'` wrong_node_kind: `set`: expected a mapping of states to "
+                "values, found the text `B == 5, C == near and D == far` (write `{B: 5, C: near, D: far}`)\n"},
+           Case{"[{set: 'B == '}, {set: B >= 5}, {set: B == 5 or C == 5}]",
+                "2:15 `'B == '` wrong_node_kind: `set`: expected a mapping of states to values, found the text `B == ` "
+                "(each state gets one value: `{Ball: near}`)\n"
+                "2:31 `B >= 5` wrong_node_kind: `set`: expected a mapping of states to values, found `B >= 5` (each "
+                "state gets one value: `{Ball: near}`)\n"
+                "2:46 `B == 5 or C == 5` wrong_node_kind: `set`: expected a mapping of states to values, found `B == 5 "
+                "or C == 5` (each state gets one value: `{Ball: near}`)\n"},
+           Case{"[{disable: [A.default]}]",
+                "2:19 `[A.default]` wrong_node_kind: `disable`: expected a provider such as Walk.halting, found a list "
+                "(an input has one: write `disable: A.default`)\n"},
            Case{"[{trigger: [A, B]}]",
                 "2:19 `[A, B]` wrong_node_kind: `trigger`: expected the name of a trigger, found "
                 "a list (an input has one: for several at once write `inputs: [{trigger: A}, "
                 "{trigger: ...}]`)\n"},
            Case{"[{set: A}]", "2:15 `A` wrong_node_kind: `set`: expected a mapping of states to values, found `A`\n"},
            Case{"[{cancel: [A]}]",
-                "2:18 `[A]` wrong_node_kind: `cancel`: expected a root, found a list (an input has one: for "
-                "several at once write `inputs: [{cancel: A}, {cancel: ...}]`)\n"},
+                "2:18 `[A]` wrong_node_kind: `cancel`: expected a root, found a list (an input has one: write `cancel: "
+                "A`)\n"},
        }) {
     CAPTURE(c.text);
     CHECK(steps_findings(c.text) == c.findings);
