@@ -130,8 +130,9 @@ private:
   /// Help for text after a complete condition.
   std::string rest_help(const ConditionSpec& condition, Token from) const {
     const std::string_view rest = text(from);
-    const auto time = use_ == ConditionUse::causing ? parse_duration(text_.substr(from.end)) : std::nullopt;
-    if (time && is_in_word(rest.front())) // `in 3 s`, `after 3 s`
+    auto time = parse_duration(text_.substr(from.begin));                                 // `3 s`
+    if (!time && is_in_word(rest.front())) time = parse_duration(text_.substr(from.end)); // `in 3 s`, `after 3 s`
+    if (time && use_ == ConditionUse::causing)
       return fmt::format("the time of a promise stands behind `within`: `within {}`", to_text(*time));
     if (std::find(ops.begin(), ops.end(), rest) != ops.end()) return std::string(one_by_one);
     const bool number = !condition.values.empty() && is_in_digits(condition.values.back().value);

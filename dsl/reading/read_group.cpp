@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsl/reading/read_group.hpp"
 
+#include "dsl/lexical/suggest.hpp"
 #include "dsl/reading/read_condition.hpp"
 #include "dsl/reading/read_tasks.hpp"
 
@@ -137,15 +138,32 @@ const Keys group_keys{"doc",       "layer", "module", "data",    "realtime", "st
                       "providers", "when",  "stay",   "causing", "sets",     "needs",  "uses",
                       "triggers",  "every", "tasks",  "packs",   "allow",    "because"};
 
+bool is_group_key(std::string_view word) {
+  return std::find(group_keys.begin(), group_keys.end(), word) != group_keys.end();
+}
+
+std::string help_for_group_key(std::string_view key) {
+  return fmt::format("`{}` is a key of a group: is the line indented as it should be?", key);
+}
+
 /// For `Walk: [Legs]` and `Walk: Legs`, which is no key that lacks its colon, and for a key of a group beside it.
 std::string help_for_short_group(const YamlPair& pair) {
   const YamlNode& value = pair.value;
-  if (std::find(group_keys.begin(), group_keys.end(), pair.key.value) != group_keys.end())
-    return fmt::format("`{}` is a key of a group: is the line indented as it should be?", pair.key.value);
+  if (is_group_key(pair.key.value)) return help_for_group_key(pair.key.value);
   const bool is_word = value.kind == YamlNode::Kind::scalar && value.text.find(' ') == std::string::npos;
   if (value.kind != YamlNode::Kind::list && !is_word) return "";
   return fmt::format("what it requests stands in `tasks`, what it must control in `needs`: `{}: {{tasks: [{}]}}`",
                      pair.key.value, is_word ? value.text : "...");
+}
+
+/// In `tasks: {Walk: {priority: 5}}` that stands beside the group: `Walk`, which is like no key of a group.
+const YamlPair* entry_of_group_key(const YamlPair& pair) {
+  if (!is_group_key(pair.key.value)) return nullptr;
+  const auto entry = std::find_if(pair.value.pairs.begin(), pair.value.pairs.end(), [](const YamlPair& each) {
+    return !is_group_key(each.key.value) && !help_for(slips_of_group(), each.key.value) &&
+           !suggest(each.key.value, group_keys);
+  });
+  return entry == pair.value.pairs.end() ? nullptr : &*entry;
 }
 
 /// The members of a struct are left to C++.
@@ -168,7 +186,13 @@ GroupSpec read_group(Reader& reader, const YamlPair& pair) {
   group.realtime.span = pair.key.span;
   const YamlNode& mapping = pair.value;
   if (!reader.is_mapping(&mapping, pair.key.value, "a mapping", help_for_short_group(pair))) return group;
-  reader.know_keys(mapping, fmt::format("group `{}`", pair.key.value), group_keys, slips_of_group());
+  const std::string thing = fmt::format("group `{}`", pair.key.value);
+  if (const YamlPair* entry = entry_of_group_key(pair)) {
+    reader.error("unknown_key", entry->key.span, fmt::format("{} has no key `{}`", thing, entry->key.value),
+                 help_for_group_key(pair.key.value));
+    return group;
+  }
+  reader.know_keys(mapping, thing, group_keys, slips_of_group());
   group.doc = reader.text(mapping.find("doc"), "doc");
   group.layer = reader.word(mapping.find("layer"), "layer", "the name of a layer");
   group.module = reader.word(mapping.find("module"), "module", "the name of a module");

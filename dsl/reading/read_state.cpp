@@ -54,7 +54,7 @@ std::string help_for_short_state(const YamlPair& pair) {
   return builtin ? *help_for_type(pair.value.text) : "";
 }
 
-/// A `value` beside the possible values is the one at the start; otherwise `values` is meant.
+/// A `value` beside the possible values, or that is one, is the one at the start; otherwise `values` is meant.
 const Slips& slips_with_value() {
   static const Slips slips = [] {
     Slips out = slips_of_state();
@@ -89,8 +89,10 @@ StateSpec read_state(Reader& reader, const YamlPair& pair) {
   const YamlNode& mapping = pair.value;
   if (!reader.is_mapping(&mapping, pair.key.value, "a mapping", help_for_short_state(pair))) return state;
   const std::string thing = fmt::format("state `{}`", pair.key.value);
-  const bool has_values = mapping.find("values") || mapping.find("range") || mapping.find("type");
-  reader.know_keys(mapping, thing, keys, has_values ? slips_with_value() : slips_of_state());
+  const YamlNode* value = mapping.find("value");
+  const bool is_initial = mapping.find("values") || mapping.find("range") || mapping.find("type") ||
+                          (value && value->kind == YamlNode::Kind::scalar);
+  reader.know_keys(mapping, thing, keys, is_initial ? slips_with_value() : slips_of_state());
   reader.exclude(mapping, "range", "values", "leave out one: `range` is for whole numbers, `values` is for words");
   const YamlNode* type = mapping.find("type");
   if (!type || !help_for_type(type->text)) // its message is about `type` alone

@@ -167,6 +167,9 @@ TEST_CASE("A promise's time stands behind another word") {
   CHECK(with_conditions("causing", "[Phase == ready in 3 s]").findings() ==
         "5:30 `in` bad_condition: expected the end of the condition, found `in` (the time of a promise stands behind "
         "`within`: `within 3 s`)\n");
+  CHECK(with_conditions("causing", "[Phase == ready 3 s]").findings() ==
+        "5:30 `3` bad_condition: expected the end of the condition, found `3` (the time of a promise stands behind "
+        "`within`: `within 3 s`)\n");
   CHECK(with_conditions("when", "[Phase == ready in 3 s]").findings() ==
         "5:27 `in` bad_condition: expected the end of the condition, found `in` (alternatives are values of one state: "
         "`Phase == ready|set`)\n");

@@ -79,6 +79,10 @@ TEST_CASE("keys of other tools are reported with the right ones") {
                                                        "(the value at the start stands in `initial`)\n");
   check_body("states: {X: {value: [a, b]}}\n",
              "3:14 `value` unknown_key: state `X` has no key `value` (did you mean `values`?)\n");
+  check_body("states: {X: {value: 5}}\n",
+             "3:10 `X` missing_key: state `X` needs `values`, `range` or `type` (for example `values: [low, high]`, or "
+             "`range: [0, 100]`)\n"
+             "3:14 `value` unknown_key: state `X` has no key `value` (the value at the start stands in `initial`)\n");
   check_body("groups: {A: {cause: [X == a], request: [B]}}\n",
              "3:14 `cause` unknown_key: group `A` has no key `cause` (what it promises to make true stands in "
              "`causing`: `causing: [Motion == still]`)\n"
@@ -146,6 +150,12 @@ TEST_CASE("a key of a group stands beside the group") {
              "group: is the line indented as it should be?)\n"
              "7:9 `here and there` wrong_node_kind: `stop`: expected a mapping, found `here and there` (`stop` is a "
              "key of a group: is the line indented as it should be?)\n");
+  check_body("groups:\n  A: {}\n  tasks: {B: {priority: 1}, C: {}}\n  needs:\n    D:\n  data: {task: [B]}\n",
+             "5:11 `B` unknown_key: group `tasks` has no key `B` (`tasks` is a key of a group: is the line indented as "
+             "it should be?)\n"
+             "7:5 `D` unknown_key: group `needs` has no key `D` (`needs` is a key of a group: is the line indented as "
+             "it should be?)\n"
+             "8:10 `task` unknown_key: group `data` has no key `task` (did you mean `tasks`?)\n");
 }
 
 TEST_CASE("a condition is written as a sentence") {
