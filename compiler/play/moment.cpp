@@ -20,7 +20,7 @@ Mark mark_of_edge(const View& view, Index edge, Index target) {
 
 /// Without the names of the waiting tasks: `until Stability == standing, which Walk.halting could cause`.
 std::string reason(const View& view, GroupId group, const Model& model, const Lowered& lowered) {
-  const std::string text = reason_why(view, group, model, lowered).text;
+  const std::string text = text_why(view, group, model, lowered);
   const std::size_t at = text.find("): ");
   return at == std::string::npos ? text : text.substr(at + 3);
 }

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 
 namespace director::compiler {
 
@@ -49,9 +50,10 @@ private:
         if (need.id == edge.target) return need.span;
       }
     }
+    const std::ptrdiff_t requested = count_requested(*edge.requester);
     for (const bool whole : {true, false}) {
       for (const Pack& pack : provider.packs) {
-        if (whole && !is_requested(pack, *edge.requester)) continue;
+        if (whole && !is_requested(pack, requested)) continue;
         for (const Task& task : pack.tasks) {
           if (task.edge == id && (whole || has_level(task))) return task.span;
         }
@@ -69,16 +71,21 @@ private:
                        [&](const Task::NamedLevel& each) { return each.level == level; });
   }
 
-  /// Whether this pack is what the group requests.
-  bool is_requested(const Pack& pack, GroupId requester) const {
-    for (const EdgeId id : model_.groups[requester].edges) {
-      const auto is_it = [&](const Task& task) { return task.edge == id && has_level(task); };
-      if (view_.requested(static_cast<Index>(id.value)) && std::none_of(pack.tasks.begin(), pack.tasks.end(), is_it))
-        return false;
+  /// How many tasks the group requests.
+  std::ptrdiff_t count_requested(GroupId requester) const {
+    const std::vector<EdgeId>& edges = model_.groups[requester].edges;
+    return std::count_if(edges.begin(), edges.end(),
+                         [&](EdgeId id) { return view_.requested(static_cast<Index>(id.value)); });
+  }
+
+  /// Whether this pack is what its group requests, which are so many tasks. A pack has a task once.
+  bool is_requested(const Pack& pack, std::ptrdiff_t count) const {
+    for (const Task& task : pack.tasks) {
+      const bool requested = view_.requested(static_cast<Index>(task.edge.value));
+      if (requested && has_level(task)) --count;
+      if (!requested && !may_be_left_out(task)) return false;
     }
-    return std::all_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& task) {
-      return view_.requested(static_cast<Index>(task.edge.value)) || may_be_left_out(task);
-    });
+    return count == 0;
   }
 
   bool may_be_left_out(const Task& task) const {
@@ -116,9 +123,12 @@ Reasoning reason_why(const View& view, GroupId group, const Model& model, const 
   return reason_why(view, why(view, static_cast<Index>(group.value)), model, lowered, RowNames(model, lowered).names());
 }
 
-Reasoning reason_why(const View& view, EdgeId request, const Model& model, const Lowered& lowered) {
-  return reason_why(view, why_refused(view, static_cast<Index>(request.value)), model, lowered,
-                    RowNames(model, lowered).names());
+std::string text_why(const View& view, GroupId group, const Model& model, const Lowered& lowered) {
+  return director::to_text(why(view, static_cast<Index>(group.value)), RowNames(model, lowered).names());
+}
+
+std::string text_why(const View& view, EdgeId request, const Model& model, const Lowered& lowered) {
+  return director::to_text(why_refused(view, static_cast<Index>(request.value)), RowNames(model, lowered).names());
 }
 
 Reasoning reason_why(const View& view, const Because& because, const Model& model, const Lowered& lowered,

@@ -27,8 +27,10 @@ struct Reasoning {
 
 Reasoning reason_why(const View& view, GroupId group, const Model& model, const Lowered& lowered);
 
+/// The text alone: the notes of a unit of n tasks take a time of n.
+std::string text_why(const View& view, GroupId group, const Model& model, const Lowered& lowered);
 /// Why a request is not granted.
-Reasoning reason_why(const View& view, EdgeId request, const Model& model, const Lowered& lowered);
+std::string text_why(const View& view, EdgeId request, const Model& model, const Lowered& lowered);
 
 /// The same for repeated calls. `because`: the result of why() or why_refused(); `names`: of the rows.
 Reasoning reason_why(const View& view, const Because& because, const Model& model, const Lowered& lowered,

@@ -68,11 +68,11 @@ void explain_refusal(const View& view, const Model& model, const Lowered& lowere
                                  [&](EdgeId id) { return view.requested(static_cast<Index>(id.value)); });
   const bool waits = state(*stuck) != RunState::none;
   if (waits && view.granted(static_cast<Index>(stuck->target.value))) { // that one runs for another requester
-    out.why = reason_why(view, stuck->edge, model, lowered).text;
+    out.why = text_why(view, stuck->edge, model, lowered);
   } else if (requester && !waits && !out.is_requested) {
     out.why = why_not_requested(view, model, *requester, *stuck);
   } else {
-    out.why = reason_why(view, out.is_requested ? way.target : stuck->target, model, lowered).text;
+    out.why = text_why(view, out.is_requested ? way.target : stuck->target, model, lowered);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
@@ -197,13 +198,14 @@ private:
     for (const Index edge : edges) {
       for (const Index row : indispensable(t_.edges[edge].target)) ++takers[row];
     }
-    std::vector<Index> out;
+    std::vector<Index> shared, out;
     for (const auto& [row, count] : takers) {
-      const bool is_below = std::any_of(takers.begin(), takers.end(), [&, row = row](const auto& other) {
-        return other.first != row && other.second > 1 && contains(indispensable(other.first), row);
-      });
-      if (count > 1 && !is_below) out.push_back(row);
+      if (count > 1) shared.push_back(row);
     }
+    std::copy_if(shared.begin(), shared.end(), std::back_inserter(out), [&](Index row) {
+      return std::none_of(shared.begin(), shared.end(),
+                          [&](Index other) { return other != row && contains(indispensable(other), row); });
+    });
     return out;
   }
 

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <ctime>
+
 namespace {
 
 using director::tests::check_golden;
@@ -103,6 +105,25 @@ TEST_CASE("a push that priorities forbid is not drawn; of a module, which has no
   CHECK(pushes("roots: {Photograph: {priority: 20}, Drive: {priority: 10}}\n"));
   CHECK_FALSE(pushes("roots: {Photograph: {priority: 10}, Drive: {priority: 20}}\n"));
   CHECK(pushes(""));
+}
+
+TEST_CASE("a picture of a unit does not take a time of the cube of its tasks") {
+  const auto time_of = [](std::size_t tasks) {
+    std::string all, groups;
+    for (std::size_t i = 0; i < tasks; ++i) {
+      all += (i == 0 ? "T" : ", T") + std::to_string(i);
+      groups += "  T" + std::to_string(i) + ": {needs: [L], tasks: [L]}\n";
+    }
+    World world;
+    world.files.add("unit.yaml", "behaviour: unit\nlanguage: 1\nroots: [A]\ngroups:\n  A: {tasks: [" + all + "]}\n" +
+                                     groups + "  L: {}\n");
+    world.files.add("s.yaml", "behaviour: unit.yaml\nsteps: [request: A]\n");
+    const std::clock_t begin = std::clock();
+    REQUIRE(world.directorc({"graph", "s.yaml", "--step=1", "--format=json"}) <= 1); // the unit cannot be granted
+    CHECK(world.out.find("cannot all be granted") != std::string::npos);
+    return static_cast<double>(std::clock() - begin);
+  };
+  CHECK(time_of(1200) < 18 * time_of(400));
 }
 
 TEST_CASE("an unknown moment, or a file that is no scenario, is reported") {
