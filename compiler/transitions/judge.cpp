@@ -24,7 +24,7 @@ void Judge::judge(const Beginning& row, const Beginning& column, const Play& now
   if ((ended || !all.empty()) && player_.ends_by(row, column, change, all)) {
     out.kind = Kind::condition_lost;
     context.row_runs_on = !ended;
-  } else if (parting.replaced && ended) {
+  } else if (parting.replaced && ended && !now.trial.rest.requested[row.way.links[*parting.link].next->edge.value]) {
     out.kind = Kind::replaced;
     context.withdrawn = row.way.links[*parting.link].next->target;
     context.replacement = column.way.links[*parting.link].next->target;

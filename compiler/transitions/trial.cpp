@@ -30,6 +30,7 @@ Rest rest_of(const View& view, const Model& model) {
   for (const EdgeId id : model.edges.ids()) {
     const auto row = static_cast<Index>(id.value);
     out.running.push_back(view.state(row) == RunState::running);
+    out.requested.push_back(view.requested(row));
     out.blocked.push_back(view.state(row) == RunState::queued && view.queued(row).why == Why::blocked);
   }
   for (const StateId id : model.states.ids()) {

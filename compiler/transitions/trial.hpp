@@ -22,6 +22,7 @@ struct Rest {
   };
   std::vector<Held> groups;               ///< by group
   std::vector<bool> running;              ///< by edge
+  std::vector<bool> requested;            ///< by edge
   std::vector<bool> blocked;              ///< by edge: requested, and others hold what it needs
   std::map<StateId, std::int64_t> values; ///< those that have one
 

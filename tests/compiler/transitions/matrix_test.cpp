@@ -407,6 +407,25 @@ groups:
         "not for Walk any more. The outside says Ball == near.");
 }
 
+TEST_CASE(
+    "hard: the requester has another provider for the second one, but goes on requesting both in that of the first") {
+  CHECK(words(R"(states:
+  Ball: {values: [far, near], initial: far, external: true}
+  Phase: {values: [play, set], initial: set, external: true}
+roots: [Keep]
+groups:
+  Keep:
+    providers:
+      - {name: waiting, when: [Phase == set], tasks: [Clear]}
+      - {name: playing, packs: {go: {Walk: {apart: true}, Clear: {priority: 5, apart: true}}}}
+  Clear: {when: [Ball == near], needs: [Legs], tasks: [Legs]}
+  Walk: {needs: [Legs], tasks: [Legs]}
+  Legs: {}
+)",
+              "Walk", "Clear") == "hard: Clear takes at once what Walk holds. Walk stops. Legs runs on, but not for "
+                                  "Walk any more. The outside says Ball == near.");
+}
+
 TEST_CASE("condition lost: a promise that would undo the values from outside does not hide that") {
   CHECK(words(R"(states: {Stability: {values: [fallen, moving, standing], initial: standing, external: true}}
 roots: {Recover: {priority: 90}, Play: {priority: 10}}
