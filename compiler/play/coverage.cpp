@@ -28,6 +28,7 @@ public:
   Planner(const Model& model, const Graph& graph)
       : model_(model),
         facts_(analysis::find_facts(model, graph, analysis::Reported::as_is)),
+        // Also what others of its group precede: the program may disable these.
         counts_([this](ProviderId id) {
           return facts_.capable.contains(id) && facts_.requested.contains(model_.providers[id].group);
         }),

@@ -5,6 +5,8 @@
 #include "compiler/play/test_scenario.hpp"
 #include "tests/compiler/support/played.hpp"
 
+#include <algorithm>
+
 using namespace director::compiler;
 using director::tests::load_scenario;
 using director::tests::LoadedScenario;
@@ -196,4 +198,23 @@ TEST_CASE("a member of a unit takes what another one requests, if that one may h
   CHECK(of_watch("packs: {go: {Walk: {priority: 0}, Head: {priority: 5}}}").empty());
   CHECK(of_watch("packs: {go: {Walk: {priority: 0}, Head: {priority: 5}}, stroll: {Walk: {priority: 0}}}") ==
         head_takes);
+}
+
+TEST_CASE("a provider counts that runs only while the program disables the preferred one") {
+  const std::string lamp = R"(roots: {Lamp: {priority: 5}, Cook: {priority: 10}}
+groups:
+  Cook: {needs: [Plug], tasks: [Plug]}
+  Lamp:
+    providers:
+      - {name: brightly, tasks: [Bulb]}
+      - {name: dimly, tasks: [Plug], allow: [shadowed_provider], because: the program disables `brightly` at night}
+  Bulb: {}
+  Plug: {}
+)";
+  CHECK(take_overs(lamp) == std::vector<std::string>{"root>Cook from root>Lamp"});
+  const director::tests::Compiled compiled = director::tests::compile("behaviour: test\nlanguage: 1\n" + lamp);
+  const Coverage coverage = coverage_of(compiled.model, make_graph(compiled.model));
+  const auto is_provider = [](const CoveragePoint& point) { return point.key.kind == CoveragePoint::Kind::provider; };
+  CHECK(std::count_if(coverage.points.begin(), coverage.points.end(), is_provider) ==
+        static_cast<std::ptrdiff_t>(compiled.model.providers.size()));
 }
