@@ -39,6 +39,7 @@ public:
   bool is_deep() const { return is_deep_; }
   std::vector<Json> functions, classes;
   std::set<std::string> continued; ///< keys of classes from which a class template derives
+  std::set<std::string> runs;      ///< keys of the bodies of modules of which an object is made
   bool has_templates = false;      ///< one has bodies, or a module among its bases
 
 private:

@@ -8,6 +8,7 @@
 #include <clang/Lex/Lexer.h>
 
 #include <algorithm>
+#include <set>
 
 namespace director::scanning {
 
@@ -27,6 +28,35 @@ public:
     const bool is_body = method != nullptr && promised_by(*method) != nullptr;
     const SourceManager& sources = book_.context().getSourceManager();
     if (is_body || sources.isInMainFile(sources.getFileLoc(function->getLocation()))) book_.want(*function);
+    return true;
+  }
+
+  bool VisitVarDecl(VarDecl* variable) {
+    add_object(variable->getType());
+    return true;
+  }
+
+  bool VisitFieldDecl(FieldDecl* field) {
+    add_object(field->getType());
+    return true;
+  }
+
+  bool VisitCXXConstructExpr(CXXConstructExpr* expr) {
+    if (expr->getConstructionKind() == CXXConstructionKind::Complete) add_object(expr->getType());
+    return true;
+  }
+
+  /// The library's bodies, such as that of `std::make_unique`, may not be read.
+  bool VisitCallExpr(CallExpr* expr) {
+    const FunctionDecl* callee = expr->getDirectCallee();
+    if (callee == nullptr || !is_system(*callee) || callee->getTemplateSpecializationArgs() == nullptr ||
+        !callee->getDeclName().isIdentifier())
+      return true;
+    const llvm::StringRef name = callee->getName();
+    if (!name.starts_with("make_") && !name.starts_with("allocate_") && !name.starts_with("emplace")) return true;
+    for (const TemplateArgument& each : callee->getTemplateSpecializationArgs()->asArray()) {
+      if (each.getKind() == TemplateArgument::Type) add_object(each.getAsType());
+    }
     return true;
   }
 
@@ -88,6 +118,24 @@ public:
   }
 
 private:
+  /// Records the bodies that an object of exactly this type has.
+  void add_object(QualType type) {
+    if (type.isNull() || type->isDependentType()) return;
+    const CXXRecordDecl* record = book_.context().getBaseElementType(type)->getAsCXXRecordDecl();
+    if (record == nullptr || !record->hasDefinition() || record->getDefinition()->isInvalidDecl() ||
+        record->getNumBases() == 0 || !made_.insert(record->getCanonicalDecl()).second)
+      return;
+    record = record->getDefinition();
+    if (record->isDependentContext() || is_system(*record) || interface_of(*record) == nullptr) return;
+    CXXFinalOverriderMap overriders;
+    record->getFinalOverriders(overriders);
+    for (const auto& [method, by_subobject] : overriders) {
+      for (const auto& [subobject, last] : by_subobject) {
+        if (is_called_like_body(*last.front().Method)) book_.runs.insert(key_of(*last.front().Method));
+      }
+    }
+  }
+
   /// Whether only derived classes can have objects, as its constructors are protected.
   static bool is_made_below(const CXXRecordDecl& record) {
     const auto any = [&](AccessSpecifier access) {
@@ -125,6 +173,7 @@ private:
   }
 
   Book& book_;
+  std::set<const CXXRecordDecl*> made_; ///< of which an object was found
 };
 
 } // namespace

@@ -54,6 +54,7 @@ Json read_unit(const Unit& unit, const std::string& space) {
         out.add("functions", Json::list(std::move(book.functions)));
         out.add("classes", Json::list(std::move(book.classes)));
         if (!book.continued.empty()) out.add("continued", Json::texts({book.continued.begin(), book.continued.end()}));
+        if (!book.runs.empty()) out.add("runs", Json::texts({book.runs.begin(), book.runs.end()}));
         if (book.has_templates) out.add("templates", Json::boolean(true));
         out.add("aliases", aliases_of(context, space));
         out.add("paths", book.places().files());

@@ -183,6 +183,7 @@ void add_unit(CodeFacts& code, const Json& unit, CodeFiles& files) {
     if (code.find_class(record.key) == nullptr) code.classes.push_back(std::move(record));
   }
   for (const Json& each : unit["continued"].items()) code.continued.insert(reader.key(each));
+  for (const Json& each : unit["runs"].items()) code.runs.insert(reader.key(each));
   code.has_templates = code.has_templates || unit["templates"].as_boolean();
   const Json& aliases = unit["aliases"];
   for (std::size_t i = 0; i < aliases.keys().size(); ++i)

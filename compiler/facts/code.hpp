@@ -106,6 +106,7 @@ struct CodeFacts {
   std::map<std::string, std::string, std::less<>> aliases; ///< `soccer::Phase` -> `soccer::GamePhase`
   std::vector<GeneratedHeader> headers;
   std::set<std::string, std::less<>> continued; ///< keys of classes from which a class template derives
+  std::set<std::string, std::less<>> runs;      ///< keys of the bodies of modules of which an object is made
   bool has_templates = false;                   ///< a class template implements a module, whatever derives from it
 
   const CodeFunction* find(std::string_view key) const;

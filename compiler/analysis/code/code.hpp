@@ -50,7 +50,8 @@ struct Body {
   BodyOf of;
   const CodeFunction* function = nullptr;
   std::vector<const CodeWord*> words; ///< used of its context, here and below
-  /// ... and by the bodies that override this one: it may be there for these alone, and never run by itself.
+  /// ... and by the bodies that override this one, if no object is made that has this one: it may be there for these
+  /// alone, and never run by itself.
   std::vector<const CodeWord*> possible;
   std::vector<Blocked> blocks; ///< each place once, with a shortest chain to it
   std::vector<Unseen> unseen;

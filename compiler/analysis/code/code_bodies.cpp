@@ -72,9 +72,10 @@ public:
   }
 
   void add_overriding(Body& body) const {
+    body.possible = body.words;
+    if (code_.runs.contains(body.function->key)) return;
     std::vector<const CodeFunction*> overriding;
     add_overriders(body.function->key, overriding);
-    body.possible = body.words;
     for (const CodeFunction* each : overriding) {
       Body other{body.of, each, {}, {}, {}, {}, {}, false, false};
       words_of(other);

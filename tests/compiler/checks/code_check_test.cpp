@@ -26,7 +26,8 @@ struct Seen {
 };
 
 /// `functions`: of one file, in JSON; "BODY" stands for the key, name and context of the body of Walk.
-Seen look(std::string functions, bool errors = false) {
+/// `runs`: keys of bodies of which an object is made, in JSON.
+Seen look(std::string functions, bool errors = false, const std::string& runs = {}) {
   const std::string body =
       R"("key": "walk", "name": "Legs::provide", "at": [0, 0, 1], "context": "x::Walk::Default", "class": "Legs")";
   for (std::size_t at = functions.find("BODY"); at != std::string::npos; at = functions.find("BODY"))
@@ -40,7 +41,7 @@ Seen look(std::string functions, bool errors = false) {
   CodeFiles code_files(files, sources, same_path);
   CodeFacts code;
   const auto unit = parse_json(R"({"paths": ["/legs.cpp"], "errors": )" + std::string(errors ? "[{}]" : "[]") +
-                               R"(, "functions": [)" + functions + "]}");
+                               R"(, "runs": [)" + runs + R"(], "functions": [)" + functions + "]}");
   REQUIRE(unit);
   add_unit(code, *unit, code_files);
   const analysis::CodeInput input = analysis::look_below(checked.model, code);
@@ -89,16 +90,19 @@ TEST_CASE("no finding reports that something never happens if the context leaves
 }
 
 TEST_CASE("what a body never does counts only if those that override it do not do it either") {
-  const auto with = [](const std::string& of_other) {
+  const auto with = [](const std::string& of_other, const std::string& runs = R"("own")") {
     return look(R"({BODY, "does": [)" + requests_leg + R"(]}, {"key": "own", "name": "Own::provide", "at": [0, 1, 2],
                 "context": "x::Walk::Default", "class": "Own", "overrides": ["walk"], )" +
-                of_other + "}")
+                    of_other + "}",
+                false, runs)
         .findings;
   };
   CHECK(with(R"("does": [)" + requests_leg + "]") == arm_is_missing + arm_is_missing);
   CHECK(with(R"("does": [)" + requests_both + "]").empty());
   CHECK(with(R"("does": [], "hidden": [{"what": "a call through a pointer", "at": [0, 1, 2], "carries": true}])")
             .empty());
+  // An object of the class itself is made too.
+  CHECK(with(R"("does": [)" + requests_both + "]", R"("own", "walk")") == arm_is_missing);
 }
 
 TEST_CASE("what nobody can see may use a context that was stored before") {

@@ -168,6 +168,27 @@ TEST_CASE("a test double with the name of a class does not hide what the class d
   }
 }
 
+TEST_CASE("a test double that derives from a class does not hide what the class does, if an object of it is made") {
+  const Workshop work = workshop("derived");
+  std::string header = wheels("#pragma once\n#include <memory>\n" + included);
+  header.erase(header.find(" final"), 6);
+  work.write("wheels.hpp", header);
+  work.write("robot.cpp", "#include \"wheels.hpp\"\n");
+  work.write("test.cpp", "#include \"wheels.hpp\"\n#include <functional>\nclass Mock : public MyWheels {\npublic:\n"
+                         "  std::function<director::Outcome(cart::Drive::Default&)> on;\n"
+                         "  director::Outcome provide(cart::Drive::Default& run) override { return on(run); }\n};\n"
+                         "Mock mock;\n");
+  work.write_commands({work.path("robot.cpp"), work.path("test.cpp")}, flags(work));
+  CHECK(messages(verified(work).out).empty()); // only the double may run
+  for (const char* object : {"MyWheels own;\n", "const auto own = std::make_unique<MyWheels>();\n",
+                             "struct Robot {\n  MyWheels own[2];\n};\n", "void go() { new MyWheels; }\n",
+                             "class Quiet final : public MyWheels {};\nQuiet own;\n"}) {
+    INFO(object);
+    work.write("robot.cpp", std::string("#include \"wheels.hpp\"\n") + object);
+    CHECK(messages(verified(work).out) == std::vector<std::string>{found});
+  }
+}
+
 TEST_CASE("a source that gets the generated header beside it, or by a path, is read") {
   const Workshop work = workshop("beside");
   const std::vector<std::string> without{"-std=c++20", "-I" + work.path(), "-I" + source_folder()};
