@@ -408,6 +408,12 @@ private:
     return record == nullptr ? std::string{} : name_of(*record);
   }
 
+  /// One without `auto`: it is read where it is written.
+  static bool is_plain_lambda(const Expr& value) {
+    const CXXRecordDecl* record = bare(value.getType())->getAsCXXRecordDecl();
+    return record != nullptr && record->isLambda() && !record->isGenericLambda();
+  }
+
   void system_call(const CallExpr& expr, const FunctionDecl& callee, SourceLocation at, bool carries) {
     const std::string name = name_of(callee);
     const auto* method = llvm::dyn_cast<CXXMethodDecl>(&callee);
@@ -415,12 +421,35 @@ private:
     if (name == "std::function::operator()" || name == "std::move_only_function::operator()")
       hide("a call of a `" + name.substr(0, name.rfind(':') - 1) + "`", at, at, false, true);
     if (carries) {
-      static const std::set<std::string> passes_on{"std::forward",   "std::move",     "std::ref", "std::cref",
-                                                   "std::addressof", "std::as_const", "std::tie", "std::get"};
+      static const std::set<std::string> passes_on{"std::forward",
+                                                   "std::move",
+                                                   "std::ref",
+                                                   "std::cref",
+                                                   "std::addressof",
+                                                   "std::as_const",
+                                                   "std::tie",
+                                                   "std::get",
+                                                   "std::get_if",
+                                                   "std::holds_alternative",
+                                                   "std::size",
+                                                   "std::ssize",
+                                                   "std::begin",
+                                                   "std::end",
+                                                   "std::data",
+                                                   "std::empty",
+                                                   "std::make_tuple",
+                                                   "std::make_pair",
+                                                   "std::forward_as_tuple",
+                                                   "std::tuple_cat",
+                                                   "std::operator==",
+                                                   "std::operator!="};
+      const bool only_applies =
+          (name == "std::apply" || name == "std::invoke") && expr.getNumArgs() > 0 && is_plain_lambda(*expr.getArg(0));
       const bool only_lambdas = std::none_of(expr.arg_begin(), expr.arg_end(), [&](const Expr* argument) {
         return book_.carriers().has_outside_of_lambdas(*argument);
       });
-      if (passes_on.count(name) == 0 && !only_lambdas) hide("what `" + name + "` does with it", at, at, true);
+      if (passes_on.count(name) == 0 && !only_lambdas && !only_applies)
+        hide("what `" + name + "` does with it", at, at, true);
     }
     // What runs a lambda is found in its definition, but these do so through a pointer.
     if (name != "std::visit" && name != "std::call_once") return;

@@ -124,6 +124,11 @@ const Shape promises[] = {
      "struct Way { virtual ~Way() = default; virtual Outcome act(Run& run) { return run.keep(); } }; "
      "struct Bold final : Way { Outcome act(Run& run) override { run.set(S::on); return ask(run); } };",
      "Bold bold; return static_cast<Way&>(bold).act(run);"},
+    {"AppliedTuple", "",
+     "return std::apply([](Run& r, int) { r.set(S::on); return ask(r); }, std::tuple<Run&, int>{run, mode_});"},
+    {"ChosenVariant", "",
+     "std::variant<int, Run*> way{&run}; if (!std::holds_alternative<Run*>(way)) return run.keep(); "
+     "Run* const* const r = std::get_if<Run*>(&way); (*r)->set(S::on); return ask(**r);"},
     {"HeldDeleter", "struct Last { void operator()(Run* run) const { run->set(S::on); } };",
      "const std::unique_ptr<Run, Last> last(&run); return ask(run);"},
     {"ReferredDeleter", "struct Last { void operator()(Run* run) const { run->set(S::on); } };",
