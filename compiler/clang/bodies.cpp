@@ -330,6 +330,9 @@ private:
     const auto* special = llvm::dyn_cast<ClassTemplateSpecializationDecl>(&record);
     if (special == nullptr) return;
     const std::string name = name_of(record);
+    static const std::set<std::string> destroys_nothing{"std::weak_ptr",    "std::allocator",   "std::lock_guard",
+                                                        "std::unique_lock", "std::scoped_lock", "std::shared_lock"};
+    if (destroys_nothing.count(name) != 0) return;
     const bool is_unique = name == "std::unique_ptr";
     const auto destroy_each = [&](llvm::ArrayRef<TemplateArgument> arguments, const auto& self) -> void {
       for (const TemplateArgument& each : arguments) {

@@ -346,6 +346,8 @@ const Shape never[] = {
     {"DeadAnd", "inline bool put(Run& run) { run.set(S::on); return true; }",
      "if (false && put(run)) return run.keep(); return ask(run);"},
     {"DeadValue", "", "run.try_set(sizeof(char) == 2 ? S::on : S::off); return ask(run);"},
+    {"HeldWeakly", "struct Last { Run& run; ~Last() { run.set(S::on); } };",
+     "const std::weak_ptr<Last> last; return ask(run);"},
     {"DeadRequires", "", "if constexpr (requires { run.set(S::on); }) return ask(run); return run.keep();"},
     {"BehindReturn", "", "return ask(run); run.set(S::on);"},
     {"BehindLoop", "", "for (;;) { if (mode_ > 3) return ask(run); } run.set(S::on);"},
@@ -370,7 +372,7 @@ TEST_CASE("what the text of a body rules out is not counted") {
   }
   program.yaml =
       "behaviour: deep\nlanguage: 1\nstates:\n" + states + "roots: [Leg]\ngroups:\n  Leg: {module: legs}\n" + groups;
-  program.source = "#include \"deep.hpp\"\n#include <cstdlib>\nusing director::Outcome;\n"
+  program.source = "#include \"deep.hpp\"\n#include <cstdlib>\n#include <memory>\nusing director::Outcome;\n"
                    "template <class R> Outcome ask(R& run) { return run.request(deep::Leg{}); }\n" +
                    program.source + "class MyRobot final : public deep::Robot {\nint mode_ = 0;\n" + bodies +
                    "};\nclass MyLegs final : public deep::Legs { Outcome provide(deep::Leg::Default& run) override { "
