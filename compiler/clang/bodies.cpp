@@ -36,6 +36,9 @@ public:
   bool TraverseCXXRecordDecl(CXXRecordDecl*) { return true; }
   bool TraverseRequiresExpr(RequiresExpr*) { return true; }
   bool TraverseConceptSpecializationExpr(ConceptSpecializationExpr*) { return true; }
+  bool TraverseGenericSelectionExpr(GenericSelectionExpr* choice, DataRecursionQueue* = nullptr) {
+    return choice->isResultDependent() || TraverseStmt(choice->getResultExpr());
+  }
   bool TraverseCXXTypeidExpr(CXXTypeidExpr* expr) {
     return !expr->isPotentiallyEvaluated() || RecursiveASTVisitor::TraverseCXXTypeidExpr(expr);
   }

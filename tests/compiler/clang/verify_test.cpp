@@ -393,7 +393,7 @@ TEST_CASE("what a driver in C does is followed") {
                       "#ifdef __cplusplus\n}\n#endif\n");
   work.write("hal.c", "#include \"hal.h\"\n#include <stdlib.h>\n#include <unistd.h>\n"
                       "void hal_delay(int ms) {\n  int* class = malloc(sizeof *class);\n  usleep(ms);\n"
-                      "  free(class);\n}\n");
+                      "  free(class);\n  (void)_Generic(ms, double: sleep(3), default: 0U);\n}\n");
   work.write("body.cpp", included + "#include \"hal.h\"\nclass MyWheels final : public cart::Wheels {\n"
                                     "  director::Outcome provide(cart::Drive::Default& run) override {\n"
                                     "    hal_delay(3);\n    return run.done();\n  }\n};\n");
