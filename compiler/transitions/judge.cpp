@@ -31,9 +31,9 @@ void Judge::judge(const Beginning& row, const Beginning& column, const Play& now
   } else if (all.empty()) {
     out.kind = Kind::both;
   } else {
-    out.kind = pushed_first(row, now.trial) ? Kind::soft : Kind::hard;
+    out.kind = pushed_first(row, column, now.trial) ? Kind::soft : Kind::hard;
     find_takers(column, now.trial.rest, all, context);
-    if (out.kind == Kind::hard) find_pushed_takers(row, column, now.trial, context);
+    if (out.kind == Kind::hard) find_pushed_takers(row, column, now.trial, all, context);
     context.runs_at_once = runs_before(now.trial, row, column);
   }
   if (out.kind != Kind::soft) return;
@@ -48,9 +48,9 @@ bool Judge::pushes(const Event& event, const Beginning& row) const {
          !row.rest.is_under(model_, model_.edges[EdgeId{event.edge}].target, row.way.last().edge);
 }
 
-/// Whether nothing was taken from the row's side before the first push, nor with it, other than what is pushed: that
-/// may get another requester at once, and goes on.
-bool Judge::pushed_first(const Beginning& row, const Trial& trial) const {
+/// Whether nothing was taken from the row's side before the first push, nor with it, other than what is pushed or is
+/// requested on the column's chain too: that may get another requester at once, and goes on.
+bool Judge::pushed_first(const Beginning& row, const Beginning& column, const Trial& trial) const {
   const EdgeId edge = row.way.last().edge;
   std::uint64_t first = std::numeric_limits<std::uint64_t>::max();
   std::vector<Index> pushed;
@@ -59,10 +59,17 @@ bool Judge::pushed_first(const Beginning& row, const Trial& trial) const {
     first = event.micro_step;
     pushed.push_back(event.group);
   }
+  const auto is_handed_over = [&](const Event& event) {
+    if (event.kind != Event::Kind::grant || event.edge >= model_.edges.size()) return false;
+    const Edge& by = model_.edges[EdgeId{event.edge}];
+    return by.requester && !by.levels.empty() && column.way.passes(*by.requester);
+  };
   const bool any_taken = std::any_of(trial.events.begin(), trial.events.end(), [&](const Event& event) {
     const bool takes = event.kind == Event::Kind::lose || event.kind == Event::Kind::stop ||
                        (event.kind == Event::Kind::grant && event.other != nil && event.other != event.edge);
-    if (!takes || event.micro_step > first || !row.rest.is_under(model_, GroupId{event.group}, edge)) return false;
+    if (!takes || is_handed_over(event) || event.micro_step > first ||
+        !row.rest.is_under(model_, GroupId{event.group}, edge))
+      return false;
     return event.micro_step < first || std::find(pushed.begin(), pushed.end(), event.group) == pushed.end();
   });
   return !pushed.empty() && !any_taken;
@@ -108,10 +115,18 @@ void Judge::find_takers(const Beginning& column, const Rest& rest, const std::ve
 }
 
 void Judge::find_pushed_takers(const Beginning& row, const Beginning& column, const Trial& trial,
-                               CellContext& context) const {
+                               const std::vector<GroupId>& lost, CellContext& context) const {
   const auto first =
       std::find_if(trial.events.begin(), trial.events.end(), [&](const Event& event) { return pushes(event, row); });
   if (first == trial.events.end()) return;
+  // Whether it is what the row lost, or may hold that.
+  const auto takes = [&](GroupId group) {
+    const std::vector<EdgeId>& edges = model_.groups[group].edges;
+    return std::any_of(lost.begin(), lost.end(), [&](GroupId each) {
+      return each == group ||
+             std::any_of(edges.begin(), edges.end(), [&](EdgeId id) { return model_.edges[id].target == each; });
+    });
+  };
   std::vector<GroupId> takers;
   for (const Event& event : trial.events) {
     if (event.micro_step != first->micro_step || event.kind != Event::Kind::grant || event.edge >= model_.edges.size())
@@ -122,7 +137,8 @@ void Judge::find_pushed_takers(const Beginning& row, const Beginning& column, co
     const bool is_pushed = std::any_of(trial.events.begin(), trial.events.end(), [&](const Event& each) {
       return pushes(each, row) && each.micro_step == first->micro_step && each.group == event.group;
     });
-    if (is_pushed && requester && column.way.passes(*requester) && !column.way.passes(group)) takers.push_back(group);
+    if (is_pushed && takes(group) && requester && column.way.passes(*requester) && !column.way.passes(group))
+      takers.push_back(group);
   }
   if (takers.empty()) return;
   context.takers = std::move(takers);

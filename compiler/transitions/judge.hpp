@@ -23,7 +23,7 @@ public:
 
 private:
   bool pushes(const Event& event, const Beginning& row) const;
-  bool pushed_first(const Beginning& row, const Trial& trial) const;
+  bool pushed_first(const Beginning& row, const Beginning& column, const Trial& trial) const;
   bool runs_before(const Trial& trial, const Beginning& row, const Beginning& column) const;
 
   /// Finds what was requested with the column and has what the row lost; nothing if the column has some of it.
@@ -32,7 +32,7 @@ private:
 
   /// Finds what was requested with the column and pushed, and got with the push what the row has.
   void find_pushed_takers(const Beginning& row, const Beginning& column, const Trial& trial,
-                          CellContext& context) const;
+                          const std::vector<GroupId>& lost, CellContext& context) const;
 
   const Model& model_;
   const Lowered& lowered_;

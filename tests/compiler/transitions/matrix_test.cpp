@@ -373,6 +373,29 @@ groups:
   CHECK(words(keeper("packs: {idle: {}, go: {Clear: {priority: 20}, Walk: {apart: true}}}"), "Walk", "Clear") == soft);
 }
 
+TEST_CASE("soft: what the first one runs for is requested with the second one too, and runs on") {
+  const char* const text = R"(states: {Stability: {values: [moving, standing], initial: moving}}
+roots: {Gaze: {priority: 5}, Game: {priority: 10}}
+groups:
+  Game: {packs: {go: {Kick: {priority: 5}, Walk: {apart: true}, LookAt: {apart: true}}}}
+  Gaze: {tasks: [LookAt]}
+  LookAt: {needs: [Head], tasks: [Head]}
+  Kick: {when: [Stability == standing], needs: [Legs], tasks: [Legs]}
+  Walk:
+    providers:
+      - {name: walking, needs: [Legs], sets: [Stability == moving], tasks: [Legs]}
+      - {name: halting, needs: [Legs], causing: [Stability == standing within 2 s], tasks: [Legs]}
+  Legs: {}
+  Head: {}
+)";
+  for (const char* const first : {"LookAt", "Gaze"}) {
+    CHECK(
+        words(text, first, "Kick") ==
+        "soft: Kick waits. Walk is pushed to halting for Stability == standing, within 2 s. Then Game, which leads to "
+        "Kick, takes over. LookAt and Head run on, but not for Gaze any more.");
+  }
+}
+
 TEST_CASE("hard: the values let the requester request both, and the second one takes what is below the first one") {
   CHECK(words(R"(states: {Ball: {values: [far, near], initial: far, external: true}}
 roots: [Keep]
