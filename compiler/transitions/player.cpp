@@ -38,13 +38,40 @@ std::vector<GroupId> Player::lost(const Beginning& row, const Rest& rest) const 
 bool Player::ends_by(const Beginning& row, const Beginning& column, const Values& change,
                      const std::vector<GroupId>& all) const {
   if (change.empty()) return false;
+  // What the values let run on the way to the column answers as in the play of both.
+  if (!ends_with(row, column, column.way, change, all)) return false;
+  // Where it may go on requesting the row's task instead, its body ends that, and not the values.
+  const std::optional<Way> kept = way_on(row.way, column.way);
+  return !kept || ends_with(row, column, *kept, change, all);
+}
+
+std::optional<Way> Player::way_on(const Way& row, const Way& column) const {
+  for (std::size_t i = 0; i < std::min(row.links.size(), column.links.size()); ++i) {
+    const Link &first = row.links[i], &second = column.links[i];
+    if (row.group(i) != column.group(i)) return {};
+    if (first.provider == second.provider) continue;
+    const std::vector<Pack>& packs = model_.providers[second.provider].packs;
+    for (std::size_t pack = 0; pack < packs.size(); ++pack) {
+      for (const Task& task : packs[pack].tasks) {
+        if (task.edge != first.next->edge) continue;
+        Way out = row;
+        out.links[i] = {second.provider, pack, &task};
+        return out;
+      }
+    }
+    return {};
+  }
+  return {};
+}
+
+bool Player::ends_with(const Beginning& row, const Beginning& column, const Way& then, const Values& change,
+                       const std::vector<GroupId>& all) const {
   const std::string steps = beginning(row.way, row.outside) + settings_step(model_, change);
   // A promise that undid the values would hide what they end.
   const Until until{row.runs, change};
   Script script = script_of(model_, row.way, until);
-  // What the values let run on the way to the column answers as in the play of both.
-  const Script both = script_of(model_, row.way, column.way, until);
-  for (const Link& link : column.way.links) {
+  const Script both = script_of(model_, row.way, then, until);
+  for (const Link& link : then.links) {
     const auto same = [&](const Link& each) { return each.provider == link.provider; };
     if (std::none_of(row.way.links.begin(), row.way.links.end(), same)) script[link.provider] = both.at(link.provider);
   }

@@ -5,6 +5,7 @@
 #include "compiler/transitions/matrix.hpp"
 #include "compiler/transitions/trial.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,13 @@ public:
   std::size_t work() const { return work_; }
 
 private:
+  /// Whether the values end it where what they let run on `then` answers as on that way.
+  bool ends_with(const Beginning& row, const Beginning& column, const Way& then, const Values& change,
+                 const std::vector<GroupId>& all) const;
+
+  /// The row's way by the column's provider where they part, if that may request the row's task.
+  std::optional<Way> way_on(const Way& row, const Way& column) const;
+
   /// Whether the row's task, or if that runs on, something that it lost, is still requested but others hold what it
   /// needs.
   bool is_blocked(const Beginning& row, const Rest& rest, const std::vector<GroupId>& all) const;

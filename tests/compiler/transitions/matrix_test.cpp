@@ -449,6 +449,25 @@ groups:
                                   "Walk any more. The outside says Ball == near.");
 }
 
+TEST_CASE("replaced: the provider that the outside brings about may go on requesting the first one") {
+  for (const char* const packs : {"hold: {Walk: {}}, clear: {Clear: {}}", "clear: {Clear: {}}, hold: {Walk: {}}"}) {
+    CHECK(words(R"(states: {Ball: {values: [far, near], initial: far, external: true}}
+roots: [Keep]
+groups:
+  Keep:
+    providers:
+      - {name: placing, when: [Ball == far], tasks: [Walk]}
+      - {name: near, when: [Ball == near], packs: {)" +
+                    std::string(packs) + R"(}}
+  Clear: {needs: [Legs], tasks: [Legs]}
+  Walk: {needs: [Legs], tasks: [Legs]}
+  Legs: {}
+)",
+                "Walk", "Clear") == "replaced: Keep requests Clear instead of Walk. Walk stops. Legs runs on, but not "
+                                    "for Walk any more. The outside says Ball == near.");
+  }
+}
+
 TEST_CASE("condition lost: a promise that would undo the values from outside does not hide that") {
   CHECK(words(R"(states: {Stability: {values: [fallen, moving, standing], initial: standing, external: true}}
 roots: {Recover: {priority: 90}, Play: {priority: 10}}
