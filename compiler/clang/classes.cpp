@@ -82,7 +82,8 @@ public:
     for (const auto& [method, by_subobject] : overriders) {
       for (const auto& [subobject, last] : by_subobject) {
         const CXXMethodDecl* final_one = last.front().Method;
-        is_base = is_base || (final_one->isPureVirtual() && !is_called_like_body(*final_one));
+        is_base = is_base ||
+                  (final_one->isPureVirtual() && !is_called_like_body(*final_one) && !record->isEffectivelyFinal());
         if (final_one->isPureVirtual() && is_called_like_body(*final_one) &&
             (is_interface(*final_one->getParent()) || promised_by(*final_one) != nullptr))
           missing.add(Json::text(parameter_context(*final_one)));
@@ -143,7 +144,12 @@ private:
         return !each->isCopyOrMoveConstructor() && each->getAccess() == access;
       });
     };
-    return !record.isEffectivelyFinal() && any(AS_protected) && !any(AS_public);
+    const bool has_public_template = std::any_of(record.decls_begin(), record.decls_end(), [](const Decl* each) {
+      const auto* many = llvm::dyn_cast<FunctionTemplateDecl>(each);
+      return many != nullptr && llvm::isa<CXXConstructorDecl>(many->getTemplatedDecl()) &&
+             many->getAccess() == AS_public;
+    });
+    return !record.isEffectivelyFinal() && any(AS_protected) && !any(AS_public) && !has_public_template;
   }
 
   static bool has_body(const CXXRecordDecl& record) {

@@ -189,6 +189,23 @@ TEST_CASE("a test double that derives from a class does not hide what the class 
   }
 }
 
+TEST_CASE("a class of which objects are made, or from which nobody derives, lacks the bodies that it leaves out") {
+  const Workshop work = workshop("lacking");
+  const std::string drive = "public:\n  director::Outcome provide(cart::Drive::Default& run) override { return "
+                            "run.request(cart::Wheel{}); }\n";
+  for (const std::string& text : {"struct Other { virtual ~Other() = default; virtual int speed() const = 0; };\n"
+                                  "class Mine final : public cart::Wheels, public Other {\n" +
+                                      drive + "};\n",
+                                  "class Mine : public cart::Wheels {\n" + drive +
+                                      "  template <class T> explicit Mine(T) {}\nprotected:\n"
+                                      "  Mine() = default;\n};\n"}) {
+    INFO(text);
+    work.write("a.cpp", included + text);
+    work.write_commands({work.path("a.cpp")}, flags(work));
+    CHECK(messages(verified(work).out) == std::vector<std::string>{"`Mine` has no body for `Wheel`"});
+  }
+}
+
 TEST_CASE("a source that gets the generated header beside it, or by a path, is read") {
   const Workshop work = workshop("beside");
   const std::vector<std::string> without{"-std=c++20", "-I" + work.path(), "-I" + source_folder()};
