@@ -199,6 +199,7 @@ public:
     for (const Stmt* part : coroutine->childrenExclBody()) {
       if (part != coroutine->getDeallocate()) go_into(part, coroutine->getBeginLoc());
     }
+    if (const VarDecl* promise = coroutine->getPromiseDecl()) destroy(promise->getType(), coroutine->getBeginLoc());
     return true;
   }
   bool VisitCXXForRangeStmt(CXXForRangeStmt* loop) {

@@ -158,6 +158,12 @@ const Shape promises[] = {
      "r) : "
      "run(r) {} Outcome act() { steps += next(); run.set(S::on); return ask(run); } }; int unrelated();",
      "Bold bold(run); bold.steps = unrelated(); return bold.act();"},
+    {"CoroutineEnd",
+     "struct Last { struct promise_type { Run& run; explicit promise_type(Run& r) : run(r) {} "
+     "~promise_type() { run.set(S::on); } Last get_return_object() { return {}; } "
+     "std::suspend_never initial_suspend() { return {}; } std::suspend_never final_suspend() noexcept { return {}; } "
+     "void return_void() {} void unhandled_exception() {} }; }; inline Last go(Run&) { co_return; }",
+     "go(run); return ask(run);"},
     {"Coroutine", "inline Steps go(Run& run) { run.set(S::on); co_return; }", "go(run).next(); return ask(run);"},
     {"CoroutineYields", "inline Steps go(Run& run) { co_yield 3; run.set(S::on); }",
      "go(run).next(); return ask(run);"},
