@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsl/data.hpp"
 
+#include "dsl/lexical/characters.hpp"
 #include "dsl/lexical/numbers.hpp"
 
 #include <fmt/format.h>
@@ -13,10 +14,22 @@ namespace director::dsl {
 
 namespace {
 
-/// Whether the text without quotes would be read as data of another kind.
+/// Whether the text without quotes would be read as another text, also within brackets, or as data of another kind.
 bool needs_quotes(std::string_view text) {
+  const auto has = [&](std::string_view part) { return text.find(part) != std::string_view::npos; };
+  if (text != trimmed(text) || text.find_first_of("[]{},") != std::string_view::npos || has(": ") || has(" #"))
+    return true;
+  if (text.ends_with(':') || text == "-" || text.starts_with("- ") || text.starts_with("? ")) return true;
+  if (text.find_first_of("#&*!|>'\"%@`") == 0) return true;
   return text.empty() || text == "true" || text == "false" || text == "null" || text == "~" || integer_of_yaml(text) ||
          real_of_yaml(text);
+}
+
+/// In quotes, where one of the text is written twice.
+std::string quoted(std::string_view text) {
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? "''" : std::string(1, c);
+  return out + "'";
 }
 
 } // namespace
@@ -38,7 +51,7 @@ std::string to_text(const Data& data) {
     parts.push_back((data.kind == Data::Kind::mapping ? data.keys[i] + ": " : "") + to_text(data.items[i]));
   if (data.kind == Data::Kind::list) return fmt::format("[{}]", fmt::join(parts, ", "));
   if (data.kind == Data::Kind::mapping) return fmt::format("{{{}}}", fmt::join(parts, ", "));
-  if (data.kind == Data::Kind::text && needs_quotes(data.text)) return fmt::format("'{}'", data.text);
+  if (data.kind == Data::Kind::text && needs_quotes(data.text)) return quoted(data.text);
   return data.text;
 }
 

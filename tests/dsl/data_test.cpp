@@ -26,7 +26,12 @@ TEST_CASE("A text that would be read as something else is printed in quotes") {
     CAPTURE(text);
     CHECK(to_text(scalar(Data::Kind::text, text)) == "'" + std::string(text) + "'");
   }
-  for (const char* text : {"left", "2024-01-01", "3 s", "True", "0x"}) {
+  for (const char* text : {"[a]", "x: y", "a, b", " a", "a ", "a #b", "- a", "-", "a:", "{", "#a", "&a", "\"a\""}) {
+    CAPTURE(text);
+    CHECK(to_text(scalar(Data::Kind::text, text)) == "'" + std::string(text) + "'");
+  }
+  CHECK(to_text(scalar(Data::Kind::text, "'a'")) == "'''a'''");
+  for (const char* text : {"left", "2024-01-01", "3 s", "True", "0x", "a-b", "a:b", "a#b", "it's"}) {
     CAPTURE(text);
     CHECK(to_text(scalar(Data::Kind::text, text)) == text);
   }
