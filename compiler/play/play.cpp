@@ -76,11 +76,21 @@ public:
     if (!exhausted_ || too_many_stops_) return out;
     const auto [groups, after_done] = recorder_.latest();
     for (const GroupId group : groups) out.round.push_back(model_.groups[group].name.value);
-    if (after_done) out.after_done = model_.groups[*after_done].name.value;
+    if (after_done && !answers_done(*after_done)) out.after_done = model_.groups[*after_done].name.value;
     return out;
   }
 
 private:
+  /// Whether the script says what a provider of the group answers when a task of it is done.
+  bool answers_done(GroupId group) const {
+    const std::vector<ProviderId>& providers = model_.groups[group].providers;
+    return std::any_of(providers.begin(), providers.end(), [&](ProviderId id) {
+      const Body& body = scenario_.bodies[id];
+      return std::any_of(body.begin(), body.end(),
+                         [](const Case& each) { return each.reason == dsl::Reason::subtask_done; });
+    });
+  }
+
   /// False: the scenario ends here.
   bool run_engine() {
     switch (onlooker_ == nullptr ? engine_.step(now_) : step_by_step()) {

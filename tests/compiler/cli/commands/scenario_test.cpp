@@ -118,6 +118,11 @@ TEST_CASE("a step that is not played, because the engine does not come to rest b
   CHECK(world.directorc({"simulate", "b.scenario.yaml"}) == 1);
   CHECK(world.out.ends_with("\nbudget_exhausted\n"));
   CHECK(world.err == ends);
+  world.files.add("c.scenario.yaml", "behaviour: busy.yaml\nsteps: [request: Busy]\nscript:\n  Part: {done: true}\n"
+                                     "  Busy: [{reason: subtask_done, tasks: [Part]}, {tasks: [Part]}]\n");
+  CHECK(world.directorc({"simulate", "c.scenario.yaml"}) == 1);
+  CHECK(world.err == "directorc: `c.scenario.yaml` ends in step 1: the engine does not come to rest: Busy, Part run "
+                     "again and again\n");
   CHECK(world.directorc({"why", "b.scenario.yaml", "Busy", "--step", "2"}) == 1);
   CHECK(world.out.empty());
   CHECK(world.err == ends);
