@@ -3,6 +3,7 @@
 #include "compiler/clang/blocking.hpp"
 #include "compiler/clang/book.hpp"
 #include "compiler/clang/contexts.hpp"
+#include "compiler/clang/endings.hpp"
 #include "compiler/clang/live.hpp"
 #include "compiler/clang/values.hpp"
 #include "compiler/stubs/layout.hpp"
@@ -301,70 +302,17 @@ private:
 
   /// Reads the user's functions that run when such an object is destroyed. `by_pointer`: or one of a class below.
   void destroy(QualType type, SourceLocation at, bool by_pointer = false) {
-    if (type->isReferenceType() || type->isDependentType()) return;
-    const CXXRecordDecl* record = book_.context().getBaseElementType(type)->getAsCXXRecordDecl();
-    if (by_pointer) destroy_below(record, book_.carriers().has(type), at);
-    std::set<const CXXRecordDecl*> outer = std::exchange(destroyed_, {});
-    destroy(record, book_.carriers().has(type), at);
-    destroyed_ = std::move(outer);
-  }
-  /// ... those of the classes below, if its destructor is virtual.
-  void destroy_below(const CXXRecordDecl* record, bool carries, SourceLocation at) {
-    if (record == nullptr || !record->hasDefinition() || is_system(*record) || is_directors(*record)) return;
-    const CXXDestructorDecl* own = record->getDestructor();
-    if (own != nullptr && own->isVirtual() && !record->isEffectivelyFinal()) call(*own, at, at, carries, false, true);
-  }
-  void destroy(const CXXRecordDecl* record, bool carries, SourceLocation at) {
-    if (record == nullptr || !record->hasDefinition() || record->hasTrivialDestructor()) return;
-    if (is_directors(*record) || !destroyed_.insert(record).second) return;
-    const CXXDestructorDecl* own = record->getDestructor();
-    if (is_system(*record)) {
-      if (own != nullptr) reach(*own, at, false, true);
-      if (!book_.is_deep()) destroy_held(*record, carries, at);
-      return;
-    }
-    if (own != nullptr && own->isUserProvided()) call(*own, at, at, carries, false, false);
-    for (const FieldDecl* field : record->fields())
-      destroy(book_.context().getBaseElementType(field->getType())->getAsCXXRecordDecl(), carries, at);
-    for (const CXXBaseSpecifier& base : record->bases()) destroy(base.getType()->getAsCXXRecordDecl(), carries, at);
-  }
-
-  /// Where the library's definitions are not read: what an object of it may hold, such as a `std::unique_ptr<Guard>`.
-  void destroy_held(const CXXRecordDecl& record, bool carries, SourceLocation at) {
-    const auto* special = llvm::dyn_cast<ClassTemplateSpecializationDecl>(&record);
-    if (special == nullptr) return;
-    const std::string name = name_of(record);
-    static const std::set<std::string> destroys_nothing{"std::weak_ptr",    "std::allocator",   "std::lock_guard",
-                                                        "std::unique_lock", "std::scoped_lock", "std::shared_lock"};
-    if (destroys_nothing.count(name) != 0) return;
-    const bool is_unique = name == "std::unique_ptr";
-    const auto destroy_each = [&](llvm::ArrayRef<TemplateArgument> arguments, const auto& self) -> void {
-      for (const TemplateArgument& each : arguments) {
-        if (each.getKind() == TemplateArgument::Pack) self(each.pack_elements(), self);
-        if (each.getKind() != TemplateArgument::Type) continue;
-        const CXXRecordDecl* held = book_.context().getBaseElementType(each.getAsType())->getAsCXXRecordDecl();
-        const bool is_first = &each == arguments.begin();
-        if (is_first && (is_unique || name == "std::shared_ptr")) destroy_below(held, carries, at);
-        destroy(held, carries, at);
-        if (!is_first && is_unique)
-          delete_by(each.getAsType().getNonReferenceType()->getAsCXXRecordDecl(), carries, at);
+    const bool carries = book_.carriers().has(type);
+    for (const Ending& each : endings_of(book_.context(), type, by_pointer, !book_.is_deep())) {
+      switch (each.kind) {
+      case Ending::Kind::own:
+      case Ending::Kind::virtual_:
+        call(*each.function, at, at, carries, false, each.kind == Ending::Kind::virtual_);
+        break;
+      case Ending::Kind::library: reach(*each.function, at, false, true); break;
+      case Ending::Kind::unread: hide("a deleter that is a template", at, at, carries); break;
       }
-    };
-    destroy_each(special->getTemplateArgs().asArray(), destroy_each);
-  }
-
-  /// Reads what the deleter of a `std::unique_ptr` does.
-  void delete_by(const CXXRecordDecl* deleter, bool carries, SourceLocation at) {
-    if (deleter == nullptr || !deleter->hasDefinition() || is_system(*deleter)) return;
-    const auto is_call = [](const FunctionDecl& each) { return each.getOverloadedOperator() == OO_Call; };
-    for (const Decl* each : deleter->decls()) {
-      const auto* method = llvm::dyn_cast<CXXMethodDecl>(each);
-      const auto* many = llvm::dyn_cast<FunctionTemplateDecl>(each);
-      if (method != nullptr && is_call(*method)) call(*method, at, at, carries, false, false);
-      // The library's code that instantiates it is not read.
-      if (many != nullptr && is_call(*many->getTemplatedDecl())) hide("a deleter that is a template", at, at, carries);
     }
-    for (const CXXBaseSpecifier& base : deleter->bases()) delete_by(base.getType()->getAsCXXRecordDecl(), carries, at);
   }
 
   /// Records a use of a context. True: it is one, and nothing else.
@@ -540,8 +488,6 @@ private:
   std::set<const Expr*> callees_;
   std::set<const Expr*> given_; ///< to calls, and what is between that and a cast
   std::set<const LambdaExpr*> run_at_once_;
-  std::set<const CXXRecordDecl*>
-      destroyed_;       ///< classes that were read of the object being destroyed: a tree has its own
   SourceLocation here_; ///< while something is read that is written elsewhere: where it runs
   int inside_ = 0;
 };
