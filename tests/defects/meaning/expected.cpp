@@ -22,7 +22,7 @@ const Kinds refused_checks{"bad_condition",    "bad_header",           "bad_type
 const std::map<std::string, Kinds> by_check{
     {"always_true_when", {"condition_loosened"}},
     {"causer_goes_first", {"priority"}},
-    {"causer_not_running", {"became_dead"}},
+    {"causer_not_running", {"finding_new"}},
     {"contradictory_when", {"condition_tightened"}},
     {"foreign_set", {"sets", "handler", "promise"}},
     {"hard_hand_over", {"request_removed"}},
