@@ -3,7 +3,6 @@
 #include "compiler/transitions/judge.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 namespace director::compiler::transitions {
@@ -48,17 +47,21 @@ bool Judge::pushes(const Event& event, const Beginning& row) const {
          !row.rest.is_under(model_, model_.edges[EdgeId{event.edge}].target, row.way.last().edge);
 }
 
+Judge::Pushed Judge::first_pushes(const Beginning& row, const Trial& trial) const {
+  Pushed out;
+  for (const Event& event : trial.events) {
+    if (!pushes(event, row) || event.micro_step > out.micro_step) continue;
+    out.micro_step = event.micro_step;
+    out.groups.insert(event.group);
+  }
+  return out;
+}
+
 /// Whether nothing was taken from the row's side before the first push, nor with it, other than what is pushed or is
 /// requested on the column's chain too: that may get another requester at once, and goes on.
 bool Judge::pushed_first(const Beginning& row, const Beginning& column, const Trial& trial) const {
   const EdgeId edge = row.way.last().edge;
-  std::uint64_t first = std::numeric_limits<std::uint64_t>::max();
-  std::vector<Index> pushed;
-  for (const Event& event : trial.events) {
-    if (!pushes(event, row) || event.micro_step > first) continue;
-    first = event.micro_step;
-    pushed.push_back(event.group);
-  }
+  const auto [first, pushed] = first_pushes(row, trial);
   const auto is_handed_over = [&](const Event& event) {
     if (event.kind != Event::Kind::grant || event.edge >= model_.edges.size()) return false;
     const Edge& by = model_.edges[EdgeId{event.edge}];
@@ -70,19 +73,18 @@ bool Judge::pushed_first(const Beginning& row, const Beginning& column, const Tr
     if (!takes || is_handed_over(event) || event.micro_step > first ||
         !row.rest.is_under(model_, GroupId{event.group}, edge))
       return false;
-    return event.micro_step < first || std::find(pushed.begin(), pushed.end(), event.group) == pushed.end();
+    return event.micro_step < first || pushed.count(event.group) == 0;
   });
   return !pushed.empty() && !any_taken;
 }
 
 /// Whether the column was granted when the first push was made.
 bool Judge::runs_before(const Trial& trial, const Beginning& row, const Beginning& column) const {
-  std::uint64_t granted = 0, pushed = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t granted = 0;
   for (const Event& event : trial.events) {
-    if (pushes(event, row)) pushed = std::min(pushed, event.micro_step);
     if (event.kind == Event::Kind::grant && event.group == column.way.target.value) granted = event.micro_step;
   }
-  return granted <= pushed;
+  return granted <= first_pushes(row, trial).micro_step;
 }
 
 void Judge::find_takers(const Beginning& column, const Rest& rest, const std::vector<GroupId>& lost,
@@ -116,9 +118,8 @@ void Judge::find_takers(const Beginning& column, const Rest& rest, const std::ve
 
 void Judge::find_pushed_takers(const Beginning& row, const Beginning& column, const Trial& trial,
                                const std::vector<GroupId>& lost, CellContext& context) const {
-  const auto first =
-      std::find_if(trial.events.begin(), trial.events.end(), [&](const Event& event) { return pushes(event, row); });
-  if (first == trial.events.end()) return;
+  const auto [first, pushed] = first_pushes(row, trial);
+  if (pushed.empty()) return;
   // Whether it is what the row lost, or may hold that.
   const auto takes = [&](GroupId group) {
     const std::vector<EdgeId>& edges = model_.groups[group].edges;
@@ -129,15 +130,12 @@ void Judge::find_pushed_takers(const Beginning& row, const Beginning& column, co
   };
   std::vector<GroupId> takers;
   for (const Event& event : trial.events) {
-    if (event.micro_step != first->micro_step || event.kind != Event::Kind::grant || event.edge >= model_.edges.size())
-      continue;
+    if (event.micro_step != first || event.kind != Event::Kind::grant || event.edge >= model_.edges.size()) continue;
     const GroupId group{event.group};
     if (group == column.way.target) return;
     const std::optional<GroupId> requester = model_.edges[EdgeId{event.edge}].requester;
-    const bool is_pushed = std::any_of(trial.events.begin(), trial.events.end(), [&](const Event& each) {
-      return pushes(each, row) && each.micro_step == first->micro_step && each.group == event.group;
-    });
-    if (is_pushed && takes(group) && requester && column.way.passes(*requester) && !column.way.passes(group))
+    if (pushed.count(event.group) != 0 && takes(group) && requester && column.way.passes(*requester) &&
+        !column.way.passes(group))
       takers.push_back(group);
   }
   if (takers.empty()) return;

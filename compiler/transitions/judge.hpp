@@ -5,6 +5,11 @@
 #include "compiler/transitions/player.hpp"
 #include "compiler/transitions/words.hpp"
 
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <vector>
+
 namespace director::compiler::transitions {
 
 class Judge {
@@ -22,7 +27,14 @@ public:
   std::vector<Transition::Push> pushes_of(const Trial& trial, const Beginning& row) const;
 
 private:
+  struct Pushed {
+    std::uint64_t micro_step = std::numeric_limits<std::uint64_t>::max();
+    std::set<Index> groups; ///< empty: nothing is pushed
+  };
+
   bool pushes(const Event& event, const Beginning& row) const;
+  /// The pushes for the column in the first micro-step that has any.
+  Pushed first_pushes(const Beginning& row, const Trial& trial) const;
   bool pushed_first(const Beginning& row, const Beginning& column, const Trial& trial) const;
   bool runs_before(const Trial& trial, const Beginning& row, const Beginning& column) const;
 
