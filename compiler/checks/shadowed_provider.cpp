@@ -52,9 +52,7 @@ Region region_here(const Input& input, ProviderId id) {
 /// What the conditions of earlier providers leave of that.
 Covering find_choice_here(const Input& input, ProviderId id, const std::vector<Rival>& rivals,
                           const IdTable<StateId, ValueSet>& values) {
-  std::vector<Region> others;
-  for (const Rival& rival : rivals) others.insert(others.end(), rival.ways.begin(), rival.ways.end());
-  return find_covering(input.model, region_here(input, id), others, values, input.shared.budget());
+  return find_choice(input.model, region_here(input, id), rivals, values, input.shared.budget());
 }
 
 /// Notes the other members, if something is left where its group is requested, but not where it can be granted together
@@ -64,9 +62,7 @@ void note_members(const Input& input, ProviderId id, const std::vector<Rival>& r
   if (input.facts.grants[group].states == input.facts.contexts[group].states) return;
   Region own = region_of(input.model, input.model.providers[id].when);
   own.meet(input.facts.contexts[group]);
-  std::vector<Region> others;
-  for (const Rival& rival : rivals) others.insert(others.end(), rival.ways.begin(), rival.ways.end());
-  if (find_covering(input.model, own, others, input.facts.values, input.shared.budget()) == Covering::covered) return;
+  if (find_choice(input.model, own, rivals, input.facts.values, input.shared.budget()) == Covering::covered) return;
   for (const Provider& requester : input.model.providers) {
     for (const Pack& pack : requester.packs) {
       const auto at =

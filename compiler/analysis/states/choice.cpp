@@ -147,11 +147,11 @@ Covering find_covering(const Model& model, const Region& own, const std::vector<
   return find_covering(model, values, start, others, budget);
 }
 
-Covering find_choice(const Model& model, ProviderId provider, const std::vector<Rival>& rivals,
+Covering find_choice(const Model& model, const Region& own, const std::vector<Rival>& rivals,
                      const IdTable<StateId, ValueSet>& values, Budget& budget) {
   std::vector<Region> others;
   for (const Rival& rival : rivals) others.insert(others.end(), rival.ways.begin(), rival.ways.end());
-  return find_covering(model, region_of(model, model.providers[provider].when), others, values, budget);
+  return find_covering(model, own, others, values, budget);
 }
 
 } // namespace director::analysis

@@ -62,8 +62,8 @@ private:
 Covering find_covering(const Model& model, const Region& own, const std::vector<Region>& others,
                        const IdTable<StateId, ValueSet>& values, Budget& budget);
 
-/// The same for the `when` of a provider and the ways of `rivals`. Covered: it never comes first.
-Covering find_choice(const Model& model, ProviderId provider, const std::vector<Rival>& rivals,
+/// The same for the ways of `rivals`. Covered: what is `own` never comes first.
+Covering find_choice(const Model& model, const Region& own, const std::vector<Rival>& rivals,
                      const IdTable<StateId, ValueSet>& values, Budget& budget);
 
 } // namespace director::analysis

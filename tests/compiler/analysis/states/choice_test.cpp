@@ -15,8 +15,9 @@ bool comes_first(const std::string& text, const char* name) {
   for (const StateId id : test.model.states.ids()) values[id] = test.model.states[id].domain();
   const ProviderId provider = test.provider(name);
   Budget budget;
-  return find_choice(test.model, provider, Rivals(test.model, test.facts.holding, test.facts.active).of(provider),
-                     values, budget) == Covering::open;
+  const Region own = region_of(test.model, test.model.providers[provider].when);
+  return find_choice(test.model, own, Rivals(test.model, test.facts.holding, test.facts.active).of(provider), values,
+                     budget) == Covering::open;
 }
 
 const std::string two_states = "states:\n  X: {values: [a, b, c], initial: a, external: true}\n"
