@@ -97,8 +97,10 @@ public:
     }
   }
 
-  Touched of(GroupId task) const {
-    Touched out;
+  const Touched& of(GroupId task) {
+    const auto [at, is_new] = of_task_.try_emplace(task);
+    Touched& out = at->second;
+    if (!is_new) return out;
     SparseSet<StateId> set, read;
     for (const GroupId group : groups_of(input_, task)) {
       for (const StateId state : of_group_[group].set) {
@@ -114,14 +116,15 @@ public:
 private:
   const Input& input_;
   IdTable<GroupId, Touched> of_group_;
+  std::unordered_map<GroupId, Touched> of_task_;
 };
 
 /// Whether it matters which of these tasks has its bodies run first: one sets a state that another sets, or depends on.
 class SharedStates {
 public:
-  SharedStates(const TouchedStates& states, const std::vector<Task>& tasks) {
+  SharedStates(TouchedStates& states, const std::vector<Task>& tasks) {
     for (const Task& task : tasks) {
-      const Touched touched = states.of(task.target);
+      const Touched& touched = states.of(task.target);
       for (const StateId state : touched.set) ++set_by_[state];
       for (const StateId state : touched.read) ++read_by_[state];
     }
@@ -201,7 +204,7 @@ struct Entries {
 
 /// A level is a place in the order of its edge, and `keep` continues a task only at the same one. So an edge is
 /// reported as a whole, if it has one level.
-void look_at(const Input& input, const Together& together, const TouchedStates& states, Stakes& stakes,
+void look_at(const Input& input, const Together& together, TouchedStates& states, Stakes& stakes,
              std::map<EdgeId, Entries>& entries) {
   const Model& model = input.model;
   const std::vector<Task>& tasks = *together.tasks;
@@ -235,7 +238,7 @@ void look_at(const Input& input, const Together& together, const TouchedStates& 
 
 void priority_without_effect(const Input& input, Findings& findings) {
   Stakes stakes(input);
-  const TouchedStates states(input);
+  TouchedStates states(input);
   const Model& model = input.model;
   std::map<EdgeId, Entries> entries;
   for (const Together& together : input.shared.chains().together()) look_at(input, together, states, stakes, entries);
