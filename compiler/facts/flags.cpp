@@ -182,8 +182,10 @@ Flags fit_for_clang(const Words& as_written) {
   return out;
 }
 
-bool is_of_c(const CompileCommand& command) {
-  const Flags flags = fit_for_clang(command.words);
+namespace {
+
+/// `flags`: those of the entry.
+bool is_of_c(const CompileCommand& command, const Flags& flags) {
   for (std::size_t i = 0; i < flags.words.size(); ++i) {
     const std::string& word = flags.words[i];
     if (word == "-x" && i + 1 < flags.words.size()) return flags.words[i + 1] == "c";
@@ -198,6 +200,10 @@ bool is_of_c(const CompileCommand& command) {
   return extension == ".c" && stem_of(flags.compiler).find("++") == std::string::npos;
 }
 
+} // namespace
+
+bool is_of_c(const CompileCommand& command) { return is_of_c(command, fit_for_clang(command.words)); }
+
 Flags fit_for_clang(const CompileCommand& command) {
   Flags out = fit_for_clang(command.words);
   const fs::path compiler = out.compiler;
@@ -206,7 +212,7 @@ Flags fit_for_clang(const CompileCommand& command) {
   const bool is_named =
       std::any_of(out.words.begin(), out.words.end(), [](const std::string& word) { return word.starts_with("-x"); });
   // Clang is called for C++, for which a file of any name is one of C++.
-  if (!is_named && fs::path(command.file).extension() == ".c" && is_of_c(command))
+  if (!is_named && fs::path(command.file).extension() == ".c" && is_of_c(command, out))
     out.words.insert(out.words.begin(), {"-x", "c"});
   return out;
 }
