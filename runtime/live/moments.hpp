@@ -24,7 +24,7 @@ class Moments {
 public:
   explicit Moments(const Tables& tables) : tables_(tables) {
     const std::size_t words = View::bytes(Shape::of(tables)) / sizeof(std::uint64_t);
-    for (Buffer& buffer : buffers_) buffer.bytes.reset(new std::uint64_t[words]());
+    for (Buffer& buffer : buffers_) buffer.bytes = std::make_unique<std::uint64_t[]>(words);
   }
   Moments(const Moments&) = delete;
   Moments& operator=(const Moments&) = delete;

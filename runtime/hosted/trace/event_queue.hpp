@@ -25,7 +25,9 @@ public:
   };
 
   /// `size`: how many events can wait; rounded up to a power of two, 2 at least.
-  explicit EventQueue(std::size_t size) : size_(std::bit_ceil(size < 2 ? 2 : size)), ring_(new Entry[size_]) {}
+  explicit EventQueue(std::size_t size)
+      : size_(std::bit_ceil(size < 2 ? 2 : size)),
+        ring_(std::make_unique<Entry[]>(size_)) {}
   EventQueue(const EventQueue&) = delete;
   EventQueue& operator=(const EventQueue&) = delete;
 

@@ -52,8 +52,8 @@ public:
   }
 
   /// Writes all events that wait and ends the file; later events are not recorded. After it, `error()` covers all
-  /// events: before, those of the last `interval` may still fail. The reader of a pipe who takes less than 4 kB in a second
-  /// is not waited for (ETIMEDOUT). The behaviour must not step meanwhile.
+  /// events: before, those of the last `interval` may still fail. The reader of a pipe who takes less than 4 kB in a
+  /// second is not waited for (ETIMEDOUT). The behaviour must not step meanwhile.
   void close();
 
   /// Whether the file could be opened (a named pipe: has a reader), its thread started, and all events so far written.
