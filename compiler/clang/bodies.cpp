@@ -1,17 +1,15 @@
 // Header: compiler/clang/book.hpp. Test: tests/compiler/clang/pages_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/clang/blocking.hpp"
-#include "compiler/clang/book.hpp"
-#include "compiler/clang/contexts.hpp"
-#include "compiler/clang/endings.hpp"
+#include "compiler/clang/effects.hpp"
 #include "compiler/clang/live.hpp"
-#include "compiler/clang/values.hpp"
 #include "compiler/stubs/layout.hpp"
 
 #include <clang/AST/RecursiveASTVisitor.h>
 #include <clang/Lex/Lexer.h>
 
-#include <algorithm>
+#include <set>
+#include <utility>
 
 namespace director::scanning {
 
@@ -23,12 +21,10 @@ constexpr int most_parts = 8; ///< limit for nested objects whose members are ex
 
 class BodyReader : public RecursiveASTVisitor<BodyReader> {
 public:
-  BodyReader(Book& book, const FunctionDecl& function) : book_(book), values_(book.context()), live_(function) {}
+  BodyReader(Book& book, const FunctionDecl& function) : book_(book), effects_(book), live_(function) {}
 
   bool reaches_end() const { return live_.reaches_end(); }
-
-  bool stores = false; ///< a context, in what outlives the function, or in what does not show it
-  Json does = Json::list({}), calls = Json::list({}), blocks = Json::list({}), hidden = Json::list({});
+  Effects effects() && { return std::move(effects_); }
 
   // Skips code that is never run.
   bool TraverseTypeLoc(TypeLoc) { return true; }
@@ -73,10 +69,11 @@ public:
     // A lambda may be called by its receiver. One with `auto` has a body for each way in which it is called.
     if (!lambda->isGenericLambda()) {
       const FunctionDecl* body = lambda->getCallOperator();
-      call(*body, lambda->getBeginLoc(), lambda->getBeginLoc(), true, run_at_once_.count(lambda) == 0, false);
+      effects_.call(*body, lambda->getBeginLoc(), lambda->getBeginLoc(), true, run_at_once_.count(lambda) == 0, false);
     } else if (const FunctionTemplateDecl* many = lambda->getDependentCallOperator()) {
       for (const FunctionDecl* each : many->specializations())
-        call(*each, lambda->getBeginLoc(), lambda->getBeginLoc(), true, run_at_once_.count(lambda) == 0, false);
+        effects_.call(*each, lambda->getBeginLoc(), lambda->getBeginLoc(), true, run_at_once_.count(lambda) == 0,
+                      false);
     }
     for (Expr* capture : lambda->capture_inits()) {
       if (capture != nullptr) TraverseStmt(capture);
@@ -95,7 +92,7 @@ public:
                           kind == CK_DerivedToBase || kind == CK_UncheckedDerivedToBase;
     if (may_lose && given_.count(expr) == 0 && !book_.carriers().holds(expr->getType()) &&
         book_.carriers().holds(expr->getSubExpr()->getType()))
-      stores = true;
+      effects_.stores = true;
     return true;
   }
   bool VisitMemberExpr(MemberExpr* expr) {
@@ -115,27 +112,28 @@ public:
     const FunctionDecl* callee = expr->getDirectCallee();
     if (callee == nullptr) {
       if (!llvm::isa<CXXPseudoDestructorExpr>(expr->getCallee()->IgnoreParens()) && !expr->isTypeDependent())
-        hide("a call through a pointer", expr->getBeginLoc(), expr->getEndLoc(), carries);
+        effects_.hide("a call through a pointer", expr->getBeginLoc(), expr->getEndLoc(), carries);
       return true;
     }
     if (callee->getLocation().isInvalid()) { // built in
       if (const std::string_view why = known_effect(*callee); !why.empty())
-        report_block(name_of(*callee), why, expr->getBeginLoc());
+        effects_.block(name_of(*callee), why, expr->getBeginLoc());
       return true;
     }
     const auto* method = llvm::dyn_cast<CXXMethodDecl>(callee);
-    if (method != nullptr && object != nullptr && add_word(*expr, *method, *object)) return true;
+    if (method != nullptr && object != nullptr && effects_.add_word(*expr, *method, *object)) return true;
     const SourceLocation at = name_place(*expr);
     if (is_directors(*callee)) return true;
     const CXXMethodDecl* target = method == nullptr ? nullptr : target_of(*expr, *method);
     if (target != nullptr) callee = target;
     const bool is_virtual = method != nullptr && target == nullptr;
     if (is_system(*callee)) {
-      system_call(*expr, *callee, at, carries);
+      effects_.call_library(*expr, *callee, at, carries);
+      note_run_at_once(*expr, *callee);
       return true;
     }
     if (callee->isDefaulted()) go_into(callee->getBody(), at); // an assignment
-    call(*callee, at, at, carries, false, is_virtual);
+    effects_.call(*callee, at, at, carries, false, is_virtual);
     return true;
   }
 
@@ -147,7 +145,7 @@ public:
       carries = carries || book_.carriers().has(*argument);
       // Such as std::any.
       if (is_system(callee) && book_.carriers().holds(*argument) && !book_.carriers().holds(expr->getType()))
-        stores = true;
+        effects_.stores = true;
     }
     const bool is_given = expr->getNumArgs() > 0 && !callee.isDefaultConstructor() && !callee.isMoveConstructor();
     construct(callee, expr->getBeginLoc(), is_given, carries);
@@ -165,25 +163,27 @@ public:
     const FunctionDecl* made_by = expr->getOperatorNew();
     if (made_by == nullptr) return true;
     // In memory that others may know.
-    if (made_by->isReservedGlobalPlacementOperator() && book_.carriers().holds(expr->getAllocatedType())) stores = true;
-    manage_memory(*made_by, expr->getBeginLoc());
+    if (made_by->isReservedGlobalPlacementOperator() && book_.carriers().holds(expr->getAllocatedType()))
+      effects_.stores = true;
+    effects_.manage_memory(*made_by, expr->getBeginLoc());
     return true;
   }
   bool VisitCXXDeleteExpr(CXXDeleteExpr* expr) {
-    if (const FunctionDecl* freed_by = expr->getOperatorDelete()) manage_memory(*freed_by, expr->getBeginLoc());
-    if (!expr->getDestroyedType().isNull()) destroy(expr->getDestroyedType(), expr->getBeginLoc(), true);
+    if (const FunctionDecl* freed_by = expr->getOperatorDelete())
+      effects_.manage_memory(*freed_by, expr->getBeginLoc());
+    if (!expr->getDestroyedType().isNull()) effects_.destroy(expr->getDestroyedType(), expr->getBeginLoc(), true);
     return true;
   }
 
   // Code that runs without being written: destructors, and parts of loops and of objects.
   bool VisitVarDecl(VarDecl* variable) {
     if (!variable->hasLocalStorage() && variable->getInit() != nullptr && book_.carriers().holds(*variable->getInit()))
-      stores = true;
+      effects_.stores = true;
     if (!variable->hasLocalStorage() || llvm::isa<ParmVarDecl>(variable)) return true;
     if (variable->getInit() != nullptr && !live_.runs(variable->getInit())) return true;
     if (variable->isCXXForRangeDecl() && variable->getInit() != nullptr)
       go_into(variable->getInit(), variable->getLocation());
-    destroy(variable->getType(), variable->getLocation());
+    effects_.destroy(variable->getType(), variable->getLocation());
     return true;
   }
   bool VisitDecompositionDecl(DecompositionDecl* several) {
@@ -193,14 +193,15 @@ public:
     return true;
   }
   bool VisitCXXBindTemporaryExpr(CXXBindTemporaryExpr* expr) {
-    destroy(expr->getType(), expr->getBeginLoc());
+    effects_.destroy(expr->getType(), expr->getBeginLoc());
     return true;
   }
   bool VisitCoroutineBodyStmt(CoroutineBodyStmt* coroutine) {
     for (const Stmt* part : coroutine->childrenExclBody()) {
       if (part != coroutine->getDeallocate()) go_into(part, coroutine->getBeginLoc());
     }
-    if (const VarDecl* promise = coroutine->getPromiseDecl()) destroy(promise->getType(), coroutine->getBeginLoc());
+    if (const VarDecl* promise = coroutine->getPromiseDecl())
+      effects_.destroy(promise->getType(), coroutine->getBeginLoc());
     return true;
   }
   bool VisitCXXForRangeStmt(CXXForRangeStmt* loop) {
@@ -227,7 +228,7 @@ public:
     if (function == nullptr || callees_.count(expr) != 0 || is_system(*function) || is_directors(*function))
       return true;
     if (expr->isNonOdrUse() == NOUR_Unevaluated) return true;
-    call(*function, expr->getLocation(), expr->getLocation(), false, true, false);
+    effects_.call(*function, expr->getLocation(), expr->getLocation(), false, true, false);
     return true;
   }
 
@@ -264,15 +265,17 @@ private:
     const auto* name = llvm::dyn_cast<DeclRefExpr>(at);
     const auto* variable = name == nullptr ? nullptr : llvm::dyn_cast<VarDecl>(name->getDecl());
     const bool is_local = variable != nullptr && variable->hasLocalStorage() && !variable->getType()->isReferenceType();
-    if (!is_local && book_.carriers().holds(value)) stores = true;
+    if (!is_local && book_.carriers().holds(value)) effects_.stores = true;
   }
 
-  static SourceLocation name_place(const CallExpr& expr) {
-    const Expr* callee = expr.getCallee()->IgnoreParenImpCasts();
-    SourceLocation out;
-    if (const auto* member = llvm::dyn_cast<MemberExpr>(callee)) out = member->getMemberLoc();
-    if (const auto* name = llvm::dyn_cast<DeclRefExpr>(callee)) out = name->getLocation();
-    return out.isValid() ? out : expr.getBeginLoc(); // a conversion is called without its name
+  /// What runs a lambda is found in its definition, but these do so through a pointer.
+  void note_run_at_once(const CallExpr& expr, const FunctionDecl& callee) {
+    const std::string name = name_of(callee);
+    if (name != "std::visit" && name != "std::call_once") return;
+    for (const Expr* argument : expr.arguments()) {
+      if (const auto* lambda = llvm::dyn_cast<LambdaExpr>(argument->IgnoreUnlessSpelledInSource()))
+        run_at_once_.insert(lambda);
+    }
   }
 
   bool suspend(CoroutineSuspendExpr& expr) {
@@ -284,211 +287,28 @@ private:
   void construct(const CXXConstructorDecl& callee, SourceLocation at, bool is_given, bool carries) {
     const bool is_generated = callee.isImplicit() || callee.isDefaulted(); // a copy of a task copies its data
     if (is_directors(callee) && !is_generated) return;
-    if (is_system(callee)) return reach(callee, at, is_given);
-    if (!is_generated) return call(callee, at, at, carries, false, false);
+    if (is_system(callee)) return effects_.reach(callee, at, is_given);
+    if (!is_generated) return effects_.call(callee, at, at, carries, false, false);
     for (const CXXCtorInitializer* part : callee.inits()) go_into(part->getInit(), at);
   }
 
   /// Reads something that is written elsewhere and runs here: this is its place.
   void go_into(const Stmt* part, SourceLocation here) {
     if (part == nullptr || inside_ == most_parts) return;
-    const SourceLocation before = here_;
-    if (here_.isInvalid()) here_ = here;
+    const SourceLocation before = effects_.here;
+    if (effects_.here.isInvalid()) effects_.here = here;
     ++inside_;
     TraverseStmt(const_cast<Stmt*>(part));
     --inside_;
-    here_ = before;
-  }
-
-  /// Reads the user's functions that run when such an object is destroyed. `by_pointer`: or one of a class below.
-  void destroy(QualType type, SourceLocation at, bool by_pointer = false) {
-    const bool carries = book_.carriers().has(type);
-    for (const Ending& each : endings_of(book_.context(), type, by_pointer, !book_.is_deep())) {
-      switch (each.kind) {
-      case Ending::Kind::own:
-      case Ending::Kind::virtual_:
-        call(*each.function, at, at, carries, false, each.kind == Ending::Kind::virtual_);
-        break;
-      case Ending::Kind::library: reach(*each.function, at, false, true); break;
-      case Ending::Kind::unread: hide("a deleter that is a template", at, at, carries); break;
-      }
-    }
-  }
-
-  /// Records a use of a context. True: it is one, and nothing else.
-  bool add_word(const CallExpr& expr, const CXXMethodDecl& method, const Expr& object) {
-    const std::string context = context_of(object.getType());
-    if (context.empty() || !method.getDeclName().isIdentifier()) return false;
-    const CXXRecordDecl* of = method.getParent();
-    const bool is_pack = !is_directors(*of) && context == name_of(*of);
-    if (!is_pack && !is_directors(*of)) return false; // a class of the user with a context's functions
-    const std::string word = method.getName().str();
-    Json fact = Json::object({{"context", Json::text(context)}});
-    const SourceLocation at = name_place(expr);
-    if (is_pack || word == "request") {
-      fact.add("word", Json::text(is_pack ? "pack" : "request"));
-      if (is_pack) fact.add("pack", Json::text(word));
-      Json tasks = Json::list({});
-      for (const Expr* argument : expr.arguments()) tasks.add(Json::text(task_of(argument->getType())));
-      fact.add("tasks", std::move(tasks));
-      fact.add("at", book_.places().of(at, at));
-    } else if (word == "set" || word == "try_set") {
-      if (expr.getNumArgs() == 0) return true;
-      fact.add("word", Json::text("set"));
-      fact.add("state", Json::text(values_.state_of(expr.getArg(0))));
-      if (const auto values = values_.of(expr.getArg(0))) {
-        Json all = Json::list({});
-        for (const Values::Names& names : *values) all.add(Json::texts(names));
-        fact.add("values", std::move(all));
-      }
-      fact.add("at", book_.places().of(at, expr.getEndLoc()));
-    } else if (word == "done" || word == "fail" || word == "keep") {
-      fact.add("word", Json::text(word));
-      fact.add("at", book_.places().of(at, at));
-    } else {
-      return true;
-    }
-    does.add(std::move(fact));
-    return true;
-  }
-
-  /// `soccer::Walk`, also with keep.
-  static std::string task_of(QualType type) {
-    const CXXRecordDecl* record = bare(type)->getAsCXXRecordDecl();
-    if (const auto* special = llvm::dyn_cast_or_null<ClassTemplateSpecializationDecl>(record)) {
-      if (is_directors(*special) && special->getTemplateArgs().size() == 1 &&
-          special->getTemplateArgs()[0].getKind() == TemplateArgument::Type)
-        return task_of(special->getTemplateArgs()[0].getAsType());
-    }
-    return record == nullptr ? std::string{} : name_of(*record);
-  }
-
-  /// One without `auto`: it is read where it is written.
-  static bool is_plain_lambda(const Expr& value) {
-    const CXXRecordDecl* record = bare(value.getType())->getAsCXXRecordDecl();
-    return record != nullptr && record->isLambda() && !record->isGenericLambda();
-  }
-
-  void system_call(const CallExpr& expr, const FunctionDecl& callee, SourceLocation at, bool carries) {
-    const std::string name = name_of(callee);
-    const auto* method = llvm::dyn_cast<CXXMethodDecl>(&callee);
-    reach(callee, at, method == nullptr || !method->isMoveAssignmentOperator());
-    if (name == "std::function::operator()" || name == "std::move_only_function::operator()")
-      hide("a call of a `" + name.substr(0, name.rfind(':') - 1) + "`", at, at, false, true);
-    if (carries) {
-      static const std::set<std::string> passes_on{"std::forward",
-                                                   "std::move",
-                                                   "std::ref",
-                                                   "std::cref",
-                                                   "std::addressof",
-                                                   "std::as_const",
-                                                   "std::tie",
-                                                   "std::get",
-                                                   "std::get_if",
-                                                   "std::holds_alternative",
-                                                   "std::size",
-                                                   "std::ssize",
-                                                   "std::begin",
-                                                   "std::end",
-                                                   "std::data",
-                                                   "std::empty",
-                                                   "std::make_tuple",
-                                                   "std::make_pair",
-                                                   "std::forward_as_tuple",
-                                                   "std::tuple_cat",
-                                                   "std::operator==",
-                                                   "std::operator!="};
-      const bool only_applies =
-          (name == "std::apply" || name == "std::invoke") && expr.getNumArgs() > 0 && is_plain_lambda(*expr.getArg(0));
-      const bool only_lambdas = std::none_of(expr.arg_begin(), expr.arg_end(), [&](const Expr* argument) {
-        return book_.carriers().has_outside_of_lambdas(*argument);
-      });
-      if (passes_on.count(name) == 0 && !only_lambdas && !only_applies)
-        hide("what `" + name + "` does with it", at, at, true);
-    }
-    // What runs a lambda is found in its definition, but these do so through a pointer.
-    if (name != "std::visit" && name != "std::call_once") return;
-    for (const Expr* argument : expr.arguments()) {
-      if (const auto* lambda = llvm::dyn_cast<LambdaExpr>(argument->IgnoreUnlessSpelledInSource()))
-        run_at_once_.insert(lambda);
-    }
-  }
-
-  /// Records the effects of a function of a system header as if all of them happened at the call. `is_given`: something
-  /// that a container may have to hold.
-  void reach(const FunctionDecl& callee, SourceLocation at, bool is_given, bool destroys = false) {
-    if (!book_.is_deep()) return;
-    const Reached& all = book_.reach().of(callee, destroys);
-    const std::string name = name_of(callee);
-    if (!all.why.empty()) {
-      report_block(name, all.why, at);
-    } else if (!all.has_definition && !destroys && (grows_container(name, is_given) || returns_container(callee))) {
-      report_block(name, "uses the heap", at);
-    }
-    for (const FunctionDecl* user : all.users) {
-      const auto* method = llvm::dyn_cast<CXXMethodDecl>(user);
-      call(*user, at, at, false, false, method != nullptr && method->isVirtual());
-    }
-    for (const FunctionDecl* unknown : all.unknown)
-      hide(unknown == &callee ? "`" + name + "`" : "`" + name_of(*unknown) + "`, which `" + name + "` calls", at, at,
-           false);
-  }
-
-  static bool returns_container(const FunctionDecl& callee) {
-    const CXXRecordDecl* record = callee.getReturnType()->getAsCXXRecordDecl();
-    return record != nullptr && is_container(name_of(*record)) && name_of(callee) != "std::exchange";
-  }
-
-  /// Reads `new` and `delete`, also those of a class.
-  void manage_memory(const FunctionDecl& function, SourceLocation at) {
-    if (function.isReservedGlobalPlacementOperator()) return;
-    if (function.getLocation().isValid() && !is_system(function)) return call(function, at, at, false, false, false);
-    report_block(name_of(function), "uses the heap", at);
-  }
-
-  void report_block(const std::string& name, std::string_view why, SourceLocation at) {
-    if (here_.isValid()) at = here_;
-    if (why == "frees") why = "uses the heap";
-    blocks.add(Json::object({{"name", Json::text(name)}, {"why", Json::text(why)}, {"at", book_.places().of(at, at)}}));
-  }
-
-  void call(const FunctionDecl& callee, SourceLocation begin, SourceLocation end, bool carries, bool maybe,
-            bool is_virtual) {
-    if (here_.isValid()) begin = end = here_;
-    // Functions that the compiler generates have no such code.
-    const auto* method = llvm::dyn_cast<CXXMethodDecl>(&callee);
-    const bool is_lambda = method != nullptr && method->getParent()->isLambda();
-    if (callee.getLocation().isInvalid() || (callee.isDefaulted() && !is_virtual) ||
-        (callee.isImplicit() && !is_lambda && !is_virtual))
-      return;
-    // A lambda that becomes a function pointer: its body is recorded where it is written.
-    if (is_lambda && (llvm::isa<CXXConversionDecl>(method) || method->isLambdaStaticInvoker())) return;
-    Json fact = Json::object({{"to", Json::text(book_.want(callee))},
-                              {"name", Json::text(name_of(callee))},
-                              {"at", book_.places().of(begin, end)}});
-    const FunctionDecl* body = nullptr;
-    if (!callee.hasBody(body)) fact.add("declared", book_.places().of(callee.getLocation(), callee.getLocation()));
-    if (carries) fact.add("carries", Json::boolean(true));
-    if (maybe) fact.add("maybe", Json::boolean(true));
-    if (is_virtual) fact.add("virtual", Json::boolean(true));
-    calls.add(std::move(fact));
-  }
-
-  /// `if_stored`: it matters only if a context was stored before.
-  void hide(std::string what, SourceLocation begin, SourceLocation end, bool carries, bool if_stored = false) {
-    Json fact = Json::object({{"what", Json::text(what)}, {"at", book_.places().of(begin, end)}});
-    if (if_stored) fact.add("if_stored", Json::boolean(true));
-    if (carries) fact.add("carries", Json::boolean(true));
-    hidden.add(std::move(fact));
+    effects_.here = before;
   }
 
   Book& book_;
-  Values values_;
+  Effects effects_;
   Live live_;
   std::set<const Expr*> callees_;
   std::set<const Expr*> given_; ///< to calls, and what is between that and a cast
   std::set<const LambdaExpr*> run_at_once_;
-  SourceLocation here_; ///< while something is read that is written elsewhere: where it runs
   int inside_ = 0;
 };
 
@@ -547,14 +367,7 @@ void read_function(Book& book, const FunctionDecl& function) {
     const SourceLocation brace = function.getBody()->getEndLoc();
     out.add("open_end", book.places().of(brace, brace));
   }
-  if (reader.stores) out.add("stores", Json::boolean(true));
-  const auto add = [&](const char* name, Json& list) {
-    if (!list.items().empty()) out.add(name, std::move(list));
-  };
-  add("does", reader.does);
-  add("calls", reader.calls);
-  add("blocks", reader.blocks);
-  add("hidden", reader.hidden);
+  std::move(reader).effects().add_to(out);
   book.functions.push_back(std::move(out));
 }
 
