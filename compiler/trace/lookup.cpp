@@ -187,8 +187,11 @@ private:
       problem_ = "a value without its state";
       return;
     }
+    const bool has_names = *l_.names_.value(l_.names_.self, e_.state, 0) != 0;
     if (!value.is_text()) {
       e_.value = static_cast<std::int32_t>(value.as_number());
+      if (has_names && e_.kind != Event::Kind::refused) // any number can be refused
+        problem_ = fmt::format("`{}` cannot be {}", l_.names_.state(l_.names_.self, e_.state), value.as_number());
       return;
     }
     for (std::int32_t i = 0;; ++i) {

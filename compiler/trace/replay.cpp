@@ -252,7 +252,7 @@ private:
     case Kind::keep:
       if (own()) run.request(event.edge, event.level, event.kind == Kind::keep);
       return true;
-    case Kind::wait: run.wait(event.due - event.time); return true;
+    case Kind::wait: run.wait(event.due == never ? never : event.due - event.time); return true;
     case Kind::set:
     case Kind::withdraw:
     case Kind::done:

@@ -215,6 +215,8 @@ TEST_CASE("a line that is not of a trace is reported with its number") {
         unreadable + "the behaviour has no group called `Nobody`\n" + help + none_before);
   CHECK(say(header + "{\"event\":\"run\",\"group\":\"Drive\"}\n") ==
         unreadable + "`run` without its provider\n" + help + none_before);
+  CHECK(say(header + "{\"t\":0,\"n\":0,\"event\":\"given\",\"state\":\"Motion\",\"value\":7}\n") ==
+        unreadable + "`Motion` cannot be 7\n" + help + none_before);
   for (const char* count : {"", ",\"count\":-1", ",\"count\":0", ",\"count\":\"many\""}) {
     CHECK(say(header + "{\"event\":\"dropped\"" + count + "}\n") ==
           unreadable + "`dropped` needs a `count` from 1\n" + help + none_before);
@@ -307,6 +309,27 @@ steps:
           std::string::npos);
   CHECK(world.directorc({"replay", "run.jsonl"}) == 0);
   CHECK(world.err.empty());
+}
+
+TEST_CASE("a wait without end at a time before 0 is replayed as it was recorded") {
+  World world;
+  world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups: {Lamp: {}}\n");
+  world.files.add("s.yaml", R"(scenario: the lamp waits
+behaviour: lamp.yaml
+script:
+  Lamp: {wait: 2 s, continue: true}
+steps:
+  - request: Lamp
+)");
+  REQUIRE(world.directorc({"simulate", "s.yaml", "--trace", "run.jsonl"}) == 0);
+  std::string trace = trace_in(world);
+  for (std::size_t at = trace.find("\"t\":0"); at != std::string::npos; at = trace.find("\"t\":0", at))
+    trace.replace(at, 5, "\"t\":-1000000");
+  const std::string due = ",\"due\":2000000";
+  trace.erase(trace.find(due), due.size());
+  world.files.add("run.jsonl", trace);
+  CHECK(world.directorc({"replay", "run.jsonl"}) == 0);
+  CHECK(world.out == "run.jsonl: 6 events, all the same\n");
 }
 
 TEST_CASE("a damaged line ends a replay, and is never a decision") {
