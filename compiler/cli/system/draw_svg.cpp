@@ -8,7 +8,7 @@ namespace director::compiler::cli {
 
 std::optional<std::string> draw_svg(const Picture& picture, const PictureLinks& links, std::string_view wish,
                                     std::string_view instead, Console& console) {
-  const Answer answer = console.programs.run({"dot", "-Tsvg"}, dot(picture, links));
+  const Answer answer = console.programs.run({"dot", "-q", "-Tsvg"}, dot(picture, links)); // its warnings name no file
   if (!answer.started) {
     print_message(console,
                   fmt::format("directorc: {} needs the program `dot` of Graphviz, which is not installed (on Debian: "

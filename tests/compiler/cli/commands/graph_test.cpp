@@ -106,7 +106,7 @@ TEST_CASE("unknown names for a picture are reported with the known ones") {
 TEST_CASE("a picture is drawn by the program dot, and what it answers is written") {
   World world = walker();
   REQUIRE(world.directorc({"graph", "--format=svg", "walker.yaml", "-o", "walker.svg"}) == 0);
-  CHECK(world.programs.command == std::vector<std::string>{"dot", "-Tsvg"});
+  CHECK(world.programs.command == std::vector<std::string>{"dot", "-q", "-Tsvg"});
   CHECK(world.programs.input.substr(0, 18) == "digraph \"walker\" {");
   CHECK(world.outputs.files.at("walker.svg") == "<!-- " + notice_words("walker.yaml") + " -->\n<svg/>");
 }
