@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // The points that scenarios can exercise in a behaviour, and those that they did exercise. A point that the checks
-// prove impossible does not count. Source: the scenario page of docs/language.md, "Coverage".
+// prove impossible does not count. Source: docs/scenarios.md, "Coverage".
 
 #include "compiler/analysis/chains/claims.hpp"
 #include "compiler/graph/graph.hpp"

@@ -1,7 +1,7 @@
 // Header: compiler/reference/explain_key.hpp. Test: tests/compiler/reference/explain_key_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// Parses the reference page, which is Markdown. A table whose rows begin with a key in backticks, `needs` or `advance:
+// Parses the reference, which is Markdown. A table whose rows begin with a key in backticks, `needs` or `advance:
 // 100 ms`, documents keys; a link in that cell leads to the section with the details.
 #include "compiler/reference/explain_key.hpp"
 
@@ -149,7 +149,7 @@ private:
       code_ = !code_;
     } else if (code_) {
       add(line);
-    } else if (line.starts_with("## ") || line.starts_with("### ")) {
+    } else if (line.starts_with("# ") || line.starts_with("## ") || line.starts_with("### ")) {
       flush();
       const std::string_view title = line.substr(line.find(' ') + 1);
       std::string plain(title);
@@ -232,6 +232,8 @@ std::string page_without_links(std::string_view page) {
   return out;
 }
 
+std::string reference() { return fmt::format("{}\n{}", language_page(), scenarios_page()); }
+
 std::vector<std::string> keys_of(std::string_view page) {
   std::set<std::string> keys;
   for (const Section& section : Page(page).take())
@@ -271,7 +273,7 @@ std::optional<std::string> explain_key(std::string_view page, std::string_view k
       known = known || mentions;
       write(text, piece);
     }
-    if (!text.empty()) out += fmt::format("\n## {}\n{}", section.title.empty() ? "The language" : section.title, text);
+    if (!text.empty()) out += fmt::format("\n## {}\n{}", section.title, text);
   }
   if (!known) return std::nullopt;
   if (!example && !first.empty()) out += "\n## An example\n\n" + first;

@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Explains a key of the language with the text of its reference, docs/language.md, which is compiled in.
+// Explains a key of the language with the text of its reference, docs/language.md and docs/scenarios.md, which are
+// compiled in.
 
 #include <optional>
 #include <string>
@@ -9,17 +10,20 @@
 
 namespace director::compiler {
 
-/// The text of docs/language.md. Written at build time.
+/// The texts of the two pages. Written at build time.
 std::string_view language_page();
+std::string_view scenarios_page();
+/// Both.
+std::string reference();
 
 /// Without the targets of its links, which lead to other files; blocks of code stay as they are.
 std::string page_without_links(std::string_view page);
 
-/// The keys that the tables of a page document, sorted, each once.
+/// The keys that the tables of the reference document, sorted, each once.
 std::vector<std::string> keys_of(std::string_view page);
 
-/// The page's text about the key: its rows of tables, the sections that these link to, or other text that mentions it.
-/// Empty if the page does not have it. Markdown, without links.
+/// The reference's text about the key: its rows of tables, the sections that these link to, or other text that mentions
+/// it. Empty if it is not there. Markdown, without links.
 std::optional<std::string> explain_key(std::string_view page, std::string_view key);
 
 } // namespace director::compiler

@@ -66,7 +66,7 @@ private:
     }
     if (const auto known = known_.find(identity); known != known_.end()) return known->second;
     if (open_.size() == deepest_import) {
-      report("input_limit", import, fmt::format("files that import one another deeper than {} levels", deepest_import),
+      report("input_limit", import, fmt::format("more than {} files import one another in a chain", deepest_import),
              "import it from a file nearer to the main one");
       return std::nullopt;
     }

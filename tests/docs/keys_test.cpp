@@ -10,11 +10,17 @@
 #include <algorithm>
 #include <cctype>
 #include <set>
+#include <utility>
 
 using namespace director;
 using namespace director::tests;
 
 namespace {
+
+const std::string scenarios = "docs/scenarios.md";
+/// Each page of the reference, and the schema of its keys.
+const std::pair<std::string, std::string> pages[]{{"docs/language.md", "schemas/behaviour.schema.json"},
+                                                  {scenarios, "schemas/scenario.schema.json"}};
 
 /// The keys that a schema describes, at any depth. JSON is YAML too.
 void collect(const dsl::YamlNode& node, std::set<std::string>& keys) {
@@ -46,28 +52,29 @@ bool shows(const std::string& text, const std::string& key) {
 } // namespace
 
 TEST_CASE("the reference has an example of each key") {
-  const Markdown page = read_markdown(read_file(source_dir() / "docs/language.md"));
-  std::string examples, inputs;
-  for (const Block& block : page.blocks) examples += text_of(block.lines);
-  for (const Inline& code : page.code) inputs += code.text + "\n";
-  const std::set<std::string> keys = keys_of("schemas/behaviour.schema.json");
-  CHECK(keys.size() > 30);
-  for (const std::string& key : keys)
-    if (!shows(examples, key)) FAIL_CHECK("docs/language.md: no example has the key `" << key << "`");
-  for (const std::string& key : keys_of("schemas/scenario.schema.json")) // many of these are shown in a table
-    if (!shows(examples, key) && !shows(inputs, key))
-      FAIL_CHECK("docs/language.md: no example has the key `" << key << "` of scenarios");
+  for (const auto& [file, schema] : pages) {
+    const Markdown page = read_markdown(read_file(source_dir() / file));
+    std::string examples;
+    for (const Block& block : page.blocks) examples += text_of(block.lines);
+    if (file == scenarios) { // many of these are shown in a table
+      for (const Inline& code : page.code) examples += code.text + "\n";
+    }
+    const std::set<std::string> keys = keys_of(schema);
+    CHECK(keys.size() > 20);
+    for (const std::string& key : keys)
+      if (!shows(examples, key)) FAIL_CHECK(file << ": no example has the key `" << key << "`");
+  }
 }
 
 TEST_CASE("each key has a row in a table of the reference, and `directorc explain` prints it") {
-  const std::string page = read_file(source_dir() / "docs/language.md");
-  CHECK(std::string(compiler::language_page()) == page);
-  const std::vector<std::string> rows = compiler::keys_of(page);
-  for (const char* schema : {"schemas/behaviour.schema.json", "schemas/scenario.schema.json"}) {
+  CHECK(std::string(compiler::language_page()) == read_file(source_dir() / "docs/language.md"));
+  CHECK(std::string(compiler::scenarios_page()) == read_file(source_dir() / scenarios));
+  for (const auto& [file, schema] : pages) {
+    const std::vector<std::string> rows = compiler::keys_of(read_file(source_dir() / file));
     for (const std::string& key : keys_of(schema)) {
       if (std::find(rows.begin(), rows.end(), key) == rows.end())
-        FAIL_CHECK("docs/language.md: no table has a row for `" << key << "`");
-      CHECK(compiler::explain_key(page, key).value_or("").starts_with("# " + key + "\n\n- `"));
+        FAIL_CHECK(file << ": no table has a row for `" << key << "`");
+      CHECK(compiler::explain_key(compiler::reference(), key).value_or("").starts_with("# " + key + "\n\n- `"));
     }
   }
 }

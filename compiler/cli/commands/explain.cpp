@@ -34,7 +34,7 @@ int run(const Explain& request, Console& console) {
     console.out << shown(page_without_links(check->page), console);
     return clean;
   }
-  const std::string_view page = language_page();
+  const std::string page = reference();
   if (const std::optional<std::string> text = explain_key(page, request.id)) {
     console.out << shown(*text, console);
     return clean;

@@ -109,13 +109,13 @@ TEST_CASE("A file above the limit is refused unread") {
                             "that import one another)\n");
 }
 
-TEST_CASE("Imports of imports have a limit") {
+TEST_CASE("imports of imports have a limit") {
   Files files;
   for (std::size_t i = 0; i <= deepest_import; ++i)
     files.add(fmt::format("{}.yaml", i), fmt::format("[{}.yaml]", i + 1));
   files.read("0.yaml");
   CHECK(files.findings() ==
-        fmt::format("{0}.yaml:3:11 `{1}.yaml` input_limit: files that import one another deeper than 200 "
-                    "levels (import it from a file nearer to the main one)\n",
+        fmt::format("{0}.yaml:3:11 `{1}.yaml` input_limit: more than 200 files import one another in a chain "
+                    "(import it from a file nearer to the main one)\n",
                     deepest_import - 1, deepest_import));
 }

@@ -153,7 +153,7 @@ TEST_CASE("a check is explained, and all are listed") {
   CHECK(world.directorc({"explain", "xylophone"}) == 2);
   CHECK(world.err == fmt::format("directorc: there is no check and no key `xylophone`; `directorc checks` lists all "
                                  "checks; the keys are {}\n",
-                                 fmt::join(director::compiler::keys_of(director::compiler::language_page()), ", ")));
+                                 fmt::join(director::compiler::keys_of(director::compiler::reference()), ", ")));
   CHECK(world.directorc({"explain", "unless"}) == 2);
   CHECK(world.err ==
         "directorc: there is no check and no key `unless`: `when` says what must hold: write the opposite, "
