@@ -59,8 +59,9 @@ struct Below {
 
 class RankWriter {
 public:
-  explicit RankWriter(const Model& model)
+  RankWriter(const Model& model, std::size_t most_decisions)
       : model_(model),
+        most_decisions_(most_decisions),
         contentions_(model),
         leaders_(model),
         ways_(model),
@@ -82,16 +83,7 @@ public:
       contended.add(contended_json(id));
     }
     const std::size_t count = model_.groups.size();
-    Json pairs = Json::list({});
-    if (count <= most_compared) {
-      const Arrows claims = make_graph(model_).claims;
-      for (const GroupId id : model_.groups.ids()) reaches_[id] = reachable(claims, id.value);
-      for (const GroupId first : model_.groups.ids()) {
-        Json row = Json::list({});
-        for (std::uint32_t i = 0; i <= first.value; ++i) row.add(Json::number(answer(first, GroupId{i})));
-        pairs.add(std::move(row));
-      }
-    }
+    Json pairs = count <= most_compared ? pairs_json() : Json::list({});
     Json out = Json::object({});
     std::string left_out;
     if (count > most_compared)
@@ -99,6 +91,13 @@ public:
           fmt::format("Not every two of {} groups are compared here, as there are more than {}; those that several "
                       "request are.",
                       count, most_compared);
+    if (listed_ > most_decisions_) {
+      left_out =
+          fmt::format("Not every two groups are compared here, as there are more than {} decisions between them; "
+                      "those that several request are.",
+                      most_decisions_);
+      pairs = answers_ = Json::list({});
+    }
     if (!crowded.empty())
       left_out += fmt::format("{}The requesters of {} are not compared with each other, as there would be more than {} "
                               "pairs.",
@@ -117,6 +116,20 @@ public:
 
 private:
   const std::string& name(GroupId id) const { return model_.groups[id].name.value; }
+
+  /// Incomplete if more are listed than allowed.
+  Json pairs_json() {
+    const Arrows claims = make_graph(model_).claims;
+    for (const GroupId id : model_.groups.ids()) reaches_[id] = reachable(claims, id.value);
+    Json pairs = Json::list({});
+    for (const GroupId first : model_.groups.ids()) {
+      Json row = Json::list({});
+      for (std::uint32_t i = 0; i <= first.value && listed_ <= most_decisions_; ++i)
+        row.add(Json::number(answer(first, GroupId{i})));
+      pairs.add(std::move(row));
+    }
+    return pairs;
+  }
 
   Json contended_json(GroupId id) {
     Json rivals = Json::list({});
@@ -249,7 +262,10 @@ private:
     if (reaches_[second][first.value] && first != second) all.add("leads", Json::text("second"));
     all.add("decisions", numbers(first == second ? rulings(first) : rulings(first, second)));
     const auto [at, fresh] = answer_places_.try_emplace(to_line(all), answer_places_.size());
-    if (fresh) answers_.add(std::move(all));
+    if (fresh) {
+      listed_ += all["decisions"].items().size();
+      answers_.add(std::move(all));
+    }
     return static_cast<std::int64_t>(at->second);
   }
 
@@ -379,6 +395,8 @@ private:
   }
 
   const Model& model_;
+  std::size_t most_decisions_;
+  std::size_t listed_ = 0; ///< decisions in `answers_`
   Contentions contentions_;
   LeaderFinder leaders_;
   Ways ways_;
@@ -390,6 +408,6 @@ private:
 
 } // namespace
 
-Json ranks_json(const Model& model) { return RankWriter(model).write(); }
+Json ranks_json(const Model& model, std::size_t most_decisions) { return RankWriter(model, most_decisions).write(); }
 
 } // namespace director::compiler

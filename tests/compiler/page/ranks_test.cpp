@@ -3,6 +3,7 @@
 #include "tests/compiler/support/compiled.hpp"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 namespace director::tests {
 
@@ -270,6 +271,30 @@ TEST_CASE("of more groups than a page can hold not every two are compared, and i
         "Not every two of 501 groups are compared here, as there are more than 500; those "
         "that several request are.");
   CHECK(ranks["pairs"].items().empty());
+}
+
+TEST_CASE("if more decides between two groups than a page can hold, no two are compared, and it is reported") {
+  const Compiled c = compile(R"(behaviour: test
+language: 1
+roots: {Rescue: {priority: 9}, Play: {priority: 1}, Look: {priority: 5}}
+groups: {Rescue: {needs: [Legs]}, Play: {tasks: [Legs]}, Look: {}, Legs: {}}
+)");
+  const auto decisions = [](const compiler::Json& ranks) {
+    std::size_t out = 0;
+    for (const compiler::Json& answer : ranks["answers"].items()) out += answer["decisions"].items().size();
+    return out;
+  };
+  const compiler::Json all = compiler::ranks_json(c.model);
+  CHECK(all["left_out"].is_null());
+  CHECK(to_line(compiler::ranks_json(c.model, decisions(all))) == to_line(all));
+  const compiler::Json some = compiler::ranks_json(c.model, decisions(all) - 1);
+  CHECK(some["left_out"].as_text() ==
+        fmt::format("Not every two groups are compared here, as there are more than {} decisions between them; those "
+                    "that several request are.",
+                    decisions(all) - 1));
+  CHECK(some["pairs"].items().empty());
+  CHECK(some["answers"].items().empty());
+  CHECK(to_line(some["contended"]) == to_line(all["contended"]));
 }
 
 TEST_CASE("of a group that very many request, they are not compared, and it is reported") {
