@@ -7,6 +7,7 @@
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/unreported/unreported.hpp"
 #include "compiler/analysis/words/notes.hpp"
+#include "compiler/analysis/words/proposals.hpp"
 #include "compiler/analysis/words/words.hpp"
 
 #include <fmt/format.h>
@@ -117,9 +118,10 @@ private:
     for (const ProviderId first : kept.first)
       finding.notes.push_back({model_.providers[first].span, fmt::format("{} comes first", name_of(model_, first))});
     add_notes(kept, provider.span, {id}, finding);
-    finding.help = kept.first.empty()
-                       ? fmt::format("request {} where it can have what it lacks, or leave {} out", group, name)
-                       : fmt::format("leave {} something before the others, or leave it out", name);
+    propose_or_leave_out(model_, id,
+                         kept.first.empty() ? fmt::format("request {} where it can have what it lacks", group)
+                                            : fmt::format("let the others leave {} something", name),
+                         finding);
   }
 
   void report(EdgeId id) {

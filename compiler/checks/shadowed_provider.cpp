@@ -9,6 +9,7 @@
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/choice.hpp"
 #include "compiler/analysis/states/region.hpp"
+#include "compiler/analysis/words/proposals.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -153,10 +154,13 @@ void report_never(const Input& input, ProviderId id, Findings& findings) {
   Idleness idleness = explain_idle(input, id);
   finding.notes = std::move(idleness.notes);
   const bool excluded = !explain_exclusion(input.model, input.facts, id).empty();
-  finding.help = idleness.deadlock ? apart_help(input.model, *idleness.deadlock)
-                 : excluded
-                     ? fmt::format("say these conditions so that all of them can hold at once, or leave {} out", name)
-                     : fmt::format("request what brings that about, or leave {} out", name);
+  if (idleness.deadlock)
+    finding.help = apart_help(input.model, *idleness.deadlock);
+  else
+    propose_or_leave_out(input.model, id,
+                         excluded ? "say these conditions so that all of them can hold at once"
+                                  : "request what brings that about",
+                         finding);
 }
 
 /// It cannot run where its group is requested, and others of the group can.
@@ -166,7 +170,7 @@ void report_excluded(const Input& input, ProviderId id, Findings& findings) {
       input.model.providers[id].span, fmt::format("{} never runs: {} is requested only where it cannot", name, group));
   finding.rules_out = {input.model.providers[id].span};
   finding.notes = explain_exclusion(input.model, input.facts, id);
-  finding.help = fmt::format("request {} elsewhere too, or leave {} out", group, name);
+  propose_or_leave_out(input.model, id, fmt::format("request {} elsewhere too", group), finding);
 }
 
 /// Whether the group has another provider that may run.
@@ -183,7 +187,7 @@ void report_idle(const Input& input, ProviderId id, const Refused& refused, Find
                                                       name_of(input.model, id), name_of(input.model, taker.group)));
   finding.rules_out = {input.model.providers[id].span};
   add_taker(input, refused, taker, finding.notes);
-  finding.help = fmt::format("request it where that is free, or leave {} out", name_of(input.model, id));
+  propose_or_leave_out(input.model, id, "request it where that is free", finding);
 }
 
 /// Whether it can run whenever the other one can, by their own conditions and needs.
@@ -198,18 +202,19 @@ bool can_always_replace(const Model& model, ProviderId id, ProviderId other) {
 
 /// Another order helps if then no other provider never runs: neither one of these, nor one whose promise is never
 /// pushed.
-std::string propose(const Input& input, ProviderId id, const std::vector<ProviderId>& culprits) {
+void propose(const Input& input, ProviderId id, const std::vector<ProviderId>& culprits, dsl::Diagnostic& finding) {
   const Model& model = input.model;
   const bool helps = std::none_of(culprits.begin(), culprits.end(), [&](ProviderId each) {
     const bool is_promise = !model.providers[each].causing.empty() && !input.facts.pushed.contains(each);
     return is_promise || can_always_replace(model, id, each);
   });
-  const std::string name = name_of(model, id);
-  if (culprits.size() == 1)
-    return fmt::format("give {} a `when` that leaves something, or {}", name_of(model, culprits.front()),
-                       helps ? "put it last" : fmt::format("leave {} out", name));
-  return fmt::format("give one of them a `when` that leaves something, or {}",
-                     helps ? "put this one first" : fmt::format("leave {} out", name));
+  const bool is_one = culprits.size() == 1;
+  const std::string help =
+      fmt::format("give {} a `when` that leaves something", is_one ? name_of(model, culprits.front()) : "one of them");
+  if (helps)
+    finding.help = help + (is_one ? ", or put it last" : ", or put this one first");
+  else
+    propose_or_leave_out(input.model, id, help, finding);
 }
 
 } // namespace
@@ -255,10 +260,13 @@ void shadowed_provider(const Input& input, Findings& findings) {
     }
     const std::optional<GroupId> outranked = note_unpushed(input, id, finding);
     note_members(input, id, rivals.of(id), finding);
-    finding.help = outranked
-                       ? fmt::format("let {} go before {}, not in one unit with it, or leave {} out",
-                                     name_of(model, *outranked), name_of(model, provider.group), name_of(model, id))
-                       : propose(input, id, culprits);
+    if (outranked)
+      propose_or_leave_out(input.model, id,
+                           fmt::format("let {} go before {}, not in one unit with it", name_of(model, *outranked),
+                                       name_of(model, provider.group)),
+                           finding);
+    else
+      propose(input, id, culprits, finding);
   }
 }
 

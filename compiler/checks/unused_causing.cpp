@@ -15,6 +15,27 @@ namespace director::checks {
 
 namespace {
 
+/// Whether a group that needs this one may wait for the conditions of its providers.
+bool is_needed(const Model& model, GroupId group) {
+  const std::vector<EdgeId>& requesters = model.groups[group].requesters;
+  return std::any_of(requesters.begin(), requesters.end(), [&](EdgeId id) { return model.edges[id].needed; });
+}
+
+/// Sets the help, and notes who listens to the end of its time, which never comes.
+void advise(const Input& input, ProviderId id, const ConditionUse& promise, dsl::Diagnostic& finding) {
+  const Model& model = input.model;
+  finding.help = "what a provider sets without a promise to anybody stands in `sets`";
+  if (!promise.within) return;
+  for (const Provider& listener : model.providers) {
+    for (const Use<TriggerId>& use : listener.triggers) {
+      const Trigger& trigger = model.triggers[use.id];
+      if (trigger.promise != id) continue;
+      finding.notes.push_back({use.span, fmt::format("{} listens to `{}`, which never fires for this",
+                                                     name_of(model, listener.group), trigger.name)});
+    }
+  }
+}
+
 /// Those of other groups with a condition that it satisfies.
 std::vector<const Graph::Causing*> find_waiters(const Input& input, ProviderId id, const ConditionUse& promise) {
   std::vector<const Graph::Causing*> out;
@@ -50,7 +71,7 @@ void report_unpushed(const Input& input, Pushers& pushers, ProviderId causer, co
         {arrow->condition.span, fmt::format("{} looks at it here, and never waits for it where it could push",
                                             name_of(model, arrow->waiter))});
   }
-  finding.help = "what a provider sets without a promise to anybody stands in `sets`";
+  advise(input, causer, promise, finding);
 }
 
 } // namespace
@@ -66,8 +87,7 @@ void unused_causing(const Input& input, Findings& findings) {
     for (const ConditionUse& use : model.providers[id].causing) {
       if (reported.count(use.span) != 0) continue;
       if (waited.count(use.span) == 0) {
-        findings.add(use.span, fmt::format("nothing waits for {}", name_of(model, use.id))).help =
-            "what a provider sets without a promise to anybody stands in `sets`";
+        advise(input, id, use, findings.add(use.span, fmt::format("nothing waits for {}", name_of(model, use.id))));
         continue;
       }
       // The check that reports why it never runs, or why those that wait never do, explains this.
@@ -79,9 +99,10 @@ void unused_causing(const Input& input, Findings& findings) {
       const bool any_pushes =
           std::any_of(input.graph.causing.begin(), input.graph.causing.end(), [&](const Graph::Causing& arrow) {
             if (arrow.causer != id || arrow.promise.span != use.span) return false;
-            // A pushed provider of its own group may wait for it.
-            if (model.providers[arrow.waiter].group == model.providers[id].group &&
-                !input.facts.pushed.contains(arrow.waiter))
+            // A pushed provider of its own group may wait for it, or a task that needs the group.
+            const GroupId own = model.providers[id].group;
+            if (model.providers[arrow.waiter].group == own && !input.facts.pushed.contains(arrow.waiter) &&
+                !is_needed(model, own))
               return false;
             // As declared it may push for ever; the decisions treat it as corrected.
             if (input.facts.is_impossible(arrow.waiter, model.conditions[arrow.condition.id].state)) return true;

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/words/proposals.hpp"
 
+#include "compiler/analysis/words/words.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace director::analysis {
@@ -14,6 +18,20 @@ std::string put_last(const Model& model, ProviderId id, const std::function<bool
   if (is_last || !provider.needs.empty() || !std::all_of(provider.when.begin(), provider.when.end(), removed))
     return {};
   return ", and put it last";
+}
+
+void propose_or_leave_out(const Model& model, ProviderId provider, const std::string& help, dsl::Diagnostic& finding) {
+  const GroupId group = model.providers[provider].group;
+  for (const Provider& needer : model.providers) {
+    for (const Use<GroupId>& need : needer.needs) {
+      if (need.id != group || needer.group == group) continue;
+      finding.notes.push_back(
+          {need.span, fmt::format("{} may hold {} by it here", name_of(model, needer.group), name_of(model, group))});
+      finding.help = help;
+      return;
+    }
+  }
+  finding.help = fmt::format("{}, or leave {} out", help, name_of(model, provider));
 }
 
 } // namespace director::analysis

@@ -14,4 +14,9 @@ namespace director::analysis {
 std::string put_last(const compiler::Model& model, compiler::ProviderId id,
                      const std::function<bool(const compiler::ConditionUse&)>& removed);
 
+/// Sets this help, with the advice to leave the provider out; but not if a group that needs its group may hold it by
+/// this provider, whose body may never run: that is noted.
+void propose_or_leave_out(const compiler::Model& model, compiler::ProviderId provider, const std::string& help,
+                          dsl::Diagnostic& finding);
+
 } // namespace director::analysis
