@@ -10,7 +10,9 @@ namespace director::compiler {
 
 /// "1.500000".
 inline std::string in_seconds(std::int64_t microseconds) {
-  return fmt::format("{:.6f}", static_cast<double>(microseconds) / 1e6);
+  const bool negative = microseconds < 0;
+  const auto size = negative ? 0 - static_cast<std::uint64_t>(microseconds) : static_cast<std::uint64_t>(microseconds);
+  return fmt::format("{}{}.{:06}", negative ? "-" : "", size / 1'000'000, size % 1'000'000);
 }
 
 /// "1.5 s", with all digits that are not 0. The time is not negative.

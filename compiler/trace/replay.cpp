@@ -116,9 +116,13 @@ private:
         Lookup::Found found = lookup_.event(recorded.json);
         recorded.event = found.event;
         recorded.problem = std::move(found.problem);
-        const bool is_exhausted = is(&recorded, Kind::exhausted);
-        if (is_exhausted || is(&recorded, Kind::fault)) early_ends_.push_back(recorded.event);
-        if (is_exhausted || is(&recorded, Kind::lost)) continue;
+        bool skips = is(&recorded, Kind::exhausted) || is(&recorded, Kind::lost);
+        if (skips) {
+          recorded.problem = damage_of(recorded, recorded_lookup_.event(recorded.json));
+          skips = recorded.problem.empty();
+        }
+        if (is(&recorded, Kind::exhausted) || is(&recorded, Kind::fault)) early_ends_.push_back(recorded.event);
+        if (skips) continue;
       }
       waiting_.push_back(std::move(recorded));
     }

@@ -9,7 +9,7 @@ namespace director::dds {
 
 /// In the order of their dependencies.
 struct Bridge::Parts {
-  Parts(Plug given_plug, Outbox& outbox, Settings given)
+  Parts(Plug given_plug, Outbox& outbox, SettingsView given)
       : settings(std::move(given)),
         plug(std::move(given_plug)),
         plan(resolve(settings, plug)),
@@ -19,7 +19,7 @@ struct Bridge::Parts {
         speaker(participant, settings, plug, plan, outbox, notes, session),
         listener(participant, settings, plug, plan, notes, session) {}
 
-  const Settings settings;
+  const SettingsView settings; ///< its lists only until the plan is made
   const Plug plug;
   const Plan plan;
   Notes notes;
@@ -29,7 +29,7 @@ struct Bridge::Parts {
   Listener listener;
 };
 
-Bridge::Bridge(Plug plug, Outbox& outbox, Settings settings)
+Bridge::Bridge(Plug plug, Outbox& outbox, SettingsView settings)
     : parts_(std::make_unique<Parts>(std::move(plug), outbox, std::move(settings))) {}
 
 Bridge::~Bridge() = default;

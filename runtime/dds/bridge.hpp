@@ -15,13 +15,15 @@
 #include "runtime/dds/settings.hpp"
 
 #include <memory>
+#include <utility>
 
 namespace director::dds {
 
 class Bridge {
 public:
   /// Behaviour and outbox must outlive it.
-  Bridge(Plug plug, Outbox& outbox, Settings settings);
+  Bridge(Plug plug, Outbox& outbox, const Settings& settings)
+      : Bridge(std::move(plug), outbox, SettingsView(settings)) {}
   /// Disposes all that this robot published.
   ~Bridge();
   Bridge(const Bridge&) = delete;
@@ -35,6 +37,8 @@ public:
   std::uint64_t session() const;
 
 private:
+  Bridge(Plug plug, Outbox& outbox, SettingsView settings);
+
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

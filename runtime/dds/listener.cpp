@@ -19,7 +19,7 @@ bool is_name(const char* text) {
 
 } // namespace
 
-Listener::Listener(const Entity& participant, const Settings& settings, const Plug& plug, const Plan& plan,
+Listener::Listener(const Entity& participant, const SettingsView& settings, const Plug& plug, const Plan& plan,
                    Notes& notes, std::uint64_t session)
     : settings_(settings),
       plug_(plug),

@@ -17,7 +17,7 @@ namespace director::dds {
 
 class Listener {
 public:
-  Listener(const Entity& participant, const Settings& settings, const Plug& plug, const Plan& plan, Notes& notes,
+  Listener(const Entity& participant, const SettingsView& settings, const Plug& plug, const Plan& plan, Notes& notes,
            std::uint64_t session);
   ~Listener();
 
@@ -38,7 +38,7 @@ private:
     bool there = false;
   };
 
-  const Settings& settings_;
+  const SettingsView& settings_;
   const Plug& plug_;
   const Plan& plan_;
   Notes& notes_;

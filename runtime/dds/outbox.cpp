@@ -2,11 +2,23 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/dds/outbox.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <limits>
 
 namespace director::dds {
 
-Outbox::Outbox(std::size_t room, Observer next) : ring_(std::bit_ceil(room < 2 ? 2 : room)), next_(next) {}
+namespace {
+
+/// The highest power of two. No machine has that much memory, so that making the outbox fails.
+constexpr std::size_t most_room = std::size_t{1} << (std::numeric_limits<std::size_t>::digits - 1);
+
+} // namespace
+
+Outbox::Outbox(std::size_t room, Observer next)
+    : room_(std::bit_ceil(std::clamp(room, std::size_t{2}, most_room))),
+      ring_(std::make_unique<Entry[]>(room_)),
+      next_(next) {}
 
 void Outbox::observe(void* self, const Event& event) {
   Outbox& out = *static_cast<Outbox*>(self);
@@ -29,18 +41,18 @@ void Outbox::observe(void* self, const Event& event) {
 
 void Outbox::put(const Event& event, std::uint64_t number) {
   const std::uint64_t end = end_.load(std::memory_order_relaxed);
-  if (end - begin_.load(std::memory_order_acquire) == ring_.size()) {
+  if (end - begin_.load(std::memory_order_acquire) == room_) {
     lost_.fetch_add(1, std::memory_order_relaxed);
     return;
   }
-  ring_[end & (ring_.size() - 1)] = {event, number};
+  ring_[end & (room_ - 1)] = {event, number};
   end_.store(end + 1, std::memory_order_release);
 }
 
 bool Outbox::take(Entry& out) {
   const std::uint64_t begin = begin_.load(std::memory_order_relaxed);
   if (begin == end_.load(std::memory_order_acquire)) return false;
-  out = ring_[begin & (ring_.size() - 1)];
+  out = ring_[begin & (room_ - 1)];
   begin_.store(begin + 1, std::memory_order_release);
   return true;
 }

@@ -8,7 +8,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <memory>
 
 namespace director::dds {
 
@@ -20,7 +20,7 @@ public:
                               ///< a state that was set
   };
 
-  /// `room`: how many events can wait; rounded up to a power of two. `next` is called as well.
+  /// `room`: how many events can wait; rounded up to a power of two, 2 at least. `next` is called as well.
   explicit Outbox(std::size_t room = 1024, Observer next = {});
   Outbox(const Outbox&) = delete;
   Outbox& operator=(const Outbox&) = delete;
@@ -40,7 +40,9 @@ private:
   static void observe(void* self, const Event& event);
   void put(const Event& event, std::uint64_t number);
 
-  std::vector<Entry> ring_;
+  // No vector: the layout must not depend on how the program is compiled (_GLIBCXX_DEBUG).
+  const std::size_t room_;
+  const std::unique_ptr<Entry[]> ring_;
   Observer next_;
   std::uint64_t number_ = 0; ///< of the last decision
   std::uint64_t seen_ = 0;

@@ -16,7 +16,7 @@ std::string listed(Name name, Index count) {
 
 class Resolver {
 public:
-  Resolver(const Settings& settings, const Plug& plug) : settings_(settings), plug_(plug) {}
+  Resolver(const SettingsView& settings, const Plug& plug) : settings_(settings), plug_(plug) {}
 
   Plan plan() {
     if (settings_.robot.empty()) mistake("the robot needs a name");
@@ -93,7 +93,7 @@ private:
 
   void mistake(const std::string& text) { mistakes_ += (mistakes_.empty() ? "" : "\ndds: ") + text; }
 
-  const Settings& settings_;
+  const SettingsView& settings_;
   const Plug& plug_;
   Plan plan_;
   std::string mistakes_;
@@ -129,7 +129,7 @@ std::uint64_t count(const Row& rows) {
 
 } // namespace
 
-Plan resolve(const Settings& settings, const Plug& plug) { return Resolver(settings, plug).plan(); }
+Plan resolve(const SettingsView& settings, const Plug& plug) { return Resolver(settings, plug).plan(); }
 
 std::optional<std::int32_t> number_of(const Taken& taken, std::string_view name) {
   const auto found = taken.values.find(name);

@@ -32,7 +32,7 @@ struct Plan {
   std::map<std::string, Offered, std::less<>> offered; ///< by the task's name
 };
 
-Plan resolve(const Settings& settings, const Plug& plug);
+Plan resolve(const SettingsView& settings, const Plug& plug);
 
 /// The number of a value that another robot published; nothing: the state does not have it.
 std::optional<std::int32_t> number_of(const Taken& taken, std::string_view name);

@@ -95,4 +95,26 @@ struct Settings {
       notice{}; ///< called by one thread at a time, of the bridge's; must not throw; may be empty
 };
 
+/// The same without vectors, whose layout depends on how a program is compiled (_GLIBCXX_DEBUG).
+struct SettingsView {
+  SettingsView(const Settings& all)
+      : robot(all.robot),
+        domain(all.domain),
+        publish(all.publish),
+        take_in(all.take_in),
+        offer(all.offer),
+        decisions(all.decisions),
+        say_again(all.say_again),
+        notice(all.notice) {}
+
+  std::string robot;
+  std::uint32_t domain;
+  std::span<const std::string> publish; ///< of the settings
+  std::span<const TakeIn> take_in;      ///< likewise
+  std::span<const Offer> offer;         ///< likewise
+  bool decisions;
+  std::chrono::milliseconds say_again;
+  std::function<void(const Notice&)> notice;
+};
+
 } // namespace director::dds

@@ -8,7 +8,7 @@ namespace director::dds {
 
 using Clock = std::chrono::steady_clock;
 
-Speaker::Speaker(const Entity& participant, const Settings& settings, const Plug& plug, const Plan& plan,
+Speaker::Speaker(const Entity& participant, const SettingsView& settings, const Plug& plug, const Plan& plan,
                  Outbox& outbox, Notes& notes, std::uint64_t session)
     : settings_(settings),
       plug_(plug),

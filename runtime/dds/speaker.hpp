@@ -19,7 +19,7 @@ namespace director::dds {
 
 class Speaker {
 public:
-  Speaker(const Entity& participant, const Settings& settings, const Plug& plug, const Plan& plan, Outbox& outbox,
+  Speaker(const Entity& participant, const SettingsView& settings, const Plug& plug, const Plan& plan, Outbox& outbox,
           Notes& notes, std::uint64_t session);
   ~Speaker();
 
@@ -47,7 +47,7 @@ private:
   template <class Sample>
   void publish(const Entity& writer, const Sample& sample, std::uint64_t Counts::*counter);
 
-  const Settings& settings_;
+  const SettingsView& settings_;
   const Plug& plug_;
   Outbox& outbox_;
   Notes& notes_;

@@ -68,6 +68,7 @@ Listener listen_at(const std::string& address, std::uint16_t port) {
   out.error = "cannot listen at " + host + ":" + std::to_string(port) + ": " + words(error);
   if (error == EADDRINUSE) out.error += "; another program has the port: give another one, or 0 for any that is free";
   if (error == EACCES) out.error += "; ports below 1024 are for root: give another one, or 0 for any that is free";
+  if (error == EADDRNOTAVAIL) out.error += "; name an address of this computer, such as 127.0.0.1";
   return out;
 }
 

@@ -84,8 +84,10 @@ void Server::run() {
 /// polls for events.
 void Server::wait() {
   std::vector<pollfd> sockets{{socket_, static_cast<short>(now_ >= accepts_again_ ? POLLIN : 0), 0}};
-  for (const auto& each : connections_)
-    sockets.push_back({each->socket, static_cast<short>(each->out.empty() ? POLLIN : POLLIN | POLLOUT), 0});
+  for (const auto& each : connections_) {
+    const int wanted = (each->is_silent ? 0 : POLLIN) | (each->out.empty() ? 0 : POLLOUT);
+    sockets.push_back({each->socket, static_cast<short>(wanted), 0});
+  }
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(taken_ + options_.interval - now_);
   poll(sockets.data(), sockets.size(), static_cast<int>(std::clamp<std::int64_t>(left.count(), 0, 1000)));
   now_ = Clock::now();
@@ -165,6 +167,8 @@ void Server::serve(Connection& connection, short events) {
 bool Server::read(Connection& connection) {
   std::array<char, 4096> buffer;
   const ssize_t count = recv(connection.socket, buffer.data(), buffer.size(), 0);
+  if (count == 0 && connection.stage == Connection::Stage::answering && !connection.is_silent)
+    return connection.is_silent = true;
   if (has_ended(count)) return false;
   if (count > 0 && connection.stage == Connection::Stage::asking)
     connection.in.append(buffer.data(), static_cast<std::size_t>(count));

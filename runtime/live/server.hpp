@@ -49,6 +49,7 @@ private:
     std::deque<Feed::Text> out;
     std::size_t at = 0; ///< bytes of the first of `out` that are sent already
     Place place;
+    bool is_silent = false; ///< the client has ended its direction, and waits for the rest of its answer
   };
 
   void run();

@@ -14,8 +14,9 @@ function(build_with_installed component public)
   if(private)
     message(FATAL_ERROR "installed, but nobody's business: ${private}")
   endif()
+  # The containers of the project are checked ones, of another layout than those of the installed Director.
   execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${WORK}/prefix
-                          "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wconversion -Wshadow -Werror" OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+                          "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wconversion -Wshadow -Werror -D_GLIBCXX_DEBUG" OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT status EQUAL 0)
     message(FATAL_ERROR "the project does not build:\n${output}")

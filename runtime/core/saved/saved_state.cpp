@@ -92,7 +92,8 @@ LoadResult can_load(const Engine& engine, std::span<const std::byte> from, std::
   if (from.size() < bytes_of<HeadRow>()) return LoadResult::truncated;
   const auto row = read<HeadRow>(from.data(), 0);
   if (row.version != version_word) return LoadResult::other_version;
-  if (row.size > from.size()) return LoadResult::truncated;
+  if (row.size > from.size())
+    return row.behaviour == behaviour && from.size() >= size ? LoadResult::damaged : LoadResult::truncated;
   if (row.size < bytes_of<HeadRow>() || row.check_sum != check_sum(from.subspan(summed_from, row.size - summed_from)))
     return LoadResult::damaged;
   if (row.behaviour != behaviour) return LoadResult::other_behaviour;

@@ -6,10 +6,12 @@
 
 #include "runtime/core/base/observer.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <type_traits>
 
@@ -24,9 +26,9 @@ public:
     std::uint64_t dropped = 0; ///< events dropped before this one, since the beginning
   };
 
-  /// `size`: how many events can wait; rounded up to a power of two, 2 at least.
+  /// `size`: how many events can wait; rounded up to a power of two, 2 at least. Errors: std::bad_alloc.
   explicit EventQueue(std::size_t size)
-      : size_(std::bit_ceil(size < 2 ? 2 : size)),
+      : size_(std::bit_ceil(std::clamp(size, std::size_t{2}, std::numeric_limits<std::size_t>::max() / 2 + 1))),
         ring_(std::make_unique<Entry[]>(size_)) {}
   EventQueue(const EventQueue&) = delete;
   EventQueue& operator=(const EventQueue&) = delete;

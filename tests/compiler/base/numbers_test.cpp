@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <limits>
+
 using namespace director::compiler;
 
 TEST_CASE("a duration has no superfluous digits") {
@@ -17,6 +19,14 @@ TEST_CASE("a duration has no superfluous digits") {
   CHECK(as_duration(3'599'990'000) == "59 min 59.99 s");
   CHECK(as_duration(3'599'999'900) == "1 h 0 min 0 s");
   CHECK(as_duration(90'061'000'000) == "25 h 1 min 1 s");
+}
+
+TEST_CASE("a time has six digits after the point, exactly, also where a floating-point number has not so many") {
+  CHECK(in_seconds(0) == "0.000000");
+  CHECK(in_seconds(1'500'000) == "1.500000");
+  CHECK(in_seconds(-1) == "-0.000001");
+  CHECK(in_seconds(9'223'372'036'854'747'905) == "9223372036854.747905");
+  CHECK(in_seconds(std::numeric_limits<std::int64_t>::min()) == "-9223372036854.775808");
 }
 
 TEST_CASE("a large count has separators") {

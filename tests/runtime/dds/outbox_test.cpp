@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <limits>
+#include <new>
 #include <thread>
 
 using namespace director;
@@ -81,4 +83,8 @@ TEST_CASE("between two threads no event is torn, and each that is not lost comes
   take_all();
   CHECK(wrong == 0);
   CHECK(taken + outbox.lost() == events);
+}
+
+TEST_CASE("an outbox that no memory can hold is refused") {
+  CHECK_THROWS_AS(Outbox(std::numeric_limits<std::size_t>::max()), std::bad_alloc);
 }

@@ -23,11 +23,11 @@ std::string failure(const Settings& settings) {
 TEST_CASE("names become rows, and values keep their names") {
   Office office;
   const dds::Plan plan =
-      dds::resolve({.robot = "one",
-                    .publish = {"Door", "Battery"},
-                    .take_in = {{.robot = "two", .state = "Temper", .into = "Mood"},
-                                {.robot = "two", .state = "Charge", .into = "Battery", .behaviour = "arm"}},
-                    .offer = {{.task = "Rest"}}},
+      dds::resolve(Settings{.robot = "one",
+                            .publish = {"Door", "Battery"},
+                            .take_in = {{.robot = "two", .state = "Temper", .into = "Mood"},
+                                        {.robot = "two", .state = "Charge", .into = "Battery", .behaviour = "arm"}},
+                            .offer = {{.task = "Rest"}}},
                    plug(office.behaviour));
   CHECK(plan.published == std::vector<Index>{state_row("Door"), state_row("Battery")});
   const dds::Taken& mood = plan.taken.at({"two", "courier", "Temper"}).front();

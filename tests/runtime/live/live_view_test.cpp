@@ -12,6 +12,7 @@
 #include <malloc.h>
 #include <poll.h>
 #include <pthread.h>
+#include <sys/socket.h>
 
 #include <algorithm>
 #include <csignal>
@@ -251,6 +252,19 @@ TEST_CASE("a view ends while its viewers are stuck, and in the middle of request
   for (const Caller& each : deaf) each.read_all();
 }
 
+TEST_CASE("a client that ends its direction behind its request gets the whole page") {
+  const TemporaryFolder folder;
+  REQUIRE(
+      run_command("directorc docs behaviours/soccer/soccer.yaml -o " + folder.path().string(), source_dir()).status ==
+      0);
+  const LiveView view{soccer::names::all(), {.page = (folder.path() / "soccer.html").string()}};
+  const Response page = call(view.url(), get(view.url(), ""));
+  const Caller caller(view.url(), 4096); // so that the page does not fit into what the system keeps
+  caller.send(get(view.url(), ""));
+  REQUIRE(shutdown(caller.socket(), SHUT_WR) == 0);
+  CHECK(split(caller.read_all()).body.size() == page.body.size());
+}
+
 TEST_CASE("the page, why, and paths that do not exist") {
   const TemporaryFolder folder;
   REQUIRE(
@@ -394,6 +408,8 @@ TEST_CASE("an error of a view is a sentence, and the behaviour continues") {
   CHECK(error({.port = static_cast<std::uint16_t>(std::stoi(port))}) ==
         "cannot listen at 127.0.0.1:" + port +
             ": Address already in use; another program has the port: give another one, or 0 for any that is free");
-  CHECK(error({.address = "203.0.113.1"}) == "cannot listen at 203.0.113.1:0: Cannot assign requested address");
+  CHECK(error({.address = "203.0.113.1"}) ==
+        "cannot listen at 203.0.113.1:0: Cannot assign requested address; name an address of this computer, such as "
+        "127.0.0.1");
   CHECK(error({.address = "no such name"}).starts_with("there is no address \"no such name\" ("));
 }

@@ -134,6 +134,9 @@ TEST_CASE("a span that is too small, or bytes of another behaviour, are refused,
   page[bytes.size() / 2] ^= std::byte{16};
   refused(page, LoadResult::damaged);
   page[bytes.size() / 2] ^= std::byte{16};
+  page[9] ^= std::byte{1}; // of the size, which is more than there is now
+  refused(page, LoadResult::damaged);
+  page[9] ^= std::byte{1};
   page[12] ^= std::byte{1}; // of the fingerprint
   saved::seal(std::span(page).first(bytes.size()));
   refused(page, LoadResult::other_behaviour);

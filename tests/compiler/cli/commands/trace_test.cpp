@@ -354,6 +354,10 @@ TEST_CASE("a damaged line ends a replay, and is never a decision") {
   CHECK(replay_with(18, R"({"t":0,"n":5,"event":"push","group":"Drvie","provider":"braking","edge":"root>Photograph"})",
                     "other.yaml")
             .starts_with("bad.jsonl:18: error: this line cannot be read: the behaviour has no group called `Drvie`\n"));
+  CHECK(replay_with(18, R"({"n":5,"event":"lost","count":1})", "rover.yaml") ==
+        "bad.jsonl:18: error: this line cannot be read: a recorder would have written it as "
+        R"({"t":0,"n":5,"event":"lost","count":1})"
+        "\nbad.jsonl: 16 events the same, up to line 18, which cannot be read\n");
   const std::string line = traced_line(trace_in(world), 18);
   CHECK(replay_with(18, "{" + line.substr(line.find("\"event")), "rover.yaml") ==
         "bad.jsonl:18: error: this line cannot be read: a recorder would have written it as " +

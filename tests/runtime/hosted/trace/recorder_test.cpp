@@ -21,6 +21,8 @@
 #include <array>
 #include <csignal>
 #include <ctime>
+#include <limits>
+#include <new>
 #include <semaphore>
 #include <thread>
 
@@ -317,4 +319,8 @@ TEST_CASE("the file of a process that is killed has whole lines, up to shortly b
   const auto count = static_cast<int>(std::count(whole.begin(), whole.end(), '\n')) - 1;
   CHECK(count > 5000);
   CHECK(whole == header(lamp.names) + lines(lamp, 0, count));
+}
+
+TEST_CASE("a queue that no memory can hold is refused") {
+  CHECK_THROWS_AS(EventQueue(std::numeric_limits<std::size_t>::max()), std::bad_alloc);
 }
