@@ -21,8 +21,8 @@ constexpr const char* name = "director-clang";
 ScanFault absent() {
   return {true,
           "director-clang is not installed, and without it nothing can be read in C++: no `verify`, no `stubs`, and a "
-          "state with a `type` needs its `values`; it is the package director-clang, and who builds Director installs "
-          "clang-19 libclang-19-dev llvm-19-dev and builds it again"};
+          "state with a `type` needs its `values`; install the package director-clang, or, where you build Director, "
+          "clang-19 libclang-19-dev llvm-19-dev"};
 }
 
 } // namespace

@@ -39,8 +39,8 @@ std::string format_by_ending(const std::string& file, const Endings& endings) {
 }
 
 void add_selection(CLI::App& app, SelectionWords& words) {
-  app.add_flag("--werror{*}", words.werror, "warnings are errors, or those of one check; also the lints of one check");
-  app.add_flag("--lint{*}", words.lint, "report lints too, or those of one check");
+  app.add_flag("--werror{*}", words.werror, "treat warnings as errors; with =ID, the warnings and lints of this check");
+  app.add_flag("--lint{*}", words.lint, "report lints too; with =ID, those of this check");
   app.add_flag("--allow{*}", words.allow, "do not report what this check finds; an error is reported all the same");
 }
 
@@ -102,7 +102,8 @@ CLI::Option* add_bound(CLI::App& app, std::size_t& bound) {
 }
 
 CLI::Option* add_watch(CLI::App& app, bool& watch) {
-  return app.add_flag("--watch", watch, "again whenever a file that was read changes, until Ctrl-C");
+  return app.add_flag("--watch", watch,
+                      "run again whenever a file that was read changes, until Ctrl-C; without --format");
 }
 
 std::optional<Message> wrong_watch(bool watch, Format format) {

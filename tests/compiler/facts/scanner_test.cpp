@@ -47,8 +47,8 @@ TEST_CASE("a director-clang that is not installed, that fails or that refuses") 
   CHECK(fault().absent);
   CHECK(fault().message == "director-clang is not installed, and without it nothing can be read in C++: no `verify`, "
                            "no `stubs`, and a state "
-                           "with a `type` needs its `values`; it is the package director-clang, and who builds "
-                           "Director installs clang-19 libclang-19-dev llvm-19-dev and builds it again");
+                           "with a `type` needs its `values`; install the package director-clang, or, where you "
+                           "build Director, clang-19 libclang-19-dev llvm-19-dev");
   child.answer = {true, 139, ""};
   CHECK_FALSE(fault().absent);
   CHECK(fault().message == "`director-clang types` failed with exit status 139");

@@ -23,7 +23,7 @@ TEST_CASE("an exploration reports what it saw, what it proved, and what it did n
   CHECK(world.err.empty());
   CHECK(world.out.find("all there are") != std::string::npos);
   CHECK(world.out.find("  proven: can_run A: it runs after: request A\n") != std::string::npos);
-  CHECK(world.out.find("Not tried\n  - an entry that is kept beside one that is new\n") != std::string::npos);
+  CHECK(world.out.find("Not tried\n  - a request that is kept beside one that is new\n") != std::string::npos);
   CHECK(world.outputs.files.empty());
 }
 
