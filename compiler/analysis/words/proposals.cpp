@@ -3,6 +3,7 @@
 #include "compiler/analysis/words/proposals.hpp"
 
 #include "compiler/analysis/words/words.hpp"
+#include "dsl/source/diagnostic.hpp"
 
 #include <fmt/format.h>
 

@@ -3,6 +3,7 @@
 // The wording of what several checks propose.
 
 #include "compiler/model/model.hpp"
+#include "dsl/source/diagnostic.hpp"
 
 #include <functional>
 #include <string>
