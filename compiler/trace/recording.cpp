@@ -47,15 +47,25 @@ void Recording::event(const Event& event, std::string&) {
     std::string shape;
     append_event(timeless, names_, shape);
     constexpr std::string_view times = R"("t":0,"n":0,)";
-    shape.erase(1, times.size());
+    shape.replace(1, times.size(), begins(event));
     add(event.time, std::move(shape));
   }
   add_derived();
   add_changes();
 }
 
+/// Of an event that is not left out: what its shape says about it.
+std::string_view Recording::begins(const Event& event) {
+  const bool is_usual = event.kind == Kind::run || event.kind == Kind::input;
+  const bool is_known = micro_step_.has_value(), begins = micro_step_ != event.micro_step;
+  micro_step_ = event.micro_step;
+  if (!is_known || begins == is_usual) return {};
+  return begins ? R"("begins":true,)" : R"("begins":false,)";
+}
+
 void Recording::dropped(std::uint64_t count, std::string&) {
   ++line_;
+  micro_step_.reset();
   std::string shape;
   append_dropped(count, shape);
   add(now_, std::move(shape));

@@ -6,7 +6,8 @@
 //   length        4 bytes, the lowest first
 //   head          JSON of that length:
 //     header        the first line of the trace
-//     shapes        each event that differs in more than its time, once, as a line of the trace without its times
+//     shapes        each event that differs in more than its time, once, as a line of the trace without its times. Runs
+//                   and inputs begin a micro-step, and other events do not; those that differ from this have "begins"
 //     texts         answers to why
 //     held          of each answer {"group":…,"by":…}: what blocks, and the edge by which it is held; or null
 //     begins        the time of the first event, in microseconds
@@ -28,7 +29,9 @@
 #include "runtime/hosted/trace/trace_format.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -53,6 +56,7 @@ public:
 
 private:
   void add(Time time, std::string shape);
+  std::string_view begins(const Event& event);
   void add_derived();
   void add_derived(const char* event, const std::vector<Waits::Held>& all, std::size_t& next);
   void add_changes();
@@ -63,6 +67,7 @@ private:
   std::unordered_map<std::string, std::size_t> shape_of_;
   std::vector<std::string> shapes_;
   std::string times_, places_, change_events_, change_groups_, change_answers_;
+  std::optional<std::uint64_t> micro_step_; ///< of the last event that is not left out
   std::size_t line_ = 1, events_ = 0, held_ = 0, stays_ = 0, changes_ = 0, change_event_ = 0, why_until_ = 0;
   Time begins_ = 0, now_ = 0;
 };

@@ -70,7 +70,7 @@ await situation('steps go from decision to decision, and picture, words and list
   await frame(page);
   const texts = [];
   for (let i = 0; i < 12; ++i) {
-    texts.push((await where(page)).split(': ').slice(1).join(': '));
+    texts.push((await where(page)).split(': ').slice(1).join(': ').replace(/, and what was decided with it, up to event \d+$/, ''));
     await page.getByRole('button', { name: 'Next event' }).click();
     await frame(page);
   }
@@ -102,6 +102,17 @@ await situation('a push is shown: who waits and why, who is pushed for it, in wo
   await frame(page);
   assert.equal(await roots(), 'thick framethe program itself requests it, with that priority');
   assert.deepEqual([await marked(page, 'running'), await page.locator('.note').count(), await page.locator('svg.moment').count()], [[], 0, 0]);
+});
+
+await situation('between the events of a micro-step the situation at its end is shown, so that words, states and picture agree', 'rover', {}, async (page) => {
+  for (let i = 0; i < 9 && !/: set Motion still/.test(await where(page)); ++i) await press(page, 'ArrowRight');
+  assert.match(await where(page), /^1\.000 s, after event (\d+) of 42: set Motion still, and what was decided with it, up to event \d+$/);
+  const atFirst = await page.locator('#moment').innerText();
+  assert.deepEqual([await lines(page, 'States'), (await lines(page, 'Waits')).map((line) => line.slice(0, 29)), await lines(page, 'Runs')], [['Motion == still'], ['Drive waits (Explore>Drive): '], ['Explore: for the program', 'Photograph: for the program', 'Wheels: for Photograph']]);
+  assert.deepEqual([await marked(page, 'queued'), await marked(page, 'running')], [['Drive'], ['Explore', 'Photograph', 'Wheels']]);
+  await press(page, 'ArrowRight');
+  assert.match(await where(page), /: queue Explore>Drive: blocked, and what was decided with it, up to event \d+$/);
+  assert.equal(await page.locator('#moment').innerText(), atFirst);
 });
 
 await situation('the event of the moment is in sight among those around it', 'minute', {}, async (page) => {
@@ -179,7 +190,7 @@ await situation('the filter says which events are stepped to and listed, and whi
   await page.getByLabel('pushes', { exact: true }).check();
   await page.locator('.filter summary').click();
   await press(page, 'ArrowRight');
-  assert.match(await where(page), /: push Walk\.halting for KickTo>Kick$/);
+  assert.match(await where(page), /: push Walk\.halting for KickTo>Kick, and what was decided with it, up to event [\d,]+$/);
   const listed = await page.locator('#events li button').evaluateAll((all) => all.map((each) => each.lastChild.textContent));
   assert.deepEqual([...new Set(listed)].sort(), ['push Walk.halting for KickTo>Kick', 'release Walk']);
   const before = await page.locator('.labels a').count();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The moment that is shown: a time, and the last event that has happened by then. Everything that shows the moment is notified when it changes.
+// The moment that is shown: a time, and the last event that has happened by then, or one that was chosen. Everything that shows the moment is notified when it changes.
 
 import type { Recording } from './recording';
 
@@ -11,6 +11,11 @@ export class Cursor {
   constructor(private readonly recording: Recording) {
     this.time = recording.begins;
     this.event = recording.eventAt(this.time); // the last of all events at this time
+  }
+
+  /** What is shown is the situation after this event: between the events of a micro-step, states, requests and answers do not fit together yet. */
+  get settled(): number {
+    return this.recording.endOfStep(this.event);
   }
 
   onMove(listener: () => void): void {

@@ -18,7 +18,7 @@ export class Moment {
   show(): void {
     ++this.asked;
     const { recording } = this.source;
-    const { event } = this.cursor;
+    const event = this.cursor.settled;
     const standings = this.order.map((group) => ({ group, standing: recording.standingAt(group, event) }));
     const of = (mark: Standing['mark']) => standings.filter((each) => each.standing.mark === mark);
     const parts: Node[] = [make('h3', {}, `At ${seconds(this.cursor.time)}`)];

@@ -13,7 +13,7 @@
 
 import { type Column, counts, times } from './columns';
 import { type Header, Names } from './names';
-import { type EventLine, isTold, Shape } from './shape';
+import { type EventLine, isTold, isUsualBeginning, Shape } from './shape';
 import { type Standing, Standings } from './standing';
 
 /** The reason why a group waits. */
@@ -69,6 +69,7 @@ export class Recording {
   private readonly now: Standings;
   private readonly listeners: (() => void)[] = [];
   private passed = 0;
+  private microStep: number | undefined; // of the last line
 
   /** `initial`: the values of the states before the first event. `limit`: if more events are kept, the oldest are removed. */
   constructor(header: Header, initial: Map<string, Value> = new Map(), private readonly limit = Infinity) {
@@ -112,6 +113,14 @@ export class Recording {
   }
   valueAt(state: number, event: number): Value {
     return this.values[this.at(this.states[state], event)];
+  }
+
+  /** The last event of the micro-step of this event: between them, what the events say does not fit together yet. */
+  endOfStep(event: number): number {
+    if (event < this.first || event >= this.end || this.shapeAt(event).isGap) return event;
+    let out = event;
+    while (out + 1 < this.end && !this.shapeAt(out + 1).begins && !this.shapeAt(out + 1).isGap) ++out;
+    return out;
   }
 
   /** The event since which the group has the standing that it has after this event. */
@@ -163,11 +172,13 @@ export class Recording {
     if (shape.isGap) this.gaps.push(event);
   }
 
-  private takeLine(line: EventLine & { t?: number; told?: EventLine[] }): void {
+  private takeLine(line: EventLine & { t?: number; n?: number; told?: EventLine[] }): void {
     if (line.told) return this.settle(line.told);
     if (!isTold(line)) return;
-    const { t, ...rest } = line;
-    for (const key of ['until', 'n', 'due']) delete (rest as Record<string, unknown>)[key];
+    const { t, n, ...rest } = line;
+    for (const key of ['until', 'due']) delete (rest as Record<string, unknown>)[key];
+    if (n !== undefined && this.microStep !== undefined && (n !== this.microStep) !== isUsualBeginning(rest)) rest.begins = n !== this.microStep;
+    this.microStep = n ?? (line.event === 'dropped' ? undefined : this.microStep);
     this.add(t ?? this.ends, this.addShape(rest));
   }
 

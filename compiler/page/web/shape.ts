@@ -3,7 +3,7 @@
 
 import { limbo, type Names, nobody } from './names';
 
-/** A line of a trace, without `t`, `until`, `n` and `due`. */
+/** A line of a trace, without `t`, `until`, `n` and `due`. `begins`: whether it begins a micro-step; absent: runs and inputs do, others do not. */
 export interface EventLine {
   event: string;
   input?: string;
@@ -19,6 +19,7 @@ export interface EventLine {
   trigger?: string;
   level?: string | number;
   count?: number;
+  begins?: boolean;
   asks?: string[];
 }
 
@@ -31,6 +32,9 @@ export function isTold(line: EventLine): boolean {
   if (['answer', 'wait', 'assign'].includes(line.event)) return false;
   return line.event !== 'input' || !['wait', 'within', 'every', 'expire'].includes(line.input ?? '');
 }
+
+/** Whether an event of this kind begins a micro-step, as long as nothing else is known. */
+export const isUsualBeginning = (line: EventLine): boolean => line.event === 'run' || line.event === 'input';
 
 function sortOf(line: EventLine): Sort {
   switch (line.event) {
@@ -62,6 +66,7 @@ export class Shape {
   readonly decides: boolean;
   readonly setsState: boolean;
   readonly isGap: boolean;
+  readonly begins: boolean; // a micro-step
   readonly isFlow: boolean;
   /** The groups that it concerns: its own, and the requesters of its edges. */
   readonly groups: number[];
@@ -75,6 +80,7 @@ export class Shape {
     this.sort = sortOf(line);
     this.value = line.value === null || line.value === undefined ? null : String(line.value);
     this.isGap = line.event === 'dropped';
+    this.begins = line.begins ?? isUsualBeginning(line);
     this.setsState = line.event === 'set' || line.event === 'given' || line.input === 'set';
     this.isFlow = line.event === 'push' || this.sort === 'take-over';
     this.decides = ['run', 'stop', 'held', 'stays', 'runs', 'waits', 'dequeue', 'ask', 'keep', 'grant', 'lose', 'queue', 'withdraw', 'push', 'release', 'dropped'].includes(line.event) || line.event === 'input';

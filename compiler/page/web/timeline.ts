@@ -254,22 +254,23 @@ export class Timeline {
     if (!this.drawn) this.draw();
     this.drawn = true;
     const { recording } = this.source;
-    const { time, event } = this.cursor;
+    const { time, event, settled } = this.cursor;
     this.line.style.transform = `translateX(${this.view.xOf(time, this.width)}px)`;
     const text = event < recording.first ? 'nothing has happened' : recording.shapeAt(event).text;
-    this.where.textContent = `${seconds(time)}, after event ${(event + 1).toLocaleString('en')} of ${recording.end.toLocaleString('en')}: ${text}`;
+    const number = (each: number): string => (each + 1).toLocaleString('en');
+    this.where.textContent = `${seconds(time)}, after event ${number(event)} of ${recording.end.toLocaleString('en')}: ${text}${settled > event ? `, and what was decided with it, up to event ${number(settled)}` : ''}`;
     for (const [name, value] of Object.entries({ valuemin: recording.begins / 1e6, valuemax: recording.ends / 1e6, valuenow: time / 1e6, valuetext: `${seconds(time)}, ${text}` })) {
       this.area.setAttribute(`aria-${name}`, String(value));
     }
     this.moment.show();
     this.list.show();
     this.overview.showCursor();
-    for (const marks of this.marks) if (marks.isVisible) marks.show(this.inPicture.checked ? event : undefined, this.onlyNow.checked);
+    for (const marks of this.marks) if (marks.isVisible) marks.show(this.inPicture.checked ? settled : undefined, this.onlyNow.checked);
   }
 
   private draw(): void {
     const { names } = this.source.recording;
-    this.tracks.rows = [...this.filter.groups(this.onlyNow.checked ? this.cursor.event : undefined).map((group) => ({ group })), ...names.header.states.map((_, state) => ({ state }))];
+    this.tracks.rows = [...this.filter.groups(this.onlyNow.checked ? this.cursor.settled : undefined).map((group) => ({ group })), ...names.header.states.map((_, state) => ({ state }))];
     const label = (kind: string, name: string): HTMLElement => make('a', { class: kind, href: `#${kind}-${name}`, title: name }, name);
     this.labels.replaceChildren(
       ...this.tracks.rows.map((row) => (row.group !== undefined ? label('group', names.header.groups[row.group].name) : label('state', names.header.states[row.state ?? 0].name))),

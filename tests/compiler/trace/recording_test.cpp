@@ -96,7 +96,7 @@ TEST_CASE("events come back without their times, each shape once, in order and n
   CHECK(out.events == Events{{-5, R"({"event":"begin"})"},
                              {-5, R"({"event":"input","input":"request","edge":"root>A"})"},
                              {300000000, run},
-                             {300000000, R"({"event":"set","state":"S","value":"off"})"},
+                             {300000000, R"({"begins":true,"event":"set","state":"S","value":"off"})"},
                              {300000200, run}});
   CHECK(out.head["shapes"].items().size() == 4);
   CHECK(out.head["why_until"].as_number() == 0);
@@ -113,6 +113,24 @@ TEST_CASE("what bodies answer and which timer was due is left out; what is missi
   CHECK(out.events == Events{{1, R"({"event":"ask","edge":"A>B"})"},
                              {1, R"({"event":"dropped","count":12})"},
                              {9, R"({"event":"lose","group":"B","from":"A>B"})"}});
+}
+
+TEST_CASE("where a micro-step begins is in the shape, unless a run or an input begins it and nothing else") {
+  const Decoded out = recorded(
+      {R"({"t":1,"n":1,"event":"input","input":"request","edge":"root>A"})",
+       R"({"t":1,"n":1,"event":"input","input":"set","state":"S","value":"on"})",
+       R"({"t":1,"n":1,"event":"grant","edge":"root>A","provider":"x"})", R"({"t":1,"n":2,"event":"done","group":"A"})",
+       R"({"t":1,"n":3,"event":"input","input":"expire","state":"S"})",
+       R"({"t":1,"n":3,"event":"set","state":"S","value":null})", R"({"event":"dropped","count":12})",
+       R"({"t":9,"n":7,"event":"lose","group":"B","from":"A>B"})", R"({"t":9,"n":7,"event":"done","group":"A"})"});
+  CHECK(out.events == Events{{1, R"({"event":"input","input":"request","edge":"root>A"})"},
+                             {1, R"({"begins":false,"event":"input","input":"set","state":"S","value":"on"})"},
+                             {1, R"({"event":"grant","edge":"root>A","provider":"x"})"},
+                             {1, R"({"begins":true,"event":"done","group":"A"})"},
+                             {1, R"({"begins":true,"event":"set","state":"S","value":null})"},
+                             {1, R"({"event":"dropped","count":12})"},
+                             {9, R"({"event":"lose","group":"B","from":"A>B"})"},
+                             {9, R"({"event":"done","group":"A"})"}});
 }
 
 TEST_CASE("answers hold from the event in their line on, or from the one before it, as far as they are known") {
