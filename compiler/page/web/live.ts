@@ -3,6 +3,7 @@
 // which the timeline follows. It asks the program why groups wait; the program knows that only for the present. Only a page that a program sent does
 // this: the program adds a tag with the address of the events (runtime/live/page.cpp).
 
+import { Answers } from './answers';
 import type { Data } from './data';
 import { byId, make } from './elements';
 import { LiveBar } from './live_bar';
@@ -13,7 +14,7 @@ import { Timeline } from './timeline';
 
 const most = 400_000; // the number of events above which the oldest are removed
 const pause = 100; // milliseconds between two updates of the page, so that the user can read it
-const askAgain = 1000; // milliseconds after which the reasons for waiting are requested again
+const askAgain = 1000; // milliseconds after which the reasons for waiting are requested again, although nothing has changed
 const silence = 5000; // milliseconds without a message; an `alive` message comes each second
 
 interface Reason {
@@ -31,7 +32,7 @@ export class Live implements Source {
   private time: number | undefined;
   private held = false; // a pointer is pressed: until it is released, the page does not change
   private heard = performance.now();
-  private readonly answers = new Map<string, Because & { asked: number }>(); // by group and the event since which it waits
+  private answers: Answers | undefined; // of the recording
   private asking = false;
   private asked = 0;
   readonly bar: LiveBar;
@@ -92,6 +93,7 @@ export class Live implements Source {
     if (header.groups.some((group) => !own.has(group.name))) this.bar.warn('This page is of another version of the behaviour than the one that runs.');
     const initial = new Map(this.data.states.map((state) => [state.name, state.initial ?? null]));
     this.record = new Recording(header, initial, most);
+    this.answers = new Answers(this.record);
     // Events before the connection are not missing: the recording begins here.
     if (lines[0]?.startsWith('{"event":"dropped"')) lines.shift();
     if (lines.length > 0) this.record.append(lines.splice(0).join('\n'));
@@ -113,10 +115,9 @@ export class Live implements Source {
 
   /** For the present the program is asked, again and again while the group waits; for the past there are only the answers that were given then. */
   why(group: number, event: number): Because | undefined {
-    const key = this.keyOf(group, event);
-    const known = this.answers.get(key);
+    const known = this.answers?.at(group, event);
     const isNow = event === this.recording.end - 1;
-    if (isNow && (!known || performance.now() - known.asked > askAgain)) void this.askAll();
+    if (isNow && (!known || performance.now() - this.asked > askAgain)) void this.askAll();
     return known;
   }
 
@@ -124,22 +125,14 @@ export class Live implements Source {
     return event === this.recording.end - 1 ? undefined : 'the program says why of the present only, and was not asked then';
   }
 
-  private keyOf(group: number, event: number): string {
-    return `${group} ${this.recording.sinceOf(group, event)}`;
-  }
-
   private async askAll(): Promise<void> {
     if (this.asking || performance.now() - this.asked < 2 * pause) return;
     this.asking = true;
     this.asked = performance.now();
     const { recording } = this;
-    const event = recording.end - 1; // the answer is for this event: events that come meanwhile may end the wait
     try {
-      for (const reason of await this.ask('why')) {
-        const group = recording.names.group(reason.group);
-        this.answers.set(this.keyOf(group, Math.max(event, recording.first)), { text: [reason.text, ...reason.notes].join('\n'), held: reason.held, asked: performance.now() });
-      }
-      if (this.answers.size > 2000) this.answers.clear();
+      const { t, groups } = await this.ask('why');
+      for (const { group, text, notes, held } of groups) this.answers?.add(recording.names.group(group), t, { text: [text, ...notes].join('\n'), held });
       recording.pass(recording.ends);
     } catch {
       // The bar shows that the connection is lost.
@@ -148,14 +141,14 @@ export class Live implements Source {
     }
   }
 
-  private async ask(address: string): Promise<Reason[]> {
+  private async ask(address: string): Promise<{ t: number; groups: Reason[] }> {
     const answer = await fetch(address);
     if (!answer.ok) throw new Error(await answer.text());
-    return ((await answer.json()) as { groups: Reason[] }).groups;
+    return (await answer.json()) as { t: number; groups: Reason[] };
   }
 
   private async reasonOf(group: string): Promise<Reason> {
-    return (await this.ask(`why?group=${encodeURIComponent(group)}`))[0];
+    return (await this.ask(`why?group=${encodeURIComponent(group)}`)).groups[0];
   }
 }
 
