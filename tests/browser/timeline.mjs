@@ -115,6 +115,24 @@ await situation('between the events of a micro-step the situation at its end is 
   assert.equal(await page.locator('#moment').innerText(), atFirst);
 });
 
+await situation('a note hides nothing that is written in boxes or beside arrows, where there is a place for it', 'warehouse', {}, async (page) => {
+  const hidden = () => page.evaluate(() => [...document.querySelectorAll('.holder:not([hidden]) .note')].flatMap((note) => {
+    const paper = note.getBoundingClientRect();
+    return [...note.closest('svg').querySelectorAll('g.node text, g.label text')].filter((text) => {
+      const { left, right, top, bottom } = text.getBoundingClientRect();
+      return Math.min(right, paper.right) - Math.max(left, paper.left) > 1 && Math.min(bottom, paper.bottom) - Math.max(top, paper.top) > 1;
+    }).map((text) => `${note.textContent} hides ${text.textContent}`);
+  }));
+  await press(page, 'Home');
+  let notes = 0;
+  for (let i = 0; i < 25; ++i) {
+    assert.deepEqual(await hidden(), []);
+    notes += await page.locator('.holder:not([hidden]) .note').count();
+    await press(page, 'ArrowRight');
+  }
+  assert.ok(notes > 20, `${notes}`);
+});
+
 await situation('the event of the moment is in sight among those around it', 'minute', {}, async (page) => {
   for (const part of [0, 0.2, 0.5, 0.9, 1]) {
     await scrubTo(page, Math.min(part, 0.999));

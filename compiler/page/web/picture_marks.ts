@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Marks the moment in the pictures: frames as `directorc graph --step` draws them, a sign before the active provider, and below a box a note why its
+// Marks the moment in the pictures: frames as `directorc graph --step` draws them, a sign before the active provider, and beside a box a note why its
 // group waits, or for which task it is pushed. A box of several groups shows the one whose mark is last in `order`.
 
 import type { Data } from './data';
 import { type Names, nobody } from './names';
+import { type Place, placeOf, type Rect, type Surroundings } from './note_place';
 import type { Picture } from './picture';
 import type { Because, Recording } from './recording';
 import type { Mark, Standing } from './standing';
@@ -21,6 +22,8 @@ interface Box {
   heads: Map<number, SVGTextElement>; // the texts with the names of groups, in a box without rows
   rows: Map<string, SVGTextElement>;
   lengths: Map<string, string>; // by mark and text, the `textLength`; empty: the text fits. A cache of lengthOf()
+  mark: Mark | '';
+  words: string; // of its note; empty: it has none
   note: SVGGElement | undefined;
   shown: string;
 }
@@ -47,7 +50,8 @@ export class PictureMarks {
   private readonly arrows: Arrow[] = [];
   private readonly frames: Element | undefined; // the words in the legend for the frames of what the program requests
   private readonly names: Names;
-  private readonly letters = new Map<string, number>(); // by text of a note: a cache of letterOf()
+  private readonly pen = document.createElement('canvas').getContext('2d');
+  private layout: Surroundings | undefined; // without notes: a cache, as nothing in the picture moves
 
   /** `why`: why a group waits after an event; undefined: not known. */
   constructor(private readonly picture: Picture, private readonly recording: Recording, data: Data, private readonly why: (group: number, event: number) => Because | undefined) {
@@ -96,7 +100,7 @@ export class PictureMarks {
       const text = texts.find((each) => each.textContent === this.names.header.groups[group].name);
       if (text) heads.set(group, text);
     }
-    return { node, groups, heads, rows, lengths: new Map(), note: undefined, shown: '' };
+    return { node, groups, heads, rows, lengths: new Map(), mark: '', words: '', note: undefined, shown: '' };
   }
 
   private changeOf(box: Box, event: number | undefined): Change | undefined {
@@ -123,7 +127,6 @@ export class PictureMarks {
         text.textContent = words;
         text.removeAttribute('textLength');
       }
-      box.note?.remove();
     }
     const fitted = changes.flatMap(({ box, mark, texts }) => texts.map(([text, words]): [SVGTextElement, string] => [text, this.lengthOf(box, text, words, mark)]));
     for (const [text, length] of fitted) {
@@ -131,7 +134,8 @@ export class PictureMarks {
       text.setAttribute('textLength', length);
       text.setAttribute('lengthAdjust', 'spacingAndGlyphs');
     }
-    for (const { box, mark, note } of changes) box.note = note === '' ? undefined : this.note(box.node, note, mark);
+    for (const { box, mark, note } of changes) Object.assign(box, { mark, words: note });
+    if (changes.length > 0) this.putNotes();
   }
 
   /** The `textLength` that makes a text fit its frame, whose size does not allow for the sign and bold letters; empty: the text fits. */
@@ -149,52 +153,38 @@ export class PictureMarks {
     return length;
   }
 
-  /** Adds a note below a box, in lines as wide as the box or somewhat wider, with larger letters if the scale is small, and within the picture. */
-  private note(node: SVGGElement, text: string, mark: string): SVGGElement {
-    const out = document.createElementNS(space, 'g');
-    out.setAttribute('class', `note is-${mark}`);
-    node.parentNode?.append(out);
-    const frame = node.getBBox();
+  /** Places all notes anew: where one can stand depends on the others. Their letters are larger if the scale is small. */
+  private putNotes(): void {
+    for (const box of this.boxes) box.note?.remove();
+    const noted = this.boxes.filter(({ words }) => words !== '');
+    if (noted.length === 0) return;
+    const { paper, boxes, labels } = this.surroundings();
+    const taken = [...boxes];
     const size = Math.min(16, Math.max(9, readable / (this.picture.svg.getScreenCTM()?.a ?? 1)));
-    const letter = size * this.letterOf(text, out);
-    const longest = Math.max(...text.split(' ').map((word) => word.length));
-    const width = Math.max(frame.width, letter * 26, letter * longest + 8);
-    const lines: string[] = [];
-    for (const word of text.split(' ')) {
-      const last = lines.length - 1;
-      if (last >= 0 && (lines[last].length + word.length + 1) * letter < width - 8) lines[last] += ` ${word}`;
-      else lines.push(word);
-    }
-    const paper = document.createElementNS(space, 'rect');
-    const whole = node.parentNode?.querySelector<SVGGraphicsElement>(':scope > polygon')?.getBBox();
-    const right = whole ? whole.x + whole.width - width : Infinity;
-    const x = Math.max(whole?.x ?? -Infinity, Math.min(right, frame.x + frame.width / 2 - width / 2)), y = frame.y + frame.height + 1;
-    for (const [name, value] of Object.entries({ x, y, width, height: lines.length * size * 1.2 + 5, rx: 3 })) paper.setAttribute(name, String(value));
-    out.append(paper);
-    lines.forEach((line, i) => {
-      const each = document.createElementNS(space, 'text');
-      each.setAttribute('x', String(x + 4));
-      each.setAttribute('y', String(y + size + 1 + i * size * 1.2));
-      each.setAttribute('font-size', String(size));
-      each.textContent = i + 1 < lines.length ? `${line} ` : line;
-      out.append(each);
+    const places = noted.map(({ node, words }) => {
+      const place = placeOf(words, size, rectOf(node), { paper, boxes: taken, labels }, (text) => this.measure(text));
+      taken.push(place);
+      return place;
     });
+    noted.forEach((box, i) => (box.note = drawNote(box, places[i])));
+  }
+
+  private surroundings(): Surroundings {
+    if (this.layout) return this.layout;
+    const whole = this.picture.svg.querySelector<SVGGraphicsElement>('g.graph > polygon')?.getBBox();
+    const { width, height } = this.picture.svg.viewBox.baseVal; // without the legend, unlike the polygon
+    const labels = this.arrows.filter(({ element }) => element.matches('.label')).map(({ element }) => rectOf(element));
+    const out = { paper: { x: whole?.x ?? 0, y: whole?.y ?? 0, width: whole?.width ?? width, height }, boxes: [...this.picture.nodes.values()].map(rectOf), labels };
+    if (this.isVisible) this.layout = out;
     return out;
   }
 
-  /** The average width of its letters in relation to the font size, plus 6 %, so that lines with wider letters fit too. */
-  private letterOf(text: string, note: SVGGElement): number {
-    const known = this.letters.get(text);
-    if (known !== undefined) return known;
-    const size = 10;
-    const probe = document.createElementNS(space, 'text');
-    probe.setAttribute('font-size', String(size));
-    probe.textContent = text;
-    note.append(probe);
-    const letter = (1.06 * probe.getComputedTextLength()) / (size * text.length);
-    probe.remove();
-    if (letter > 0) this.letters.set(text, letter);
-    return letter > 0 ? letter : 0.7;
+  /** The width of a text in a note whose letters have size 1. */
+  private measure(text: string): number {
+    const size = 20;
+    if (!this.pen) return 0.6 * text.length;
+    this.pen.font = `bold ${size}px system-ui, sans-serif`; // as in page.css
+    return this.pen.measureText(text).width / size;
   }
 
   private showArrow(arrow: Arrow, event: number | undefined): void {
@@ -229,4 +219,26 @@ export class PictureMarks {
     }
     return 'inactive';
   }
+}
+
+function rectOf(element: SVGGraphicsElement): Rect {
+  const { x, y, width, height } = element.getBBox();
+  return { x, y, width, height };
+}
+
+function add(to: Element, name: string, attributes: Record<string, string | number>, text = ''): SVGElement {
+  const out = document.createElementNS(space, name);
+  for (const [key, value] of Object.entries(attributes)) out.setAttribute(key, String(value));
+  out.textContent = text;
+  to.append(out);
+  return out;
+}
+
+function drawNote({ node, mark }: Box, { x, y, width, height, lines, size }: Place): SVGGElement {
+  const out = document.createElementNS(space, 'g');
+  out.setAttribute('class', `note is-${mark}`);
+  add(out, 'rect', { x, y, width, height, rx: 3 });
+  lines.forEach((line, i) => add(out, 'text', { x: x + 4, y: y + size + 1 + i * size * 1.2, 'font-size': size }, i + 1 < lines.length ? `${line} ` : line));
+  node.parentNode?.append(out);
+  return out;
 }
