@@ -133,6 +133,19 @@ await situation('a note hides nothing that is written in boxes or beside arrows,
   assert.ok(notes > 20, `${notes}`);
 });
 
+await situation('an arrow of what is queued has a bar, so that it is no matter of colour', 'warehouse', {}, async (page) => {
+  const barred = () => page.locator('.holder:not([hidden]) g.edge:has(.bar) > title').allTextContents();
+  await press(page, 'Home');
+  assert.deepEqual(await barred(), ['Orders.going_out → Travel']);
+  assert.deepEqual(await page.locator('.holder:not([hidden]) g.edge.is-queued > title').allTextContents(), await barred());
+  await press(page, 'ArrowRight');
+  assert.deepEqual(await barred(), ['Orders.going_out → MoveArm']);
+  await all.shot(page, 'warehouse_queued');
+  await page.getByLabel('Moment in the picture').uncheck();
+  await frame(page);
+  assert.deepEqual(await barred(), []);
+});
+
 await situation('the event of the moment is in sight among those around it', 'minute', {}, async (page) => {
   for (const part of [0, 0.2, 0.5, 0.9, 1]) {
     await scrubTo(page, Math.min(part, 0.999));

@@ -68,20 +68,33 @@ private:
     return palette::faint;
   }
 
+  /// What is queued has a bar before its head, since dashes alone would look like those of `apart`.
+  static std::string head_of(const PictureArrow& arrow) {
+    const bool waits = arrow.mark == Moment::Mark::queued && !arrow.missing;
+    const std::string_view usual = arrow.kind == PictureArrow::Kind::need ? "dot"
+                                   : arrow.optional && !arrow.missing     ? "onormal"
+                                                                          : "";
+    if (!waits && usual.empty()) return {};
+    return fmt::format(", arrowhead={}{}", usual.empty() ? "vee" : usual, waits ? "nonetee" : "");
+  }
+
   static std::string style_of(const PictureArrow& arrow) {
     using Kind = PictureArrow::Kind;
-    std::string how = arrow.optional ? ", style=dotted, arrowhead=onormal" : arrow.apart ? ", style=dashed" : "";
+    std::string how = arrow.optional ? ", style=dotted" : arrow.apart ? ", style=dashed" : "";
     if (arrow.mark == Moment::Mark::queued) how = ", style=dashed";
-    if (arrow.mark == Moment::Mark::running) how += ", penwidth=2";
-    if (arrow.mark == Moment::Mark::inactive) how += fmt::format(", fontcolor=\"{}\"", palette::grey);
-    if (arrow.missing) how = fmt::format(", fontcolor=\"{}\", penwidth=2", palette::queued);
+    if (arrow.missing) how.clear();
+    if (arrow.kind != Kind::need) how += head_of(arrow);
+    if (arrow.mark == Moment::Mark::inactive && !arrow.missing) how += fmt::format(", fontcolor=\"{}\"", palette::grey);
+    if (arrow.missing) how += fmt::format(", fontcolor=\"{}\"", palette::queued);
+    if (arrow.missing || arrow.mark == Moment::Mark::running || arrow.mark == Moment::Mark::queued)
+      how += ", penwidth=2";
     const auto colour = [&](std::string_view usual) {
       return arrow.missing ? palette::queued : arrow.mark ? mark_colour(*arrow.mark) : usual;
     };
     switch (arrow.kind) {
     case Kind::task: return fmt::format("color=\"{}\"{}", colour(palette::task), how);
     case Kind::both: return fmt::format("color=\"{}:{}\"{}", colour(palette::task), colour(palette::need), how);
-    case Kind::need: return fmt::format("color=\"{}\", arrowhead=dot, arrowsize=0.6{}", colour(palette::need), how);
+    case Kind::need: return fmt::format("color=\"{}\"{}, arrowsize=0.6{}", colour(palette::need), head_of(arrow), how);
     case Kind::push:
       return fmt::format("color=\"{0}\", fontcolor=\"{0}\", penwidth=3, arrowhead=normal", palette::push);
     case Kind::take: break;

@@ -20,7 +20,7 @@ struct LegendEntry {
 };
 
 /// Signs of lines at a moment, which only Graphviz colours.
-inline constexpr std::string_view blue_line = "blue line", red_line = "dashed red line", grey_line = "grey line";
+inline constexpr std::string_view blue_line = "blue line", red_line = "dashed red line, bar", grey_line = "grey line";
 
 std::vector<LegendEntry> legend_of(const Picture& picture);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Marks the moment in the pictures: frames as `directorc graph --step` draws them, a sign before the active provider, and beside a box a note why its
-// group waits, or for which task it is pushed. A box of several groups shows the one whose mark is last in `order`.
+// Marks the moment in the pictures: frames as `directorc graph --step` draws them, a sign before the active provider, a bar at the head of an arrow that
+// waits, and beside a box a note why its group waits, or for which task it is pushed. A box of several groups shows the one whose mark is last in `order`.
 
 import type { Data } from './data';
 import { type Names, nobody } from './names';
@@ -42,6 +42,7 @@ interface Arrow {
   provider: string | undefined; // the active provider that requests or needs by this arrow; undefined: any
   to: number[];
   pushedTo: string | undefined; // the arrow is a push, to this provider; undefined: a request or need
+  bar: SVGElement | undefined;
   shown: string;
 }
 
@@ -72,7 +73,7 @@ export class PictureMarks {
       const [asked, pushedTo] = to.split('.');
       const groups = groupsOf(asker);
       const provider = groups.length === 1 && this.names.provider(groups[0], row) !== nobody ? row : undefined;
-      this.arrows.push({ element, from: groups, provider, to: groupsOf(asked), pushedTo, shown: '' });
+      this.arrows.push({ element, from: groups, provider, to: groupsOf(asked), pushedTo, bar: undefined, shown: '' });
     }
   }
 
@@ -192,6 +193,8 @@ export class PictureMarks {
     if (arrow.shown === mark) return;
     arrow.shown = mark;
     for (const each of order) arrow.element.classList.toggle(`is-${each}`, each === mark);
+    arrow.bar?.remove();
+    arrow.bar = mark === 'queued' ? drawBar(arrow.element) : undefined;
   }
 
   private markOf(arrow: Arrow, event: number): Mark {
@@ -241,4 +244,21 @@ function drawNote({ node, mark }: Box, { x, y, width, height, lines, size }: Pla
   lines.forEach((line, i) => add(out, 'text', { x: x + 4, y: y + size + 1 + i * size * 1.2, 'font-size': size }, i + 1 < lines.length ? `${line} ` : line));
   node.parentNode?.append(out);
   return out;
+}
+
+/** Draws a bar across an arrow before its head, as Graphviz does where a request is queued (compiler/emit/graph/dot.cpp). A label has none. */
+function drawBar(arrow: SVGGElement): SVGElement | undefined {
+  const path = arrow.querySelector<SVGPathElement>('path[fill="none"]');
+  const head = arrow.querySelector<SVGGraphicsElement>('polygon, ellipse')?.getBBox();
+  const length = path?.getTotalLength() ?? 0;
+  if (!path || !head || length === 0) return undefined;
+  const middle = { x: head.x + head.width / 2, y: head.y + head.height / 2 };
+  const distance = (point: DOMPoint): number => Math.hypot(point.x - middle.x, point.y - middle.y);
+  const isForward = distance(path.getPointAtLength(length)) <= distance(path.getPointAtLength(0));
+  const at = (fromHead: number): DOMPoint => path.getPointAtLength(isForward ? Math.max(0, length - fromHead) : Math.min(length, fromHead));
+  const [place, before] = [at(3), at(5)];
+  const step = Math.hypot(place.x - before.x, place.y - before.y) || 1;
+  const half = 5;
+  const across = { x: (-half * (place.y - before.y)) / step, y: (half * (place.x - before.x)) / step };
+  return add(arrow, 'line', { class: 'bar', x1: place.x - across.x, y1: place.y - across.y, x2: place.x + across.x, y2: place.y + across.y });
 }

@@ -308,6 +308,40 @@ TEST_CASE(
   CHECK(arrow->mark == Moment::Mark::running);
 }
 
+TEST_CASE("lines of a moment that mean different things differ in more than their colour") {
+  const tests::Compiled from =
+      tests::compile("behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups:\n"
+                     "  Lamp: {tasks: {Bulb: {}, Fan: {apart: true}, Eye: {apart: true}, Ear: {optional: true}}}\n"
+                     "  Bulb: {}\n  Fan: {}\n  Eye: {}\n  Ear: {}\n");
+  Moment moment;
+  moment.groups.resize(from.model.groups.size());
+  moment.edges.resize(from.model.edges.size());
+  const GroupId lamp = from.group("Lamp");
+  moment.groups[lamp.value] = {Moment::Mark::running, from.model.groups[lamp].providers.front(), {}};
+  moment.edges[from.edge("Lamp>Bulb").value] = Moment::Mark::queued;
+  moment.edges[from.edge("Lamp>Eye").value] = Moment::Mark::running;
+  moment.edges[from.edge("Lamp>Ear").value] = Moment::Mark::queued;
+  PictureOptions options;
+  options.moment = moment;
+  const Picture picture = make_picture(from.model, make_graph(from.model), from.sources, options);
+  const std::string text = dot(picture, {});
+  const auto form = [&](const std::string& to) {
+    const std::size_t at = text.find("\"Lamp\" -> \"" + to + "\" [color=");
+    REQUIRE(at != std::string::npos);
+    const std::string line = text.substr(at, text.find('\n', at) - at);
+    std::string out;
+    for (const char* const key : {"style=", "arrowhead=", "penwidth="}) {
+      if (const std::size_t begin = line.find(key); begin != std::string::npos)
+        out += line.substr(begin, line.find_first_of(",]", begin) - begin) + " ";
+    }
+    return out;
+  };
+  CHECK(form("Bulb") == "style=dashed arrowhead=veenonetee penwidth=2 ");
+  CHECK(form("Fan") == "style=dashed ");
+  CHECK(form("Eye") == "style=dashed penwidth=2 ");
+  CHECK(form("Ear") == "style=dashed arrowhead=onormalnonetee penwidth=2 ");
+}
+
 TEST_CASE("the legend of a moment says what colours of lines mean, and no thickness of frames") {
   PictureOptions options;
   options.moment.emplace();
