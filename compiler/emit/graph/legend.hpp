@@ -19,7 +19,7 @@ struct LegendEntry {
   bool operator==(const LegendEntry&) const = default;
 };
 
-/// Signs of lines at a moment, which only Graphviz colours.
+/// Signs of lines at a moment.
 inline constexpr std::string_view blue_line = "blue line", red_line = "dashed red line, bar", grey_line = "grey line";
 
 std::vector<LegendEntry> legend_of(const Picture& picture);

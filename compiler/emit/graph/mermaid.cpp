@@ -51,6 +51,7 @@ public:
     for (const PictureArrow& arrow : picture_.arrows) draw_arrow(arrow);
     draw_roots();
     draw_marks();
+    draw_line_marks();
     draw_class("focus", "stroke-width:5px", [](const PictureBox& box) { return box.in_focus; });
     draw_legend();
     if (!links_.pattern.empty()) draw_links();
@@ -68,23 +69,47 @@ private:
 
   static std::string note_of(const PictureBox& box) {
     if (!box.mark) return {};
-    if (box.kind != PictureBox::Kind::folded) return note_of({}, {*box.mark, {}, box.note});
+    const bool has_sign = std::any_of(box.rows.begin(), box.rows.end(), [&](const PictureRow& row) {
+      return row.is_active && !row.name.empty() && !box.is_direct();
+    });
+    if (box.kind != PictureBox::Kind::folded)
+      return note_of(has_sign ? "" : std::string(runs_sign), {}, {*box.mark, {}, box.note});
     std::string out;
     for (const PictureMember& member : box.members) {
-      if (member.now) out += note_of(escaped(member.name) + " ", *member.now);
+      if (member.now) out += note_of(std::string(runs_sign), escaped(member.name) + " ", *member.now);
     }
     return out;
   }
 
-  static std::string note_of(const std::string& name, const Moment::Standing& now) {
+  static std::string note_of(const std::string& sign, const std::string& name, const Moment::Standing& now) {
     switch (now.mark) {
-    case Moment::Mark::running: return fmt::format("<br/>{}running", name);
+    case Moment::Mark::running: return fmt::format("<br/>{}{}running", sign, name);
     case Moment::Mark::queued: return fmt::format("<br/>{}queued: {}", name, escaped(now.note));
     case Moment::Mark::pushed: return fmt::format("<br/>{}{}", name, escaped(now.note));
     case Moment::Mark::held: return fmt::format("<br/>{}held for what needs it", name);
     case Moment::Mark::inactive: break;
     }
     return {};
+  }
+
+  static constexpr std::string_view runs_sign = "\u25B6 ";
+
+  void draw_line_marks() {
+    constexpr std::array<std::string_view, 5> styles{
+        "stroke:#8A919B", "stroke:#00629B,stroke-width:3px", "stroke:#A3171A,stroke-dasharray:6 3,stroke-width:2px",
+        "stroke:#00629B,stroke-width:3px", "stroke:#00629B,stroke-dasharray:2 2"};
+    for (std::size_t mark = 0; mark < styles.size(); ++mark) {
+      std::string lines;
+      for (std::size_t i = 0; i < picture_.arrows.size(); ++i) {
+        if (is_request_or_need(picture_.arrows[i]) && picture_.arrows[i].mark == static_cast<Moment::Mark>(mark))
+          lines += fmt::format("{}{}", lines.empty() ? "" : ",", i);
+      }
+      if (!lines.empty()) code_.line(fmt::format("linkStyle {} {}", lines, styles[mark]));
+    }
+  }
+
+  static bool is_request_or_need(const PictureArrow& arrow) {
+    return arrow.kind != PictureArrow::Kind::push && arrow.kind != PictureArrow::Kind::take;
   }
 
   void draw_marks() {
@@ -158,6 +183,7 @@ private:
     const auto add = [&](std::string_view word) { out += fmt::format("{}{}", out.empty() ? "" : ", ", word); };
     if (arrow.kind == Kind::both) add("needs");
     if (arrow.apart && !arrow.optional) add("apart");
+    if (arrow.mark == Moment::Mark::queued && is_request_or_need(arrow)) add("queued");
     if (arrow.kind == Kind::push) return "until " + out;
     if (arrow.kind == Kind::take) return "takes, " + out;
     return out;
@@ -191,6 +217,8 @@ private:
   static std::string sign_in_boxes(const std::string& sign) {
     if (sign == "\u25C7") return "round box";
     if (sign == "\u25BC program") return "program";
+    if (sign == blue_line) return "thick blue line";
+    if (sign == red_line) return "dashed red line, queued";
     return sign == "rows" ? "1, 2" : sign;
   }
 
@@ -211,7 +239,6 @@ private:
     for (const LegendEntry& entry : legend_of(picture_)) {
       const bool is_text = entry.sample == LegendEntry::Sample::text;
       if (entry.sign == "dashed box") continue; // the names of such a box show it
-      if (entry.sign == blue_line || entry.sign == red_line || entry.sign == grey_line) continue;
       const std::string sign = !is_text ? std::string(sign_of(entry.sample)) : sign_in_boxes(entry.sign);
       text += fmt::format("{}{}: {}", text.empty() ? "" : "<br/>", escaped(sign), escaped(words_in_boxes(entry)));
     }

@@ -301,6 +301,7 @@ TEST_CASE(
                "Walk queued: Left is held by Kick\n"
                "\u25B6 Kick\n"
                "Look\n");
+  CHECK(mermaid(picture, {}).find("Walk queued: Left is held by Kick<br/>\u25B6 Kick running") != std::string::npos);
   const auto arrow = std::find_if(picture.arrows.begin(), picture.arrows.end(), [&](const PictureArrow& each) {
     return picture.boxes[each.from.box].name == "layer purpose" && picture.boxes[each.to.box].name == "layer skill";
   });
@@ -340,6 +341,21 @@ TEST_CASE("lines of a moment that mean different things differ in more than thei
   CHECK(form("Fan") == "style=dashed ");
   CHECK(form("Eye") == "style=dashed penwidth=2 ");
   CHECK(form("Ear") == "style=dashed arrowhead=onormalnonetee penwidth=2 ");
+  std::istringstream lines(mermaid(picture, {}));
+  std::string out;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("-->") != std::string::npos || line.find("-.->") != std::string::npos ||
+        line.find("linkStyle") != std::string::npos || line.find("g0[") != std::string::npos)
+      out += line.substr(line.find_first_not_of(' ')) + "\n";
+  }
+  CHECK(out == "g0[\"Lamp<br/>\u25B6 running<br/>program\"]\n"
+               "g0 -->|\"queued\"| g1\n"
+               "g0 -->|\"apart\"| g2\n"
+               "g0 -->|\"apart\"| g3\n"
+               "g0 -.->|\"queued\"| g4\n"
+               "linkStyle 1 stroke:#8A919B\n"
+               "linkStyle 2 stroke:#00629B,stroke-width:3px\n"
+               "linkStyle 0,3 stroke:#A3171A,stroke-dasharray:6 3,stroke-width:2px\n");
 }
 
 TEST_CASE("the legend of a moment says what colours of lines mean, and no thickness of frames") {
