@@ -164,6 +164,16 @@ await situation('who goes first is said of the group that is named, where anothe
   assert.deepEqual(await ask('WalkTo', 'Sit'), ['WalkTo goes first. At the program: WalkTo (priority 30) before Sit (priority 20).']);
 });
 
+await situation('a focused group is in the frame, also where the picture is flat', 'flat', {}, async (page) => {
+  for (const group of ['Play', 'Leaf1', 'Leaf20', 'Leaf36']) {
+    await click(page.locator(`#group-${group} button.focus`));
+    const [box, frame] = await page.locator(`.holder:not([hidden]) g.node:has(> title:text-is("${group}"))`).evaluate((node) => [node, node.closest('.picture')].map((each) => each.getBoundingClientRect().toJSON()));
+    assert.ok(box.left >= frame.left && box.right <= frame.right && box.top >= frame.top && box.bottom <= frame.bottom, `${group}: ${JSON.stringify([box, frame])}`);
+    assert.ok(Math.abs((box.top + box.bottom - frame.top - frame.bottom) / 2) < frame.height / 3);
+    assert.doesNotMatch(await page.locator('#focused').textContent(), new RegExp(`Outside of the frame: .*\\b${group}\\b`));
+  }
+});
+
 await situation('a focus has all that is near the group in the frame, at a size that can be read', 'soccer', {}, async (page) => {
   for (const group of ['Kick', 'Walk', 'Striker']) {
     await click(page.locator(`#group-${group} button.focus`));

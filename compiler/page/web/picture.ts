@@ -103,14 +103,14 @@ export class Picture {
       node.classList.toggle('chosen', node === own);
     }
     this.svg.classList.toggle('focused', own !== undefined);
-    this.pending = own && (() => this.centre([...near], [...beside], own));
+    this.pending = own && (() => this.centre([...near], [...beside], own, group ?? ''));
     this.settle();
   }
 
-  /** The boxes in front that are not completely in the frame. */
+  /** The boxes in front that are not completely in the frame, without the focused one. */
   get outside(): string[] {
     const frame = this.frame.getBoundingClientRect();
-    return this.hidden ? [] : [...this.nodes].filter(([, node]) => node.classList.contains(inFront) && !isWithin(node.getBoundingClientRect(), frame)).map(([title]) => title);
+    return this.hidden ? [] : [...this.nodes].filter(([, node]) => node.classList.contains(inFront) && !node.classList.contains('chosen') && !isWithin(node.getBoundingClientRect(), frame)).map(([title]) => title);
   }
 
   /** Needs are blue, also beside a request: palette::need in compiler/emit/graph. */
@@ -207,8 +207,11 @@ export class Picture {
     element.scrollIntoView({ block: 'nearest' });
   }
 
-  /** Centres all that is near if that is readable, otherwise what is beside the group if names can be recognized, otherwise the group alone. */
-  private centre(near: Element[], beside: Element[], own: Element): void {
+  /**
+   * Centres all that is near if that is readable, otherwise what is beside the group if names can be recognized, otherwise the group alone, or if its box
+   * is larger than the frame, its name.
+   */
+  private centre(near: Element[], beside: Element[], own: Element, group: string): void {
     this.whole();
     const matrix = this.svg.getScreenCTM();
     if (!matrix || matrix.a === 0) return;
@@ -222,9 +225,18 @@ export class Picture {
     let scale = scaleFor(box);
     if (scale < readable) scale = scaleFor((box = around(beside)));
     if (scale < least) scale = Math.max(readable, scaleFor((box = around([own]))));
-    const at = new DOMPoint(box.left + box.width / 2, box.top + box.height / 2).matrixTransform(matrix.inverse());
-    this.scale(Math.max(1, Math.min(onPaper, scale) / matrix.a));
-    select(this.svg).call(this.motion.translateTo, at.x, at.y);
+    const larger = Math.max(1, Math.min(onPaper, scale) / matrix.a);
+    const name = [...own.querySelectorAll('text')].find((text) => text.textContent === group) ?? own;
+    const frame = this.frame.getBoundingClientRect();
+    const drawn = { width: larger * box.width, height: larger * box.height };
+    if (drawn.width > frame.width || drawn.height > frame.height) {
+      const only = around([name]);
+      box = new DOMRect(drawn.width > frame.width ? only.left : box.left, drawn.height > frame.height ? only.top : box.top, drawn.width > frame.width ? only.width : box.width, drawn.height > frame.height ? only.height : box.height);
+    }
+    const middle = (rect: DOMRect): DOMPoint => new DOMPoint(rect.left + rect.width / 2, rect.top + rect.height / 2).matrixTransform(matrix.inverse());
+    const [at, to] = [middle(box), middle(frame)]; // the picture stands at the top of its frame, so the middle of its viewBox is elsewhere
+    this.scale(larger);
+    select(this.svg).call(this.motion.translateTo, at.x, at.y, [to.x, to.y]);
   }
 
   private makeTools(): HTMLElement {
