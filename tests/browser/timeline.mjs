@@ -280,6 +280,19 @@ await situation('where the tracks are scrolled, the ruler stays above them; a na
   await all.shot(page, 'minute_scrolled');
 });
 
+for (const colorScheme of ['light', 'dark']) {
+  await situation(`what is written on a pushed slice can be read over its stripes, ${colorScheme}`, 'rover', { colorScheme }, async (page) => {
+    const contrasts = await page.locator('canvas.slices').evaluate((canvas) => {
+      const scale = canvas.height / canvas.getBoundingClientRect().height;
+      const { data } = canvas.getContext('2d').getImageData(canvas.width * 0.7, (34 + 2 * 20 + 4) * scale, 60, 10 * scale); // behind the text of Drive
+      const light = (colour) => colour.reduce((sum, each, i) => sum + [0.2126, 0.7152, 0.0722][i] * (each / 255 <= 0.04045 ? each / 255 / 12.92 : ((each / 255 + 0.055) / 1.055) ** 2.4), 0);
+      return Array.from({ length: data.length / 4 }, (_, i) => 1.05 / (light([...data.subarray(4 * i, 4 * i + 3)]) + 0.05));
+    });
+    assert.ok(Math.min(...contrasts) >= 4.5, `${Math.min(...contrasts)} to ${Math.max(...contrasts)}`);
+    assert.ok(Math.max(...contrasts) > 1.5 * Math.min(...contrasts)); // the stripes can be seen
+  });
+}
+
 await situation('a slice says under the pointer what it is', 'rover', {}, async (page) => {
   const { x, y, width } = await box(page);
   await page.mouse.move(x + width / 2, y + 34 + 2 * 20 + 10);

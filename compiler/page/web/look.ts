@@ -23,6 +23,9 @@ export function lookOf(element: Element): Look {
   };
 }
 
+/** Dark, as what is written over them is white. */
+const stripes = { colour: '#000000', strength: 0.4, width: 2 };
+
 /** Running is solid, pushed solid with stripes, queued empty with a dashed border, held with a dotted one, unknown hatched; inactive is a line. */
 export function drawSlice(to: CanvasRenderingContext2D, look: Look, mark: Mark, x: number, y: number, width: number, height: number): void {
   const solid = mark === 'running' || mark === 'pushed';
@@ -33,7 +36,7 @@ export function drawSlice(to: CanvasRenderingContext2D, look: Look, mark: Mark, 
   } else if (solid) {
     to.fillStyle = mark === 'running' ? look.running : look.pushed;
     to.fillRect(x, y, width, height);
-    if (mark === 'pushed') hatch(to, look.onFill, x, y, width, height, 0.55);
+    if (mark === 'pushed') hatch(to, stripes.colour, x, y, width, height, stripes.strength, stripes.width);
   } else {
     to.fillStyle = look.paper;
     to.fillRect(x, y, width, height);
@@ -53,14 +56,14 @@ export function drawSlice(to: CanvasRenderingContext2D, look: Look, mark: Mark, 
   }
 }
 
-export function hatch(to: CanvasRenderingContext2D, colour: string, x: number, y: number, width: number, height: number, strength: number): void {
+export function hatch(to: CanvasRenderingContext2D, colour: string, x: number, y: number, width: number, height: number, strength: number, lineWidth = 1): void {
   to.save();
   to.beginPath();
   to.rect(x, y, width, height);
   to.clip();
   to.globalAlpha = strength;
   to.strokeStyle = colour;
-  to.lineWidth = 1;
+  to.lineWidth = lineWidth;
   to.beginPath();
   const first = Math.floor(x / 6) * 6 - height;
   for (let at = first; at < x + width + height; at += 6) {
