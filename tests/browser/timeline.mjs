@@ -293,6 +293,15 @@ for (const colorScheme of ['light', 'dark']) {
   });
 }
 
+await situation('the list marks the event that the caption names, also where the filter leaves it out', 'rover', {}, async (page) => {
+  const current = () => page.locator('#events [aria-current]').evaluateAll((all) => all.map((each) => each.lastChild.textContent));
+  assert.match(await where(page), /: run Wheels new_task$/);
+  assert.deepEqual(await current(), ['run Wheels new_task']);
+  await press(page, 'ArrowRight');
+  assert.deepEqual(await current(), ['set Motion still']);
+  assert.equal(await page.locator('#events button', { hasText: 'run Wheels' }).count(), 0);
+});
+
 await situation('a slice says under the pointer what it is', 'rover', {}, async (page) => {
   const { x, y, width } = await box(page);
   await page.mouse.move(x + width / 2, y + 34 + 2 * 20 + 10);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The list of events around the moment, without those that the filter hides. A click on an event goes to its moment.
+// The list of events around the moment: its own one, and those that the filter does not hide. A click on an event goes to its moment.
 
 import { type Cursor, seconds } from './cursor';
 import { button, make } from './elements';
@@ -23,7 +23,9 @@ export class EventList {
     const all = this.filter.events();
     const first = Math.max(0, Math.min(all.upTo(event) - before, all.length - rows), all.upTo(this.recording.first - 1));
     const events = [...all.at.subarray(first, Math.min(all.length, first + rows))];
-    const shown = events.filter((each) => each <= event).length - 1; // index of the last one that has happened
+    const past = events.filter((each) => each <= event).length;
+    if (events.length > 0 && event >= this.recording.first && events[past - 1] !== event) events.splice(past, 0, event);
+    const shown = events.indexOf(event);
     this.list.replaceChildren(...events.map((each, i) => this.row(each, i === shown, each > event)));
     const current = this.list.children[shown] as HTMLElement | undefined;
     if (current) this.element.scrollTop += current.getBoundingClientRect().top - this.element.getBoundingClientRect().top - this.element.clientHeight / 2;
