@@ -48,7 +48,7 @@ private:
   void find_unreached() {
     std::set<std::string> reached;
     for (const Json& task : data_["roots"].items()) reached.insert(task["group"].as_text());
-    if (reached.empty()) return;
+    if (!data_["deployment"].as_boolean()) return;
     std::map<std::string, std::vector<std::string>> below; // by requester
     for (const auto& [name, group] : out_.groups) {
       for (const std::vector<Mention>* all : {&group.requests, &group.needs}) {

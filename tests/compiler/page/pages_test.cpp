@@ -215,4 +215,8 @@ TEST_CASE("groups to which no request of the program leads are named above all g
         std::string::npos);
   CHECK(pages.markdown.find("- requested by: nobody\n") != std::string::npos);
   CHECK(pages_of("groups:\n  Walk: {}\n", "").html.find("No request of the program") == std::string::npos);
+  const Pages none = pages_of("roots: []\ngroups:\n  Walk: {tasks: [Legs]}\n  Legs: {}\n", "");
+  CHECK(none.markdown.find("No request of the program leads to these groups: [Walk](#walk), [Legs](#legs).\n") !=
+        std::string::npos);
+  CHECK(none.markdown.find("- requested by: nobody\n") != std::string::npos);
 }
