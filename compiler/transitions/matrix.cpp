@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <bit>
 #include <map>
+#include <tuple>
 #include <unordered_map>
 
 namespace director::compiler {
@@ -36,7 +37,8 @@ public:
       : model_(model),
         player_(model, lowered, behaviour),
         judge_(model, lowered, player_),
-        behaviour_(std::move(behaviour)) {}
+        behaviour_(std::move(behaviour)),
+        leaves_choice_(leaves_choice(model)) {}
 
   /// `only`: these rows; empty: all.
   TransitionMatrix find(const std::vector<GroupId>& only) {
@@ -91,22 +93,47 @@ private:
     out.group = id;
     beginnings_.emplace_back();
     std::string why;
-    for (const auto& [way, outside] : tries(ways)) {
-      const Play played = player_.play(script_of(model_, way), player_.beginning(way, outside), 1, way);
-      const Trial& trial = played.trial;
-      if (why.empty()) why = trial.endless ? "When it is requested, the engine does not come to rest" : trial.why;
-      if (!trial.good || !runs(trial.rest, way)) continue;
+    std::optional<Beginning> found;
+    const std::vector<std::pair<Way, Outside>> all = tries(ways);
+    for (const bool only_certain : {false, true}) {
+      if (only_certain && !leaves_choice_) break;
+      for (std::size_t i = 0; i < all.size() && !found; ++i)
+        found = begin(all[i].first, all[i].second, only_certain, why);
+    }
+    if (found) {
+      const auto& [way, outside] = std::tie(found->way, found->outside);
       out.given = words_of(outside.given, model_);
       out.reached = true;
       out.states = words_of(outside.values, model_);
       for (std::size_t i = 0; i < way.links.size(); ++i) out.chain.push_back(way.group(i));
       out.words = words_of(out, model_);
-      beginnings_.back() = {way, outside, trial.runs, trial.rest};
+      beginnings_.back() = std::move(*found);
       return out;
     }
     out.words =
         why.empty() ? "No values from outside were found that meet all conditions on the way to it." : why + ".";
     return out;
+  }
+
+  /// Empty if the last group does not run then. `why`: set by the first that fails.
+  std::optional<Beginning> begin(const Way& way, const Outside& outside, bool only_certain, std::string& why) const {
+    const Play played =
+        player_.play(script_of(model_, way, {{}, {}, only_certain}), player_.beginning(way, outside), 1, way);
+    const Trial& trial = played.trial;
+    if (why.empty()) why = trial.endless ? "When it is requested, the engine does not come to rest" : trial.why;
+    if (!trial.good || !runs(trial.rest, way)) return {};
+    return Beginning{way, outside, trial.runs, trial.rest, only_certain};
+  }
+
+  /// The row's beginning, with `only_certain` if it can begin so.
+  const Beginning& certain_beginning(std::size_t row) {
+    const Beginning& usual = beginnings_[row];
+    if (usual.only_certain) return usual;
+    const auto [at, fresh] = certain_beginnings_.try_emplace(row, usual);
+    std::string why;
+    if (!fresh) return at->second;
+    if (std::optional<Beginning> found = begin(usual.way, usual.outside, true, why)) at->second = std::move(*found);
+    return at->second;
   }
 
   /// First with the declared initial values: each way with its likeliest values, then each with its second ones, and so
@@ -228,13 +255,17 @@ private:
   Transition cell(std::size_t i, std::size_t j) {
     Transition out;
     const TransitionMatrix::Row &first = out_.rows[i], &second = out_.rows[j];
-    const Beginning &row = beginnings_[i], &column = beginnings_[j];
     CellContext context{model_, first, second};
     if (first.reached && second.reached) {
+      const Beginning& column = beginnings_[j];
+      const Beginning& row = column.only_certain ? certain_beginning(i) : beginnings_[i];
       const bool same = i == j || row.way.passes(second.group) || column.way.passes(first.group) ||
                         row.rest.is_under(model_, second.group, row.way.last().edge);
       out.kind = same ? Kind::same_chain : Kind::never;
       if (!same) decide(row, column, out, context);
+      if (is_stuck(out) && leaves_choice_ && !row.only_certain) {
+        if (std::optional<Transition> certain = certain_cell(i, j)) return std::move(*certain);
+      }
     } else if (i == j) {
       out.kind = Kind::unreachable;
     }
@@ -242,8 +273,23 @@ private:
     return out;
   }
 
+  static bool is_stuck(const Transition& cell) { return cell.kind == Kind::never || cell.kind == Kind::endless; }
+
+  /// With `only_certain`, if the column runs then: what a body may choose should not be why it does not.
+  std::optional<Transition> certain_cell(std::size_t i, std::size_t j) {
+    const Beginning& row = certain_beginning(i);
+    if (!row.only_certain) return {};
+    Transition out;
+    out.kind = Kind::never;
+    CellContext context{model_, out_.rows[i], out_.rows[j]};
+    decide(row, beginnings_[j], out, context);
+    if (is_stuck(out)) return {};
+    out.words = words_of(out, context);
+    return out;
+  }
+
   void decide(const Beginning& row, const Beginning& column, Transition& out, CellContext& context) {
-    const Script script = script_of(model_, row.way, column.way, {row.runs, {}});
+    const Script script = script_of(model_, row.way, column.way, row.until());
     const std::string begin = player_.beginning(row.way, row.outside);
     std::vector<Values> all = choices(lacking(row, column));
     const std::size_t usual = all.size();
@@ -309,7 +355,7 @@ private:
   /// A promise takes time, and does not change sensed values.
   bool runs_where_the_outside_stands(const Beginning& row, const Beginning& column, const Play& before,
                                      const Values& change, Transition& out, CellContext& context) {
-    const Script script = script_of(model_, row.way, column.way, {row.runs, change});
+    const Script script = script_of(model_, row.way, column.way, row.until(change));
     return runs_now(row, column, player_.play(script, before.steps, 2, column.way), change, out, context);
   }
 
@@ -343,8 +389,10 @@ private:
   const Player player_;
   const Judge judge_;
   std::string behaviour_;
+  bool leaves_choice_ = false;
   TransitionMatrix out_;
   std::vector<Beginning> beginnings_;                    ///< by row
+  std::map<std::size_t, Beginning> certain_beginnings_;  ///< by index of the row, on first use: with `only_certain`
   std::map<GroupId, std::optional<std::size_t>> row_of_; ///< indices of rows, which are made on first use
   std::unordered_map<std::string, std::size_t> numbers_;
 };

@@ -68,7 +68,7 @@ bool Player::ends_with(const Beginning& row, const Beginning& column, const Way&
                        const std::vector<GroupId>& all) const {
   const std::string steps = beginning(row.way, row.outside) + settings_step(model_, change);
   // A promise that undid the values would hide what they end.
-  const Until until{row.runs, change};
+  const Until until = row.until(change);
   Script script = script_of(model_, row.way, until);
   const Script both = script_of(model_, row.way, then, until);
   for (const Link& link : then.links) {

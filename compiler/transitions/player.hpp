@@ -17,6 +17,9 @@ struct Beginning {
   Outside outside;
   Runs runs;
   Rest rest;
+  bool only_certain = false; ///< as of Until
+
+  Until until(const Values& outside = {}) const { return {runs, outside, only_certain}; }
 };
 
 struct Play {

@@ -48,22 +48,39 @@ Values promised(const Model& model, ProviderId id) {
   return out;
 }
 
-/// The values in its `sets` that contradict a promise of another provider of its group: a provider that walks does not
-/// stand.
-Values opposed(const Model& model, ProviderId id) {
+/// The values with which it may go on: what is left of them by its own conditions and promises on that state, as long
+/// as any are left.
+ValueSet suitable(const Model& model, const Provider& provider, StateId state, ValueSet values) {
+  for (const std::vector<ConditionUse>* uses : {&provider.causing, &provider.when, &provider.stay}) {
+    for (const ConditionUse& use : *uses) {
+      const Condition& condition = model.conditions[use.id];
+      if (condition.state != state) continue;
+      const ValueSet left = values.intersected(condition.accepts);
+      if (!left.empty()) values = left;
+    }
+  }
+  return values;
+}
+
+/// For each state in its `sets` the first value that contradicts the promises of the other providers of its group, all
+/// of them if possible: a provider that walks does not stand. `only_certain`: only where `sets` has one value.
+Values opposed(const Model& model, ProviderId id, bool only_certain) {
   Values out;
   const Provider& provider = model.providers[id];
   for (const ConditionUse& use : provider.sets) {
     const Condition& condition = model.conditions[use.id];
-    if (condition.op == Condition::Op::any || condition.accepts.count() != 1) continue;
-    const std::int64_t value = condition.accepts.intervals().front().low;
+    if (only_certain && condition.accepts.count() != 1) continue;
+    const ValueSet values = suitable(model, provider, condition.state, condition.accepts);
+    ValueSet any, all = values;
     for (const ProviderId other : model.groups[provider.group].providers) {
       for (const ConditionUse& promise : model.providers[other].causing) {
         const Condition& against = model.conditions[promise.id];
-        if (other != id && against.state == condition.state && !against.accepts.contains(value))
-          out.emplace(condition.state, value);
+        if (other == id || against.state != condition.state) continue;
+        any = any.united(values.without(against.accepts));
+        all = all.without(against.accepts);
       }
     }
+    if (!any.empty()) out.emplace(condition.state, (all.empty() ? any : all).intervals().front().low);
   }
   return out;
 }
@@ -144,7 +161,7 @@ void add_cases(ProviderId id, const std::string& guard, const Model& model, cons
 /// Adds its answers when it is pushed, and otherwise. True: it sets something.
 bool add_answer(ProviderId id, const Model& model, const Until& until, std::initializer_list<std::string> answer,
                 std::vector<std::string>& out) {
-  const Values promise = promised(model, id), against = opposed(model, id);
+  const Values promise = promised(model, id), against = opposed(model, id, until.only_certain);
   if (!promise.empty()) add_cases(id, "reason: pushed", model, promise, until, answer, out);
   add_cases(id, {}, model, against, until, answer, out);
   return !promise.empty() || !against.empty();
@@ -223,6 +240,12 @@ Script script_from(Script out, const Model& model, const Way& row, const Until& 
 
 } // namespace
 
+bool leaves_choice(const Model& model) {
+  const auto ids = model.providers.ids();
+  return std::any_of(ids.begin(), ids.end(),
+                     [&](ProviderId id) { return opposed(model, id, false) != opposed(model, id, true); });
+}
+
 Script script_of(const Model& model, const Way& row, const Until& until) {
   return script_from(usual_script(model, {row.root->target}, until), model, row, until);
 }
@@ -240,8 +263,9 @@ Script script_of(const Model& model, const Way& row, const Way& column, const Un
     std::vector<std::string> cases;
     const auto ran = until.runs.find(link.provider);
     for (std::uint32_t run = 1; ran != until.runs.end() && run <= ran->second; ++run)
-      cases.push_back(mapping({fmt::format("run: {}", run), setting_words(model, opposed(model, link.provider)),
-                               on_both ? leads_on(model, *same) : usual(model, link.provider)}));
+      cases.push_back(
+          mapping({fmt::format("run: {}", run), setting_words(model, opposed(model, link.provider, until.only_certain)),
+                   on_both ? leads_on(model, *same) : usual(model, link.provider)}));
     std::string answer = leads_on(model, link);
     if (on_both && parting.link == i && !parting.replaced) {
       answer = leads_beside(model, *same, link);

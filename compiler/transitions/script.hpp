@@ -26,9 +26,13 @@ Parting part(const Model& model, const Way& row, const Way& column);
 
 /// The column's request.
 struct Until {
-  Runs runs;      ///< before it
-  Values outside; ///< pushed bodies do not change these states from then on
+  Runs runs;                 ///< before it
+  Values outside;            ///< pushed bodies do not change these states from then on
+  bool only_certain = false; ///< for all of the play: bodies set nothing of which their `sets` has several values
 };
+
+/// Whether that makes a difference.
+bool leaves_choice(const Model& model);
 
 /// Until it is at rest: the answers that lead there; pushed bodies keep their promises. The target is done a
 /// millisecond later.

@@ -114,6 +114,83 @@ steps:
 )");
 }
 
+TEST_CASE("soft: the first may set several values, and sets one that contradicts what its group promises") {
+  const auto kick = [](const std::string& sets) {
+    return words(fmt::format(R"(states: {{Pose: {{values: [still, slow, fast], initial: still}}}}
+roots: {{Kick: {{priority: 20}}, Walk: {{priority: 10}}}}
+groups:
+  Kick: {{when: [Pose == still], needs: [Legs]}}
+  Walk:
+    providers:
+      - {{name: walking, needs: [Legs], sets: [{}], tasks: [Legs]}}
+      - {{name: halting, needs: [Legs], causing: [Pose == still within 2 s], tasks: [Legs]}}
+  Legs: {{}}
+)",
+                             sets),
+                 "Walk", "Kick");
+  };
+  const std::string soft =
+      "soft: Kick waits. Walk is pushed to halting for Pose == still, within 2 s. Then Kick takes over. Walk and Legs "
+      "stop.";
+  CHECK(kick("Pose == fast") == soft);
+  CHECK(kick("Pose == slow|fast") == soft);
+  CHECK(kick("Pose != still") == soft);
+  CHECK(kick("Pose") == soft);
+  CHECK(kick("Pose == still|fast") == soft);
+  CHECK(kick("Pose == still") == "hard: Kick takes at once what Walk holds. Walk and Legs stop.");
+}
+
+TEST_CASE("of several values a body sets the first that suits it and that no other provider of its group promises") {
+  const auto set = [](const std::string& walking, const std::string& others = "") {
+    const std::string all =
+        cell(fmt::format(R"(states: {{Pose: {{values: [still, slow, fast, sitting], initial: still}}}}
+roots: {{Kick: {{priority: 20}}, Walk: {{priority: 10}}}}
+groups:
+  Kick: {{when: [Pose == still], needs: [Legs]}}
+  Walk:
+    providers:
+      - {{name: walking, needs: [Legs], tasks: [Legs], {}}}
+      - {{name: halting, needs: [Legs], causing: [Pose == still within 2 s], tasks: [Legs]}}
+{}  Legs: {{}}
+)",
+                         walking, others),
+             "Walk", "Kick");
+    const std::string begin = "  Walk.walking:\n    - {reason: wait, done: true}\n    - {";
+    const std::size_t at = all.find(begin) + begin.size();
+    return all.substr(at, all.find("tasks:", at) - at);
+  };
+  CHECK(set("sets: [Pose]") == "set: {Pose: slow}, ");
+  CHECK(set("sets: [Pose == fast|sitting]") == "set: {Pose: fast}, ");
+  CHECK(set("sets: [Pose]", "      - {name: creeping, needs: [Legs], causing: [Pose == slow], tasks: [Legs]}\n") ==
+        "set: {Pose: fast}, ");
+  CHECK(set("sets: [Pose == still|slow]",
+            "      - {name: creeping, needs: [Legs], causing: [Pose == slow], tasks: [Legs]}\n") ==
+        "set: {Pose: still}, ");
+  CHECK(set("sets: [Pose], when: [Pose != slow]") == "set: {Pose: fast}, ");
+  CHECK(set("sets: [Pose], when: [Pose == still]").empty());
+}
+
+TEST_CASE("both: it does not depend on a value that a body need not set that the second runs") {
+  const auto camera = [](const std::string& sets) {
+    return words(fmt::format(R"(states: {{Pose: {{values: [still, slow, fast], initial: still}}}}
+roots: [Play, Film]
+groups:
+  Play: {{packs: {{go: {{Walk: {{priority: 10}}}}}}}}
+  Film: {{when: [Pose == still], needs: [Eye]}}
+  Eye: {{}}
+  Walk:
+    providers:
+      - {{name: walking, needs: [Legs], sets: [{}], tasks: [Legs]}}
+      - {{name: halting, needs: [Legs], causing: [Pose == still within 2 s], tasks: [Legs]}}
+  Legs: {{}}
+)",
+                             sets),
+                 "Walk", "Film");
+  };
+  CHECK(camera("Pose == slow|still") == "both: Walk and Film run beside each other.");
+  CHECK(camera("Pose == slow").starts_with("never: Film does not run, nor when Walk is done."));
+}
+
 TEST_CASE("hard: the second takes what the first one holds, and no group is pushed") {
   const char* const plain = R"(roots: {GetUp: {priority: 20}, Walk: {priority: 10}}
 groups: {GetUp: {needs: [Legs]}, Walk: {needs: [Legs], tasks: [Legs]}, Legs: {}}
