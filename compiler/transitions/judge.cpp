@@ -3,11 +3,90 @@
 #include "compiler/transitions/judge.hpp"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace director::compiler::transitions {
 
 using Kind = Transition::Kind;
+
+namespace {
+
+/// What had to be granted until the column ran and had what the row lost: its chain, what is granted together with
+/// that, what pushed, what takes, and what all of these need.
+class Awaited {
+public:
+  Awaited(const Model& model, const Way& way, const Rest& rest) : model_(model), rest_(rest), root_(way.root->edge) {
+    reach(way.root->target);
+    for (const Link& link : way.links) reach_with_mates(link);
+  }
+
+  void add_pusher(EdgeId edge) { reach(model_.edges[edge].target); }
+
+  void add_takers(const std::vector<GroupId>& lost) {
+    for (const GroupId each : lost) {
+      if (const std::optional<EdgeId> by = rest_.groups[each.value].by) add_chain(model_.edges[*by].requester);
+      for (const EdgeId edge : model_.groups[each].requesters) {
+        const std::optional<GroupId> needer = model_.edges[edge].requester;
+        const std::optional<ProviderId> active = needer ? rest_.groups[needer->value].active : std::nullopt;
+        if (active && model_.providers[*active].needs_group(each)) add_chain(needer);
+      }
+    }
+  }
+
+  /// In order.
+  const std::set<ProviderId>& providers() const { return providers_; }
+
+private:
+  void reach(GroupId group) {
+    const std::optional<ProviderId> active = rest_.groups[group.value].active;
+    if (!active || !providers_.insert(*active).second) return;
+    for (const Use<GroupId>& need : model_.providers[*active].needs) {
+      const std::optional<EdgeId> by = rest_.groups[need.id.value].by;
+      if (by && model_.edges[*by].requester == group) reach(need.id);
+    }
+  }
+
+  void reach_with_mates(const Link& link) {
+    const auto shares_unit = [&](const Task& task) {
+      return model_.edges[task.edge].levels[task.levels.front().level].shares_unit();
+    };
+    reach(link.next->target);
+    if (!shares_unit(*link.next)) return;
+    for (const Task& task : model_.providers[link.provider].packs[link.pack].tasks) {
+      if (shares_unit(task) && rest_.groups[task.target.value].by == task.edge) reach(task.target);
+    }
+  }
+
+  /// The group and those that it runs for, if these are the column's.
+  void add_chain(std::optional<GroupId> group) {
+    if (!group || !rest_.is_under(model_, *group, root_)) return;
+    for (std::size_t steps = 0; group && steps <= rest_.groups.size(); ++steps) {
+      reach(*group);
+      const std::optional<EdgeId> by = rest_.groups[group->value].by;
+      group = by ? model_.edges[*by].requester : std::nullopt;
+    }
+  }
+
+  const Model& model_;
+  const Rest& rest_;
+  EdgeId root_;
+  std::set<ProviderId> providers_;
+};
+
+/// The times that one push promises run from the same moment, those of several may run one after another.
+std::optional<Microseconds> bound_of(const std::vector<Transition::Push>& pushes) {
+  Microseconds sum = 0, longest = 0;
+  for (const Transition::Push& push : pushes) {
+    if (!push.within) return {};
+    if (!push.is_further) sum += std::exchange(longest, 0);
+    longest = std::max(longest, *push.within);
+  }
+  return sum + longest;
+}
+
+} // namespace
 
 void Judge::judge(const Beginning& row, const Beginning& column, const Play& now, const Values& change, Transition& out,
                   CellContext& context) const {
@@ -17,6 +96,7 @@ void Judge::judge(const Beginning& row, const Beginning& column, const Play& now
     if (!now.trial.rest.is_for(model_, id, row.way.target)) context.left.push_back(id);
   }
   out.pushes = pushes_of(now.trial, row);
+  add_further(row, column, now.trial, change, all, out.pushes);
   const Parting parting = part(model_, row.way, column.way);
   const bool ended = !runs(now.trial.rest, row.way);
   context.withdrawer = parting.link ? model_.groups[row.way.group(*parting.link)].name.value : "The program";
@@ -36,9 +116,7 @@ void Judge::judge(const Beginning& row, const Beginning& column, const Play& now
     context.runs_at_once = runs_before(now.trial, row, column);
   }
   if (out.kind != Kind::soft) return;
-  out.bound = 0;
-  for (const Transition::Push& push : out.pushes)
-    out.bound = out.bound && push.within ? std::optional(*out.bound + *push.within) : std::nullopt;
+  out.bound = bound_of(out.pushes);
 }
 
 /// Whether it is a push, and not for a task that waits on the row's own side.
@@ -153,11 +231,57 @@ std::vector<Transition::Push> Judge::pushes_of(const Trial& trial, const Beginni
       if (event.condition != nil && model_.satisfies(use.id, lowered_.condition_ids[event.condition]))
         push.within = use.within;
     }
-    const bool known =
-        std::any_of(out.begin(), out.end(), [&](const Transition::Push& each) { return each.to == push.to; });
+    const bool known = std::any_of(out.begin(), out.end(), [&](const Transition::Push& each) {
+      return each.to == push.to && each.condition == push.condition;
+    });
     if (!known) out.push_back(std::move(push));
   }
   return out;
+}
+
+void Judge::add_further(const Beginning& row, const Beginning& column, const Trial& trial, const Values& change,
+                        const std::vector<GroupId>& lost, std::vector<Transition::Push>& pushes) const {
+  if (pushes.empty()) return;
+  Values before = change;
+  before.insert(row.rest.values.begin(), row.rest.values.end());
+  Awaited awaited(model_, column.way, trial.rest);
+  awaited.add_takers(lost);
+  std::set<ConditionId> served; ///< the promises that were pushed for
+  for (const Event& event : trial.events) {
+    if (!this->pushes(event, row)) continue;
+    awaited.add_pusher(EdgeId{event.edge});
+    for (const ConditionUse& use : model_.providers[ProviderId{event.provider}].causing) {
+      if (event.condition != nil && model_.satisfies(use.id, lowered_.condition_ids[event.condition]))
+        served.insert(use.id);
+    }
+  }
+  std::set<ProviderId> waiters = awaited.providers();
+  for (const Transition::Push& push : pushes) waiters.insert(push.to);
+  // What was false before, and no push was made for it.
+  std::set<ConditionId> lacking;
+  for (const ProviderId id : waiters) {
+    for (const ConditionUse& use : model_.providers[id].when) {
+      const Condition& condition = model_.conditions[use.id];
+      const auto value = before.find(condition.state);
+      const bool holds = value != before.end() && condition.accepts.contains(value->second);
+      const bool is_served = std::any_of(served.begin(), served.end(),
+                                         [&](ConditionId promise) { return model_.satisfies(promise, use.id); });
+      if (!holds && !is_served && !model_.causes(id, use.id)) lacking.insert(use.id);
+    }
+  }
+  std::vector<Transition::Push> out;
+  for (Transition::Push& push : pushes) {
+    const ProviderId to = push.to;
+    out.push_back(std::move(push));
+    for (const ConditionUse& use : model_.providers[to].causing) {
+      const auto waited_for =
+          std::find_if(lacking.begin(), lacking.end(), [&](ConditionId id) { return model_.satisfies(use.id, id); });
+      if (waited_for == lacking.end()) continue;
+      out.push_back({to, model_.conditions[*waited_for].text, use.within, true});
+      std::erase_if(lacking, [&](ConditionId id) { return model_.satisfies(use.id, id); });
+    }
+  }
+  pushes = std::move(out);
 }
 
 } // namespace director::compiler::transitions

@@ -33,6 +33,10 @@ private:
   };
 
   bool pushes(const Event& event, const Beginning& row) const;
+  /// Adds the further conditions that were waited for until the column had what the row lost, and that the pushed
+  /// providers promise: the engine makes no second push for them.
+  void add_further(const Beginning& row, const Beginning& column, const Trial& trial, const Values& change,
+                   const std::vector<GroupId>& lost, std::vector<Transition::Push>& pushes) const;
   /// The pushes for the column in the first micro-step that has any.
   Pushed first_pushes(const Beginning& row, const Trial& trial) const;
   bool pushed_first(const Beginning& row, const Beginning& column, const Trial& trial) const;

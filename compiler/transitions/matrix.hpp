@@ -32,11 +32,13 @@ struct Transition {
     ProviderId to{};
     std::string condition;              ///< for which it was made
     std::optional<Microseconds> within; ///< what it promises
+    bool is_further = false;            ///< no push of its own: the one before it is also waited on for this condition
   };
   Kind kind = Kind::unreachable;
   std::string words;                 ///< the events, in sentences
   std::vector<Push> pushes;          ///< in the order in which they were made
-  std::optional<Microseconds> bound; ///< soft: the sum of their promised times; empty: one of them has no time
+  std::optional<Microseconds> bound; ///< soft: the sum of the longest promised time of each push; empty: a condition
+                                     ///< has no time
   std::vector<GroupId> stops;        ///< what ran for the first and no longer runs
   std::vector<GroupId> taken;        ///< what ran for the first and now runs for another requester
   std::vector<std::string> states;   ///< `Ball == near`: set from outside for the second

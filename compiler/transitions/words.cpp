@@ -101,8 +101,13 @@ std::string waiting(const CellContext& context) {
 std::string pushes(const Transition& cell, const Model& model) {
   std::string out;
   for (const Transition::Push& push : cell.pushes) {
-    const std::string& group = model.group_of(push.to).name.value;
-    out += fmt::format(" {} is pushed to {} for {}", group, model.providers[push.to].name, push.condition);
+    if (push.is_further) {
+      out.pop_back(); // the full stop
+      out += fmt::format(", and for {}", push.condition);
+    } else {
+      const std::string& group = model.group_of(push.to).name.value;
+      out += fmt::format(" {} is pushed to {} for {}", group, model.providers[push.to].name, push.condition);
+    }
     if (push.within) out += fmt::format(", within {}", dsl::time_text(*push.within));
     out += '.';
   }
@@ -182,7 +187,11 @@ std::string words_of(const Transition& cell, const CellContext& context) {
     const std::string all = cell.pushes.size() > 1 && cell.bound
                                 ? fmt::format(" All of that is promised within {}.", dsl::time_text(*cell.bound))
                                 : std::string{};
-    const std::string bound = cell.bound ? all : " No time is promised for that.";
+    const bool any_within = std::any_of(cell.pushes.begin(), cell.pushes.end(),
+                                        [](const Transition::Push& push) { return push.within.has_value(); });
+    const std::string bound = cell.bound   ? all
+                              : any_within ? " No time is promised for all of that."
+                                           : " No time is promised for that.";
     return fmt::format("{} waits.{}{} Then {} over.{}{}", waiting(context), pushes(cell, context.model), bound,
                        taking(context), stops(cell, context), outside(cell.states));
   }

@@ -191,6 +191,69 @@ groups:
   CHECK(camera("Pose == slow").starts_with("never: Film does not run, nor when Walk is done."));
 }
 
+TEST_CASE("soft: of all that one push is to cause the longest time counts") {
+  const auto kick = [](const std::string& promises) {
+    const std::string all = cell(fmt::format(R"(states:
+  Pose: {{values: [moving, still], initial: still}}
+  Arm: {{values: [up, down], initial: up}}
+  Eye: {{values: [open, shut], initial: shut}}
+roots: {{Kick: {{priority: 20}}, Walk: {{priority: 10}}}}
+groups:
+  Kick: {{when: [Pose == still, Arm == down], needs: [Legs]}}
+  Walk:
+    providers:
+      - {{name: walking, needs: [Legs], sets: [Pose == moving], tasks: [Legs]}}
+      - {{name: halting, needs: [Legs], causing: [{}, Eye == open within 1 min], tasks: [Legs]}}
+  Legs: {{}}
+)",
+                                             promises),
+                                 "Walk", "Kick");
+    return all.substr(0, all.find("stops"));
+  };
+  CHECK(kick("Pose == still within 1 s, Arm == down within 10 s") ==
+        "soft: Kick waits. Walk is pushed to halting for Pose == still, within 1 s, and for Arm == down, within 10 s. "
+        "All of that is promised within 10 s. Then Kick takes over. Walk and Legs stop.\n"
+        "push Walk.halting for Pose == still within 1000000\n"
+        "push Walk.halting for Arm == down within 10000000\n"
+        "bound 10000000\n");
+  CHECK(kick("Pose == still within 1 s, Arm == down") ==
+        "soft: Kick waits. Walk is pushed to halting for Pose == still, within 1 s, and for Arm == down. No time is "
+        "promised for all of that. Then Kick takes over. Walk and Legs stop.\n"
+        "push Walk.halting for Pose == still within 1000000\n"
+        "push Walk.halting for Arm == down within -\n");
+}
+
+TEST_CASE("soft: what is waited for on the way to what takes over counts, and what only runs afterwards does not") {
+  const char* const chain = R"(states:
+  Pose: {values: [moving, still], initial: still}
+  Arm: {values: [up, down], initial: up}
+  Eye: {values: [open, shut], initial: shut}
+roots: {Strike: {priority: 20}, Walk: {priority: 10}}
+groups:
+  Strike: {when: [Pose == still], tasks: [Kick]}
+  Kick: {when: [Arm == down], needs: [Legs], tasks: [Look]}
+  Look: {when: [Eye == open], needs: [Head]}
+  Walk:
+    providers:
+      - {name: walking, needs: [Legs], sets: [Pose == moving], tasks: [Legs]}
+      - name: halting
+        needs: [Legs]
+        causing: [Pose == still within 1 s, Arm == down within 10 s, Eye == open within 20 s]
+        tasks: [Legs]
+  Legs: {}
+  Head: {}
+)";
+  const std::string pushed =
+      " waits. Walk is pushed to halting for Pose == still, within 1 s, and for Arm == down, within 10 s";
+  CHECK(words(chain, "Walk", "Strike") ==
+        "soft: Strike" + pushed + ". All of that is promised within 10 s. Then Strike takes over. Walk and Legs stop.");
+  CHECK(words(chain, "Walk", "Kick") ==
+        "soft: Kick" + pushed + ". All of that is promised within 10 s. Then Kick takes over. Walk and Legs stop.");
+  CHECK(words(chain, "Walk", "Look") == "soft: Look" + pushed +
+                                            ", and for Eye == open, within 20 s. All of that is promised within 20 s. "
+                                            "Then Look takes over. Walk and Legs stop.");
+}
+
 TEST_CASE("hard: the second takes what the first one holds, and no group is pushed") {
   const char* const plain = R"(roots: {GetUp: {priority: 20}, Walk: {priority: 10}}
 groups: {GetUp: {needs: [Legs]}, Walk: {needs: [Legs], tasks: [Legs]}, Legs: {}}
