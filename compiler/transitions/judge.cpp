@@ -99,6 +99,7 @@ void Judge::judge(const Beginning& row, const Beginning& column, const Play& now
   add_further(row, column, now.trial, change, all, out.pushes);
   const Parting parting = part(model_, row.way, column.way);
   const bool ended = !runs(now.trial.rest, row.way);
+  find_above(row, parting, now.trial.rest, out, context);
   context.withdrawer = parting.link ? model_.groups[row.way.group(*parting.link)].name.value : "The program";
   if ((ended || !all.empty()) && player_.ends_by(row, column, change, all)) {
     out.kind = Kind::condition_lost;
@@ -163,6 +164,35 @@ bool Judge::runs_before(const Trial& trial, const Beginning& row, const Beginnin
     if (event.kind == Event::Kind::grant && event.group == column.way.target.value) granted = event.micro_step;
   }
   return granted <= first_pushes(row, trial).micro_step;
+}
+
+void Judge::find_above(const Beginning& row, const Parting& parting, const Rest& rest, Transition& out,
+                       CellContext& context) const {
+  const std::size_t first = parting.link ? *parting.link + 1 : 0;
+  std::vector<GroupId> chain;
+  for (std::size_t i = first; i < row.way.links.size(); ++i) chain.push_back(row.way.group(i));
+  for (const GroupId id : chain) {
+    const bool has_stopped = row.rest.groups[id.value].granted && !rest.groups[id.value].granted;
+    if (has_stopped && std::find(out.stops.begin(), out.stops.end(), id) == out.stops.end())
+      context.above.push_back(id);
+  }
+  out.stops.insert(out.stops.end(), context.above.begin(), context.above.end());
+  std::sort(out.stops.begin(), out.stops.end());
+  if (context.above.empty()) return;
+  const EdgeId side = parting.link ? row.way.links[*parting.link].next->edge : row.way.root->edge;
+  std::optional<std::size_t> deepest;
+  for (const GroupId id : model_.groups.ids()) {
+    const bool is_taken =
+        row.rest.is_under(model_, id, side) && rest.groups[id.value].by && !rest.is_under(model_, id, side);
+    if (!is_taken) continue;
+    if (row.rest.is_under(model_, id, row.way.last().edge)) return;
+    for (std::size_t i = chain.size(); i-- > deepest.value_or(0);) {
+      if (!row.rest.is_for(model_, id, chain[i])) continue;
+      deepest = i;
+      break;
+    }
+  }
+  if (deepest) context.holder = chain[*deepest];
 }
 
 void Judge::find_takers(const Beginning& column, const Rest& rest, const std::vector<GroupId>& lost,

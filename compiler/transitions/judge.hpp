@@ -42,6 +42,11 @@ private:
   bool pushed_first(const Beginning& row, const Beginning& column, const Trial& trial) const;
   bool runs_before(const Trial& trial, const Beginning& row, const Beginning& column) const;
 
+  /// Adds the groups on the row's chain, below where the chains part, that have stopped; and finds which of them held
+  /// what was taken, if that was nothing of the row's.
+  void find_above(const Beginning& row, const Parting& parting, const Rest& rest, Transition& out,
+                  CellContext& context) const;
+
   /// Finds what was requested with the column and has what the row lost; nothing if the column has some of it.
   void find_takers(const Beginning& column, const Rest& rest, const std::vector<GroupId>& lost,
                    CellContext& context) const;

@@ -39,7 +39,7 @@ struct Transition {
   std::vector<Push> pushes;          ///< in the order in which they were made
   std::optional<Microseconds> bound; ///< soft: the sum of the longest promised time of each push; empty: a condition
                                      ///< has no time
-  std::vector<GroupId> stops;        ///< what ran for the first and no longer runs
+  std::vector<GroupId> stops;        ///< what ran for the first, or leads to it, and no longer runs
   std::vector<GroupId> taken;        ///< what ran for the first and now runs for another requester
   std::vector<std::string> states;   ///< `Ball == near`: set from outside for the second
   std::string asserted;              ///< the verdict of the assertion that it is soft; empty: there is none

@@ -30,7 +30,9 @@ std::vector<GroupId> Player::lost(const Beginning& row, const Rest& rest) const 
   std::vector<GroupId> out;
   for (const GroupId id : model_.groups.ids()) {
     const Rest::Held& before = row.rest.groups[id.value];
-    if (before.active && row.rest.is_under(model_, id, edge) && !rest.is_under(model_, id, edge)) out.push_back(id);
+    if (!before.active || !row.rest.is_under(model_, id, edge)) continue;
+    // What has stopped may be held for a need, and by the same edge.
+    if (!rest.is_under(model_, id, edge) || (before.granted && !rest.groups[id.value].granted)) out.push_back(id);
   }
   return out;
 }

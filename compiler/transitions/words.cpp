@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace director::compiler {
 
@@ -62,8 +63,11 @@ std::string runs_on(const std::vector<GroupId>& taken, std::string_view former, 
 
 std::string stops(const Transition& cell, const CellContext& context) {
   std::string out;
-  if (!cell.stops.empty())
-    out += fmt::format(" {} {}.", names_of(cell.stops, context.model), cell.stops.size() == 1 ? "stops" : "stop");
+  std::vector<GroupId> stopped = context.above; // first: a long list is cut off
+  std::copy_if(cell.stops.begin(), cell.stops.end(), std::back_inserter(stopped),
+               [&](GroupId id) { return !contains(context.above, id); });
+  if (!stopped.empty())
+    out += fmt::format(" {} {}.", names_of(stopped, context.model), stopped.size() == 1 ? "stops" : "stop");
   // The first one itself ran for its requester, and what still runs for the first one did so too.
   const TransitionMatrix::Row& row = context.row;
   const auto name = [&](GroupId id) { return std::string_view(context.model.groups[id].name.value); };
@@ -140,7 +144,8 @@ std::string ends(const Transition& cell, const CellContext& context) {
   if (context.row_runs_on)
     return fmt::format("W{} ends groups below {}, which runs on.{}", wants, first, stops(cell, context));
   if (contains(cell.taken, context.row.group)) return fmt::format("By w{},{}", wants, stops(cell, context));
-  return fmt::format("W{} ends {}.{}", wants, first, cell.taken.empty() ? "" : stops(cell, context));
+  return fmt::format("W{} ends {}.{}", wants, first,
+                     cell.taken.empty() && context.above.empty() ? "" : stops(cell, context));
 }
 
 std::string endless(const CellContext& context) {
@@ -196,8 +201,9 @@ std::string words_of(const Transition& cell, const CellContext& context) {
                        taking(context), stops(cell, context), outside(cell.states));
   }
   case Kind::hard:
-    return fmt::format("{} at once what {} holds.{}{}", taking(context), first, stops(cell, context),
-                       outside(cell.states));
+    return fmt::format("{} at once what {} holds.{}{}", taking(context),
+                       leading(context.holder.value_or(context.row.group), context.row.group, context.model),
+                       stops(cell, context), outside(cell.states));
   case Kind::waits:
     return fmt::format("{} {} when {} is done.{}{}{}", second,
                        context.is_requested ? "is queued, and runs" : "is not requested yet, and runs", first,

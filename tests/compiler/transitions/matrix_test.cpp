@@ -296,6 +296,43 @@ groups:
         "2 s. Then Stand, which is requested with Grab, takes over. Walk and Legs stop.");
 }
 
+TEST_CASE("hard: what leads to the first one stops too, and is named where only it held what is taken") {
+  const char* const above = R"(roots: {Guard: {priority: 10}, Plan: {priority: 1}}
+groups:
+  Guard: {needs: [Arm], tasks: [Arm]}
+  Plan: {stop: true, needs: [Arm], tasks: [Arm, Think]}
+  Think: {tasks: [Note]}
+  Note: {}
+  Arm: {}
+)";
+  CHECK(words(above, "Think", "Guard") ==
+        "hard: Guard takes at once what Plan, which leads to Think, holds. Plan, Think and Note stop.");
+  const char* const below = R"(roots: {Guard: {priority: 10}, Plan: {priority: 1}}
+groups:
+  Guard: {needs: [Arm, Leg], tasks: [Arm]}
+  Plan: {needs: [Leg], tasks: [Grip]}
+  Grip: {needs: [Arm], tasks: [Arm]}
+  Arm: {}
+  Leg: {}
+)";
+  CHECK(words(below, "Grip", "Guard") ==
+        "hard: Guard takes at once what Grip holds. Plan and Grip stop. Arm runs on, but not for Grip any more.");
+}
+
+TEST_CASE("hard: what has stopped is not said to run, while a need holds it by the same edge") {
+  const char* const held = R"(roots: {Boss: {priority: 10}, Old: {priority: 5}}
+groups:
+  Boss: {needs: [Old], tasks: {Aim: {}}}
+  Old: {tasks: [Wheel], needs: [Wheel]}
+  Aim: {tasks: [Lamp]}
+  Wheel: {stop: true, needs: [Motor]}
+  Motor: {}
+  Lamp: {}
+)";
+  CHECK(words(held, "Wheel", "Boss") == "hard: Boss takes at once what Wheel holds. Old and Wheel stop.");
+  CHECK(words(held, "Wheel", "Aim") == "hard: Aim takes at once what Wheel holds. Old and Wheel stop.");
+}
+
 TEST_CASE("hard: the group of the row itself is taken, and runs on, but not for its requester") {
   const char* const shared = R"(roots: {Boss: {priority: 10}, Guard: {priority: 50}}
 groups:
@@ -428,11 +465,11 @@ groups:
   };
   CHECK(words("Walk", "Kick") ==
         "replaced: Play requests Attack, which leads to Kick, instead of Defend, which leads to "
-        "Walk. Walk stops.");
+        "Walk. Defend and Walk stop.");
   CHECK(words("Defend", "Kick") ==
         "replaced: Play requests Attack, which leads to Kick, instead of Defend. Defend and Walk stop.");
   CHECK(words("Walk", "Attack") ==
-        "replaced: Play requests Attack instead of Defend, which leads to Walk. Walk stops.");
+        "replaced: Play requests Attack instead of Defend, which leads to Walk. Defend and Walk stop.");
 }
 
 TEST_CASE("condition lost: the first one runs on without what it loses, or for another requester") {
@@ -458,7 +495,7 @@ groups:
   Legs: {}
 )",
               "Walk", "Go") ==
-        "condition lost: By what Go wants from outside, Walk runs on, but not for Stay any more. "
+        "condition lost: By what Go wants from outside, Stay stops. Walk runs on, but not for Stay any more. "
         "The outside says Person == none.");
 }
 
