@@ -31,7 +31,7 @@ const std::vector<CellKind>& cell_kinds() {
       {"condition lost", "L", "what the second wants from outside ends the first one, or what that one loses"},
       {"both", "B", "they run beside each other"},
       {"same chain", "C", "one leads to the other, or they are the same"},
-      {"unreachable", "U", "one of them cannot be brought to run at all"},
+      {"unreachable", "U", "one of them is not made to run"},
   };
   return kinds;
 }

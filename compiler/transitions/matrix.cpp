@@ -6,10 +6,12 @@
 // then one of those that the column's conditions need; and so on.
 #include "compiler/transitions/matrix.hpp"
 
+#include "compiler/base/and_list.hpp"
 #include "compiler/transitions/judge.hpp"
 #include "dsl/yaml/yaml_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <bit>
@@ -118,11 +120,11 @@ private:
   /// Empty if the last group does not run then. `why`: set by the first that fails.
   std::optional<Beginning> begin(const Way& way, const Outside& outside, bool only_certain, std::string& why) const {
     const Play played =
-        player_.play(script_of(model_, way, {{}, {}, only_certain}), player_.beginning(way, outside), 1, way);
+        player_.play(script_of(model_, way, {{}, {}, {}, only_certain}), player_.beginning(way, outside), 1, way);
     const Trial& trial = played.trial;
     if (why.empty()) why = trial.endless ? "When it is requested, the engine does not come to rest" : trial.why;
     if (!trial.good || !runs(trial.rest, way)) return {};
-    return Beginning{way, outside, trial.runs, trial.rest, only_certain};
+    return Beginning{way, outside, trial.runs, trial.rest, only_certain, {}};
   }
 
   /// The row's beginning, with `only_certain` if it can begin so.
@@ -266,6 +268,9 @@ private:
       if (is_stuck(out) && leaves_choice_ && !row.only_certain) {
         if (std::optional<Transition> certain = certain_cell(i, j)) return std::move(*certain);
       }
+      if (is_stuck(out)) {
+        if (std::optional<Transition> given = given_cell(i, j, row)) return std::move(*given);
+      }
     } else if (i == j) {
       out.kind = Kind::unreachable;
     }
@@ -285,6 +290,30 @@ private:
     decide(row, beginnings_[j], out, context);
     if (is_stuck(out)) return {};
     out.words = words_of(out, context);
+    return out;
+  }
+
+  /// With the values that the column begins with and that bodies on its chain set, if the column runs then.
+  std::optional<Transition> given_cell(std::size_t i, std::size_t j, Beginning row) {
+    const Beginning& column = beginnings_[j];
+    std::vector<std::string> sentences;
+    for (const ProviderId id : beside(model_, column.way)) {
+      Values values = settable(model_, id, column.outside.given);
+      std::erase_if(values, [&](const auto& each) {
+        const auto now = row.rest.values.find(each.first);
+        return now != row.rest.values.end() && now->second == each.second;
+      });
+      if (values.empty()) continue;
+      row.given.insert(values.begin(), values.end());
+      sentences.push_back(fmt::format(" {} sets {}.", model_.full_name(id), and_list(words_of(values, model_))));
+    }
+    if (row.given.empty()) return {};
+    Transition out;
+    out.kind = Kind::never;
+    CellContext context{model_, out_.rows[i], out_.rows[j]};
+    decide(row, column, out, context);
+    if (is_stuck(out)) return {};
+    out.words = words_of(out, context) + fmt::format("{}", fmt::join(sentences, ""));
     return out;
   }
 

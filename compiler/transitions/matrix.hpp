@@ -26,7 +26,7 @@ struct Transition {
     same_chain,     ///< one leads to the other, or they are the same
     replaced,       ///< the requester of both withdraws the first one
     condition_lost, ///< a value that the second needs from outside ends the first one
-    unreachable,    ///< one of them cannot be brought to run at all
+    unreachable,    ///< one of them is not made to run
   };
   struct Push {
     ProviderId to{};

@@ -18,8 +18,9 @@ struct Beginning {
   Runs runs;
   Rest rest;
   bool only_certain = false; ///< as of Until
+  Values given{};            ///< likewise
 
-  Until until(const Values& outside = {}) const { return {runs, outside, only_certain}; }
+  Until until(const Values& outside = {}) const { return {runs, outside, given, only_certain}; }
 };
 
 struct Play {

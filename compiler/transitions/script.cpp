@@ -238,7 +238,48 @@ Script script_from(Script out, const Model& model, const Way& row, const Until& 
   return out;
 }
 
+/// From the column's request on it sets what it may set of `given`.
+void set_given(const Model& model, ProviderId id, const Way& row, const Until& until, Script& out) {
+  Values values = settable(model, id, until.given);
+  if (values.empty()) return;
+  const auto link =
+      std::find_if(row.links.begin(), row.links.end(), [&](const Link& each) { return each.provider == id; });
+  const std::string answer = link == row.links.end() ? usual(model, id) : leads_on(model, *link);
+  const Values against = opposed(model, id, until.only_certain);
+  std::vector<std::string> cases;
+  if (link != row.links.end()) cases.push_back(out.at(id).front()); // that its task is done
+  const auto ran = until.runs.find(id);
+  for (std::uint32_t run = 1; ran != until.runs.end() && run <= ran->second; ++run)
+    cases.push_back(mapping({fmt::format("run: {}", run), setting_words(model, against), answer}));
+  values.insert(against.begin(), against.end());
+  cases.push_back(mapping({setting_words(model, values), answer}));
+  out[id] = std::move(cases);
+}
+
 } // namespace
+
+Values settable(const Model& model, ProviderId id, const Values& values) {
+  Values out;
+  const std::vector<ConditionUse>& sets = model.providers[id].sets;
+  for (const auto& each : values) {
+    const bool may = std::any_of(sets.begin(), sets.end(), [&](const ConditionUse& use) {
+      const Condition& condition = model.conditions[use.id];
+      return condition.state == each.first && condition.accepts.contains(each.second);
+    });
+    if (may) out.insert(each);
+  }
+  return out;
+}
+
+std::vector<ProviderId> beside(const Model& model, const Way& way) {
+  std::vector<ProviderId> out;
+  for (std::size_t i = 0; i < way.links.size(); ++i) {
+    for (const ProviderId id : model.groups[way.group(i)].providers) {
+      if (id != way.links[i].provider) out.push_back(id);
+    }
+  }
+  return out;
+}
 
 bool leaves_choice(const Model& model) {
   const auto ids = model.providers.ids();
@@ -252,6 +293,9 @@ Script script_of(const Model& model, const Way& row, const Until& until) {
 
 Script script_of(const Model& model, const Way& row, const Way& column, const Until& until) {
   Script out = script_from(usual_script(model, {row.root->target, column.root->target}, until), model, row, until);
+  if (!until.given.empty()) {
+    for (const ProviderId id : beside(model, column)) set_given(model, id, row, until, out);
+  }
   const Parting parting = part(model, row, column);
   // The requester of both continues when the first one is done.
   if (parting.link) out[row.links[*parting.link].provider].front() = "{reason: subtask_done, continue: true}";

@@ -26,12 +26,13 @@ Parting part(const Model& model, const Way& row, const Way& column);
 
 /// The column's request.
 struct Until {
-  Runs runs;                 ///< before it
-  Values outside;            ///< pushed bodies do not change these states from then on
+  Runs runs;      ///< before it
+  Values outside; ///< pushed bodies do not change these states from then on
+  Values given;   ///< values that bodies on the column's chain set from then on, other than those of its own providers
   bool only_certain = false; ///< for all of the play: bodies set nothing of which their `sets` has several values
 };
 
-/// Whether that makes a difference.
+/// Whether `only_certain` makes a difference.
 bool leaves_choice(const Model& model);
 
 /// Until it is at rest: the answers that lead there; pushed bodies keep their promises. The target is done a
@@ -39,6 +40,12 @@ bool leaves_choice(const Model& model);
 Script script_of(const Model& model, const Way& row, const Until& until = {});
 /// ... and then those that lead to the column.
 Script script_of(const Model& model, const Way& row, const Way& column, const Until& until);
+
+/// Of these values those that the body may set.
+Values settable(const Model& model, ProviderId id, const Values& values);
+
+/// The other providers of the groups on the way, which run before those of the way, or instead of them.
+std::vector<ProviderId> beside(const Model& model, const Way& way);
 
 /// The steps: values from outside and the program's request; values from outside alone; the row's task is done.
 std::string request_step(const Model& model, const Way& way, const Values& values);

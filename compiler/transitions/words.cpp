@@ -222,7 +222,7 @@ std::string words_of(const Transition& cell, const CellContext& context) {
   case Kind::condition_lost: return ends(cell, context) + outside(cell.states);
   case Kind::unreachable: break;
   }
-  return fmt::format("{} cannot be brought to run.", context.row.reached ? second : first);
+  return fmt::format("{} is not made to run.", context.row.reached ? second : first);
 }
 
 } // namespace transitions

@@ -887,6 +887,50 @@ steps:
 )");
 }
 
+TEST_CASE("what the second waits for is set by a body of its requester, if it would never run otherwise") {
+  const std::string travel = R"(states:
+  Leg: {values: [going, looking], initial: going, of: Trip}
+  Pose: {values: [moving, still], initial: still}
+roots: [Trip]
+groups:
+  Trip:
+    providers:
+      - {name: going, when: [Leg == going], sets: [Leg == looking], packs: {go: {Walk: {}}}}
+      - {name: looking, when: [Leg == looking], packs: {look: {Film: {priority: 1}, Walk: {apart: true}}}}
+  Film: {when: [Pose == still], needs: [Eye]}
+  Walk:
+    providers:
+      - {name: walking, needs: [Legs], sets: [Pose == moving], tasks: [Legs]}
+      - {name: halting, needs: [Legs], causing: [Pose == still within 2 s], tasks: [Legs]}
+  Eye: {}
+  Legs: {}
+)";
+  CHECK(
+      cell(travel, "Walk", "Film") ==
+      R"(both: Walk and Film run beside each other. Walk is pushed to halting for Pose == still, within 2 s. Trip.going sets Leg == looking.
+push Walk.halting for Pose == still within 2000000
+scenario: from Walk to Film
+behaviour: test.yaml
+script:
+  Trip.going:
+    - {reason: subtask_done, continue: true}
+    - {run: 1, pack: go}
+    - {set: {Leg: looking}, pack: go}
+  Trip.looking:
+    - {pack: look}
+  Walk.walking:
+    - {reason: wait, done: true}
+    - {set: {Pose: moving}, tasks: [Legs], wait: 1 ms}
+  Walk.halting:
+    - {reason: wait, done: true}
+    - {reason: pushed, set: {Pose: still}, tasks: [Legs], wait: 1 ms}
+    - {tasks: [Legs], wait: 1 ms}
+steps:
+  - request: Trip
+  - request: Trip
+)");
+}
+
 TEST_CASE("unreachable: it never gets what it needs") {
   const char* const lost = R"(roots: [Walk, Play]
 groups:
@@ -899,11 +943,11 @@ groups:
   Legs: {}
   Arm: {}
 )";
-  CHECK(cell(lost, "Walk", "Catch") == R"(unreachable: Catch cannot be brought to run.
+  CHECK(cell(lost, "Walk", "Catch") == R"(unreachable: Catch is not made to run.
 )");
-  CHECK(cell(lost, "Catch", "Walk") == R"(unreachable: Catch cannot be brought to run.
+  CHECK(cell(lost, "Catch", "Walk") == R"(unreachable: Catch is not made to run.
 )");
-  CHECK(cell(lost, "Throw", "Catch") == R"(unreachable: Catch cannot be brought to run.
+  CHECK(cell(lost, "Throw", "Catch") == R"(unreachable: Catch is not made to run.
 )");
 }
 
