@@ -70,7 +70,8 @@ bool has_refuted(const Json& rows) {
 
 bool needs_explanation(const Json& cell) {
   const std::string_view kind = cell_kind(cell).kind;
-  return kind != "both" && kind != "same chain" && kind != "unreachable";
+  if (kind == "both") return !cell["pushes"].is_null();
+  return kind != "same chain" && kind != "unreachable";
 }
 
 std::string place_text(const Json& place) {
