@@ -8,7 +8,8 @@
 // the edges above, times the places where they part.
 //
 // A group that its requester needs is held by that need. So the last edge of a chain is not optional there, even if it
-// is requested as optional too; what is requested below that group is. Such an edge is in the table twice.
+// is requested as optional too; what is requested below that group is. Such an edge is in the table twice, if the
+// requester needs the group with each of its providers.
 //
 // Requests can form a cycle that has an optional one. Neither of two groups of one cycle is later, so either side is
 // climbed there, and a pair may lead to itself: then all is examined again until nothing is added. Chains around a
@@ -39,20 +40,15 @@ std::set<Standing> standings(const Edge& edge, bool optional_below) {
   return out;
 }
 
-/// Whether it also requests as optional what each provider that requests it needs.
+/// Whether each provider of the requester needs what some request as optional too. A request remains while the
+/// requester changes to another provider: where that one does not need the group, it holds by the request alone.
 bool is_always_needed(const Model& model, EdgeId id) {
   const Edge& edge = model.edges[id];
   const auto is_optional = [](const Level& level) { return level.optional; };
   if (!edge.needed || std::none_of(edge.levels.begin(), edge.levels.end(), is_optional)) return false;
   const std::vector<ProviderId>& providers = model.groups[*edge.requester].providers;
-  return std::all_of(providers.begin(), providers.end(), [&](ProviderId provider_id) {
-    const Provider& provider = model.providers[provider_id];
-    return provider.needs_group(edge.target) ||
-           std::none_of(provider.packs.begin(), provider.packs.end(), [&](const Pack& pack) {
-             return std::any_of(pack.tasks.begin(), pack.tasks.end(),
-                                [&](const Task& task) { return task.edge == id; });
-           });
-  });
+  return std::all_of(providers.begin(), providers.end(),
+                     [&](ProviderId provider) { return model.providers[provider].needs_group(edge.target); });
 }
 
 template <class Value>

@@ -90,6 +90,21 @@ groups:
                                     "  root>Look 2?, root>Walk 1?: -1", "  Look>Neck 0, Look>Head 0: 0"});
 }
 
+TEST_CASE(
+    "what only one provider needs and requests as optional too is optional once another provider has the request") {
+  const Compiled c = compile(R"(
+behaviour: changed
+language: 1
+roots: {Walk: {priority: 10}, Look: {priority: 10}}
+groups:
+  Walk: {providers: [{name: looking, needs: [Head], tasks: {Head: {optional: true}}}, {name: waving}]}
+  Look: {needs: [Head], tasks: [Head]}
+  Head: {}
+)");
+  CHECK(decided(c, "Head") ==
+        Texts{"Walk>Head and Look>Head", "  root>Walk 10, root>Look 10: 0", "  root>Walk 10?, root>Look 10: 1"});
+}
+
 TEST_CASE("two chains that would meet in a group cannot exist side by side") {
   const Compiled c = compile(R"(
 behaviour: meet
