@@ -16,6 +16,7 @@
 #include <compare>
 #include <cstdint>
 #include <map>
+#include <string_view>
 
 namespace director::compiler {
 
@@ -27,8 +28,10 @@ struct Company {
   bool unit = false;                                ///< granted together, or not at all
   bool first_loose = false, second_loose = false;   ///< both are requested by some pack, and this one is neither in one
                                                     ///< unit with the other one nor a need
-  bool first_needed = false, second_needed = false; ///< by a provider that requests the other one, or needs it too
+  bool first_needed = false, second_needed = false; ///< by a provider while the other one is requested, or that needs
+                                                    ///< it too
   bool first_alone = false, second_alone = false;   ///< likewise, and does not need the other one
+  bool first_own = false, second_own = false; ///< needed, and that provider requests the other one, or needs it too
 };
 
 /// A decision between two edges to one group. If one of them is the sibling itself, and the other one is below the
@@ -298,7 +301,9 @@ private:
 
   /// The one that goes first comes first.
   std::string words(const Ruling& ruling) const {
+    constexpr std::string_view never_both = ", never both at once";
     const Decision& decision = ruling.decision;
+    const Company both = company(decision);
     const int order = ruling.order();
     const std::string requester = decision.requester ? name(*decision.requester) : "the program";
     std::string first = request_words(decision.first_sibling, decision.first);
@@ -315,16 +320,16 @@ private:
     case Ruling::Held::in_unit:
       return fmt::format("{}: {} before {}, as both are granted together", requester, held, rest);
     case Ruling::Held::as_need:
-      return fmt::format("{}: {} before {}, as {} runs only with it", requester, held, rest, requester);
+      return fmt::format("{}: {} before {}, as {} runs only with it{}", requester, held, rest, requester,
+                         (order > 0 ? both.second_own : both.first_own) ? "" : never_both);
     case Ruling::Held::by_leader:
       return fmt::format("{}: {} before {}, as {} is {}", requester, held, second, name(edge(ahead).target),
                          together(winner.leaders));
     case Ruling::Held::by_rank: break;
     }
-    const Company both = company(decision);
     std::string out = fmt::format("{}: {} {} {}{}{}{}", requester, first, order == 0 ? "and" : "before", second,
                                   order == 0 ? " are equal" : "", both.unit ? ", together or not at all" : "",
-                                  both.at_once ? "" : ", never both at once");
+                                  both.at_once ? "" : never_both);
     if (order != 0 && !loser.leaders.empty())
       out += ", unless " + name(edge(behind).target) + " is " + together(loser.leaders);
     if (order == 0) out += requested_first(ahead, winner) + requested_first(behind, loser);
@@ -363,30 +368,52 @@ private:
     return may_be(task, standing, true) || may_be(task, standing, false);
   }
 
+  /// Which of two targets a provider needs.
+  struct NeedOf {
+    bool first = false, second = false;
+    bool operator==(const NeedOf&) const = default;
+  };
+
+  /// What the pack of one provider adds, while one with these needs is active: itself, or one that its group has
+  /// changed to and that has not requested anything yet.
+  void add_pack(const Pack& pack, const Decision& decision, const NeedOf& needs, bool is_own, Company& out) const {
+    const Task* const first = entry_of(pack, decision.first_sibling);
+    const Task* const second = entry_of(pack, decision.second_sibling);
+    const bool has_first = needs.first || (first != nullptr && may_be(*first, decision.first)),
+               has_second = needs.second || (second != nullptr && may_be(*second, decision.second));
+    out.at_once = out.at_once || (is_own && has_first && has_second);
+    if (first != nullptr && second != nullptr) {
+      out.unit = out.unit || (may_be(*first, decision.first, true) && may_be(*second, decision.second, true));
+      const bool loose = may_be(*first, decision.first, false) || may_be(*second, decision.second, false);
+      out.first_loose = out.first_loose || (loose && !needs.first);
+      out.second_loose = out.second_loose || (loose && !needs.second);
+    }
+    out.first_alone = out.first_alone || (needs.first && !needs.second && second != nullptr);
+    out.second_alone = out.second_alone || (needs.second && !needs.first && first != nullptr);
+    out.first_own = out.first_own || (is_own && needs.first && second != nullptr);
+    out.second_own = out.second_own || (is_own && needs.second && first != nullptr);
+  }
+
   Company company(const Decision& decision) const {
     if (!decision.requester) return {true, false};
     Company out;
-    for (const ProviderId id : model_.groups[*decision.requester].providers) {
+    const std::vector<ProviderId>& providers = model_.groups[*decision.requester].providers;
+    const auto needs_of = [&](ProviderId id) {
       const Provider& provider = model_.providers[id];
-      const auto is_needed = [&](EdgeId edge_id) { return provider.needs_group(edge(edge_id).target); };
-      const bool first_needed = is_needed(decision.first_sibling), second_needed = is_needed(decision.second_sibling);
-      out.at_once = out.at_once || (first_needed && second_needed);
-      out.first_needed = out.first_needed || (first_needed && second_needed);
-      out.second_needed = out.second_needed || (first_needed && second_needed);
-      for (const Pack& pack : provider.packs) {
-        const Task* const first = entry_of(pack, decision.first_sibling);
-        const Task* const second = entry_of(pack, decision.second_sibling);
-        const bool has_first = first_needed || (first != nullptr && may_be(*first, decision.first)),
-                   has_second = second_needed || (second != nullptr && may_be(*second, decision.second));
-        out.at_once = out.at_once || (has_first && has_second);
-        if (first != nullptr && second != nullptr) {
-          out.unit = out.unit || (may_be(*first, decision.first, true) && may_be(*second, decision.second, true));
-          const bool loose = may_be(*first, decision.first, false) || may_be(*second, decision.second, false);
-          out.first_loose = out.first_loose || (loose && !first_needed);
-          out.second_loose = out.second_loose || (loose && !second_needed);
-        }
-        out.first_alone = out.first_alone || (first_needed && !second_needed && second != nullptr);
-        out.second_alone = out.second_alone || (second_needed && !first_needed && first != nullptr);
+      return NeedOf{provider.needs_group(edge(decision.first_sibling).target),
+                    provider.needs_group(edge(decision.second_sibling).target)};
+    };
+    std::vector<NeedOf> all; // each once
+    for (const ProviderId id : providers) {
+      const NeedOf needs = needs_of(id);
+      if (std::find(all.begin(), all.end(), needs) == all.end()) all.push_back(needs);
+      out.at_once = out.at_once || (needs.first && needs.second);
+    }
+    out.first_needed = out.second_needed = out.first_own = out.second_own = out.at_once;
+    for (const ProviderId id : providers) {
+      const NeedOf own = needs_of(id);
+      for (const Pack& pack : model_.providers[id].packs) {
+        for (const NeedOf& needs : all) add_pack(pack, decision, needs, needs == own, out);
       }
     }
     out.first_needed = out.first_needed || out.first_alone;

@@ -253,6 +253,33 @@ groups:
         "first, Play: Legs (priority 0) before what Walk (priority 0) requests, as Play runs only with it\n");
 }
 
+TEST_CASE(
+    "a request remains while its requester changes to another provider, and then stands beside what that one needs") {
+  const auto legs = [](const std::string& far) {
+    return told_of(
+        "roots: [Play]\ngroups:\n  Play: {providers: [{name: near, tasks: {Walk: {priority: 9}}}, {name: far" + far +
+            "}]}\n  Walk: {tasks: [Legs]}\n  Legs: {}\n",
+        "Legs", "Legs");
+  };
+  CHECK(legs(", needs: [Legs]") ==
+        "first, Play: Legs (needed) before what Walk (priority 9) requests, as Play runs only with it, never both at "
+        "once\n");
+  CHECK(legs(", tasks: [Legs]") == "second, Play: Walk (priority 9) before Legs (priority 0), never both at once\n");
+}
+
+TEST_CASE("what one provider needs and requests as optional gives way once another provider has the request") {
+  const auto head = [](const std::string& waving) {
+    return told_of("roots: {Walk: {priority: 10}, Look: {priority: 10}}\ngroups:\n  Walk: {providers: [{name: looking, "
+                   "needs: [Head], tasks: {Head: {optional: true}}}, {name: waving" +
+                       waving + "}]}\n  Look: {needs: [Head], tasks: [Head]}\n  Head: {}\n",
+                   "Head", "Head");
+  };
+  const std::string equal = "equal, the program: Walk (priority 10) and Look (priority 10) are equal\n";
+  CHECK(head(", needs: [Head]") == equal);
+  CHECK(head("") == equal + "second, the program: Look (priority 10) before Walk (priority 10, something below it "
+                            "optional)\n");
+}
+
 TEST_CASE("of what several request, each two have what decides between them") {
   const Compiled c = compile(R"(behaviour: test
 language: 1
