@@ -32,7 +32,8 @@ public:
         counts_([this](ProviderId id) {
           return facts_.capable.contains(id) && facts_.requested.contains(model_.providers[id].group);
         }),
-        branches_(model, counts_, [this](ProviderId id) { return facts_.capable.contains(id); }),
+        branches_(model, {counts_, [this](ProviderId id) { return facts_.capable.contains(id); },
+                          [this](ProviderId id) { return facts_.pushed.contains(id); }, analysis::Requested::by_group}),
         together_(analysis::find_together(model, counts_)) {}
 
   Coverage plan() {
@@ -194,11 +195,11 @@ private:
       if (other == others.end()) break;
       if (*other != group) continue;
       for (const analysis::Reach takes : analysis::all_reaches) {
-        const analysis::Claim* const first = of_taker.find(group, takes);
-        if (first == nullptr) continue;
+        if (of_taker.find(group, takes) == nullptr) continue;
         for (const analysis::Reach loses : analysis::all_reaches) {
-          const analysis::Claim* const second = of_loser.find(group, loses);
-          if (second == nullptr || !analysis::compatible(first->region, second->region)) continue;
+          if (of_loser.find(group, loses) == nullptr ||
+              !analysis::compatible(of_taker.held_region(group, takes), of_loser.held_region(group, loses)))
+            continue;
           Rivalry each{together.provider, together.pack, together.tasks, &taker, &loser, nullptr,
                        nullptr,           group,         takes,          loses,  {}};
           if (any_levels(each, together, enough)) return true;

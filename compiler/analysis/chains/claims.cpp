@@ -11,24 +11,71 @@ namespace director::analysis {
 
 namespace {
 
-using Filter = Branches::Filter;
+using Counted = Branches::Counted;
+
+Region counted_region(const Model& model, const Counted& counted, ProviderId id) {
+  Region out = active_region(model, model.providers[id]);
+  if (counted.is_pushed && counted.is_pushed(id)) {
+    for (const ConditionUse& promise : model.providers[id].causing)
+      out.states.erase(model.conditions[promise.id].state);
+  }
+  return out;
+}
+
+bool is_counted(const Counted& counted, ProviderId id) { return counted.runs(id) || counted.is_picked(id); }
+
+/// The states with which a counted provider of this kind can be active; nothing: there is none.
+template <class Kind>
+std::optional<Region> active_in(const Model& model, const Counted& counted, GroupId group, Kind is_of_kind) {
+  std::optional<Region> out;
+  for (const ProviderId id : model.groups[group].providers) {
+    if (!is_counted(counted, id) || !is_of_kind(id)) continue;
+    const Region region = counted_region(model, counted, id);
+    out = out ? hull(*out, region) : region;
+  }
+  return out;
+}
+
+Branch request_of(const Model& model, const Task& task) {
+  Branch out{task.target, false, false, false, false, task.span, {}};
+  for (const Task::NamedLevel& level : task.levels)
+    (model.edges[task.edge].levels[level.level].optional ? out.optional : out.mandatory) = true;
+  return out;
+}
+
+/// Whichever provider is active: with each it leads on; with those that do not need what it requests, it holds that.
+void add_request_of_group(const Model& model, const Counted& counted, GroupId group, Branch branch,
+                          std::vector<Branch>& out) {
+  const auto needs = [&](ProviderId id) { return model.providers[id].needs_group(branch.to); };
+  branch.needed_too = active_in(model, counted, group, needs).has_value();
+  out.push_back(branch);
+  if (!branch.needed_too) return;
+  std::optional<Region> alone = active_in(model, counted, group, [&](ProviderId id) { return !needs(id); });
+  if (!alone) return;
+  branch.needed_too = false;
+  branch.region = std::move(*alone);
+  out.push_back(std::move(branch));
+}
 
 /// A group that is only needed holds its own needs, and requests nothing.
-std::vector<Branch> branches_of(const Model& model, GroupId group, const Filter& runs, const Filter& is_picked) {
+std::vector<Branch> branches_of(const Model& model, const Counted& counted, GroupId group) {
   std::vector<Branch> out;
   for (const ProviderId id : model.groups[group].providers) {
-    const bool may_run = runs(id);
-    if (!may_run && !is_picked(id)) continue;
+    if (!is_counted(counted, id)) continue;
     const Provider& provider = model.providers[id];
-    const Region region = active_region(model, provider);
+    const Region region = counted_region(model, counted, id);
     for (const Use<GroupId>& need : provider.needs)
       out.push_back({need.id, true, false, false, false, need.span, region});
-    if (!may_run) continue;
+    if (!counted.runs(id)) continue;
     for (const Pack& pack : provider.packs) {
       for (const Task& task : pack.tasks) {
-        Branch branch{task.target, false, false, false, provider.needs_group(task.target), task.span, region};
-        for (const Task::NamedLevel& level : task.levels)
-          (model.edges[task.edge].levels[level.level].optional ? branch.optional : branch.mandatory) = true;
+        Branch branch = request_of(model, task);
+        if (counted.requested == Requested::by_group) {
+          add_request_of_group(model, counted, group, std::move(branch), out);
+          continue;
+        }
+        branch.needed_too = provider.needs_group(task.target);
+        branch.region = region;
         out.push_back(std::move(branch));
       }
     }
@@ -36,33 +83,22 @@ std::vector<Branch> branches_of(const Model& model, GroupId group, const Filter&
   return out;
 }
 
-/// The states with which some counted provider of the group can be active.
-Region grantable_region(const Model& model, GroupId group, const Filter& runs, const Filter& is_picked) {
-  std::optional<Region> out;
-  for (const ProviderId id : model.groups[group].providers) {
-    if (!runs(id) && !is_picked(id)) continue;
-    const Region region = active_region(model, model.providers[id]);
-    out = out ? hull(*out, region) : region;
-  }
-  return out.value_or(Region{});
-}
-
 } // namespace
 
-Branches::Branches(const Model& model, Filter runs, Filter is_picked)
+Branches::Branches(const Model& model, Counted counted)
     : model_(model),
-      runs_(std::move(runs)),
-      is_picked_(std::move(is_picked)),
+      counted_(std::move(counted)),
       from_(model.groups.size()),
       grantable_(model.groups.size()) {}
 
 const std::vector<Branch>& Branches::from(GroupId group) const {
-  if (!from_[group]) from_[group] = branches_of(model_, group, runs_, is_picked_);
+  if (!from_[group]) from_[group] = branches_of(model_, counted_, group);
   return *from_[group];
 }
 
 const Region& Branches::grantable(GroupId group) const {
-  if (!grantable_[group]) grantable_[group] = grantable_region(model_, group, runs_, is_picked_);
+  if (!grantable_[group])
+    grantable_[group] = active_in(model_, counted_, group, [](ProviderId) { return true; }).value_or(Region{});
   return *grantable_[group];
 }
 
@@ -87,6 +123,7 @@ Claims::Claims(const Branches& branches, GroupId task, const std::vector<GroupId
       const auto [at, is_new] = claims_[static_cast<std::size_t>(next)].try_emplace(branch.to);
       Claim& there = at->second;
       if (is_new) there = Claim{{}, here.steps + 1, last, {}};
+      if (branches.requested() == Requested::by_group) add_held(branch, next, is_new ? nullptr : &there, region);
       const bool is_held_now = !branch.needed_too && !there.held;
       if (is_held_now) there.held = last;
       Region more = is_new ? std::move(region) : hull(there.region, region);
@@ -109,6 +146,23 @@ Claims::Claims(const Branches& branches, GroupId task, const std::vector<GroupId
   }
   std::sort(groups_.begin(), groups_.end());
   groups_.erase(std::unique(groups_.begin(), groups_.end()), groups_.end());
+}
+
+/// Called before the claim grows; `before`: null if it is new.
+void Claims::add_held(const Branch& branch, Reach reach, const Claim* before, const Region& region) {
+  const std::pair key{reach, branch.to};
+  auto at = held_.find(key);
+  if (at == held_.end()) {
+    if (!branch.needed_too) return;
+    at = held_.try_emplace(key).first;
+    if (before != nullptr) at->second = before->region;
+  }
+  if (!branch.needed_too) at->second = at->second ? hull(*at->second, region) : region;
+}
+
+const Region& Claims::held_region(GroupId group, Reach reach) const {
+  const auto at = held_.find({reach, group});
+  return at != held_.end() && at->second ? *at->second : on_path(group, reach)->region;
 }
 
 std::vector<ChainStep> Claims::path(GroupId group, Reach reach) const {

@@ -9,8 +9,10 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace director::analysis {
@@ -41,25 +43,38 @@ struct Branch {
   GroupId to{};
   bool by_need = false;
   bool mandatory = false, optional = false; ///< levels of a request; a need is neither
-  bool needed_too = false; ///< a request of a group that the same provider needs: it is held by the need already
+  bool needed_too = false; ///< a request of a group that the provider needs: it is held by the need already
   Span span{};
   Region region;
+};
+
+/// How long a request counts. It belongs to the group: if this changes to another provider, that one has it until it
+/// requests something itself.
+enum class Requested {
+  by_provider, ///< while the provider is active that requests it
+  by_group     ///< while any provider of its group is
 };
 
 /// The edges down from each group, found on first use.
 class Branches {
 public:
   using Filter = std::function<bool(ProviderId)>;
-  /// By providers that may run for a task, or at least be chosen for a need.
-  Branches(const Model& model, Filter runs, Filter is_picked);
-  Branches(const Model& model, const Filter& counts) : Branches(model, counts, counts) {}
+  /// Which providers count: those that may run for a task, or at least be chosen for a need. `is_pushed`: those that
+  /// may also be active because of a push, whatever the states are that they cause; empty: none.
+  struct Counted {
+    Filter runs, is_picked, is_pushed;
+    Requested requested = Requested::by_provider;
+  };
+  Branches(const Model& model, Counted counted);
+  Branches(const Model& model, const Filter& counts) : Branches(model, {counts, counts, {}}) {}
+  Requested requested() const { return counted_.requested; }
   const std::vector<Branch>& from(GroupId group) const;
   /// The states with which some counted provider of the group can be active.
   const Region& grantable(GroupId group) const;
 
 private:
   const Model& model_;
-  Filter runs_, is_picked_;
+  Counted counted_;
   mutable IdTable<GroupId, std::optional<std::vector<Branch>>> from_;
   mutable IdTable<GroupId, std::optional<Region>> grantable_;
 };
@@ -83,6 +98,9 @@ public:
     const auto at = claims.find(group);
     return at == claims.end() ? nullptr : &at->second;
   }
+  /// Under which it holds the group, which `find` finds: less than the claim's region where it only leads on under
+  /// others. Only by Requested::by_group; else the whole region.
+  const Region& held_region(GroupId group, Reach reach) const;
   /// All claimed groups, in order.
   const std::vector<GroupId>& groups() const { return groups_; }
   bool contains(GroupId group) const { return std::binary_search(groups_.begin(), groups_.end(), group); }
@@ -94,7 +112,10 @@ public:
   std::vector<ChainStep> path(GroupId group) const;
 
 private:
+  void add_held(const Branch& branch, Reach reach, const Claim* before, const Region& region);
+
   std::unordered_map<GroupId, Claim> claims_[3];
+  std::map<std::pair<Reach, GroupId>, std::optional<Region>> held_; ///< where it is not the claim's region
   std::vector<GroupId> groups_;
   std::size_t effort_ = 0;
 };

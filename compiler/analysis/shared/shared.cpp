@@ -69,13 +69,16 @@ Units& Shared::units() const {
 
 const Branches& Shared::branches() const {
   if (!branches_)
-    branches_.emplace(
-        model_, [this](ProviderId id) { return is_active(id); },
-        [this](ProviderId id) {
-          const std::vector<EdgeId>& requesters = model_.groups[model_.providers[id].group].requesters;
-          return facts_.capable.contains(id) && std::any_of(requesters.begin(), requesters.end(),
-                                                            [this](EdgeId edge) { return model_.edges[edge].needed; });
-        });
+    branches_.emplace(model_,
+                      Branches::Counted{[this](ProviderId id) { return is_active(id); },
+                                        [this](ProviderId id) {
+                                          const std::vector<EdgeId>& requesters =
+                                              model_.groups[model_.providers[id].group].requesters;
+                                          return facts_.capable.contains(id) &&
+                                                 std::any_of(requesters.begin(), requesters.end(),
+                                                             [this](EdgeId edge) { return model_.edges[edge].needed; });
+                                        },
+                                        {}});
   return *branches_;
 }
 

@@ -186,6 +186,43 @@ groups:
 )") == std::vector<std::string>{"root>Walk from root>Look", "root>Look from root>Walk"});
 }
 
+TEST_CASE("what a provider requested may be taken once its group has changed to another one") {
+  const auto walk = [](const std::string& looking, const std::string& waving, const std::string& look) {
+    const director::tests::Compiled compiled = director::tests::compile(
+        "behaviour: test\nlanguage: 1\nstates: {S: {values: [a, b], initial: a, external: true}}\n"
+        "roots: {Walk: {priority: 10}, Look: {priority: " +
+        look + "}}\ngroups:\n  Walk: {providers: [{name: looking, when: [S == a]" + looking + "}, {name: waving" +
+        waving + "}]}\n  Look: {when: [S == b], needs: [Head], tasks: [Head]}\n  Head: {tasks: [Neck]}\n  Neck: {}\n");
+    const Model& model = compiled.model;
+    std::string out;
+    for (const PossibleTake& take : possible_takes(model, make_graph(model))) {
+      out += model.edge_name(take.taker) + " from " + model.edge_name(take.loser) + ":";
+      for (const GroupId id : model.groups.ids()) out += take.groups[id.value] ? " " + model.groups[id].name.value : "";
+    }
+    return out;
+  };
+  const std::string all = "root>Look from root>Walk: Head Neck";
+  CHECK(walk(", tasks: [Head]", "", "20") == all);
+  CHECK(walk(", tasks: [Head]", "", "5") == "root>Walk from root>Look: Head Neck");
+  // Optional, and no need of `waving`.
+  const std::string both = ", needs: [Head], tasks: {Head: {optional: true}}";
+  CHECK(walk(both, "", "10") == all);
+  CHECK(walk(both, ", needs: [Head], tasks: [Head]", "10") == "root>Look from root>Walk: Neck");
+  CHECK(walk(both, ", when: [S == a]", "10").empty());
+}
+
+TEST_CASE("what a pushed provider holds is taken in the states that it causes, also if these end its own condition") {
+  const auto kick = [](const std::string& when, const std::string& priority) {
+    return take_overs("states: {M: {values: [moving, still], initial: moving}}\nroots: {Kick: {priority: " + priority +
+                      "}, Walk: {priority: 10}}\ngroups:\n  Kick: {when: [M == " + when +
+                      "], needs: [Legs]}\n  Walk: {when: [M == moving], causing: [M == still], needs: [Legs]}\n"
+                      "  Legs: {}\n");
+  };
+  CHECK(kick("still", "20") == std::vector<std::string>{"root>Kick from root>Walk"});
+  CHECK(kick("moving", "20") == std::vector<std::string>{"root>Kick from root>Walk"});
+  CHECK(kick("still", "5").empty()); // pushes nothing
+}
+
 TEST_CASE("a member of a unit takes what another one requests, if that one may have been requested before it") {
   const auto of_watch = [](const std::string& packs) {
     return take_overs("roots: [Watch]\ngroups:\n  Watch: {" + packs + R"(}

@@ -14,7 +14,7 @@ groups:
   Hip: {}
 )");
   const auto all = [](director::compiler::ProviderId) { return true; };
-  const Branches branches(c.model, all, all);
+  const Branches branches(c.model, all);
   const Claims claims(branches, c.group("Walk"));
   CHECK(claims.path(c.group("Walk"), Reach::own).empty());
   const std::vector<ChainStep> path = claims.path(c.group("Hip"), Reach::own);
