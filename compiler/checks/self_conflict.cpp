@@ -100,7 +100,7 @@ std::vector<std::vector<Losers>> losers_by_place(const Input& input) {
   std::map<std::tuple<ProviderId, dsl::Span, GroupId>, Losers> by_entry;
   for (const Loser& loser : input.conflicts.losers()) {
     const EdgeId edge = loser.refused.task->edge;
-    if (loser.taker.kind != Taker::Kind::above || is_cycle(input.model, loser)) continue;
+    if (loser.taker.kind != Taker::Kind::above || is_cycle(input.model, loser) || input.facts.excludes(edge)) continue;
     if (input.conflicts.closes_cycle(edge) || closes_cycle_itself(input, loser) || is_pack_conflict(input, loser))
       continue;
     // Another request for it may have a better chance; then this is no fault.

@@ -84,8 +84,9 @@ void sibling_starvation(const Input& input, Findings& findings) {
   std::vector<const Loser*> all;
   for (const Loser& loser : input.conflicts.losers()) {
     const Taker& taker = loser.taker;
-    if (taker.kind != Taker::Kind::unit || !reported.emplace(taker.by, taker.over, taker.group).second) continue;
     const EdgeId edge = loser.refused.task->edge;
+    if (taker.kind != Taker::Kind::unit || input.facts.excludes(edge)) continue;
+    if (!reported.emplace(taker.by, taker.over, taker.group).second) continue;
     const bool never = never_runs(input, edge);
     if (!never || lost.count(edge) == 0) all.push_back(&loser);
     if (never) lost[edge].push_back(&loser);

@@ -25,7 +25,7 @@ std::vector<StarvingTask> find_starving_tasks(const Input& input) {
   for (const Loser& loser : input.conflicts.losers()) lost.insert(loser.refused.task->edge);
   std::vector<StarvingTask> out;
   for (const auto& [edge, places] : input.conflicts.grants().refused()) {
-    if (lost.count(edge) != 0 || input.conflicts.closes_cycle(edge)) continue;
+    if (lost.count(edge) != 0 || input.conflicts.closes_cycle(edge) || input.facts.excludes(edge)) continue;
     StarvingTask starving{places, false};
     // If only one entry has another reason, the reason `before` explains more.
     std::stable_partition(starving.places.begin(), starving.places.end(), [](const Refused& refused) {

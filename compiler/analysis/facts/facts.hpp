@@ -11,6 +11,7 @@
 #include "compiler/graph/graph.hpp"
 #include "compiler/model/model.hpp"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -50,14 +51,17 @@ struct Facts {
   IdSet<ProviderId> capable;         ///< its conditions may hold, together with those of some choice for its needs
   IdSet<ProviderId> excluded; ///< capable, its group requested, but only where its conditions, or its needs', fail
   IdSet<ProviderId> chosen;   ///< capable, and sometimes the first that is, or that was undecided
-  std::vector<EdgeId>
-      excluded_tasks;       ///< of groups that run for others: all providers are excluded where this edge requests them
-  IdSet<ProviderId> pushed; ///< some task may push it
-  IdSet<ProviderId> active; ///< its group requested, and it is chosen or pushed and capable
+  std::vector<EdgeId> excluded_tasks; ///< in order; of groups that run for others: all providers are excluded where
+                                      ///< this edge requests them
+  IdSet<ProviderId> pushed;           ///< some task may push it
+  IdSet<ProviderId> active;           ///< its group requested, and it is chosen or pushed and capable
 
   Budget budget; ///< what the search for all this has left to the checks
 
   std::span<const Impossible> impossible_of(ProviderId provider) const;
+  /// Whether conditions exclude its task for its requester, though it runs for others: uncovered_state reports that,
+  /// and no other finding does, as nothing else would help.
+  bool excludes(EdgeId edge) const { return std::binary_search(excluded_tasks.begin(), excluded_tasks.end(), edge); }
   /// Whether this provider's `when` conditions on this state are reported as impossible.
   bool is_impossible(ProviderId provider, StateId state) const;
   /// True also for what is reported as impossible.

@@ -343,4 +343,29 @@ TEST_CASE("a staircase of one number has no finding, however many steps it has")
   CHECK(count(text + "      - {name: last}\n").empty());
 }
 
+TEST_CASE(
+    "of a task that conditions exclude for its requester, no other finding reports that something takes its group") {
+  const auto findings = [](const std::string& play) {
+    const tests::CheckedText checked =
+        tests::check_text("states: {Ball: {values: [far, near], initial: far, external: true}}\nroots: {Turn: "
+                          "{priority: 3}, Shoot: {priority: 2}, Play: {priority: 1}}\ngroups:\n  Play: {" +
+                          play +
+                          "}\n  Aim: {packs: {go: {Kick: {}, Turn: {}}}}\n  Kick: {when: [Ball == near]}\n"
+                          "  Turn: {when: [Ball == far]}\n  Shoot: {tasks: [Kick]}\n");
+    std::set<std::string> out;
+    for (const dsl::Diagnostic& finding : checked.checked.findings) out.insert(finding.id + ": " + finding.message);
+    return out;
+  };
+  std::set<std::string> expected{
+      "pack_conflict: `Kick` and `Turn` can never be granted together: what they accept of `Ball` excludes each other",
+      "uncovered_state: `Kick` never runs for `Aim`, which requests it only where it cannot",
+      "uncovered_state: `Turn` never runs for `Aim`, which requests it only where it cannot",
+      "uncovered_state: no provider of `Kick` can run while `Ball` is far",
+      "uncovered_state: no provider of `Turn` can run while `Ball` is near"};
+  CHECK(findings("packs: {go: {Aim: {priority: 20}, Kick: {}}}") == expected);
+  expected.erase("uncovered_state: no provider of `Kick` can run while `Ball` is far");
+  expected.insert("uncovered_state: no provider of `Play` or `Kick` can run while `Ball` is far");
+  CHECK(findings("needs: [Kick], tasks: [Aim]") == expected);
+}
+
 } // namespace
