@@ -8,51 +8,18 @@
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/graph/graph.hpp"
 #include "compiler/lower/contention.hpp"
-#include "compiler/page/leaders.hpp"
+#include "compiler/page/company.hpp"
+#include "compiler/page/ruling.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <compare>
 #include <cstdint>
 #include <map>
-#include <string_view>
 
 namespace director::compiler {
 
 namespace {
-
-/// The relation of two edges of one requester.
-struct Company {
-  bool at_once = false;                             ///< some pack, with the needs of its provider, has both
-  bool unit = false;                                ///< granted together, or not at all
-  bool first_loose = false, second_loose = false;   ///< both are requested by some pack, and this one is neither in one
-                                                    ///< unit with the other one nor a need
-  bool first_needed = false, second_needed = false; ///< by a provider while the other one is requested, or that needs
-                                                    ///< it too
-  bool first_alone = false, second_alone = false;   ///< likewise, and does not need the other one
-  bool first_own = false, second_own = false; ///< needed, and that provider requests the other one, or needs it too
-};
-
-/// A decision between two edges to one group. If one of them is the sibling itself, and the other one is below the
-/// other sibling, priorities do not always decide: a unit is granted whole before anything below it, and a requester
-/// runs only with what it needs. Nor do they if one of them is a sibling, or needed for one: that is granted with its
-/// unit.
-struct Ruling {
-  enum class Held : std::uint8_t { by_rank, in_unit, as_need, by_leader };
-  struct Side {
-    Held held = Held::by_rank;
-    bool needs = false;          ///< it concerns a need of the task, not the task
-    bool asks = false;           ///< it concerns a request of the task, not the task
-    std::vector<Leader> leaders; ///< by rank: with one of these it goes first
-    auto operator<=>(const Side&) const = default;
-  };
-  Decision decision;
-  Side first, second; ///< at most one of them is held by something else than rank
-  auto operator<=>(const Ruling&) const = default;
-
-  int order() const { return first.held != Held::by_rank ? -1 : second.held != Held::by_rank ? 1 : order_of(decision); }
-};
 
 /// How the chain of one side continues below the sibling.
 struct Below {
@@ -188,7 +155,7 @@ private:
     using Held = Ruling::Held;
     if (!decision.requester || (!first.comes_along() && !second.comes_along()))
       return add_ranked(decision, first, second, out);
-    const Company both = company(decision);
+    const Company both = company_of(model_, decision);
     // If both request it, or both are granted with it: one may have held it as a need since before there was a unit.
     ranked = ranked || (first.asks && second.asks) || (first.comes_along() && second.comes_along());
     for (const bool of_first : {true, false}) {
@@ -280,146 +247,11 @@ private:
     out.add("first", Json::text(name(model_.edges[decision.first_sibling].target)));
     out.add("second", Json::text(name(model_.edges[decision.second_sibling].target)));
     out.add("goes_first", Json::text(order < 0 ? "first" : order > 0 ? "second" : "equal"));
-    out.add("words", Json::text(words(ruling)));
+    out.add("words", Json::text(words_of(model_, ruling)));
     return out;
   }
 
   const Edge& edge(EdgeId id) const { return model_.edges[id]; }
-
-  /// `Kick (priority 20)`
-  std::string request_words(EdgeId id, const Standing& standing) const {
-    const std::vector<Level>& levels = edge(id).levels;
-    const bool itself = std::any_of(levels.begin(), levels.end(), [&](const Level& level) {
-      return level.optional && level.priority == standing.priority;
-    });
-    return fmt::format("{} ({}{})", name(edge(id).target),
-                       levels.empty() ? "needed" : fmt::format("priority {}", standing.priority),
-                       !standing.optional ? ""
-                       : itself           ? ", optional"
-                                          : ", something below it optional");
-  }
-
-  /// The one that goes first comes first.
-  std::string words(const Ruling& ruling) const {
-    constexpr std::string_view never_both = ", never both at once";
-    const Decision& decision = ruling.decision;
-    const Company both = company(decision);
-    const int order = ruling.order();
-    const std::string requester = decision.requester ? name(*decision.requester) : "the program";
-    std::string first = request_words(decision.first_sibling, decision.first);
-    std::string second = request_words(decision.second_sibling, decision.second);
-    EdgeId ahead = decision.first_sibling, behind = decision.second_sibling;
-    if (order > 0) std::swap(first, second), std::swap(ahead, behind);
-    const Ruling::Side &winner = order > 0 ? ruling.second : ruling.first,
-                       &loser = order > 0 ? ruling.first : ruling.second;
-    const auto part = [](const std::string& task, const Ruling::Side& side) {
-      return side.needs ? "what " + task + " needs" : side.asks ? "what " + task + " requests" : task;
-    };
-    const std::string held = part(first, winner), rest = part(second, loser);
-    switch (winner.held) {
-    case Ruling::Held::in_unit:
-      return fmt::format("{}: {} before {}, as both are granted together", requester, held, rest);
-    case Ruling::Held::as_need:
-      return fmt::format("{}: {} before {}, as {} runs only with it{}", requester, held, rest, requester,
-                         (order > 0 ? both.second_own : both.first_own) ? "" : never_both);
-    case Ruling::Held::by_leader:
-      return fmt::format("{}: {} before {}, as {} is {}", requester, held, second, name(edge(ahead).target),
-                         together(winner.leaders));
-    case Ruling::Held::by_rank: break;
-    }
-    std::string out = fmt::format("{}: {} {} {}{}{}{}", requester, first, order == 0 ? "and" : "before", second,
-                                  order == 0 ? " are equal" : "", both.unit ? ", together or not at all" : "",
-                                  both.at_once ? "" : never_both);
-    if (order != 0 && !loser.leaders.empty())
-      out += ", unless " + name(edge(behind).target) + " is " + together(loser.leaders);
-    if (order == 0) out += requested_first(ahead, winner) + requested_first(behind, loser);
-    return out;
-  }
-
-  /// `granted together with Lift (priority 50)`
-  std::string together(const std::vector<Leader>& leaders) const {
-    std::string out;
-    for (const Leader& each : leaders)
-      out += fmt::format("{}{} (priority {}{})", out.empty() ? "" : " or ", name(edge(each.edge).target), each.priority,
-                         each.if_older ? ", if older" : "");
-    return "granted together with " + out;
-  }
-
-  /// For equals.
-  std::string requested_first(EdgeId member, const Ruling::Side& side) const {
-    if (side.leaders.empty()) return "";
-    const std::string& task = name(edge(member).target);
-    return fmt::format("; of two that request it, {} goes first where {}{}",
-                       side.needs ? "what " + task + " needs" : task, side.needs ? task + " is " : "",
-                       together(side.leaders));
-  }
-
-  /// Whether at some level of this standing it is a member of the unit of its pack, or is not. What is optional may be
-  /// so by something below it.
-  bool may_be(const Task& task, const Standing& standing, bool in_unit) const {
-    return std::any_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
-      const Level& level = edge(task.edge).levels[named.level];
-      return level.priority == standing.priority && (standing.optional || !level.optional) &&
-             level.shares_unit() == in_unit;
-    });
-  }
-
-  bool may_be(const Task& task, const Standing& standing) const {
-    return may_be(task, standing, true) || may_be(task, standing, false);
-  }
-
-  /// Which of two targets a provider needs.
-  struct NeedOf {
-    bool first = false, second = false;
-    bool operator==(const NeedOf&) const = default;
-  };
-
-  /// What the pack of one provider adds, while one with these needs is active: itself, or one that its group has
-  /// changed to and that has not requested anything yet.
-  void add_pack(const Pack& pack, const Decision& decision, const NeedOf& needs, bool is_own, Company& out) const {
-    const Task* const first = entry_of(pack, decision.first_sibling);
-    const Task* const second = entry_of(pack, decision.second_sibling);
-    const bool has_first = needs.first || (first != nullptr && may_be(*first, decision.first)),
-               has_second = needs.second || (second != nullptr && may_be(*second, decision.second));
-    out.at_once = out.at_once || (is_own && has_first && has_second);
-    if (first != nullptr && second != nullptr) {
-      out.unit = out.unit || (may_be(*first, decision.first, true) && may_be(*second, decision.second, true));
-      const bool loose = may_be(*first, decision.first, false) || may_be(*second, decision.second, false);
-      out.first_loose = out.first_loose || (loose && !needs.first);
-      out.second_loose = out.second_loose || (loose && !needs.second);
-    }
-    out.first_alone = out.first_alone || (needs.first && !needs.second && second != nullptr);
-    out.second_alone = out.second_alone || (needs.second && !needs.first && first != nullptr);
-    out.first_own = out.first_own || (is_own && needs.first && second != nullptr);
-    out.second_own = out.second_own || (is_own && needs.second && first != nullptr);
-  }
-
-  Company company(const Decision& decision) const {
-    if (!decision.requester) return {true, false};
-    Company out;
-    const std::vector<ProviderId>& providers = model_.groups[*decision.requester].providers;
-    const auto needs_of = [&](ProviderId id) {
-      const Provider& provider = model_.providers[id];
-      return NeedOf{provider.needs_group(edge(decision.first_sibling).target),
-                    provider.needs_group(edge(decision.second_sibling).target)};
-    };
-    std::vector<NeedOf> all; // each once
-    for (const ProviderId id : providers) {
-      const NeedOf needs = needs_of(id);
-      if (std::find(all.begin(), all.end(), needs) == all.end()) all.push_back(needs);
-      out.at_once = out.at_once || (needs.first && needs.second);
-    }
-    out.first_needed = out.second_needed = out.first_own = out.second_own = out.at_once;
-    for (const ProviderId id : providers) {
-      const NeedOf own = needs_of(id);
-      for (const Pack& pack : model_.providers[id].packs) {
-        for (const NeedOf& needs : all) add_pack(pack, decision, needs, needs == own, out);
-      }
-    }
-    out.first_needed = out.first_needed || out.first_alone;
-    out.second_needed = out.second_needed || out.second_alone;
-    return out;
-  }
 
   const Model& model_;
   std::size_t most_decisions_;

@@ -7,6 +7,7 @@
 #include "compiler/transitions/matrix.hpp"
 
 #include "compiler/base/and_list.hpp"
+#include "compiler/transitions/changes.hpp"
 #include "compiler/transitions/judge.hpp"
 #include "dsl/yaml/yaml_text.hpp"
 
@@ -14,7 +15,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <bit>
 #include <map>
 #include <tuple>
 #include <unordered_map>
@@ -25,12 +25,6 @@ namespace transitions {
 
 /// Limit for plays with which a row is searched, with the declared initial values, and with others.
 constexpr std::size_t most_tries = 64;
-
-/// Limit for states of which every choice is tried; with more, all or none.
-constexpr std::size_t most_changes = 4;
-
-/// Limit for choices of values with which preferred providers would not run.
-constexpr std::size_t most_preventions = 32;
 
 class TransitionFinder {
 public:
@@ -157,103 +151,6 @@ private:
     return out;
   }
 
-  /// What the column needs from outside and does not have, each with the first suitable value.
-  Values lacking(const Beginning& row, const Beginning& column) const {
-    Values out;
-    for (const auto& [id, wanted] : column.outside.wanted) {
-      const auto now = row.rest.values.find(id);
-      if (now == row.rest.values.end() || !wanted.contains(now->second))
-        out.emplace(id, wanted.intervals().front().low);
-    }
-    return out;
-  }
-
-  /// What else has to change if, with these values, providers would run that are preferred to the column's requester's
-  /// ones: the row may have let them run.
-  Values in_the_way(const Beginning& row, const Beginning& column, const Values& change) const {
-    std::vector<ProviderId> preferred;
-    for (const Link& link : column.way.links) {
-      for (const ProviderId id : model_.group_of(link.provider).providers) {
-        if (id == link.provider) break;
-        if (is_preventable(column, id)) preferred.push_back(id);
-      }
-    }
-    Values now = row.rest.values;
-    for (const auto& [id, value] : change) now.insert_or_assign(id, value);
-    std::map<StateId, ValueSet> left;
-    std::size_t tries = 0;
-    Values out;
-    if (!prevent(preferred, column, now, left, tries)) return out;
-    for (const auto& [id, set] : left) out.emplace(id, set.intervals().front().low);
-    return out;
-  }
-
-  ValueSet wanted_of(const Beginning& column, StateId id) const {
-    const auto wanted = column.outside.wanted.find(id);
-    return wanted == column.outside.wanted.end() ? model_.states[id].domain() : wanted->second;
-  }
-
-  /// Whether some value from outside that suits the column keeps the provider from running.
-  bool is_preventable(const Beginning& column, ProviderId id) const {
-    const std::vector<ConditionUse>& when = model_.providers[id].when;
-    return std::any_of(when.begin(), when.end(), [&](const ConditionUse& use) {
-      const Condition& condition = model_.conditions[use.id];
-      return model_.states[condition.state].external &&
-             !wanted_of(column, condition.state).without(condition.accepts).empty();
-    });
-  }
-
-  /// Narrows `left`, the values of the states that have to change, of which the first ones are in `now`, until none of
-  /// these providers would run. A value that prevents one may let another one run: so all are asked again.
-  bool prevent(const std::vector<ProviderId>& preferred, const Beginning& column, Values& now,
-               std::map<StateId, ValueSet>& left, std::size_t& tries) const {
-    const auto accepts = [&](const ConditionUse& use) {
-      const Condition& condition = model_.conditions[use.id];
-      const auto value = now.find(condition.state);
-      return value != now.end() && condition.accepts.contains(value->second);
-    };
-    const auto first = std::find_if(preferred.begin(), preferred.end(), [&](ProviderId id) {
-      const std::vector<ConditionUse>& when = model_.providers[id].when;
-      return std::all_of(when.begin(), when.end(), accepts);
-    });
-    if (first == preferred.end()) return true;
-    if (++tries > most_preventions) return false;
-    for (const ConditionUse& use : model_.providers[*first].when) {
-      const Condition& condition = model_.conditions[use.id];
-      if (!model_.states[condition.state].external) continue;
-      const Values now_before = now;
-      const std::map<StateId, ValueSet> left_before = left;
-      ValueSet& set = left.try_emplace(condition.state, wanted_of(column, condition.state)).first->second;
-      set = set.without(condition.accepts);
-      if (!set.empty()) {
-        now.insert_or_assign(condition.state, set.intervals().front().low);
-        if (prevent(preferred, column, now, left, tries)) return true;
-      }
-      now = now_before;
-      left = left_before;
-    }
-    return false;
-  }
-
-  /// Every choice of these, the fewest first.
-  static std::vector<Values> choices(const Values& all) {
-    if (all.size() > most_changes) return {{}, all};
-    const std::vector<std::pair<StateId, std::int64_t>> list(all.begin(), all.end());
-    std::vector<unsigned> masks;
-    for (unsigned mask = 0; mask < 1u << list.size(); ++mask) masks.push_back(mask);
-    std::stable_sort(masks.begin(), masks.end(),
-                     [](unsigned a, unsigned b) { return std::popcount(a) < std::popcount(b); });
-    std::vector<Values> out;
-    for (const unsigned mask : masks) {
-      Values some;
-      for (std::size_t i = 0; i < list.size(); ++i) {
-        if ((mask >> i & 1) != 0) some.insert(list[i]);
-      }
-      out.push_back(std::move(some));
-    }
-    return out;
-  }
-
   Transition cell(std::size_t i, std::size_t j) {
     Transition out;
     const TransitionMatrix::Row &first = out_.rows[i], &second = out_.rows[j];
@@ -320,14 +217,7 @@ private:
   void decide(const Beginning& row, const Beginning& column, Transition& out, CellContext& context) {
     const Script script = script_of(model_, row.way, column.way, row.until());
     const std::string begin = player_.beginning(row.way, row.outside);
-    std::vector<Values> all = choices(lacking(row, column));
-    const std::size_t usual = all.size();
-    for (std::size_t i = 0; i < usual; ++i) {
-      Values more = in_the_way(row, column, all[i]);
-      if (more.empty()) continue;
-      for (const auto& each : all[i]) more.insert(each);
-      if (std::find(all.begin(), all.end(), more) == all.end()) all.push_back(std::move(more));
-    }
+    const auto& [all, usual] = changes_for(model_, row, column);
     std::optional<Play> decided;
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Values& change = all[i];
