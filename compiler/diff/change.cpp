@@ -44,7 +44,7 @@ constexpr std::array pages{
     ChangeKindPage{Kind::request_removed, "request_removed",
                    "The program or a provider requests one task less, or in one pack less."},
     ChangeKindPage{Kind::state_values, "state_values",
-                   "The values of a state have changed, their order, or which of them have none."},
+                   "The values of a state have changed, or their order, or which of them are `unordered`."},
     ChangeKindPage{Kind::state_initial, "state_initial", "A state begins with another value."},
     ChangeKindPage{Kind::state_source, "state_source",
                    "What may set a state has changed, or what happens to it if nothing sets it."},

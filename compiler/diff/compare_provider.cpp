@@ -55,11 +55,11 @@ private:
       const auto from = place_of(pair_.old_model, before, state), to = place_of(pair_.new_model, after, state);
       if (new_values == is.end()) {
         add(ChangeKind::condition_loosened,
-            fmt::format("`{}` no longer requests {} to {}", name_, condition_text(state, old_values->second), what),
+            fmt::format("`{}` no longer requires {} to {}", name_, condition_text(state, old_values->second), what),
             from, to);
       } else if (old_values == was.end()) {
         add(ChangeKind::condition_tightened,
-            fmt::format("`{}` now requests {} to {}", name_, condition_text(state, new_values->second), what), from,
+            fmt::format("`{}` now requires {} to {}", name_, condition_text(state, new_values->second), what), from,
             to);
       } else {
         const Values more = without(new_values->second, old_values->second),

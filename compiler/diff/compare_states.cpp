@@ -75,8 +75,8 @@ private:
     const std::vector<std::string> was = words_of(before_, before_.unordered), is = words_of(after_, after_.unordered);
     if (was != is)
       add(ChangeKind::state_values,
-          fmt::format("without order among the values of {} are {}, before {}", name_,
-                      is.empty() ? "none" : ticked_list(is), was.empty() ? "none" : ticked_list(was)));
+          fmt::format("of the values of {} are `unordered` {}, before {}", name_, is.empty() ? "none" : ticked_list(is),
+                      was.empty() ? "none" : ticked_list(was)));
   }
 
   void owner() {

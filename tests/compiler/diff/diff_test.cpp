@@ -1,39 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Which changes of meaning are reported, with which text. Planted defects and changes without meaning:
 // tests/defects/meaning.
-#include "compiler/diff/diff.hpp"
-#include "dsl/source/file_access.hpp"
+#include "tests/compiler/diff/told.hpp"
 
 #include <catch2/catch.hpp>
 
 namespace {
 
 using namespace director;
-
-struct Files {
-  std::string main, other;
-};
-
-/// Kind and message of each change, a line each.
-std::string told(const Files& before, const Files& after) {
-  dsl::MemoryFiles files;
-  files.add("old/robot.yaml", "behaviour: robot\nlanguage: 1\n" + before.main);
-  files.add("old/parts.yaml", "behaviour: parts\nlanguage: 1\n" + before.other);
-  files.add("new/robot.yaml", "behaviour: robot\nlanguage: 1\n" + after.main);
-  files.add("new/parts.yaml", "behaviour: parts\nlanguage: 1\n" + after.other);
-  dsl::Sources sources;
-  const compiler::Checked was = compiler::check("old/robot.yaml", files, sources),
-                          is = compiler::check("new/robot.yaml", files, sources);
-  std::string out;
-  for (const compiler::BehaviourChange& change : compiler::find_changes(was, is)) {
-    CHECK((change.before || change.after));
-    out += std::string(compiler::page_of(change.kind).id) + ": " + change.message + "\n";
-    if (!change.hint.empty()) out += "hint: " + change.hint + "\n";
-  }
-  return out;
-}
-
-std::string told(const std::string& before, const std::string& after) { return told(Files{before, {}}, {after, {}}); }
+using tests::Files;
+using tests::told;
 
 /// A robot that walks and kicks, softly.
 std::string walker(const std::string& kick, const std::string& within, const std::string& priorities) {
@@ -84,7 +60,7 @@ TEST_CASE("a condition that made a transition soft is gone: it is hard, and that
       "became_dead: `Walk.halting` can never run any more\n"
       "became_dead: warning is new: `Walk.halting` never runs: `Walk.walking` comes before it and can run whenever it "
       "can\n"
-      "condition_loosened: `Kick` no longer requests `Pose == standing` to run\n"
+      "condition_loosened: `Kick` no longer requires `Pose == standing` to run\n"
       "push_lost: `Kick` can no longer push `Walk.halting`\n");
 }
 
@@ -93,7 +69,7 @@ TEST_CASE("the other way round it is soft now") {
         "became_reachable: `Walk.halting` may run now\n"
         "became_reachable: warning is gone: `Walk.halting` never runs: `Walk.walking` comes before it and can run "
         "whenever it can\n"
-        "condition_tightened: `Kick` now requests `Pose == standing` to run\n"
+        "condition_tightened: `Kick` now requires `Pose == standing` to run\n"
         "push_gained: `Kick` may now push `Walk.halting`\n"
         "softened: from `Walk` to `Kick`: soft now, before hard\n");
 }
@@ -160,7 +136,7 @@ groups:
       "became_dead: `Walk.halting` can never run any more\n"
       "became_dead: warning is new: `Walk.halting` never runs: `Walk.walking` comes before it and can run whenever it "
       "can\n"
-      "condition_loosened: `Clear` no longer requests `Hold == held` to run\n"
+      "condition_loosened: `Clear` no longer requires `Hold == held` to run\n"
       "condition_tightened: `Clear` no longer stays active where its `when` does not hold\n"
       "push_lost: `Clear` can no longer push `Walk.halting`\n");
 }
@@ -404,13 +380,17 @@ TEST_CASE("states: values, their order, the first one, what sets them, when they
     return "states: {Pose: {" + state +
            "}}\nroots: [Walk]\ngroups: {Walk: {when: [Pose == up], allow: [uncovered_state], because: it waits}}\n";
   };
-  CHECK(told(robot("values: [down, up], initial: up, external: true, expires: {after: 1 s, to: up}"),
-             robot("values: [up, down, flat], initial: down, external: true, expires: {after: 2 s, to: down}")) ==
-        "bound_grew: `Pose` expires after 2 s, before after 1 s\n"
-        "state_values: `Pose` may now be `flat`\n"
-        "state_values: the values of `Pose` ascend as `up`, `down` and `flat`, before as `down` and `up`\n"
-        "state_initial: `Pose` begins as `down`, before as `up`\n"
-        "state_source: `Pose` is as `down` when it has expired, before as `up`\n");
+  CHECK(
+      told(
+          robot("values: [down, up], initial: up, external: true, expires: {after: 1 s, to: up}"),
+          robot("values: [up, down, flat], unordered: [flat], initial: down, external: true, expires: {after: 2 s, to: "
+                "down}")) ==
+      "bound_grew: `Pose` expires after 2 s, before after 1 s\n"
+      "state_values: `Pose` may now be `flat`\n"
+      "state_values: the values of `Pose` ascend as `up`, `down` and `flat`, before as `down` and `up`\n"
+      "state_values: of the values of `Pose` are `unordered` `flat`, before none\n"
+      "state_initial: `Pose` begins as `down`, before as `up`\n"
+      "state_source: `Pose` is as `down` when it has expired, before as `up`\n");
 }
 
 TEST_CASE("what the generated C++ is called, includes and carries") {
