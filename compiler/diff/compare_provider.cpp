@@ -29,7 +29,7 @@ public:
         changes_(changes) {}
 
   void compare() {
-    conditions("run", before_.when, after_.when);
+    conditions("run", before_.when, after_.when, false);
     stay();
     promises();
     sets();
@@ -45,7 +45,8 @@ private:
     return changes_.add(kind, name_, message, before.value_or(before_.span), after.value_or(after_.span));
   }
 
-  void conditions(const char* what, const Uses& before, const Uses& after) {
+  /// `stays`: what the `when` of one side accepts anyway is no change.
+  void conditions(const char* what, const Uses& before, const Uses& after, bool stays) {
     const Meaning was = all_of(pair_.old_model, before), is = all_of(pair_.new_model, after);
     std::set<std::string> states;
     for (const auto& [state, values] : was) states.insert(state);
@@ -54,16 +55,19 @@ private:
       const auto old_values = was.find(state), new_values = is.find(state);
       const auto from = place_of(pair_.old_model, before, state), to = place_of(pair_.new_model, after, state);
       if (new_values == is.end()) {
-        add(ChangeKind::condition_loosened,
-            fmt::format("`{}` no longer requires {} to {}", name_, condition_text(state, old_values->second), what),
-            from, to);
+        if (!stays || !accepts_all_others(state, old_values->second, is))
+          add(ChangeKind::condition_loosened,
+              fmt::format("`{}` no longer requires {} to {}", name_, condition_text(state, old_values->second), what),
+              from, to);
       } else if (old_values == was.end()) {
-        add(ChangeKind::condition_tightened,
-            fmt::format("`{}` now requires {} to {}", name_, condition_text(state, new_values->second), what), from,
-            to);
+        if (!stays || !accepts_all_others(state, new_values->second, was))
+          add(ChangeKind::condition_tightened,
+              fmt::format("`{}` now requires {} to {}", name_, condition_text(state, new_values->second), what), from,
+              to);
       } else {
-        const Values more = without(new_values->second, old_values->second),
-                     less = without(old_values->second, new_values->second);
+        Values more = without(new_values->second, old_values->second),
+               less = without(old_values->second, new_values->second);
+        if (stays) more = beyond_when(state, more, is), less = beyond_when(state, less, was);
         if (!more.empty())
           add(ChangeKind::condition_loosened,
               fmt::format("`{}` may now {} also while {}", name_, what, condition_text(state, more)), from, to);
@@ -74,14 +78,45 @@ private:
     }
   }
 
+  /// Whether the first accepts only what the second does; of `but` whatever.
+  static bool is_within(const Meaning& inner, const Meaning& outer, const std::string& but = {}) {
+    return std::all_of(outer.begin(), outer.end(), [&](const auto& each) {
+      const auto at = inner.find(each.first);
+      return each.first == but || (at != inner.end() && without(at->second, each.second).empty());
+    });
+  }
+
+  /// Of values with which the provider stays, if all else is as in `others`, those with which neither `when` lets it go
+  /// on.
+  Values beyond_when(const std::string& state, Values values, const Meaning& others) const {
+    for (const Meaning& when : {all_of(pair_.old_model, before_.when), all_of(pair_.new_model, after_.when)}) {
+      if (!is_within(others, when, state)) continue;
+      const auto accepted = when.find(state);
+      values = accepted == when.end() ? Values{values.is_range, {}, {}} : without(values, accepted->second);
+    }
+    return values;
+  }
+
+  /// Whether one `when` or both accept each other value of the state.
+  bool accepts_all_others(const std::string& state, const Values& values, const Meaning& others) const {
+    const auto before = pair_.old_model.find_state(state), after = pair_.new_model.find_state(state);
+    if (!before || !after) return false;
+    const State &old = pair_.old_model.states[*before], &now = pair_.new_model.states[*after];
+    const Values all = values_of(now, now.domain());
+    if (old.may_be_unset() || now.may_be_unset() || values_of(old, old.domain()) != all) return false;
+    return beyond_when(state, without(all, values), others).empty();
+  }
+
   /// Without `stay` it never continues beyond its `when`.
   void stay() {
-    if (before_.stay.empty() == after_.stay.empty()) {
-      conditions("stay", before_.stay, after_.stay);
-    } else if (before_.stay.empty()) {
+    if (before_.stay.empty() == after_.stay.empty()) return conditions("stay", before_.stay, after_.stay, true);
+    const auto adds_nothing = [](const Model& model, const Provider& provider) {
+      return is_within(all_of(model, provider.stay), all_of(model, provider.when));
+    };
+    if (before_.stay.empty() && !adds_nothing(pair_.new_model, after_)) {
       add(ChangeKind::condition_loosened, fmt::format("`{}` may now stay active where its `when` does not hold", name_),
           {}, after_.stay.front().span);
-    } else {
+    } else if (after_.stay.empty() && !adds_nothing(pair_.old_model, before_)) {
       add(ChangeKind::condition_tightened,
           fmt::format("`{}` no longer stays active where its `when` does not hold", name_), before_.stay.front().span);
     }

@@ -375,6 +375,34 @@ TEST_CASE("what a pack requests, how, and at which levels") {
         "levels: `Play`, pack `go`, requests `Walk` at `urgent` where it names no level, before at `calm`\n");
 }
 
+TEST_CASE("what a provider may stay for beyond its `when` is compared, not what its `when` accepts anyway") {
+  const auto robot = [](const std::string& keys) {
+    return "states: {S: {values: [a, b, c], initial: a, external: true}, R: {values: [x, y], external: true}}\n"
+           "roots: [G]\ngroups: {G: {" +
+           keys + "}}\nallow: [uncovered_state, stay_adds_nothing]\nbecause: it waits\n";
+  };
+  const std::string at_a = "when: [S == a], ", at_b = "when: [S == b], ";
+  CHECK(told(robot(at_a + "stay: [S == b]"), robot(at_a + "stay: [S == a|b]")).empty());
+  CHECK(told(robot(at_a + "stay: [S == a|b]"), robot(at_a + "stay: [S == b]")).empty());
+  CHECK(told(robot(at_a + "stay: [S == a|b, R == x]"), robot(at_a + "stay: [S == b, R == x]")).empty());
+  CHECK(told(robot("when: [S == a|b], stay: [S == c, R == x]"), robot("when: [S == a|b], stay: [R == x]")).empty());
+  CHECK(told(robot("when: [S == a|b], stay: [R == x]"), robot("when: [S == a|b], stay: [S == c, R == x]")).empty());
+  CHECK(told(robot(at_a + "stay: [S == c, R == x]"), robot(at_a + "stay: [R == x]")) ==
+        "condition_loosened: `G` no longer requires `S == c` to stay\n");
+  CHECK(told(robot("when: [S == a, R == y], stay: [S == b]"), robot("when: [S == a, R == y], stay: [S == a|b]")) ==
+        "condition_loosened: `G` may now stay also while `S == a`\n");
+  CHECK(told(robot(at_a + "stay: [S == b]"), robot(at_a + "stay: [S == a|c]")) ==
+        "condition_loosened: `G` may now stay also while `S == c`\n"
+        "condition_tightened: `G` may no longer stay while `S == b`\n");
+  CHECK(told(robot(at_a + "stay: [S == b]"), robot(at_b + "stay: [S == a]")) ==
+        "condition_loosened: `G` may now run also while `S == b`\n"
+        "condition_tightened: `G` may no longer run while `S == a`\n");
+  CHECK(told(robot("when: [S == a|b]"), robot("when: [S == a|b], stay: [S == a, R == x]")).empty());
+  CHECK(told(robot("when: [S == a|b], stay: [S == a]"), robot("when: [S == a|b]")).empty());
+  CHECK(told(robot(at_a), robot(at_a + "stay: [S == a|b]")) ==
+        "condition_loosened: `G` may now stay active where its `when` does not hold\n");
+}
+
 TEST_CASE("states: values, their order, the first one, what sets them, when they expire") {
   const auto robot = [](const std::string& state) {
     return "states: {Pose: {" + state +
