@@ -9,6 +9,7 @@
 #include "compiler/diff/ranks.hpp"
 #include "compiler/diff/shifts.hpp"
 #include "compiler/diff/side.hpp"
+#include "compiler/diff/ties.hpp"
 
 #include <fmt/format.h>
 
@@ -49,11 +50,11 @@ public:
         pairs_.emplace_back(&edge, old_.find(requester, target(edge)));
       }
       for (const auto& [winner, old_winner] : pairs_) losers_of(*winner, old_winner);
-      ties(requester);
     }
     for (const auto& [requester, edges] : new_.edges()) {
       for (const EdgeId id : edges) number(requester, pair_.new_model.edges[id]);
     }
+    compare_ties(pair_, old_, new_, changes_);
   }
 
 private:
@@ -214,51 +215,6 @@ private:
     return (edge.requester ? name_of(pair_.new_model, *edge.requester) : "root") + ">" + target(edge);
   }
 
-  /// With equal rank the earlier declaration goes first.
-  void ties(const std::string& requester) {
-    Names was, is;
-    std::set<std::string> flipped;
-    const auto at = old_.edges().find(requester);
-    if (at == old_.edges().end()) return;
-    const Edge *first_old = nullptr, *first_new = nullptr, *last = nullptr;
-    bool sorted = true; // the old edges are one table: addresses have its order
-    for (const auto& [edge, old] : pairs_) {
-      if (old == nullptr) continue;
-      sorted = sorted && last <= old;
-      last = old;
-    }
-    if (sorted) return;
-    const std::vector<EdgeId>& edges = new_.edges().at(requester);
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      for (std::size_t k = i + 1; k < pairs_.size(); ++k) {
-        const Edge &one = *pairs_[i].first, &other = *pairs_[k].first;
-        const Edge *const old_one = pairs_[i].second, *const old_other = pairs_[k].second;
-        // An edge that is only needed is claimed with the rest of its plan, or is younger than a request.
-        if (one.levels.empty() || other.levels.empty()) continue;
-        if (old_one == nullptr || old_other == nullptr || old_one < old_other)
-          continue; // one table: addresses have its order
-        if (!may_be_equal(one, other) || !may_be_equal(*old_one, *old_other)) continue;
-        flipped.insert(target(one));
-        flipped.insert(target(other));
-        if (first_new == nullptr) first_new = &one, first_old = old_one;
-      }
-    }
-    if (flipped.empty()) return;
-    for (const EdgeId id : at->second) {
-      const std::string& name = name_of(pair_.old_model, pair_.old_model.edges[id].target);
-      if (flipped.count(name) != 0) was.push_back(name);
-    }
-    for (const EdgeId id : edges) {
-      if (flipped.count(target(pair_.new_model.edges[id])) != 0) is.push_back(target(pair_.new_model.edges[id]));
-    }
-    changes_.add(ChangeKind::tie_order, requester.empty() ? "root" : requester,
-                 fmt::format("of what {} requests at one rank, the order is {}, before {}: the first one wins where "
-                             "they are requested at once",
-                             requester.empty() ? std::string("the program") : ticked(requester), ticked_list(is),
-                             ticked_list(was)),
-                 first_old->span, first_new->span);
-  }
-
   /// Edges with another rank that changed nothing of the above.
   void number(const std::string& requester, const Edge& edge) {
     const Edge* const old = old_.find(requester, target(edge));
@@ -275,9 +231,8 @@ private:
     }
     keeps(edge, *old, places);
     if (!differs || explained_.contains(edge_name(edge))) return;
-    changes_.add(
-        ChangeKind::priority, edge_name(edge),
-        fmt::format("{} requests `{}` with {}, before with {}; what each can take from the others is as before",
+    changes_.add(ChangeKind::priority, edge_name(edge),
+                 fmt::format("{} requests `{}` with {}, before with {}; what each can take from the others is as before",
                     requester_name(pair_.new_model, edge.requester), target(edge), rank_text(edge), rank_text(*old)),
         old->span, edge.span);
   }

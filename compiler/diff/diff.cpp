@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/diff/diff.hpp"
 
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/base/and_list.hpp"
 #include "compiler/diff/side.hpp"
 
@@ -15,6 +16,12 @@ std::string ticked_list(const std::vector<std::string>& words) {
   std::vector<std::string> out;
   for (const std::string& word : words) out.push_back(ticked(word));
   return and_list(out);
+}
+
+std::string few(const std::set<std::string>& words, std::string_view last) {
+  std::vector<std::string> out;
+  for (const std::string& word : words) out.push_back(ticked(word));
+  return analysis::few_of(out, last);
 }
 
 std::optional<ProviderId> find_provider(const Model& model, const Group& group, const std::string& name) {

@@ -45,11 +45,6 @@ std::vector<int> orders(const Edge& one, const Edge& other) {
   return out;
 }
 
-bool may_be_equal(const Edge& one, const Edge& other) {
-  const std::vector<int> all = orders(one, other);
-  return std::find(all.begin(), all.end(), 0) != all.end();
-}
-
 std::pair<bool, bool> gains_and_loses(const std::vector<int>& before, const std::vector<int>& now) {
   const auto goes_before = [](int order) { return order > 0; };
   const auto any = [&](const std::vector<int>& all) { return std::any_of(all.begin(), all.end(), goes_before); };

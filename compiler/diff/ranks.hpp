@@ -17,8 +17,6 @@ std::string rank_text(const Edge& edge);
 /// counts as mandatory, with the priority of the first level.
 std::vector<int> orders(const Edge& one, const Edge& other);
 
-bool may_be_equal(const Edge& one, const Edge& other);
-
 /// The first is before something now that it was not before, and the other way round.
 std::pair<bool, bool> gains_and_loses(const std::vector<int>& before, const std::vector<int>& now);
 

@@ -48,6 +48,9 @@ std::string ticked_list(const std::vector<std::string>& words);
 
 inline const std::string& name_of(const Model& model, GroupId id) { return model.groups[id].name.value; }
 
+/// "`a`, `b` or `c`", of many the first ones and the count of the rest.
+std::string few(const std::set<std::string>& words, std::string_view last);
+
 /// The provider of one group, by its own name.
 std::optional<ProviderId> find_provider(const Model& model, const Group& group, const std::string& name);
 

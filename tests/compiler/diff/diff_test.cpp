@@ -294,8 +294,8 @@ TEST_CASE("of equal rank the order decides, of different ranks it does not") {
   CHECK(
       told(std::string("roots: [Walk, Kick]\n") + plain, std::string("roots: [Kick, Walk]\n") + plain)
           .starts_with(
-              "tie_order: of what the program requests at one rank, the order is `Kick` and `Walk`, before `Walk` and "
-              "`Kick`: the first one wins where they are requested at once\n"));
+              "tie_order: of what the program requests at one priority, the order is `Kick` and `Walk`, before `Walk` "
+              "and `Kick`: of those that were requested at once, the first one that wants `Legs` gets it\n"));
   CHECK(told(std::string("roots: {Walk: {priority: 1}, Kick: {}}\n") + plain,
              std::string("roots: {Kick: {}, Walk: {priority: 1}}\n") + plain)
             .empty());

@@ -1,0 +1,14 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Compares the order of tasks of equal rank: with equal rank the earlier request goes first, and of those that are
+// requested at once the one that is declared first (semantics.md, 4.1, rule 5).
+
+#include "compiler/diff/contests.hpp"
+#include "compiler/diff/side.hpp"
+
+namespace director::compiler::diff {
+
+/// Reports the order only where it decides which task gets a group, or what is pushed.
+void compare_ties(const Pair& pair, const Contests& before, const Contests& after, Changes& changes);
+
+} // namespace director::compiler::diff

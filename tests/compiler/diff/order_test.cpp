@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// Which orders of definitions are reported, with what they decide, and which are not as they decide nothing.
+#include "tests/compiler/diff/told.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using director::tests::told;
+
+/// The first line.
+std::string first_of(const std::string& changes) { return changes.substr(0, changes.find('\n')); }
+
+std::string roots(const std::string& listed, const std::string& groups) {
+  return "roots: " + listed + "\ngroups: {" + groups + "}\n";
+}
+
+/// A task that waits for two states, and others that may cause them.
+std::string waiting(const std::string& roots, const std::string& groups) {
+  return "states: {Door: {values: [shut, open], initial: shut}, Arm: {values: [out, in], initial: out}}\nroots: {" +
+         roots + "}\ngroups: {" + groups + "}\n";
+}
+
+const std::string three = "Work: {priority: 9}, Crew: {priority: 2}, Aide: {priority: 1}";
+const std::string open = "{name: open, causing: [Door == open]}", fold = "{name: fold, causing: [Arm == in]}";
+
+std::string group(const std::string& name, const std::string& causing) {
+  return name + ": {providers: [{name: idle}, " + causing + "]}, ";
+}
+
+} // namespace
+
+TEST_CASE("tasks of equal rank that share nothing have no order") {
+  CHECK(told(roots("[Play]", "Play: {tasks: [Legs, Arm]}, Legs: {}, Arm: {}"),
+             roots("[Play]", "Play: {tasks: [Arm, Legs]}, Legs: {}, Arm: {}"))
+            .empty());
+  const std::string groups = "Walk: {needs: [Legs]}, Wave: {needs: [Arm]}, Legs: {}, Arm: {}";
+  CHECK(told(roots("[Walk, Wave]", groups), roots("[Wave, Walk]", groups)).empty());
+}
+
+TEST_CASE("tasks that are never requested at once have no order") {
+  const std::string groups = "Walk: {needs: [Legs]}, Kick: {needs: [Legs]}, Legs: {}";
+  CHECK(told(roots("[Play]", "Play: {packs: {go: [Walk], shoot: [Kick]}}, " + groups),
+             roots("[Play]", "Play: {packs: {shoot: [Kick], go: [Walk]}}, " + groups))
+            .empty());
+}
+
+TEST_CASE("an optional task and one with something optional below it have an order at equal priority") {
+  const std::string groups = "A: {}, B: {tasks: {C: {optional: true}}}, C: {tasks: [A]}";
+  CHECK(first_of(told(roots("{A: {optional: true}, B: {}}", groups), roots("{B: {}, A: {optional: true}}", groups))) ==
+        "tie_order: of what the program requests at one priority, the order is `B` and `A`, before `A` and `B`: of "
+        "those that were requested at once, the first one that wants `A` gets it");
+  const std::string mandatory = "A: {}, B: {tasks: [C]}, C: {tasks: [A]}";
+  CHECK(
+      told(roots("{A: {optional: true}, B: {}}", mandatory), roots("{B: {}, A: {optional: true}}", mandatory)).empty());
+  CHECK(told(roots("{A: {}, B: {}}", groups), roots("{B: {}, A: {}}", groups)).empty());
+}
+
+TEST_CASE("members of a unit have an order if they choose, or if they request the same below") {
+  const auto play = [](const std::string& tasks, const std::string& groups) {
+    return roots("[Play]", "Play: {packs: {go: [" + tasks + "]}}, " + groups);
+  };
+  const std::string choice =
+      "First: {providers: [{name: left, needs: [Left]}, {name: right, needs: [Right]}]}, Second: "
+      "{providers: [{name: left, needs: [Left]}, {name: right, needs: [Right]}]}, Left: {}, "
+      "Right: {}";
+  CHECK(first_of(told(play("First, Second", choice), play("Second, First", choice))) ==
+        "tie_order: of what `Play` requests at one priority, the order is `Second` and `First`, before `First` and "
+        "`Second`: of those that were requested at once, the first one that wants `Left` or `Right` gets it");
+  const std::string below = "Walk: {tasks: [Legs]}, Kick: {tasks: [Legs]}, Legs: {}";
+  CHECK(first_of(told(play("Walk, Kick", below), play("Kick, Walk", below))) ==
+        "tie_order: of what `Play` requests at one priority, the order is `Kick` and `Walk`, before `Walk` and `Kick`: "
+        "of those that were requested at once, the first one that wants `Legs` gets it");
+  const std::string own = "Walk: {tasks: [Legs]}, Kick: {needs: [Legs]}, Legs: {}";
+  CHECK(told(play("Walk, Kick", own), play("Kick, Walk", own)).empty());
+}
+
+TEST_CASE("a unit goes forward with its first member, before or after one that is apart") {
+  const auto play = [](const std::string& tasks) {
+    return roots("[Play]", "Play: {packs: {go: {" + tasks +
+                               "}}}, Lift: {}, Grip: {needs: [Hand]}, Look: {needs: [Hand]}, Hand: {}");
+  };
+  const std::string lift = "Lift: {priority: 10}, ", look = "Look: {priority: 10, apart: true}, ";
+  CHECK(first_of(told(play(lift + look + "Grip: {priority: 5}"), play(look + lift + "Grip: {priority: 5}"))) ==
+        "tie_order: of what `Play` requests at one priority, the order is `Look` and `Lift`, before `Lift` and `Look`: "
+        "of those that were requested at once, the first one that wants `Hand` gets it");
+  CHECK(told(play(lift + look + "Grip: {priority: 15}"), play(look + lift + "Grip: {priority: 15}")).empty());
+}
+
+TEST_CASE("of tasks of equal rank that push different providers of one group, the first one pushes") {
+  const std::string groups =
+      "Enter: {when: [Door == open]}, Pass: {when: [Arm == in]}, " + group("Crew", open + ", " + fold);
+  CHECK(told(waiting("Enter: {priority: 9}, Pass: {priority: 9}, Crew: {priority: 2}", groups),
+             waiting("Pass: {priority: 9}, Enter: {priority: 9}, Crew: {priority: 2}", groups)) ==
+        "tie_order: of what the program requests at one priority, the order is `Pass` and `Enter`, before `Enter` and "
+        "`Pass`: of those that were requested at once, the first one that pushes a provider of `Crew` decides which\n");
+}
+
+TEST_CASE("many tasks in another order are one change, which names some of what they want") {
+  std::string listed, reversed, groups;
+  for (const char name : std::string("ABCDEFGH")) {
+    const std::string task = std::string("Task") + name, part = std::string("Part") + name;
+    listed += (listed.empty() ? "" : ", ") + task;
+    reversed = task + (reversed.empty() ? "" : ", ") + reversed;
+    groups += task + ": {tasks: [PartA, PartB, PartC, PartD, PartE, PartF, PartG, PartH]}, " + part + ": {}, ";
+  }
+  CHECK(
+      first_of(told(roots("[" + listed + "]", groups), roots("[" + reversed + "]", groups))) ==
+      "tie_order: of what the program requests at one priority, the order is `TaskH`, `TaskG`, `TaskF`, `TaskE`, "
+      "`TaskD`, `TaskC`, `TaskB` and `TaskA`, before `TaskA`, `TaskB`, `TaskC`, `TaskD`, `TaskE`, `TaskF`, `TaskG` and "
+      "`TaskH`: of those that were requested at once, the first one that wants `PartA`, `PartB`, `PartC`, `PartD` or 4 "
+      "more gets it");
+}
