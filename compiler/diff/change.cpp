@@ -72,7 +72,7 @@ constexpr std::array pages{
     ChangeKindPage{Kind::finding_new, "finding_new", "A check finds something that it did not find before."},
     ChangeKindPage{Kind::finding_gone, "finding_gone", "A check finds something no longer."},
     ChangeKindPage{Kind::priority, "priority",
-                   "A priority is another number; what each can take from the others is as before."},
+                   "A priority is another number, and nothing was found that a task takes otherwise."},
     ChangeKindPage{Kind::layers, "layers", "Layers have changed, which only pictures and pages show."},
 };
 

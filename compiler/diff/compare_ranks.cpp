@@ -232,9 +232,13 @@ private:
     keeps(edge, *old, places);
     if (!differs || explained_.contains(edge_name(edge))) return;
     changes_.add(ChangeKind::priority, edge_name(edge),
-                 fmt::format("{} requests `{}` with {}, before with {}; what each can take from the others is as before",
-                    requester_name(pair_.new_model, edge.requester), target(edge), rank_text(edge), rank_text(*old)),
-        old->span, edge.span);
+                 fmt::format("{} requests `{}` with {}, before with {}; what each can take from the others {}",
+                             requester_name(pair_.new_model, edge.requester), target(edge), rank_text(edge),
+                             rank_text(*old),
+                             pair_.new_model.deployment && pair_.old_model.deployment
+                                 ? "is as before"
+                                 : "is compared only in a behaviour with `roots`"),
+                 old->span, edge.span);
   }
 
   /// A request marked `keep` keeps what was requested at the same level.

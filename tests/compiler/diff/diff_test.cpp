@@ -301,6 +301,16 @@ TEST_CASE("of equal rank the order decides, of different ranks it does not") {
             .empty());
 }
 
+TEST_CASE("what a priority changes is compared only in a behaviour with roots, and in a module this is said") {
+  const auto module = [](const std::string& priority) {
+    return "groups: {Play: {packs: {go: {Walk: {priority: " + priority +
+           "}, Kick: {priority: 2, apart: true}}}}, Walk: {needs: [Legs]}, Kick: {needs: [Legs]}, Legs: {}}\n";
+  };
+  CHECK(told(module("3"), module("1")) ==
+        "priority: `Play` requests `Walk` with priority 1, before with priority 3; what each can take from the others "
+        "is compared only in a behaviour with `roots`\n");
+}
+
 TEST_CASE("the order of providers, and of needs between whose providers there is a choice, is reported") {
   const auto robot = [](const std::string& providers) {
     return "states: {Charge: {range: [0, 100], external: true}}\nroots: [Walk]\ngroups:\n  Walk: {providers: [" +
