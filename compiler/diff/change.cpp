@@ -33,7 +33,7 @@ constexpr std::array pages{
     ChangeKindPage{Kind::push_lost, "push_lost", "A task that waits can no longer push a provider."},
     ChangeKindPage{Kind::bound_grew, "bound_grew", "Something may take longer, comes less often, or may try more."},
     ChangeKindPage{Kind::preference, "preference",
-                   "The order in which the providers of a group are tried has changed."},
+                   "The order in which providers are tried, or pushed for what a task waits for, has changed."},
     ChangeKindPage{Kind::promise, "promise", "A provider promises other values of a state in `causing`."},
     ChangeKindPage{Kind::sets, "sets", "A provider may set other values of a state."},
     ChangeKindPage{Kind::handler, "handler", "A start or stop handler is new, is gone, or sets other values."},

@@ -63,6 +63,7 @@ std::vector<BehaviourChange> find_changes(const Checked& before, const Checked& 
   diff::compare_groups(pair, changes);
   diff::compare_requests(pair, changes);
   diff::compare_ranks(pair, changes);
+  diff::compare_pushes(pair, changes);
   // Consequences of the changes. Without any change there are none: then the unspecified order of things is no change,
   // and nothing has to be computed.
   const bool alike = changes.all().empty();

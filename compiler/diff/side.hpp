@@ -86,6 +86,7 @@ void compare_groups(const Pair& pair, Changes& changes);
 void compare_provider(const Pair& pair, ProviderId before, ProviderId after, Changes& changes);
 void compare_requests(const Pair& pair, Changes& changes);
 void compare_ranks(const Pair& pair, Changes& changes);
+void compare_pushes(const Pair& pair, Changes& changes);
 /// Consequences of all of the above, if they are decided.
 void compare_reach(const Pair& pair, Changes& changes);
 TransitionsPlayed compare_transitions(const Pair& pair, Changes& changes);

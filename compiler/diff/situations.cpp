@@ -5,6 +5,7 @@
 // texts that differ only in spelling count as a change: then something is played in vain, and nothing is reported.
 #include "compiler/diff/situations.hpp"
 
+#include "compiler/analysis/facts/pushes.hpp"
 #include "compiler/transitions/way.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +22,7 @@ using transitions::Way;
 
 class Words {
 public:
-  explicit Words(const Model& model) : model_(model) {}
+  Words(const Model& model, const analysis::Causers& causers) : model_(model), causers_(causers) {}
 
   std::string of(GroupId id) {
     const Group& group = model_.groups[id];
@@ -31,7 +32,10 @@ public:
     add("start", group.start);
     add("stop", group.stop);
     for (const ProviderId provider : group.providers) add(model_.providers[provider]);
-    for (const StateId state : states_) add(state);
+    // The order of states, like that of groups, makes no other situation.
+    std::map<std::string_view, StateId> states;
+    for (const StateId state : states_) states.emplace(model_.states[state].name.value, state);
+    for (const auto& [name, state] : states) add(state);
     return std::move(out_);
   }
 
@@ -52,6 +56,16 @@ private:
     }
   }
 
+  /// Of providers of several groups that can be pushed for a condition, the first one is.
+  void add(ConditionId id) {
+    const std::vector<ProviderId>& causers = causers_[id];
+    const auto is_other = [&](ProviderId other) {
+      return model_.providers[other].group != model_.providers[causers.front()].group;
+    };
+    if (std::none_of(causers.begin(), causers.end(), is_other)) return;
+    for (const ProviderId causer : causers) add("caused by", model_.full_name(causer));
+  }
+
   std::string levels(EdgeId id) const {
     std::string out;
     for (const Level& level : model_.edges[id].levels)
@@ -62,6 +76,7 @@ private:
   void add(const Provider& provider) {
     add("provider", provider.name);
     add("when", provider.when);
+    for (const ConditionUse& use : provider.when) add(use.id);
     add("stay", provider.stay);
     add("causing", provider.causing);
     add("sets", provider.sets);
@@ -90,13 +105,15 @@ private:
   }
 
   const Model& model_;
+  const analysis::Causers& causers_;
   std::string out_;
   std::set<StateId> states_;
 };
 
 std::map<std::string, std::string> words_of_all(const Model& model) {
+  const analysis::Causers causers = analysis::find_causers(model);
   std::map<std::string, std::string> out;
-  for (const GroupId id : model.groups.ids()) out.emplace(name_of(model, id), Words(model).of(id));
+  for (const GroupId id : model.groups.ids()) out.emplace(name_of(model, id), Words(model, causers).of(id));
   return out;
 }
 
@@ -141,17 +158,18 @@ public:
   /// Everything that decides how it is brought to run, if nothing in it has changed; otherwise empty.
   std::optional<std::string> situation(GroupId target) const {
     if (below_.contains(target)) return {};
-    std::string out;
+    std::set<std::string> out; // in whatever order groups are declared
     for (const Way& way : transitions::find_ways(model_, target)) {
       if (changed_.contains(name_of(model_, way.group(0)))) return {};
-      out += name_of(model_, way.group(0));
+      std::string words = name_of(model_, way.group(0));
       for (const Link& link : way.links) {
         if (has_changed(link)) return {};
-        out += fmt::format(" {} {} {}", model_.full_name(link.provider), link.pack, name_of(model_, link.next->target));
+        words +=
+            fmt::format(" {} {} {}", model_.full_name(link.provider), link.pack, name_of(model_, link.next->target));
       }
-      out += fmt::format(" {}\n", model_.full_name(way.runs));
+      out.insert(fmt::format("{} {}\n", words, model_.full_name(way.runs)));
     }
-    return out;
+    return fmt::format("{}", fmt::join(out, ""));
   }
 
 private:

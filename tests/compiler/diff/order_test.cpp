@@ -111,3 +111,63 @@ TEST_CASE("many tasks in another order are one change, which names some of what 
       "`TaskH`: of those that were requested at once, the first one that wants `PartA`, `PartB`, `PartC`, `PartD` or 4 "
       "more gets it");
 }
+
+TEST_CASE("the order of conditions is reported if one group is pushed for both, with what it changes") {
+  const auto robot = [](const std::string& when) {
+    return waiting("Work: {priority: 9}, Crew: {priority: 2}",
+                   "Work: {when: [" + when +
+                       "], needs: [Legs], tasks: [Legs]}, Crew: {providers: [{name: idle, needs: [Legs], tasks: "
+                       "[Legs]}, {name: open, when: [Arm == out], causing: [Door == open]}, " +
+                       fold + "]}, Legs: {}");
+  };
+  const std::string why = ", and what causes the one cannot run while the other holds\n";
+  CHECK(told(robot("Door == open, Arm == in"), robot("Arm == in, Door == open")) ==
+        "preference: the conditions of `Work` are in the order `Arm == in` and `Door == open`, before `Door == open` "
+        "and `Arm == in`: the first of them that it lacks decides how `Crew` is pushed\n"
+        "transition_changed: from `Crew` to `Work`: never now, before soft\n"
+        "finding_new: warning is new: `Work` waits for `Arm == in` and `Door == open`" +
+            why + "finding_gone: warning is gone: `Work` waits for `Door == open` and `Arm == in`" + why);
+}
+
+TEST_CASE("the order of conditions for which different groups are pushed says nothing") {
+  const auto robot = [](const std::string& when) {
+    return waiting(three, "Work: {when: [" + when + "]}, " + group("Crew", open) + group("Aide", fold));
+  };
+  CHECK(told(robot("Door == open, Arm == in"), robot("Arm == in, Door == open")).empty());
+}
+
+TEST_CASE("of the conditions of a provider that is pushed itself, the first one is served first") {
+  const auto robot = [](const std::string& when) {
+    return "states: {Door: {values: [shut, open], initial: shut}, Arm: {values: [out, in], initial: out}, Box: "
+           "{values: "
+           "[empty, full], initial: empty}}\nroots: {Work: {priority: 9}, Load: {priority: 5}, Crew: {priority: 2}, "
+           "Aide: "
+           "{priority: 1}}\ngroups: {Work: {when: [Box == full]}, " +
+           group("Load", "{name: fill, when: [" + when + "], causing: [Box == full]}") + group("Crew", open) +
+           group("Aide", fold) + "}\n";
+  };
+  CHECK(told(robot("Door == open, Arm == in"), robot("Arm == in, Door == open")) ==
+        "preference: the conditions of `Load.fill` are in the order `Arm == in` and `Door == open`, before `Door == "
+        "open` "
+        "and `Arm == in`: the first of them that it lacks decides how `Aide` or `Crew` is pushed\n");
+}
+
+TEST_CASE("the order of needs is reported if one group is pushed for the conditions of both") {
+  const auto robot = [](const std::string& needs) {
+    return waiting(three, "Work: {needs: [" + needs + "]}, Hall: {when: [Door == open]}, Desk: {when: [Arm == in]}, " +
+                              group("Crew", open + ", " + fold) + "Aide: {}");
+  };
+  CHECK(told(robot("Hall, Desk"), robot("Desk, Hall")) ==
+        "preference: the needs of `Work` are in the order `Desk` and `Hall`, before `Hall` and `Desk`: the first "
+        "condition of theirs that is lacking decides how `Crew` is pushed\n");
+}
+
+TEST_CASE("the order of groups is reported where a task may push either for one condition") {
+  const std::string work = "Work: {when: [Door == open]}, ", crew = group("Crew", open), aide = group("Aide", open);
+  CHECK(told(waiting(three, work + crew + aide), waiting(three, work + aide + crew)) ==
+        "preference: the order of what causes `Door == open` is `Aide.open` and `Crew.open`, before `Crew.open` and "
+        "`Aide.open`: where several of them serve `Work` in equally many steps, the first one is pushed\n");
+  // Without a task that may push both.
+  const std::string low = "Crew: {priority: 9}, Work: {priority: 2}, Aide: {priority: 1}";
+  CHECK(told(waiting(low, work + crew + aide), waiting(low, work + aide + crew)).empty());
+}

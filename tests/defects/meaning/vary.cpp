@@ -47,13 +47,33 @@ bool move_between_files(Robot& robot, Random& random) {
   return true;
 }
 
-/// Those whose order says nothing. The order of roots says something where two are of one rank.
+/// The states that something promises.
+std::set<std::string> promised(Robot& robot) {
+  std::set<std::string> out;
+  for (File& file : robot.files) {
+    visit(file.node, [&](const std::string& key, Node& value) {
+      for (const Node& each : value.items) {
+        if (key == "causing") out.insert(each.word.substr(0, each.word.find(' ')));
+      }
+    });
+  }
+  return out;
+}
+
+/// Those whose order says nothing. The order of roots says something where two are of one rank, that of conditions
+/// where something may be pushed for two of them.
 bool reorder(Robot& robot, Random& random) {
+  const std::set<std::string> pushed_for = promised(robot);
+  const auto decides = [&](const std::string& key, const Node& value) {
+    return key == "when" && std::count_if(value.items.begin(), value.items.end(), [&](const Node& each) {
+                              return pushed_for.count(each.word.substr(0, each.word.find(' '))) != 0;
+                            }) > 1;
+  };
   const std::set<std::string> free{"states",  "groups", "triggers", "cpp",     "when",       "stay",  "sets",
                                    "causing", "uses",   "extern",   "imports", "assertions", "start", "stop"};
   for (File& file : robot.files) {
     visit(file.node, [&](const std::string& key, Node& value) {
-      if (free.count(key) != 0 && random.chance(0.5)) shuffle(value, random);
+      if (free.count(key) != 0 && !decides(key, value) && random.chance(0.5)) shuffle(value, random);
     });
     Node* const groups = file.node.find("groups");
     if (groups == nullptr) continue;
