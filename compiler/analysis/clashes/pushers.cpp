@@ -162,6 +162,24 @@ bool Pushers::comes_first(ProviderId rival, ProviderId causer, ConditionId condi
          is_free_for(rival, causer, condition);
 }
 
+/// Whether some chain of requests and needs leads from the group to the task, with whatever states: a request remains
+/// while another provider of its requester runs, so the two may have conditions that exclude each other.
+bool Pushers::leads_to(GroupId group, GroupId task) const {
+  SparseSet<GroupId> seen;
+  std::vector<GroupId> open{group};
+  while (!open.empty()) {
+    const GroupId here = open.back();
+    open.pop_back();
+    for (const EdgeId id : input_.model.groups[here].edges) {
+      const GroupId next = input_.model.edges[id].target;
+      if (!input_.facts.holding.contains(id)) continue;
+      if (next == task) return true;
+      if (seen.add(next)) open.push_back(next);
+    }
+  }
+  return false;
+}
+
 /// Whether each task that waits for the condition goes before this group, which is not held for a need, and pushes no
 /// other group there.
 bool Pushers::is_free_for(ProviderId rival, ProviderId causer, ConditionId condition) {
@@ -175,12 +193,11 @@ bool Pushers::is_free_for(ProviderId rival, ProviderId causer, ConditionId condi
   for (const ProviderId id : model.groups[group].providers) {
     if (id != rival && input_.facts.pushed.contains(id)) return false;
   }
-  const Claims& below = input_.shared.claims(group);
   const std::vector<Waiter>& all = waiters(condition);
   return std::all_of(all.begin(), all.end(), [&](const Waiter& waiter) {
     if (!chains.may_beat(waiter.task, model.providers[causer].group) && !is_beside(waiter, causer, condition))
       return true;
-    if (below.contains(waiter.task)) return false;
+    if (waiter.task == group || leads_to(group, waiter.task)) return false; // it is granted by then
     bool always = true;
     chains.visit(waiter.task, {group}, [&](const Meeting& meeting, GroupId) {
       always = always && meeting.first_goes_before() && !meeting.one_unit();

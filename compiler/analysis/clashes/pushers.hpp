@@ -40,6 +40,7 @@ private:
   bool is_beside(const Waiter& waiter, ProviderId causer, ConditionId condition);
 
   bool comes_first(ProviderId rival, ProviderId causer, ConditionId condition);
+  bool leads_to(GroupId group, GroupId task) const;
   bool is_free_for(ProviderId rival, ProviderId causer, ConditionId condition);
 
   const Input& input_;

@@ -70,6 +70,18 @@ TEST_CASE("what is above another cause, and always free, is preferred to it") {
   CHECK(test.preferred("Legs", "Pose == standing") == "Walk.halting");
 }
 
+TEST_CASE("what is above another cause is not preferred to it for a task below it, whatever the conditions of both") {
+  for (const char* const legs : {"", "when: [Pose == moving], "}) {
+    Pushing test(one_pose +
+                 "roots: {Kick: {priority: 2}, Walk: {priority: 1}}\ngroups:\n  Kick: {when: [Pose == standing]}\n" +
+                 "  Walk: {providers: [{name: halting, " + legs +
+                 "causing: [Pose == standing], tasks: {Bow: {priority: 1}, Legs: {}}}, {name: walking}]}\n"
+                 "  Bow: {when: [Pose == standing]}\n  Legs: {causing: [Pose == standing]}\n");
+    CHECK(test.may_push("Legs", "Pose == standing"));
+    CHECK(test.preferred("Legs", "Pose == standing") == "");
+  }
+}
+
 TEST_CASE("what waits for the same itself is pushed for nothing of it") {
   Pushing test(one_pose +
                "roots: {Kick: {priority: 2}, Walk: {priority: 1}}\ngroups:\n  Kick: {when: [Pose == standing]}\n"
