@@ -17,17 +17,19 @@ namespace {
 /// it.
 class Trial {
 public:
-  /// `only_steady`: also of a unit.
-  Trial(const Input& input, Takers& takers, std::optional<GroupId> requester, const Task& task, const Held& held,
-        const Groups& must, bool only_steady)
+  /// `only_steady`: also of a unit. `granted`: the task may be granted already, with another provider.
+  Trial(const Input& input, Takers& takers, Packmates& packmates, std::optional<GroupId> requester, const Task& task,
+        const Held& held, const Groups& must, bool only_steady, bool granted)
       : input_(input),
         takers_(takers),
+        packmates_(packmates),
         requester_(requester),
         task_(task),
         held_(held),
         must_(must),
         is_needed_(input.model.edges[task.edge].needed),
-        only_steady_(only_steady) {}
+        only_steady_(only_steady),
+        granted_(granted) {}
 
   /// A claim to the group by a request or need of `by`. `whole`: with some plan for its needs.
   bool can_have(std::optional<GroupId> by, GroupId group) {
@@ -57,6 +59,10 @@ private:
   }
 
   bool counts(const Taker& taker) const {
+    // What was granted before is not deferred with the taker, and may take something else now.
+    if (granted_ && taker.unit != nullptr && taker.over == &task_ &&
+        packmates_.may_be_deferred(*requester_, *taker.unit))
+      return false;
     if (taker.steady) return true;
     if (taker.kind == Taker::Kind::unit || taker.kind == Taker::Kind::above) return !only_steady_;
     // Nothing new is granted beside a stale entry of the same group either. If another requester withholds something
@@ -95,11 +101,12 @@ private:
 
   const Input& input_;
   Takers& takers_;
+  Packmates& packmates_;
   std::optional<GroupId> requester_; ///< of the task
   const Task& task_;
   const Held& held_;
   const Groups& must_;
-  bool is_needed_, only_steady_;
+  bool is_needed_, only_steady_, granted_;
   std::map<GroupId, bool> met_;
   std::optional<Taker> taker_;
 };
@@ -283,9 +290,9 @@ std::vector<Grants::Entry> Grants::entries_of(const Provider& provider, const Pa
 }
 
 std::optional<Taker> Grants::find_taker(std::optional<GroupId> requester, const Task& task, ProviderId id,
-                                        const Held& held) {
+                                        const Held& held, bool granted) {
   if (held.empty()) return std::nullopt;
-  Trial trial(input_, takers_, requester, task, held, takers_.must(id), !origin_);
+  Trial trial(input_, takers_, packmates_, requester, task, held, takers_.must(id), !origin_, granted);
   if (trial.can_have(requester, task.target) && trial.can_meet(input_.model.providers[id])) return std::nullopt;
   return trial.taker();
 }
@@ -303,7 +310,7 @@ void Grants::enter(std::optional<GroupId> requester, const Entry& entry) {
   bool changed = false;
   for (const ProviderId id : input_.model.groups[target].providers) {
     if (input_.facts.active.contains(id) && !granted_.contains(id) &&
-        !find_taker(requester, *entry.task, id, entry.held))
+        !find_taker(requester, *entry.task, id, entry.held, entry.grantable))
       changed = granted_.add(id);
   }
   const auto [at, is_new] = standing_.try_emplace(target, entry.below);
@@ -324,7 +331,7 @@ void Grants::refuse(std::optional<GroupId> requester, const Entry& entry) {
   Refused refused{requester, entry.task, {}, {}};
   for (const ProviderId id : all) {
     if (!input_.facts.active.contains(id)) continue;
-    auto taker = find_taker(requester, *entry.task, id, entry.held);
+    auto taker = find_taker(requester, *entry.task, id, entry.held, entry.grantable);
     if (!taker) continue;
     refused.refusals.push_back({id, *taker, {}});
     if (runs && !granted_.contains(id))

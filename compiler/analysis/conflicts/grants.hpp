@@ -74,8 +74,9 @@ private:
   void visit(const Provider& provider, const Pack& pack, const Standing& above, bool last);
   Standing standing_of(GroupId group);
   std::vector<Entry> entries_of(const Provider& provider, const Pack& pack, const Standing& above);
+  /// `granted`: the task may be granted already, with another provider.
   std::optional<Taker> find_taker(std::optional<GroupId> requester, const Task& task, ProviderId provider,
-                                  const Held& held);
+                                  const Held& held, bool granted = false);
   bool is_grantable(std::optional<GroupId> requester, const Task& task, const Held& held);
   std::vector<Taker> find_others(const Refused& refused, const Refusal& refusal, Held held);
   std::vector<Taker> find_together(const Refused& refused, const Held& held);

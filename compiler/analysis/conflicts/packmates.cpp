@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/packmates.hpp"
 
+#include "compiler/analysis/chains/sparse_set.hpp"
 #include "compiler/analysis/plans/trials.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 
@@ -14,6 +15,8 @@ namespace {
 /// Limit for the entries that may take one group and are considered for one entry; those of the highest rank come
 /// first.
 constexpr std::size_t most_others = 8;
+/// Limit for the groups from which one group may be asked for; with more, some may ask in time.
+constexpr std::size_t most_asking = 200;
 
 bool is_in(const Unit& unit, const Task* task) { return std::find(unit.begin(), unit.end(), task) != unit.end(); }
 
@@ -88,8 +91,10 @@ std::optional<Packmate> Packmates::find_mate(GroupId requester, const Rival& riv
   const bool before = takers_.always_before(by, over);
   const bool first = is_first(requester, by, over);
   const bool together = beside(requester, *rival.unit, by, over).is_before_below;
-  Packmate out{
-      {before ? Taker::Kind::before : Taker::Kind::unit, group, {}, &by, &over, {}, {}, true}, rival.unit, false, true};
+  Packmate out{{before ? Taker::Kind::before : Taker::Kind::unit, group, {}, &by, &over, rival.unit, {}, {}, true},
+               rival.unit,
+               false,
+               true};
   if (is_in(*rival.unit, &over)) {
     if (!rival.always) return std::nullopt;
     out.taker.steady =
@@ -144,6 +149,43 @@ const Spoilers& Packmates::spoilers(const Beside& beside) {
   std::unique_ptr<Spoilers>& out = spoilers_[{beside.by, differs ? beside.over : nullptr}];
   if (!out) out = std::make_unique<Spoilers>(input_, takers_, beside);
   return *out;
+}
+
+bool Packmates::may_be_deferred(GroupId requester, const Unit& unit) {
+  const auto [at, is_new] = may_be_deferred_.try_emplace(&unit, false);
+  if (!is_new) return at->second;
+  const UnitTakes& takes = takers_.takes(requester, unit);
+  for (std::size_t i = 0; i < unit.size() && !at->second; ++i) {
+    const Groups& taken = takes.maybe.empty() ? input_.shared.units().needed(unit[i]->target) : takes.maybe[i];
+    at->second = std::any_of(taken.begin(), taken.end(),
+                             [&](GroupId group) { return may_be_asked_for(requester, *unit[i], group); });
+  }
+  return at->second;
+}
+
+/// By a group that goes before the member, does not hold that group already as a need, and is not always above.
+bool Packmates::may_be_asked_for(GroupId requester, const Task& member, GroupId group) {
+  const Chains& chains = input_.shared.chains();
+  Groups asking{group};
+  SparseSet<GroupId> seen;
+  seen.add(group);
+  for (std::size_t next = 0; next < asking.size(); ++next) {
+    for (const EdgeId id : input_.model.groups[asking[next]].requesters) {
+      const std::optional<GroupId> by = input_.model.edges[id].requester;
+      if (by && takers_.is_alive(id) && seen.add(*by)) asking.push_back(*by);
+    }
+    if (asking.size() > most_asking) return true;
+  }
+  return std::any_of(asking.begin() + 1, asking.end(), [&](GroupId each) {
+    if (each == requester || chains.always_below(requester, each) || has(takers_.must(each), group)) return false;
+    bool goes_before = false;
+    chains.visit(each, {member.target, requester}, [&](const Meeting& meeting, GroupId other) {
+      // Nothing of its own unit is granted when that is tried.
+      const bool is_ours = other == requester || (meeting.second->edge == member.edge && !meeting.one_unit());
+      goes_before = goes_before || (is_ours && meeting.first_goes_before());
+    });
+    return goes_before;
+  });
 }
 
 } // namespace director::analysis

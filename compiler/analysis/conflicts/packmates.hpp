@@ -37,6 +37,10 @@ public:
 
   /// The entries of the provider's pack. In a flat list, of which any part may be requested, each entry is alone.
   const std::vector<PackEntry>& of(const Provider& provider, const Pack& pack);
+  /// Whether this unit may have to wait although it could have everything, because a group that goes before it and is
+  /// about to run may ask for some of that (semantics.md 4.4, "Defer"). Meanwhile tasks of the requester that were
+  /// granted before may take it.
+  bool may_be_deferred(GroupId requester, const Unit& unit);
 
 private:
   struct Rival {
@@ -53,12 +57,14 @@ private:
   Beside beside(GroupId requester, const Unit& unit, const Task& by, const Task& over) const;
   Groups spoilers_of(GroupId requester, const Rival& rival, const Task& over);
   const Spoilers& spoilers(const Beside& beside);
+  bool may_be_asked_for(GroupId requester, const Task& member, GroupId group);
 
   const Input& input_;
   Takers& takers_;
   std::unordered_map<const Pack*, std::vector<PackEntry>> entries_;
   std::deque<Unit> units_;                                                            ///< a deque, for stable addresses
   std::map<std::pair<const Task*, const Task*>, std::unique_ptr<Spoilers>> spoilers_; ///< null: everything goes after
+  std::unordered_map<const Unit*, bool> may_be_deferred_;
 };
 
 } // namespace director::analysis

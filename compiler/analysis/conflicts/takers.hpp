@@ -37,6 +37,7 @@ struct Taker {
   GroupId holder{};           ///< of `above`
   const Task* by = nullptr;   ///< of `unit` and `before`
   const Task* over = nullptr; ///< the entry beside `by`: the task's own, or one that leads to it
+  const Unit* unit = nullptr; ///< in which `by` is granted; null for `above`
   Groups needers;             ///< of `above`: the groups whose need it is held for, so that their own request for it is
                               ///< granted
   /// What others may withhold from `by`. It makes no difference to a task that must have all of this too.
