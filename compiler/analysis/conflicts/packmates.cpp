@@ -114,6 +114,7 @@ std::optional<Packmate> Packmates::find_mate(GroupId requester, const Rival& riv
   if (!out.from_below && takers_.may_get_new_orders(requester)) return std::nullopt;
   out.taker.kind = Taker::Kind::before;
   out.taker.spoilers = spoilers_of(requester, rival, over);
+  if (!before && !out.taker.spoilers.empty() && may_keep(requester, *rival.unit, over)) return std::nullopt;
   out.taker.steady = out.taker.spoilers.empty() && takers_.is_unconditional(by.target);
   return out;
 }
@@ -149,6 +150,17 @@ const Spoilers& Packmates::spoilers(const Beside& beside) {
   std::unique_ptr<Spoilers>& out = spoilers_[{beside.by, differs ? beside.over : nullptr}];
   if (!out) out = std::make_unique<Spoilers>(input_, takers_, beside);
   return *out;
+}
+
+/// Whether tasks of an equal entry may hold something that the unit takes, from a time when others withheld that from
+/// the unit: equals take nothing from each other.
+bool Packmates::may_keep(GroupId requester, const Unit& unit, const Task& over) {
+  const Claims& claims = input_.shared.claims(over.target);
+  const std::vector<Groups>& taken = takers_.takes(requester, unit).maybe;
+  return std::any_of(taken.begin(), taken.end(), [&](const Groups& groups) {
+    return std::any_of(groups.begin(), groups.end(),
+                       [&](GroupId group) { return claims.find(group, Reach::mandatory) != nullptr; });
+  });
 }
 
 bool Packmates::may_be_deferred(GroupId requester, const Unit& unit) {

@@ -57,6 +57,7 @@ private:
   Beside beside(GroupId requester, const Unit& unit, const Task& by, const Task& over) const;
   Groups spoilers_of(GroupId requester, const Rival& rival, const Task& over);
   const Spoilers& spoilers(const Beside& beside);
+  bool may_keep(GroupId requester, const Unit& unit, const Task& over);
   bool may_be_asked_for(GroupId requester, const Task& member, GroupId group);
 
   const Input& input_;
