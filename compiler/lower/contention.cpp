@@ -66,10 +66,11 @@ int order_of(const Decision& decision) {
   return 0;
 }
 
-Contentions::Contentions(const Model& model, std::size_t most_pairs)
+Contentions::Contentions(const Model& model, std::size_t pairs, std::size_t partings)
     : model_(model),
       edges_(model.edges),
-      pairs_left_(most_pairs),
+      pairs_left_(pairs),
+      partings_left_(partings),
       place_(model.groups.size(), 0),
       is_requested_(model.groups.size(), false),
       cycle_(model.groups.size(), 0) {
@@ -116,7 +117,7 @@ const Contentions::Partings& Contentions::look_at(EdgeId first, EdgeId second) {
   const auto [at, fresh] = known_.try_emplace({first, second});
   Known& it = at->second;
   if (fresh) {
-    it.settled = pairs_left_ == 0;
+    it.settled = pairs_left_ == 0 || partings_left_ == 0;
     if (it.settled) return it.all;
     --pairs_left_;
     unsettled_.push_back(&it);
@@ -129,6 +130,7 @@ const Contentions::Partings& Contentions::look_at(EdgeId first, EdgeId second) {
   it.open = false;
   if (found.size() > it.all.size()) { // the set only grows, unless the search was cut off
     changed_ = true;
+    partings_left_ -= std::min(partings_left_, found.size() - it.all.size());
     it.all = std::move(found);
   }
   return it.all;

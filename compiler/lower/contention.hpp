@@ -49,6 +49,9 @@ struct Contention {
 /// Limit for all pairs of edges. A real team's robot has some ten thousand; a larger result is not readable.
 inline constexpr std::size_t most_edge_pairs = 1'000'000;
 
+/// Limit for the places where two chains part, counted for each pair of edges: 12 bytes each are kept.
+inline constexpr std::size_t most_partings = 5'000'000;
+
 /// Limit for steps through cycles of requests: with forty groups that all request each other the result is not
 /// readable.
 inline constexpr std::size_t most_cycle_steps = 4'000'000;
@@ -56,7 +59,7 @@ inline constexpr std::size_t most_cycle_steps = 4'000'000;
 /// Keeps intermediate results between queries.
 class Contentions {
 public:
-  explicit Contentions(const Model& model, std::size_t most_pairs = most_edge_pairs);
+  explicit Contentions(const Model& model, std::size_t pairs = most_edge_pairs, std::size_t partings = most_partings);
 
   /// All pairs of edges to the group, in order.
   std::vector<Contention> at(GroupId group);
@@ -64,7 +67,7 @@ public:
   /// first group. Of a group and itself: two chains to it.
   std::vector<Decision> between(GroupId first, GroupId second);
   /// False: some search ended at its bound.
-  bool complete() const { return pairs_left_ > 0 && cycle_steps_left_ > 0; }
+  bool complete() const { return pairs_left_ > 0 && partings_left_ > 0 && cycle_steps_left_ > 0; }
 
 private:
   /// The edges below the closest common requester, and whether something optional lies below them.
@@ -93,7 +96,7 @@ private:
   const Model& model_;
   IdTable<EdgeId, Edge> edges_;  ///< those of the model, then those that are only the last of a chain
   IdTable<EdgeId, EdgeId> last_; ///< by edge of the model: itself as the last of a chain; of the others: the original
-  std::size_t pairs_left_;
+  std::size_t pairs_left_, partings_left_;
   IdTable<GroupId, std::size_t> place_; ///< requesters first
   IdTable<GroupId, char> is_requested_; ///< some chain from root leads to it
   IdTable<GroupId, std::size_t> cycle_; ///< the number of its cycle; 0: none

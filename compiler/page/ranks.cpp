@@ -73,9 +73,10 @@ public:
                               "pairs.",
                               left_out.empty() ? "" : " ", analysis::few_of(crowded), most_rivals);
     if (!contentions_.complete())
-      left_out += fmt::format("{}After {} pairs of tasks, or {} steps through cycles of requests, no more was looked "
-                              "at, so there may be more.",
-                              left_out.empty() ? "" : " ", most_edge_pairs, most_cycle_steps);
+      left_out +=
+          fmt::format("{}After {} pairs of tasks, {} places where their chains part, or {} steps through cycles "
+                      "of requests, no more was looked at, so there may be more.",
+                      left_out.empty() ? "" : " ", most_edge_pairs, most_partings, most_cycle_steps);
     if (!left_out.empty()) out.add("left_out", Json::text(left_out));
     out.add("decisions", std::move(decisions_));
     out.add("contended", std::move(contended));

@@ -29,7 +29,7 @@ struct Bridge::Parts {
   Listener listener;
 };
 
-Bridge::Bridge(Plug plug, Outbox& outbox, SettingsView settings)
+Bridge::Bridge(SettingsView settings, Plug plug, Outbox& outbox)
     : parts_(std::make_unique<Parts>(std::move(plug), outbox, std::move(settings))) {}
 
 Bridge::~Bridge() = default;

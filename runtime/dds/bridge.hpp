@@ -23,7 +23,7 @@ class Bridge {
 public:
   /// Behaviour and outbox must outlive it.
   Bridge(Plug plug, Outbox& outbox, const Settings& settings)
-      : Bridge(std::move(plug), outbox, SettingsView(settings)) {}
+      : Bridge(SettingsView(settings), std::move(plug), outbox) {}
   /// Disposes all that this robot published.
   ~Bridge();
   Bridge(const Bridge&) = delete;
@@ -37,7 +37,7 @@ public:
   std::uint64_t session() const;
 
 private:
-  Bridge(Plug plug, Outbox& outbox, SettingsView settings);
+  Bridge(SettingsView settings, Plug plug, Outbox& outbox);
 
   struct Parts;
   std::unique_ptr<Parts> parts_;

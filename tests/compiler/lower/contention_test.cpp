@@ -12,9 +12,10 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-Texts decided(const Compiled& c, const std::string& group, std::size_t most = most_edge_pairs) {
+Texts decided(const Compiled& c, const std::string& group, std::size_t pairs = most_edge_pairs,
+              std::size_t partings = most_partings) {
   Texts out;
-  for (const Contention& each : Contentions(c.model, most).at(c.group(group))) {
+  for (const Contention& each : Contentions(c.model, pairs, partings).at(c.group(group))) {
     out.push_back(c.model.edge_name(each.first) + " and " + c.model.edge_name(each.second) +
                   (each.complete ? "" : " (cut)"));
     for (const Decision& decision : each.decisions) {
@@ -147,6 +148,10 @@ groups:
   Leg: {}
 )");
   CHECK(decided(c, "Leg", 3) == Texts{"C>Leg and D>Leg (cut)", "  A>C 0, A>D 0: 0"});
+  CHECK(decided(c, "Leg", most_edge_pairs, 1) == Texts{"C>Leg and D>Leg (cut)", "  A>C 0, A>D 0: 0"});
+  const Texts all = decided(c, "Leg");
+  CHECK(all.front() == "C>Leg and D>Leg");
+  CHECK(all.size() > 2);
 }
 
 TEST_CASE("where requests form a cycle, two chains may part at any group of it") {
