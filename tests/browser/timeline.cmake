@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # cmake -D NODE=<program> -D NPM=<program> -D CHROMIUM=<program> -D DIRECTORC=<program> -D SOCCER=<program> -D FROM=<this folder> -D ROOT=<the project> -D WORK=<folder> -P timeline.cmake
-# Writes seven recordings as pages and tests them in a browser (timeline.mjs): a minute of soccer, the same with missing events, the rover, two tasks
-# that are blocked, a request for a task that runs for another, a task with many others below it, and a robot in a warehouse.
+# Writes eight recordings as pages and tests them in a browser (timeline.mjs): a minute of soccer, the same with missing events, the rover, two tasks
+# that are blocked, a request for a task that runs for another, a task with many others below it, a task with a long name that waits for another one
+# with a long name, and a robot in a warehouse.
 include(${CMAKE_CURRENT_LIST_DIR}/../support/npm_packages.cmake)
 begin(${FROM} timeline)
 file(GLOB scripts ${FROM}/*.mjs)
@@ -52,11 +53,28 @@ steps:
   - advance: 1 s
 ")
 execute_process(COMMAND ${DIRECTORC} simulate ${into}/tall.scenario.yaml --trace ${into}/tall.jsonl OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+file(WRITE ${into}/wide.yaml "behaviour: wide
+language: 1
+roots: {TheOtherTaskThatHoldsAllOfTheSharedThing: {priority: 20}, WalkWithAllTheLegsThatThereAreInTheRobot: {priority: 10}}
+groups:
+  TheOtherTaskThatHoldsAllOfTheSharedThing: {needs: [SharedThingWithAnEvenLongerNameThanTheOthers]}
+  WalkWithAllTheLegsThatThereAreInTheRobot: {needs: [SharedThingWithAnEvenLongerNameThanTheOthers], tasks: [LegsWithAllTheJointsThatThereAre]}
+  LegsWithAllTheJointsThatThereAre: {}
+  SharedThingWithAnEvenLongerNameThanTheOthers: {}
+")
+file(WRITE ${into}/wide.scenario.yaml "scenario: one waits for the other
+behaviour: wide.yaml
+steps:
+  - request: TheOtherTaskThatHoldsAllOfTheSharedThing
+  - request: WalkWithAllTheLegsThatThereAreInTheRobot
+  - advance: 1 s
+")
+execute_process(COMMAND ${DIRECTORC} simulate ${into}/wide.scenario.yaml --trace ${into}/wide.jsonl OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${DIRECTORC} simulate behaviours/warehouse/scenarios/a_low_battery.scenario.yaml --trace ${into}/warehouse.jsonl
                 WORKING_DIRECTORY ${ROOT} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${NODE} gap.mjs minute.jsonl gap.jsonl WORKING_DIRECTORY ${into} COMMAND_ERROR_IS_FATAL ANY)
 foreach(page minute:behaviours/soccer/soccer.yaml gap:behaviours/soccer/soccer.yaml rover:tests/docs/rover/rover.yaml
-             blocked:${into}/blocked.yaml eyes:${into}/eyes.yaml tall:${into}/tall.yaml warehouse:behaviours/warehouse/warehouse.yaml)
+             blocked:${into}/blocked.yaml eyes:${into}/eyes.yaml tall:${into}/tall.yaml wide:${into}/wide.yaml warehouse:behaviours/warehouse/warehouse.yaml)
   string(REPLACE ":" ";" page ${page})
   list(POP_FRONT page name)
   execute_process(COMMAND ${DIRECTORC} trace ${into}/${name}.jsonl --to=html --behaviour ${page} -o ${into}/out/${name}.html "--link=https://git.example.org/{file}#L{line}"

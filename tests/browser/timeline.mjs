@@ -146,6 +146,18 @@ await situation('an arrow of what is queued has a bar, so that it is no matter o
   assert.deepEqual(await barred(), []);
 });
 
+await situation('a note is whole on the paper of its picture, also where it is wider than that in one line', 'wide', {}, async (page) => {
+  await press(page, 'End');
+  const notes = await page.locator('.holder:not([hidden]) .note').evaluateAll((all) => all.map((note) => {
+    const paper = note.closest('svg').getBoundingClientRect();
+    const parts = [note, ...note.querySelectorAll('text')].map((part) => part.getBoundingClientRect());
+    const isWhole = parts.every(({ left, right, top, bottom }) => left >= paper.left && right <= paper.right && top >= paper.top && bottom <= paper.bottom);
+    return [note.textContent, isWhole];
+  }));
+  await all.shot(page, 'wide');
+  assert.deepEqual(notes, [['queued: blocked, as SharedThingWithAnEvenLongerNameThanTheOthers is held by TheOtherTaskThatHoldsAllOfTheSharedThing', true]]);
+});
+
 await situation('the event of the moment is in sight among those around it', 'minute', {}, async (page) => {
   for (const part of [0, 0.2, 0.5, 0.9, 1]) {
     await scrubTo(page, Math.min(part, 0.999));

@@ -21,13 +21,14 @@ export interface Surroundings {
 }
 
 const smallest = 9; // of letters
-const gap = 1; // between the box and its note
+const gap = 1; // between the box and its note, and between that and the edge of the paper
 const border = 4; // beside the lines
+const spare = 1.03; // lines may be drawn wider than they are measured, by this factor
 const narrow = 14; // letters in a line of a narrow note ...
 const usual = 26; // ... and of a usual one
 
 // What is better costs less. The unit is a square point of a label that is hidden.
-const costOfBox = 1000; // a square point of a box that is hidden
+const costOfBox = 1000; // a square point of a box that is hidden, or of the note beyond the paper
 const costOfSize = 10; // a point by which letters are smaller
 const costOfPlace = 1; // each further place that is tried
 
@@ -63,26 +64,28 @@ function corners(frame: Rect, width: number, height: number): [number, number][]
   ];
 }
 
-/** `size`: the letters that are wanted. `frame`: of its box, which is one of the boxes. */
+/** `size`: the letters that are wanted. `frame`: of its box, which is one of the boxes. The place is beyond the paper only where one of its words is wider. */
 export function placeOf(text: string, size: number, frame: Rect, around: Surroundings, measure: (text: string) => number): Place {
-  const { paper } = around;
+  const paper = { x: around.paper.x + gap, y: around.paper.y + gap, width: around.paper.width - 2 * gap, height: around.paper.height - 2 * gap };
   const letter = measure(text) / Math.max(1, text.length);
+  const widest = paper.width / spare - 2 * border;
   let best: { place: Place; cost: number } | undefined;
   for (const each of [...new Set([size, (size + smallest) / 2, Math.min(size, smallest)])]) {
     const shapes = new Map<number, string[]>();
-    for (const width of [Math.max(frame.width, letter * each * usual) - 2 * border, Infinity, frame.width - 2 * border, letter * each * narrow]) {
-      const lines = wrapped(text, width / each, measure);
+    for (const width of [Math.max(frame.width, letter * each * usual) - 2 * border, widest, frame.width - 2 * border, letter * each * narrow]) {
+      const lines = wrapped(text, Math.min(width, widest) / each, measure);
       if (!shapes.has(lines.length)) shapes.set(lines.length, lines);
     }
     let tried = 0;
     for (const lines of shapes.values()) {
-      const width = Math.max(...lines.map(measure)) * each * 1.03 + 2 * border, height = heightOf(lines.length, each);
+      const width = Math.max(...lines.map(measure)) * each * spare + 2 * border, height = heightOf(lines.length, each);
       const reach = { x: frame.x - width - gap, y: frame.y - height - gap, width: frame.width + 2 * (width + gap), height: frame.height + 2 * (height + gap) };
       const isNear = (rect: Rect): boolean => overlap(rect, reach) > 0;
       const boxes = around.boxes.filter(isNear), labels = around.labels.filter(isNear);
       for (const [x, y] of corners(frame, width, height)) {
         const place = { x: clamp(x, paper.x, paper.x + paper.width - width), y: clamp(y, paper.y, paper.y + paper.height - height), width, height, lines, size: each };
-        let cost = costOfPlace * tried++ + costOfSize * (size - each);
+        const cut = width * height - overlap(place, paper);
+        let cost = costOfPlace * tried++ + costOfSize * (size - each) + costOfBox * cut;
         for (const box of boxes) cost += costOfBox * overlap(place, box);
         for (const label of labels) cost += overlap(place, label);
         if (!best || cost < best.cost) best = { place, cost };
