@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/page/ruling.hpp"
 
+#include "compiler/analysis/words/words.hpp"
 #include "compiler/page/company.hpp"
 
 #include <fmt/format.h>
@@ -49,6 +50,18 @@ std::string requested_first(const Model& model, EdgeId member, const Ruling::Sid
                      together(model, side.leaders));
 }
 
+/// `Play runs only with it`; of a group some of whose providers do not need it, `Play.near and Play.far run ...`.
+std::string needs_it(const Model& model, GroupId requester, GroupId needed) {
+  const Group& group = model.groups[requester];
+  std::vector<std::string> those;
+  for (const ProviderId id : group.providers) {
+    if (model.providers[id].needs_group(needed))
+      those.push_back(fmt::format("{}.{}", group.name.value, model.providers[id].name));
+  }
+  if (those.size() == group.providers.size()) those = {group.name.value};
+  return fmt::format("{} {} only with it", analysis::few_of(those), those.size() == 1 ? "runs" : "run");
+}
+
 } // namespace
 
 std::string words_of(const Model& model, const Ruling& ruling) {
@@ -71,7 +84,8 @@ std::string words_of(const Model& model, const Ruling& ruling) {
   case Ruling::Held::in_unit:
     return fmt::format("{}: {} before {}, as both are granted together", requester, held, rest);
   case Ruling::Held::as_need:
-    return fmt::format("{}: {} before {}, as {} runs only with it{}", requester, held, rest, requester,
+    return fmt::format("{}: {} before {}, as {}{}", requester, held, rest,
+                       needs_it(model, *decision.requester, model.edges[ahead].target),
                        (order > 0 ? both.second_own : both.first_own) ? "" : never_both);
   case Ruling::Held::by_leader:
     return fmt::format("{}: {} before {}, as {} is {}", requester, held, second, target_name(model, ahead),

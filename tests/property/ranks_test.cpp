@@ -123,7 +123,7 @@ private:
       const std::string& first = each["goes_first"].as_text();
       const std::string who = first == "equal" ? "equal" : (first == "first") == straight ? "ours" : "theirs";
       if (words.find(", as both are granted together") != std::string_view::npos ||
-          words.find(" runs only with it") != std::string_view::npos) {
+          words.find(" only with it") != std::string_view::npos) {
         out.insert(who + "!");
       } else if (const std::size_t as = words.find(led_by);
                  as != std::string_view::npos && words.rfind(", as ", as) != std::string_view::npos) {

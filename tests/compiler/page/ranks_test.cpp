@@ -250,7 +250,21 @@ groups:
                 "Legs", "Legs") ==
         "equal, Play: Walk (priority 0) and Legs (priority 0) are equal, together or not at all\n"
         "first, Play: Legs (priority 0) before what Walk (priority 0) requests, as both are granted together\n"
-        "first, Play: Legs (priority 0) before what Walk (priority 0) requests, as Play runs only with it\n");
+        "first, Play: Legs (priority 0) before what Walk (priority 0) requests, as Play.far runs only with it\n");
+}
+
+TEST_CASE("what needs the first of two is the provider, where another one of its group runs without") {
+  const auto legs = [](const std::string& more) {
+    return told_of("roots: [Play]\ngroups:\n  Play: {providers: [{name: near, needs: [Legs]}, {name: far, tasks: "
+                   "{Walk: {priority: 9}}}" +
+                       more + "]}\n  Walk: {tasks: [Legs]}\n  Legs: {}\n",
+                   "Legs", "Legs");
+  };
+  CHECK(legs("") == "first, Play: Legs (needed) before what Walk (priority 9) requests, as Play.near runs only with "
+                    "it, never both at once\n");
+  CHECK(legs(", {name: lying, needs: [Legs]}") ==
+        "first, Play: Legs (needed) before what Walk (priority 9) requests, as Play.near and Play.lying run only with "
+        "it, never both at once\n");
 }
 
 TEST_CASE(
@@ -262,8 +276,8 @@ TEST_CASE(
         "Legs", "Legs");
   };
   CHECK(legs(", needs: [Legs]") ==
-        "first, Play: Legs (needed) before what Walk (priority 9) requests, as Play runs only with it, never both at "
-        "once\n");
+        "first, Play: Legs (needed) before what Walk (priority 9) requests, as Play.far runs only with it, never both "
+        "at once\n");
   CHECK(legs(", tasks: [Legs]") == "second, Play: Walk (priority 9) before Legs (priority 0), never both at once\n");
 }
 
