@@ -90,11 +90,13 @@ private:
     beginnings_.emplace_back();
     std::string why;
     std::optional<Beginning> found;
-    const std::vector<std::pair<Way, Outside>> all = tries(ways);
-    for (const bool only_certain : {false, true}) {
-      if (only_certain && !leaves_choice_) break;
-      for (std::size_t i = 0; i < all.size() && !found; ++i)
-        found = begin(all[i].first, all[i].second, only_certain, why);
+    for (const Assume assume : {Assume::nothing, Assume::inside}) {
+      const std::vector<std::pair<Way, Outside>> all = tries(ways, assume);
+      for (const bool only_certain : {false, true}) {
+        if (only_certain && !leaves_choice_) break;
+        for (std::size_t i = 0; i < all.size() && !found; ++i)
+          found = begin(all[i].first, all[i].second, only_certain, why);
+      }
     }
     if (found) {
       const auto& [way, outside] = std::tie(found->way, found->outside);
@@ -132,20 +134,15 @@ private:
     return at->second;
   }
 
-  /// First with the declared initial values: each way with its likeliest values, then each with its second ones, and so
-  /// on.
-  std::vector<std::pair<Way, Outside>> tries(const std::vector<Way>& ways) const {
+  /// Each way with its likeliest values, then each with its second ones, and so on.
+  std::vector<std::pair<Way, Outside>> tries(const std::vector<Way>& ways, Assume assume) const {
     std::vector<std::pair<Way, Outside>> out;
-    for (const Assume assume : {Assume::nothing, Assume::inside}) {
-      std::vector<std::vector<Outside>> all;
-      for (const Way& way : ways) all.push_back(outsides_for(model_, way, assume));
-      std::size_t count = 0;
-      for (std::size_t i = 0; i < most_outsides; ++i) {
-        for (std::size_t way = 0; way < ways.size() && count < most_tries; ++way) {
-          if (i >= all[way].size() || (assume == Assume::inside && all[way][i].given.empty())) continue;
-          out.emplace_back(ways[way], std::move(all[way][i]));
-          ++count;
-        }
+    std::vector<std::vector<Outside>> all;
+    for (const Way& way : ways) all.push_back(outsides_for(model_, way, assume));
+    for (std::size_t i = 0; i < most_outsides; ++i) {
+      for (std::size_t way = 0; way < ways.size() && out.size() < most_tries; ++way) {
+        if (i >= all[way].size() || (assume == Assume::inside && all[way][i].given.empty())) continue;
+        out.emplace_back(ways[way], std::move(all[way][i]));
       }
     }
     return out;

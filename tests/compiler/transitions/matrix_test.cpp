@@ -54,6 +54,17 @@ std::string words(const std::string& behaviour, const std::string& from, const s
   return all.substr(0, all.find('\n'));
 }
 
+/// How the group is brought to run.
+std::string row(const std::string& behaviour, const std::string& group) {
+  const Compiled compiled = compile("behaviour: test\nlanguage: 1\n" + behaviour);
+  const compiler::Model& model = compiled.model;
+  const TransitionMatrix matrix = compiler::find_transitions(model, compiler::lower(model), "test.yaml");
+  for (const TransitionMatrix::Row& each : matrix.rows) {
+    if (model.groups[each.group].name.value == group) return each.words;
+  }
+  return {};
+}
+
 const char* const legs = R"(states: {Pose: {values: [moving, still], initial: still}}
 roots: {Kick: {priority: 20}, Walk: {priority: 10}, Look: {}}
 groups:
@@ -252,6 +263,31 @@ groups:
   CHECK(words(chain, "Walk", "Look") == "soft: Look" + pushed +
                                             ", and for Eye == open, within 20 s. All of that is promised within 20 s. "
                                             "Then Look takes over. Walk and Legs stop.");
+}
+
+TEST_CASE("a row begins with declared values if it can, also where no body sets one of several values then") {
+  const std::string trip = R"(states: {Mood: {values: [ok, sad, glad], initial: ok}}
+roots: {Trip: {priority: 1}, Party: {priority: 2}, Guard: {priority: 3}}
+groups:
+  Trip:
+    providers:
+      - {name: down, when: [Mood == sad|glad], tasks: [Rest]}
+      - {name: go, tasks: [Note, Work]}
+  Party:
+    providers:
+      - {name: dance, when: [Mood == glad], tasks: [Work]}
+      - {name: idle, tasks: [Rest]}
+  Work:
+    providers:
+      - {name: hard, when: [Mood != glad], sets: [Mood == sad|glad], needs: [Arm], tasks: [Arm]}
+      - {name: light, causing: [Mood == ok within 1 s]}
+  Note: {}
+  Guard: {tasks: [Note]}
+  Rest: {}
+  Arm: {}
+)";
+  CHECK(row(trip, "Work") == "Requested by way of Trip \u2192 Work.");
+  CHECK(words(trip, "Guard", "Work") == "both: Guard and Work run beside each other.");
 }
 
 TEST_CASE("hard: the second takes what the first one holds, and no group is pushed") {
