@@ -12,7 +12,6 @@
 #include "dsl/yaml/yaml_text.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -190,16 +189,12 @@ private:
   /// With the values that the column begins with and that bodies on its chain set, if the column runs then.
   std::optional<Transition> given_cell(std::size_t i, std::size_t j, Beginning row) {
     const Beginning& column = beginnings_[j];
-    std::vector<std::string> sentences;
-    for (const ProviderId id : beside(model_, column.way)) {
-      Values values = settable(model_, id, column.outside.given);
-      std::erase_if(values, [&](const auto& each) {
+    const std::vector<ProviderId> setters = beside(model_, column.way);
+    for (const ProviderId id : setters) {
+      for (const auto& each : settable(model_, id, column.outside.given)) {
         const auto now = row.rest.values.find(each.first);
-        return now != row.rest.values.end() && now->second == each.second;
-      });
-      if (values.empty()) continue;
-      row.given.insert(values.begin(), values.end());
-      sentences.push_back(fmt::format(" {} sets {}.", model_.full_name(id), and_list(words_of(values, model_))));
+        if (now == row.rest.values.end() || now->second != each.second) row.given.insert(each);
+      }
     }
     if (row.given.empty()) return {};
     Transition out;
@@ -207,7 +202,19 @@ private:
     CellContext context{model_, out_.rows[i], out_.rows[j]};
     decide(row, column, out, context);
     if (is_stuck(out)) return {};
-    out.words = words_of(out, context) + fmt::format("{}", fmt::join(sentences, ""));
+    std::vector<std::pair<ProviderId, Values>> set; // in the order in which they ran
+    for (const Assignment& each : context.assignments) {
+      const auto given = row.given.find(each.state);
+      if (given == row.given.end() || given->second != each.value) continue;
+      if (std::find(setters.begin(), setters.end(), each.by) == setters.end()) continue;
+      auto at = std::find_if(set.begin(), set.end(), [&](const auto& entry) { return entry.first == each.by; });
+      if (at == set.end()) at = set.insert(at, {each.by, {}});
+      at->second.insert(*given);
+    }
+    if (set.empty()) return {}; // it does not run because of that
+    out.words = words_of(out, context);
+    for (const auto& [id, values] : set)
+      out.words += fmt::format(" {} sets {}.", model_.full_name(id), and_list(words_of(values, model_)));
     return out;
   }
 
@@ -239,7 +246,7 @@ private:
       decided = later;
       if (runs_later) break;
     }
-    if (decided) keep_scenario(*decided, context, out);
+    if (decided) keep_play(*decided, context, out);
   }
 
   bool runs_now(const Beginning& row, const Beginning& column, const Play& now, const Values& change, Transition& out,
@@ -247,7 +254,7 @@ private:
     if (!now.trial.good || !runs_at_all(now.trial.rest, column.way)) return false;
     out.states = words_of(change, model_);
     judge_.judge(row, column, now, change, out, context);
-    keep_scenario(now, context, out);
+    keep_play(now, context, out);
     return true;
   }
 
@@ -256,7 +263,7 @@ private:
     out.kind = Kind::endless;
     out.states = words_of(change, model_);
     context.round = play.trial.round;
-    keep_scenario(play, context, out);
+    keep_play(play, context, out);
     return true;
   }
 
@@ -281,8 +288,9 @@ private:
     return at->second;
   }
 
-  /// Without the bodies that did not run.
-  void keep_scenario(const Play& play, const CellContext& context, Transition& out) {
+  /// Its scenario is without the bodies that did not run.
+  void keep_play(const Play& play, CellContext& context, Transition& out) {
+    context.assignments = assignments_of(play.trial);
     out.scenario = {piece("scenario: from "), piece(model_.groups[context.row.group].name.value), piece(" to "),
                     piece(model_.groups[context.column.group].name.value),
                     piece(fmt::format("\nbehaviour: {}\n", behaviour_))};

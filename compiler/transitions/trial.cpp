@@ -110,6 +110,15 @@ bool Rest::is_for(const Model& model, GroupId group, GroupId above) const {
   return false;
 }
 
+std::vector<Assignment> assignments_of(const Trial& trial) {
+  std::vector<Assignment> out;
+  for (const Event& event : trial.events) {
+    if (event.kind == Event::Kind::assign && event.provider != nil)
+      out.push_back({ProviderId{event.provider}, StateId{event.state}, event.value});
+  }
+  return out;
+}
+
 Trial play_trial(const std::string& text, const Model& model, const Lowered& lowered, std::uint32_t from,
                  const Way& way) {
   Trial out;

@@ -32,6 +32,13 @@ struct Rest {
   bool is_for(const Model& model, GroupId group, GroupId above) const;
 };
 
+/// A body sets a state.
+struct Assignment {
+  ProviderId by{};
+  StateId state{};
+  std::int64_t value = 0;
+};
+
 struct Trial {
   bool good = false;          ///< it could be played, and came to rest
   bool endless = false;       ///< it did not come to rest
@@ -42,6 +49,9 @@ struct Trial {
   std::string why;           ///< why the first group of the chain does not run; empty: all do
   bool is_requested = true;  ///< then: something requests the last group of the chain
 };
+
+/// Those of its events, in order.
+std::vector<Assignment> assignments_of(const Trial& trial);
 
 /// `way`: the chain whose groups are examined at the end.
 Trial play_trial(const std::string& text, const Model& model, const Lowered& lowered, std::uint32_t from,

@@ -3,6 +3,7 @@
 // Describes a cell in sentences.
 
 #include "compiler/transitions/matrix.hpp"
+#include "compiler/transitions/trial.hpp"
 
 namespace director::compiler::transitions {
 
@@ -25,6 +26,7 @@ struct CellContext {
   bool runs_at_once = false;       ///< with takers: the second does not wait
   std::vector<GroupId> round{};    ///< endless: what runs again and again
   bool when_done = false;          ///< endless: only when the first one is done
+  std::vector<Assignment> assignments{}; ///< from the second one's request on
 };
 
 std::string words_of(const Transition& cell, const CellContext& context);

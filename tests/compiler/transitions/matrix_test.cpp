@@ -967,6 +967,30 @@ steps:
 )");
 }
 
+TEST_CASE("that a body sets what the second waits for is said only of bodies that did so") {
+  CHECK(words(R"(states:
+  Leg: {values: [going, looking, lost], initial: going, of: Trip}
+  Pose: {values: [moving, still], initial: still}
+roots: [Trip]
+groups:
+  Trip:
+    providers:
+      - {name: lost, when: [Leg == lost], sets: [Leg == looking], packs: {go: {Walk: {}}}}
+      - {name: going, when: [Leg == going], sets: [Leg == looking|lost], packs: {go: {Walk: {}}}}
+      - {name: looking, when: [Leg == looking], packs: {look: {Film: {priority: 1}, Walk: {apart: true}}}}
+  Film: {when: [Pose == still], needs: [Eye]}
+  Walk:
+    providers:
+      - {name: walking, needs: [Legs], sets: [Pose == moving], tasks: [Legs]}
+      - {name: halting, needs: [Legs], causing: [Pose == still within 2 s], tasks: [Legs]}
+  Eye: {}
+  Legs: {}
+)",
+              "Walk", "Film") ==
+        "both: Walk and Film run beside each other. Walk is pushed to halting for Pose == still, within 2 s. "
+        "Trip.going sets Leg == looking.");
+}
+
 TEST_CASE("unreachable: it never gets what it needs") {
   const char* const lost = R"(roots: [Walk, Play]
 groups:
