@@ -110,6 +110,9 @@ void Judge::judge(const Beginning& row, const Beginning& column, const Play& now
     context.replacement = column.way.links[*parting.link].next->target;
   } else if (all.empty()) {
     out.kind = Kind::both;
+  } else if ((context.ender = find_ender(row, now.trial, all, out, context))) {
+    out.kind = Kind::condition_lost;
+    context.row_runs_on = !ended;
   } else {
     out.kind = pushed_first(row, column, now.trial) ? Kind::soft : Kind::hard;
     find_takers(column, now.trial.rest, all, context);
@@ -118,6 +121,29 @@ void Judge::judge(const Beginning& row, const Beginning& column, const Play& now
   }
   if (out.kind != Kind::soft) return;
   out.bound = bound_of(out.pushes);
+}
+
+std::optional<Assignment> Judge::find_ender(const Beginning& row, const Trial& trial, const std::vector<GroupId>& lost,
+                                            const Transition& out, const CellContext& context) const {
+  const bool is_any_held =
+      std::any_of(lost.begin(), lost.end(), [&](GroupId id) { return trial.rest.groups[id.value].by.has_value(); });
+  if (is_any_held || context.holder || !out.pushes.empty()) return {};
+  const auto ends = [&](const Assignment& set, const ConditionUse& use) {
+    const Condition& condition = model_.conditions[use.id];
+    if (condition.state != set.state || condition.accepts.contains(set.value)) return false;
+    const auto before = row.rest.values.find(set.state), after = trial.rest.values.find(set.state);
+    return before != row.rest.values.end() && condition.accepts.contains(before->second) &&
+           after != trial.rest.values.end() && after->second == set.value;
+  };
+  for (const Assignment& set : assignments_of(trial)) {
+    for (const GroupId id : model_.groups.ids()) {
+      const std::optional<ProviderId> ran = row.rest.groups[id.value].active;
+      if (!ran || !(row.way.passes(id) || row.rest.is_under(model_, id, row.way.last().edge))) continue;
+      const std::vector<ConditionUse>& when = model_.providers[*ran].when;
+      if (std::any_of(when.begin(), when.end(), [&](const ConditionUse& use) { return ends(set, use); })) return set;
+    }
+  }
+  return {};
 }
 
 /// Whether it is a push, and not for a task that waits on the row's own side.

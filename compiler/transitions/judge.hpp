@@ -55,6 +55,10 @@ private:
   void find_pushed_takers(const Beginning& row, const Beginning& column, const Trial& trial,
                           const std::vector<GroupId>& lost, CellContext& context) const;
 
+  /// If nothing that the row lost has another holder: what a body set that contradicts a condition of the row's side.
+  std::optional<Assignment> find_ender(const Beginning& row, const Trial& trial, const std::vector<GroupId>& lost,
+                                       const Transition& out, const CellContext& context) const;
+
   const Model& model_;
   const Lowered& lowered_;
   const Player& player_;

@@ -158,7 +158,7 @@ private:
                         row.rest.is_under(model_, second.group, row.way.last().edge);
       out.kind = same ? Kind::same_chain : Kind::never;
       if (!same) decide(row, column, out, context);
-      if (is_stuck(out) && leaves_choice_ && !row.only_certain) {
+      if ((is_stuck(out) || context.ender) && leaves_choice_ && !row.only_certain) {
         if (std::optional<Transition> certain = certain_cell(i, j)) return std::move(*certain);
       }
       if (is_stuck(out)) {
@@ -173,7 +173,8 @@ private:
 
   static bool is_stuck(const Transition& cell) { return cell.kind == Kind::never || cell.kind == Kind::endless; }
 
-  /// With `only_certain`, if the column runs then: what a body may choose should not be why it does not.
+  /// With `only_certain`, if the column runs then: what a body may choose should not be why it does not, nor why the
+  /// row ends.
   std::optional<Transition> certain_cell(std::size_t i, std::size_t j) {
     const Beginning& row = certain_beginning(i);
     if (!row.only_certain) return {};

@@ -25,7 +25,7 @@ struct Transition {
     endless,        ///< the engine does not come to rest
     same_chain,     ///< one leads to the other, or they are the same
     replaced,       ///< the requester of both withdraws the first one
-    condition_lost, ///< a value that the second needs from outside ends the first one
+    condition_lost, ///< a value that the second needs from outside, or that a body sets, ends the first one
     unreachable,    ///< one of them is not made to run
   };
   struct Push {

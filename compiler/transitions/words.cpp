@@ -140,7 +140,9 @@ std::string replaces(const CellContext& context) {
 std::string ends(const Transition& cell, const CellContext& context) {
   const std::string& first = context.model.groups[context.row.group].name.value;
   const std::string wants =
-      fmt::format("hat {} wants from outside", context.model.groups[context.column.group].name.value);
+      context.ender ? fmt::format("hat {} sets ({})", context.model.full_name(context.ender->by),
+                                  words_of(Values{{context.ender->state, context.ender->value}}, context.model).front())
+                    : fmt::format("hat {} wants from outside", context.model.groups[context.column.group].name.value);
   if (context.row_runs_on)
     return fmt::format("W{} ends groups below {}, which runs on.{}", wants, first, stops(cell, context));
   if (contains(cell.taken, context.row.group)) return fmt::format("By w{},{}", wants, stops(cell, context));

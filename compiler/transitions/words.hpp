@@ -26,6 +26,7 @@ struct CellContext {
   bool runs_at_once = false;       ///< with takers: the second does not wait
   std::vector<GroupId> round{};    ///< endless: what runs again and again
   bool when_done = false;          ///< endless: only when the first one is done
+  std::optional<Assignment> ender{};     ///< condition lost: what a body set; empty: the values from outside
   std::vector<Assignment> assignments{}; ///< from the second one's request on
 };
 

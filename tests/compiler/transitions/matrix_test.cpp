@@ -681,6 +681,28 @@ groups:
   }
 }
 
+TEST_CASE("condition lost: a body of the second one sets what ends the first one, of which nothing is taken") {
+  const auto walk = [](const std::string& sets, const std::string& guard = "Eye") {
+    return words(fmt::format(R"(states: {{Mode: {{values: [day, dusk, night], initial: day}}}}
+roots: {{Walk: {{priority: 1}}, Guard: {{priority: 2}}}}
+groups:
+  Walk: {{when: [Mode == day], tasks: [Legs]}}
+  Guard:
+    providers:
+      - {{name: look, sets: [{}], tasks: [{}]}}
+      - {{name: calm, causing: [Mode == day within 1 s], tasks: [Eye]}}
+  Legs: {{}}
+  Eye: {{}}
+)",
+                             sets, guard),
+                 "Walk", "Guard");
+  };
+  CHECK(walk("Mode == dusk") == "condition lost: What Guard.look sets (Mode == dusk) ends Walk.");
+  CHECK(walk("Mode == dusk", "Legs").starts_with("hard: Guard takes at once what Walk holds."));
+  // It need not set one of several values.
+  CHECK(walk("Mode == dusk|night") == "both: Walk and Guard run beside each other.");
+}
+
 TEST_CASE("condition lost: a promise that would undo the values from outside does not hide that") {
   CHECK(words(R"(states: {Stability: {values: [fallen, moving, standing], initial: standing, external: true}}
 roots: {Recover: {priority: 90}, Play: {priority: 10}}
