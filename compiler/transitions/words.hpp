@@ -18,7 +18,8 @@ struct CellContext {
   GroupId replacement{};           ///< likewise what it requests instead, and leads to the second
   std::vector<GroupId> left{};     ///< of the taken groups, those that do not run for the first one any more
   std::vector<GroupId> above{};    ///< of what stops, that which leads to the first one
-  std::optional<GroupId> holder{}; ///< of these, that whose groups were taken; empty: groups of the first one
+  std::optional<GroupId> holder{}; ///< of the groups that lead to the first one, the lowest whose groups were taken;
+                                   ///< empty: groups of the first one
   bool row_runs_on = false;        ///< condition lost: only groups below the first one are lost
   bool is_requested = true;        ///< the second, while the first one runs
   std::vector<GroupId> takers{};   ///< soft, hard: what is requested with the second and takes over in its place
