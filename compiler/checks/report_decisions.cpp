@@ -118,7 +118,7 @@ private:
     for (const ProviderId first : kept.first)
       finding.notes.push_back({model_.providers[first].span, fmt::format("{} comes first", name_of(model_, first))});
     add_notes(kept, provider.span, {id}, finding);
-    propose_or_leave_out(model_, id,
+    propose_or_leave_out(model_, input_.facts, id,
                          kept.first.empty() ? fmt::format("request {} where it can have what it lacks", group)
                                             : fmt::format("let the others leave {} something", name),
                          finding);

@@ -157,7 +157,7 @@ void report_never(const Input& input, ProviderId id, Findings& findings) {
   if (idleness.deadlock)
     finding.help = apart_help(input.model, *idleness.deadlock);
   else
-    propose_or_leave_out(input.model, id,
+    propose_or_leave_out(input.model, input.facts, id,
                          excluded ? "say these conditions so that all of them can hold at once"
                                   : "request what brings that about",
                          finding);
@@ -170,7 +170,7 @@ void report_excluded(const Input& input, ProviderId id, Findings& findings) {
       input.model.providers[id].span, fmt::format("{} never runs: {} is requested only where it cannot", name, group));
   finding.rules_out = {input.model.providers[id].span};
   finding.notes = explain_exclusion(input.model, input.facts, id);
-  propose_or_leave_out(input.model, id, fmt::format("request {} elsewhere too", group), finding);
+  propose_or_leave_out(input.model, input.facts, id, fmt::format("request {} elsewhere too", group), finding);
 }
 
 /// Whether the group has another provider that may run.
@@ -187,17 +187,7 @@ void report_idle(const Input& input, ProviderId id, const Refused& refused, Find
                                                       name_of(input.model, id), name_of(input.model, taker.group)));
   finding.rules_out = {input.model.providers[id].span};
   add_taker(input, refused, taker, finding.notes);
-  propose_or_leave_out(input.model, id, "request it where that is free", finding);
-}
-
-/// Whether it can run whenever the other one can, by their own conditions and needs.
-bool can_always_replace(const Model& model, ProviderId id, ProviderId other) {
-  const Region own = region_of(model, model.providers[id].when), others = region_of(model, model.providers[other].when);
-  return needs_no_more(model.providers[id], model.providers[other]) &&
-         std::all_of(own.states.begin(), own.states.end(), [&](const auto& entry) {
-           const auto at = others.states.find(entry.first);
-           return at != others.states.end() && at->second.subset_of(entry.second);
-         });
+  propose_or_leave_out(input.model, input.facts, id, "request it where that is free", finding);
 }
 
 /// Another order helps if then no other provider never runs: neither one of these, nor one whose promise is never
@@ -214,7 +204,7 @@ void propose(const Input& input, ProviderId id, const std::vector<ProviderId>& c
   if (helps)
     finding.help = help + (is_one ? ", or put it last" : ", or put this one first");
   else
-    propose_or_leave_out(input.model, id, help, finding);
+    propose_or_leave_out(input.model, input.facts, id, help, finding);
 }
 
 } // namespace
@@ -261,7 +251,7 @@ void shadowed_provider(const Input& input, Findings& findings) {
     const std::optional<GroupId> outranked = note_unpushed(input, id, finding);
     note_members(input, id, rivals.of(id), finding);
     if (outranked)
-      propose_or_leave_out(input.model, id,
+      propose_or_leave_out(input.model, input.facts, id,
                            fmt::format("let {} go before {}, not in one unit with it", name_of(model, *outranked),
                                        name_of(model, provider.group)),
                            finding);

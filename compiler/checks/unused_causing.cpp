@@ -99,11 +99,10 @@ void unused_causing(const Input& input, Findings& findings) {
       const bool any_pushes =
           std::any_of(input.graph.causing.begin(), input.graph.causing.end(), [&](const Graph::Causing& arrow) {
             if (arrow.causer != id || arrow.promise.span != use.span) return false;
-            // A pushed provider of its own group may wait for it, or a task that needs the group.
+            // A pushed provider of its own group may wait for it, or a task that can have the group only by that one.
             const GroupId own = model.providers[id].group;
-            if (model.providers[arrow.waiter].group == own && !input.facts.pushed.contains(arrow.waiter) &&
-                !is_needed(model, own))
-              return false;
+            if (model.providers[arrow.waiter].group == own && !input.facts.pushed.contains(arrow.waiter))
+              return is_needed(model, own) && !decisions.never_pushed(model, id, arrow.condition.id);
             // As declared it may push for ever; the decisions treat it as corrected.
             if (input.facts.is_impossible(arrow.waiter, model.conditions[arrow.condition.id].state)) return true;
             return !decisions.never_pushed(model, id, arrow.condition.id) && pushers.may_push(id, arrow.condition.id) &&

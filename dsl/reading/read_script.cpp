@@ -42,11 +42,11 @@ std::vector<UseGuardSpec> read_use_guards(Reader& reader, const YamlNode* node) 
 
 /// Reads `done: true` and the like: only true is a value.
 bool read_answer_flag(Reader& reader, const YamlNode* node, std::string_view key) {
-  if (node != nullptr && node->kind == YamlNode::Kind::scalar && (node->text == "false" || is_a_no(node->text))) {
-    reader.unexpected(*node, key, "true", "leave it out where it is not so");
-    return false;
-  }
-  const auto flag = reader.flag(node, key);
+  const bool is_no =
+      node != nullptr && node->kind == YamlNode::Kind::scalar && (node->text == "false" || is_a_no(node->text));
+  if (is_no) reader.unexpected(*node, key, "true", "leave it out where it is not so");
+  if (is_no) return false;
+  const auto flag = reader.flag(node, key, "true");
   return flag && flag->value;
 }
 

@@ -254,13 +254,13 @@ std::optional<Word> Reader::text(const YamlNode* node, std::string_view subject)
   return Word{node->text, node->span};
 }
 
-std::optional<Located<bool>> Reader::flag(const YamlNode* node, std::string_view subject) {
-  if (!is_scalar(node, subject, "true or false")) return std::nullopt;
+std::optional<Located<bool>> Reader::flag(const YamlNode* node, std::string_view subject, std::string_view expected) {
+  if (!is_scalar(node, subject, expected)) return std::nullopt;
   if (!node->quoted() && (node->text == "true" || node->text == "false"))
     return Located<bool>{node->text == "true", node->span};
   const std::string_view text = node->text;
   const bool yes = text == "yes" || text == "on" || text == "True" || text == "TRUE" || text == "true" || text == "1";
-  unexpected(*node, subject, "true or false",
+  unexpected(*node, subject, expected,
              yes             ? "write `true`, without quotes"
              : is_a_no(text) ? "write `false`, without quotes"
                              : "");

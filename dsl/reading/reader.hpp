@@ -72,7 +72,8 @@ public:
   Word name(const YamlPair& pair);
   /// A text of documentation.
   std::optional<Word> text(const YamlNode* node, std::string_view subject);
-  std::optional<Located<bool>> flag(const YamlNode* node, std::string_view subject);
+  std::optional<Located<bool>> flag(const YamlNode* node, std::string_view subject,
+                                    std::string_view expected = "true or false");
   std::optional<Located<std::int64_t>> number(const YamlNode* node, std::string_view subject, Bounds bounds = {});
   /// Of at least `least`, which is 0 or 1 microsecond.
   std::optional<Located<Duration>> duration(const YamlNode* node, std::string_view subject, std::int64_t least = 1);

@@ -58,7 +58,7 @@ private:
     std::vector<ProviderId> out;
     for (const ProviderId id : causers_[want.condition.id]) {
       const GroupId group = model_.providers[id].group;
-      if (group == task || !facts_.active.contains(id)) continue;
+      if (group == task || group == model_.providers[want.waiter].group || !facts_.active.contains(id)) continue;
       if (search.may_push(id, want.condition.id)) out.push_back(id);
     }
     return out;

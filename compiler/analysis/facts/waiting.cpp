@@ -28,6 +28,15 @@ bool needs_no_more(const Provider& first, const Provider& second) {
   });
 }
 
+bool can_always_replace(const Model& model, ProviderId id, ProviderId other) {
+  const Region own = region_of(model, model.providers[id].when), others = region_of(model, model.providers[other].when);
+  return needs_no_more(model.providers[id], model.providers[other]) &&
+         std::all_of(own.states.begin(), own.states.end(), [&](const auto& entry) {
+           const auto at = others.states.find(entry.first);
+           return at != others.states.end() && at->second.subset_of(entry.second);
+         });
+}
+
 bool Waiting::may_be_first(ProviderId id) const {
   if (facts_.pushed.contains(id)) return true;
   const Provider& provider = model_.providers[id];

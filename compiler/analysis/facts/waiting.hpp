@@ -16,6 +16,9 @@ namespace director::analysis {
 /// Whether the first one's needs are available whenever the second one's are.
 bool needs_no_more(const Provider& first, const Provider& second);
 
+/// Whether it can run whenever the other one can, by their own conditions and needs.
+bool can_always_replace(const Model& model, ProviderId id, ProviderId other);
+
 /// Valid for one time: what the facts allow when it is called.
 class Waiting {
 public:

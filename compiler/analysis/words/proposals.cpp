@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/words/proposals.hpp"
 
+#include "compiler/analysis/facts/waiting.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "dsl/source/diagnostic.hpp"
 
@@ -21,11 +22,24 @@ std::string put_last(const Model& model, ProviderId id, const std::function<bool
   return ", and put it last";
 }
 
-void propose_or_leave_out(const Model& model, ProviderId provider, const std::string& help, dsl::Diagnostic& finding) {
+namespace {
+
+/// Whether it may be chosen for a need of its group.
+bool may_serve_need(const Model& model, const Facts& facts, ProviderId id) {
+  if (!facts.capable.contains(id)) return false;
+  const std::vector<ProviderId>& all = model.group_of(id).providers;
+  const auto end = std::find(all.begin(), all.end(), id);
+  return std::none_of(all.begin(), end, [&](ProviderId earlier) { return can_always_replace(model, earlier, id); });
+}
+
+} // namespace
+
+void propose_or_leave_out(const Model& model, const Facts& facts, ProviderId provider, const std::string& help,
+                          dsl::Diagnostic& finding) {
   const GroupId group = model.providers[provider].group;
   for (const Provider& needer : model.providers) {
     for (const Use<GroupId>& need : needer.needs) {
-      if (need.id != group || needer.group == group) continue;
+      if (need.id != group || needer.group == group || !may_serve_need(model, facts, provider)) continue;
       finding.notes.push_back(
           {need.span, fmt::format("{} may hold {} by it here", name_of(model, needer.group), name_of(model, group))});
       finding.help = help;

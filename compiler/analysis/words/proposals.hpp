@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // The wording of what several checks propose.
 
+#include "compiler/analysis/facts/facts.hpp"
 #include "compiler/model/model.hpp"
 #include "dsl/source/diagnostic.hpp"
 
@@ -17,7 +18,7 @@ std::string put_last(const compiler::Model& model, compiler::ProviderId id,
 
 /// Sets this help, with the advice to leave the provider out; but not if a group that needs its group may hold it by
 /// this provider, whose body may never run: that is noted.
-void propose_or_leave_out(const compiler::Model& model, compiler::ProviderId provider, const std::string& help,
-                          dsl::Diagnostic& finding);
+void propose_or_leave_out(const compiler::Model& model, const Facts& facts, compiler::ProviderId provider,
+                          const std::string& help, dsl::Diagnostic& finding);
 
 } // namespace director::analysis

@@ -207,6 +207,9 @@ TEST_CASE("What is wrong in a script is reported at its place") {
            Case{"{Kick: {done: false}}",
                 "2:23 `false` wrong_node_kind: `done`: expected true, found `false` (leave it out "
                 "where it is not so)\n"},
+           Case{"{Kick: {failed: no}}",
+                "2:25 `no` wrong_node_kind: `failed`: expected true, found `no` (leave it out where it is not so)\n"},
+           Case{"{Kick: {done: maybe}}", "2:23 `maybe` wrong_node_kind: `done`: expected true, found `maybe`\n"},
            Case{"{Kick: {with: [A]}}",
                 "2:17 `with` missing_key: `with` needs `pack` (it says more about some tasks of a "
                 "pack)\n"},
