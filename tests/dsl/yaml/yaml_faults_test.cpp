@@ -112,7 +112,7 @@ TEST_CASE("yaml-cpp: yes, on and NO are booleans") {
       "4:40 `yes` wrong_node_kind: `external`: expected true or false, found `yes` (write `true`, without quotes)\n");
   check_scenario(
       "script:\n  A: {done: on}\n",
-      "3:13 `on` wrong_node_kind: `done`: expected true or false, found `on` (write `true`, without quotes)\n");
+      "3:13 `on` wrong_node_kind: `done`: expected true, found `on` (write `true`, without quotes)\n");
 }
 
 TEST_CASE("yaml-cpp: 010 is eight, and 0x1F thirty-one") {
