@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # cmake -D NODE=<program> -D NPM=<program> -D CHROMIUM=<program> -D DIRECTORC=<program> -D SOCCER=<program> -D FROM=<this folder> -D ROOT=<the project> -D WORK=<folder> -P timeline.cmake
-# Writes eight recordings as pages and tests them in a browser (timeline.mjs): a minute of soccer, the same with missing events, the rover, two tasks
+# Writes nine recordings as pages and tests them in a browser (timeline.mjs): a minute of soccer, the same with missing events, the rover, two tasks
 # that are blocked, a request for a task that runs for another, a task with many others below it, a task with a long name that waits for another one
-# with a long name, and a robot in a warehouse.
+# with a long name, tasks with names of one letter, and a robot in a warehouse.
 include(${CMAKE_CURRENT_LIST_DIR}/../support/npm_packages.cmake)
 begin(${FROM} timeline)
 file(GLOB scripts ${FROM}/*.mjs)
@@ -53,6 +53,18 @@ steps:
   - advance: 1 s
 ")
 execute_process(COMMAND ${DIRECTORC} simulate ${into}/tall.scenario.yaml --trace ${into}/tall.jsonl OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+file(WRITE ${into}/letters.yaml "behaviour: letters
+language: 1
+roots: [A]
+groups: {A: {tasks: [B, C, D]}, B: {}, C: {tasks: [E]}, D: {}, E: {}}
+")
+file(WRITE ${into}/letters.scenario.yaml "scenario: all run
+behaviour: letters.yaml
+steps:
+  - request: A
+  - advance: 1 s
+")
+execute_process(COMMAND ${DIRECTORC} simulate ${into}/letters.scenario.yaml --trace ${into}/letters.jsonl OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 file(WRITE ${into}/wide.yaml "behaviour: wide
 language: 1
 roots: {TheOtherTaskThatHoldsAllOfTheSharedThing: {priority: 20}, WalkWithAllTheLegsThatThereAreInTheRobot: {priority: 10}}
@@ -74,7 +86,7 @@ execute_process(COMMAND ${DIRECTORC} simulate behaviours/warehouse/scenarios/a_l
                 WORKING_DIRECTORY ${ROOT} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${NODE} gap.mjs minute.jsonl gap.jsonl WORKING_DIRECTORY ${into} COMMAND_ERROR_IS_FATAL ANY)
 foreach(page minute:behaviours/soccer/soccer.yaml gap:behaviours/soccer/soccer.yaml rover:tests/docs/rover/rover.yaml
-             blocked:${into}/blocked.yaml eyes:${into}/eyes.yaml tall:${into}/tall.yaml wide:${into}/wide.yaml warehouse:behaviours/warehouse/warehouse.yaml)
+             blocked:${into}/blocked.yaml eyes:${into}/eyes.yaml tall:${into}/tall.yaml letters:${into}/letters.yaml wide:${into}/wide.yaml warehouse:behaviours/warehouse/warehouse.yaml)
   string(REPLACE ":" ";" page ${page})
   list(POP_FRONT page name)
   execute_process(COMMAND ${DIRECTORC} trace ${into}/${name}.jsonl --to=html --behaviour ${page} -o ${into}/out/${name}.html "--link=https://git.example.org/{file}#L{line}"

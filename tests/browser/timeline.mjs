@@ -115,6 +115,32 @@ await situation('between the events of a micro-step the situation at its end is 
   assert.equal(await page.locator('#moment').innerText(), atFirst);
 });
 
+await situation('a click on a name with the sign focuses that group', 'letters', {}, async (page) => {
+  await press(page, 'End');
+  const sign = page.locator('.holder:not([hidden]) g.node text', { hasText: '▶ D' }).locator('tspan');
+  await sign.dispatchEvent('click');
+  assert.match(await page.locator('#focused').textContent(), /^Focus on D: /);
+});
+
+for (const name of ['letters', 'minute']) {
+  await situation('beside the sign of what runs, names are not crushed, and those in the middle of their frame stay there', name, {}, async (page) => {
+    await scrubTo(page, 0.5);
+    await all.shot(page, `${name}_signs`);
+    const names = await page.locator('.holder:not([hidden]) g.node text').evaluateAll((all) => all.filter((text) => text.textContent.startsWith('▶ ')).map((text) => {
+      const path = text.closest('g.node > a > g, g.node > g')?.querySelector('path');
+      const written = text.getBBox();
+      const frame = path?.getBBox();
+      const off = frame ? written.x - frame.x - (frame.x + frame.width - written.x - written.width) : 0;
+      const length = text.getAttribute('textLength');
+      text.removeAttribute('textLength');
+      return { name: text.textContent, share: length ? length / text.getBBox().width : 1, inGroup: frame !== undefined, off };
+    }));
+    assert.ok(names.length > 3, `${names.length}`);
+    assert.ok(names.some(({ inGroup }) => inGroup));
+    assert.deepEqual(names.filter(({ share, off }) => share < 0.75 || Math.abs(off) > 2), []);
+  });
+}
+
 await situation('a note hides nothing that is written in boxes or beside arrows, where there is a place for it', 'warehouse', {}, async (page) => {
   const hidden = () => page.evaluate(() => [...document.querySelectorAll('.holder:not([hidden]) .note')].flatMap((note) => {
     const paper = note.getBoundingClientRect();

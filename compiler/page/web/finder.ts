@@ -50,7 +50,7 @@ export class Finder {
           const isLink = event.target instanceof Element && event.target.closest('a[*|href]') !== null;
           if (isLink && (!chosen || event.ctrlKey || event.metaKey || event.shiftKey)) return;
           if (isLink) event.preventDefault();
-          const text = event.target instanceof Element ? event.target.textContent?.trim() : undefined;
+          const text = event.target instanceof Element ? (event.target.closest('text') ?? event.target).textContent?.trim() : undefined;
           const name = names.find((each) => text === each || text?.endsWith(` ${each}`)) ?? names[0]; // `▶ LeftArm`
           if (chosen) chosen(name);
           else this.focus(name);

@@ -14,14 +14,23 @@ const order: Mark[] = ['inactive', 'unknown', 'held', 'running', 'queued', 'push
 const space = 'http://www.w3.org/2000/svg';
 const sign = '▶ ';
 const roots = 'thick frame'; // compiler/emit/graph/legend.cpp
+const [usual, small] = [12, 7]; // sizes of the sign
+const beside = 3; // least distance between a name and its frame
 const readable = 10; // pixels: the font size that notes should have on the screen
+
+/** How a text is changed so that it fits its frame. */
+interface Fit {
+  smallSign: boolean;
+  left: string; // by how much it begins further left; empty: not at all
+  length: string; // its `textLength`; empty: its own
+}
 
 interface Box {
   node: SVGGElement;
   groups: number[];
   heads: Map<number, SVGTextElement>; // the texts with the names of groups, in a box without rows
   rows: Map<string, SVGTextElement>;
-  lengths: Map<string, string>; // by mark and text, the `textLength`; empty: the text fits. A cache of lengthOf()
+  fits: Map<string, Fit>; // by mark and text: a cache of fitOf()
   mark: Mark | '';
   words: string; // of its note; empty: it has none
   note: SVGGElement | undefined;
@@ -101,7 +110,7 @@ export class PictureMarks {
       const text = texts.find((each) => each.textContent === this.names.header.groups[group].name);
       if (text) heads.set(group, text);
     }
-    return { node, groups, heads, rows, lengths: new Map(), mark: '', words: '', note: undefined, shown: '' };
+    return { node, groups, heads, rows, fits: new Map(), mark: '', words: '', note: undefined, shown: '' };
   }
 
   private changeOf(box: Box, event: number | undefined): Change | undefined {
@@ -127,10 +136,13 @@ export class PictureMarks {
       for (const [text, words] of texts) {
         text.textContent = words;
         text.removeAttribute('textLength');
+        text.removeAttribute('dx');
       }
     }
-    const fitted = changes.flatMap(({ box, mark, texts }) => texts.map(([text, words]): [SVGTextElement, string] => [text, this.lengthOf(box, text, words, mark)]));
-    for (const [text, length] of fitted) {
+    const fitted = changes.flatMap(({ box, mark, texts }) => texts.map(([text, words]): [SVGTextElement, Fit] => [text, this.fitOf(box, text, words, mark)]));
+    for (const [text, { smallSign, left, length }] of fitted) {
+      if (smallSign) writeSmallSign(text);
+      if (left !== '') text.setAttribute('dx', `-${left}`);
       if (length === '') continue;
       text.setAttribute('textLength', length);
       text.setAttribute('lengthAdjust', 'spacingAndGlyphs');
@@ -139,19 +151,24 @@ export class PictureMarks {
     if (changes.length > 0) this.putNotes();
   }
 
-  /** The `textLength` that makes a text fit its frame, whose size does not allow for the sign and bold letters; empty: the text fits. */
-  private lengthOf(box: Box, text: SVGTextElement, words: string, mark: Mark | ''): string {
-    if (mark === '') return ''; // as Graphviz drew it
+  /** Frames have no place for the sign and bold letters: a text goes to the left; if that is not enough its sign, and then all of it, becomes narrower. */
+  private fitOf(box: Box, text: SVGTextElement, words: string, mark: Mark | ''): Fit {
+    const asDrawn = { smallSign: false, left: '', length: '' };
+    if (mark === '') return asDrawn; // by Graphviz
     const key = `${mark} ${words}`;
-    const known = box.lengths.get(key);
-    if (known !== undefined) return known;
-    const frame = box.node.querySelector('path')?.getBBox();
+    const known = box.fits.get(key);
+    if (known) return known;
+    const own = text.closest('g.node > a > g, g.node > g')?.querySelector('path'); // of one group of several in the box, in whose middle its name is
+    const frame = (own ?? box.node.querySelector('path'))?.getBBox();
     const written = text.getBBox();
-    if (!frame || frame.width === 0) return ''; // it has no layout
-    const room = frame.x + frame.width - 3 - Math.max(written.x, frame.x + 3);
-    const length = written.width > room ? room.toFixed(1) : '';
-    box.lengths.set(key, length);
-    return length;
+    if (!frame || frame.width === 0) return asDrawn; // it has no layout
+    const [first, end] = [frame.x + beside, frame.x + frame.width - beside];
+    const smallSign = words.startsWith(sign) && written.width > end - first;
+    const width = written.width - (smallSign ? text.getSubStringLength(0, sign.length) * (1 - small / usual) : 0);
+    const x = Math.max(first, own ? frame.x + (frame.width - width) / 2 : Math.min(written.x, end - width));
+    const out = { smallSign, left: written.x - x > 0.1 ? (written.x - x).toFixed(1) : '', length: width > end - x ? (end - x).toFixed(1) : '' };
+    box.fits.set(key, out);
+    return out;
   }
 
   /** Places all notes anew: where one can stand depends on the others. Their letters are larger if the scale is small. */
@@ -235,6 +252,14 @@ function add(to: Element, name: string, attributes: Record<string, string | numb
   out.textContent = text;
   to.append(out);
   return out;
+}
+
+/** Makes the sign before a name smaller. */
+function writeSmallSign(text: SVGTextElement): void {
+  const name = (text.textContent ?? '').slice(sign.length);
+  text.textContent = '';
+  add(text, 'tspan', { 'font-size': small }, sign);
+  text.append(name);
 }
 
 function drawNote({ node, mark }: Box, { x, y, width, height, lines, size }: Place): SVGGElement {
