@@ -115,6 +115,25 @@ await situation('between the events of a micro-step the situation at its end is 
   assert.equal(await page.locator('#moment').innerText(), atFirst);
 });
 
+await situation('a focused group is in the frame, also where words above that make it lower', 'warehouse', {}, async (page) => {
+  for (const name of await page.locator('article.group').evaluateAll((all) => all.map((each) => each.dataset.group))) {
+    await page.locator(`#group-${name} button.focus`).evaluate((button) => button.click());
+    await frame(page);
+    const seen = await page.locator('.holder:not([hidden]) g.node.chosen').evaluate((node) => {
+      const [box, paper] = [node, node.closest('.picture')].map((each) => each.getBoundingClientRect());
+      const others = [...node.ownerSVGElement.querySelectorAll('g.node.near')].filter((each) => each !== node).filter((each) => {
+        const { left, right, top, bottom } = each.getBoundingClientRect();
+        return left < paper.left || right > paper.right || top < paper.top || bottom > paper.bottom;
+      });
+      const isIn = box.height > paper.height || (box.top >= paper.top && box.bottom <= paper.bottom);
+      return { isIn, outside: others.map((each) => each.querySelector('title').textContent) };
+    });
+    assert.ok(seen.isIn, name);
+    const [, outside] = (await page.locator('#focused').textContent()).split(' Outside of the frame: ');
+    assert.deepEqual(outside?.replace(/\.$/, '').split(', ') ?? [], seen.outside, name);
+  }
+});
+
 await situation('a click on a name with the sign focuses that group', 'letters', {}, async (page) => {
   await press(page, 'End');
   const sign = page.locator('.holder:not([hidden]) g.node text', { hasText: '▶ D' }).locator('tspan');

@@ -66,11 +66,18 @@ export class Finder {
     const shown = this.pictures.find((picture) => !picture.hidden);
     shown?.tools.append(this.clear, this.focused); // beside the picture, to which the page is scrolled
     this.clear.hidden = group === undefined;
-    this.focused.textContent = group === undefined ? '' : `Focus on ${group}: who leads to it, what it requests, needs and pushes, who pushes it, and who needs the same.`;
+    for (const { tools } of this.pictures) tools.style.minHeight = '';
+    const words = group === undefined ? '' : `Focus on ${group}: who leads to it, what it requests, needs and pushes, who pushes it, and who needs the same.`;
+    this.focused.textContent = words;
     for (const picture of this.pictures) picture.focus(group);
     if (group === undefined) return;
-    const outside = shown?.outside ?? [];
-    if (outside.length > 0) this.focused.append(` Outside of the frame: ${outside.join(', ')}.`);
+    for (let i = 0; shown && i < 4; ++i) { // more words above the frame may make it lower: then it is centred again, and others may be outside
+      const all = shown.outside.length > 0 ? `${words} Outside of the frame: ${shown.outside.join(', ')}.` : words;
+      if (this.focused.textContent === all) break;
+      this.focused.textContent = all;
+      shown.tools.style.minHeight = `${shown.tools.getBoundingClientRect().height}px`; // fewer words do not make it higher again: this would not end
+      shown.focus(group);
+    }
     byId('picture')?.scrollIntoView({ block: 'start' });
   }
 
