@@ -95,9 +95,9 @@ private:
   static constexpr std::string_view runs_sign = "\u25B6 ";
 
   void draw_line_marks() {
-    constexpr std::array<std::string_view, 5> styles{
-        "stroke:#8A919B", "stroke:#00629B,stroke-width:3px", "stroke:#A3171A,stroke-dasharray:6 3,stroke-width:2px",
-        "stroke:#00629B,stroke-width:3px", "stroke:#00629B,stroke-dasharray:2 2"};
+    constexpr std::array<std::string_view, 5> styles{"stroke:#8A919B", "stroke:#00629B,stroke-width:3px",
+                                                     "stroke:#A3171A,stroke-dasharray:6 3,stroke-width:2px",
+                                                     "stroke:#00629B,stroke-width:3px", "stroke:#00629B"};
     for (std::size_t mark = 0; mark < styles.size(); ++mark) {
       std::string lines;
       for (std::size_t i = 0; i < picture_.arrows.size(); ++i) {

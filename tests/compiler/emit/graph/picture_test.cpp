@@ -358,6 +358,17 @@ TEST_CASE("lines of a moment that mean different things differ in more than thei
                "linkStyle 0,3 stroke:#A3171A,stroke-dasharray:6 3,stroke-width:2px\n");
 }
 
+TEST_CASE("the line to what is only held is solid in Mermaid too, as dotted ones are optional requests") {
+  PictureOptions options;
+  options.moment.emplace();
+  options.moment->groups = {{Moment::Mark::running, ProviderId{0}, {}}, {Moment::Mark::held, {}, {}}};
+  options.moment->edges = {Moment::Mark::running, Moment::Mark::held};
+  const std::string text = mermaid(
+      picture_of("behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups: {Lamp: {needs: [Bulb]}, Bulb: {}}\n", options),
+      {});
+  CHECK(text.find("  linkStyle 0 stroke:#00629B\n") != std::string::npos);
+}
+
 TEST_CASE("the legend of a moment says what colours of lines mean, and no thickness of frames") {
   PictureOptions options;
   options.moment.emplace();
