@@ -146,10 +146,14 @@ std::optional<Assignment> Judge::find_ender(const Beginning& row, const Trial& t
   return {};
 }
 
-/// Whether it is a push, and not for a task that waits on the row's own side.
+/// Whether it is a push, and not for a task that ran on the row's own side and is requested there.
 bool Judge::pushes(const Event& event, const Beginning& row) const {
-  return event.kind == Event::Kind::push &&
-         !row.rest.is_under(model_, model_.edges[EdgeId{event.edge}].target, row.way.last().edge);
+  if (event.kind != Event::Kind::push) return false;
+  const EdgeId last = row.way.last().edge;
+  const Edge& edge = model_.edges[EdgeId{event.edge}];
+  const bool is_requested_there =
+      EdgeId{event.edge} == last || (edge.requester && row.rest.is_under(model_, *edge.requester, last));
+  return !is_requested_there || !row.rest.is_under(model_, edge.target, last);
 }
 
 Judge::Pushed Judge::first_pushes(const Beginning& row, const Trial& trial) const {

@@ -559,6 +559,26 @@ steps:
 )");
 }
 
+TEST_CASE("soft: the second requests what the first one ran for, and that is pushed for this request") {
+  const auto boss = [](const std::string& order) {
+    return words(fmt::format(R"(states: {{Door: {{values: [shut, open], initial: shut}}}}
+roots: {{Boss: {{priority: 2}}, Crew: {{priority: 1}}}}
+groups:
+  Boss: {{packs: {{go: {{{}}}}}}}
+  Enter: {{when: [Door == open]}}
+  Crew: {{tasks: [Hand]}}
+  Hand: {{providers: [{{name: idle, when: [Door == open]}}, {{name: push, causing: [Door == open within 5 s]}}]}}
+)",
+                             order),
+                 "Crew", "Boss");
+  };
+  const std::string soft =
+      "soft: Boss waits. Hand is pushed to push for Door == open, within 5 s. Then Boss takes over. "
+      "Hand runs on, but not for Crew any more.";
+  CHECK(boss("Enter: {}, Hand: {}") == soft);
+  CHECK(boss("Hand: {}, Enter: {}") == soft);
+}
+
 TEST_CASE("soft: the values let the requester request both, and the second one pushes the first one") {
   const auto keeper = [](const std::string& clearing) {
     return R"(states:
