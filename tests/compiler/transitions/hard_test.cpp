@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// Cells where the second task takes what the first one holds.
+#include "tests/compiler/transitions/cell.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace director::tests {
+
+TEST_CASE("hard: the second takes what the first one holds, and no group is pushed") {
+  const char* const plain = R"(roots: {GetUp: {priority: 20}, Walk: {priority: 10}}
+groups: {GetUp: {needs: [Legs]}, Walk: {needs: [Legs], tasks: [Legs]}, Legs: {}}
+)";
+  CHECK(cell(plain, "Walk", "GetUp") == R"(hard: GetUp takes at once what Walk holds. Walk and Legs stop.
+stops Walk Legs
+scenario: from Walk to GetUp
+behaviour: test.yaml
+script:
+  Walk.default:
+    - {reason: wait, done: true}
+    - {tasks: [Legs], wait: 1 ms}
+steps:
+  - request: Walk
+  - request: GetUp
+)");
+}
+
+TEST_CASE("hard, soft: the second runs at once, and what is requested with it takes over") {
+  const std::string pack = R"(states: {Pose: {values: [moving, still], initial: still}}
+roots: {Guard: {priority: 20}, Walk: {priority: 10}}
+groups:
+  Guard: {packs: {act: {Stand: {priority: 6}, Grab: {apart: true, priority: 2}}}}
+  Walk:
+    providers:
+      - {name: walking, needs: [Legs], sets: [Pose == moving], tasks: [Legs]}
+      - {name: halting, needs: [Legs], causing: [Pose == still within 2 s], tasks: [Legs]}
+  Grab: {needs: [Hand]}
+  Hand: {}
+  Legs: {}
+)";
+  const auto words = [&](const std::string& stand) {
+    const std::string all = cell(pack + stand, "Walk", "Grab");
+    return all.substr(0, all.find('\n'));
+  };
+  CHECK(words("  Stand: {needs: [Legs]}\n") ==
+        "hard: Stand, which is requested with Grab, takes at once what Walk holds. Walk and Legs stop.");
+  CHECK(words("  Stand: {when: [Pose == still], needs: [Legs]}\n") ==
+        "soft: Grab runs at once. What is requested with it waits. Walk is pushed to halting for Pose == still, within "
+        "2 s. Then Stand, which is requested with Grab, takes over. Walk and Legs stop.");
+}
+
+TEST_CASE("hard: what leads to the first one stops too, and is named where only it held what is taken") {
+  const char* const above = R"(roots: {Guard: {priority: 10}, Plan: {priority: 1}}
+groups:
+  Guard: {needs: [Arm], tasks: [Arm]}
+  Plan: {stop: true, needs: [Arm], tasks: [Arm, Think]}
+  Think: {tasks: [Note]}
+  Note: {}
+  Arm: {}
+)";
+  CHECK(cell_words(above, "Think", "Guard") ==
+        "hard: Guard takes at once what Plan, which leads to Think, holds. Plan, Think and Note stop.");
+  const char* const below = R"(roots: {Guard: {priority: 10}, Plan: {priority: 1}}
+groups:
+  Guard: {needs: [Arm, Leg], tasks: [Arm]}
+  Plan: {needs: [Leg], tasks: [Grip]}
+  Grip: {needs: [Arm], tasks: [Arm]}
+  Arm: {}
+  Leg: {}
+)";
+  CHECK(cell_words(below, "Grip", "Guard") ==
+        "hard: Guard takes at once what Grip holds. Plan and Grip stop. Arm runs on, but not for Grip any more.");
+}
+
+TEST_CASE("hard: what has stopped is not said to run, while a need holds it by the same edge") {
+  const char* const held = R"(roots: {Boss: {priority: 10}, Old: {priority: 5}}
+groups:
+  Boss: {needs: [Old], tasks: {Aim: {}}}
+  Old: {tasks: [Wheel], needs: [Wheel]}
+  Aim: {tasks: [Lamp]}
+  Wheel: {stop: true, needs: [Motor]}
+  Motor: {}
+  Lamp: {}
+)";
+  CHECK(cell_words(held, "Wheel", "Boss") == "hard: Boss takes at once what Wheel holds. Old and Wheel stop.");
+  CHECK(cell_words(held, "Wheel", "Aim") == "hard: Aim takes at once what Wheel holds. Old and Wheel stop.");
+}
+
+TEST_CASE("hard: the group of the row itself is taken, and runs on, but not for its requester") {
+  const char* const shared = R"(roots: {Boss: {priority: 10}, Guard: {priority: 50}}
+groups:
+  Boss: {tasks: [Look]}
+  Guard: {tasks: [Look]}
+  Look: {needs: [Eyes], tasks: [Eyes]}
+  Eyes: {}
+)";
+  const std::string all = cell(shared, "Look", "Guard");
+  CHECK(all.substr(0, all.find('\n')) ==
+        "hard: Guard takes at once what Look holds. Look and Eyes run on, but not for Boss any more.");
+}
+
+TEST_CASE("hard: the values let the requester request both, and the second one takes what is below the first one") {
+  CHECK(cell_words(R"(states: {Ball: {values: [far, near], initial: far, external: true}}
+roots: [Keep]
+groups:
+  Keep:
+    providers:
+      - {name: placing, when: [Ball == far], tasks: [Place]}
+      - {name: clearing, packs: {go: {Clear: {priority: 20, apart: true}, Place: {}}}}
+  Clear: {needs: [Legs]}
+  Place: {tasks: [Walk]}
+  Walk: {needs: [Legs]}
+  Legs: {}
+)",
+                   "Place", "Clear") ==
+        "hard: Clear takes at once what Place holds. Walk stops. The outside says Ball == near.");
+}
+
+TEST_CASE(
+    "hard: the requester has another provider for the second one, but goes on requesting both in that of the first") {
+  CHECK(cell_words(R"(states:
+  Ball: {values: [far, near], initial: far, external: true}
+  Phase: {values: [play, set], initial: set, external: true}
+roots: [Keep]
+groups:
+  Keep:
+    providers:
+      - {name: waiting, when: [Phase == set], tasks: [Clear]}
+      - {name: playing, packs: {go: {Walk: {apart: true}, Clear: {priority: 5, apart: true}}}}
+  Clear: {when: [Ball == near], needs: [Legs], tasks: [Legs]}
+  Walk: {needs: [Legs], tasks: [Legs]}
+  Legs: {}
+)",
+                   "Walk", "Clear") ==
+        "hard: Clear takes at once what Walk holds. Walk stops. Legs runs on, but not for "
+        "Walk any more. The outside says Ball == near.");
+}
+
+TEST_CASE("hard: what is requested with the second one takes all at once, and is pushed itself") {
+  const std::string down = R"(states: {Air: {values: [flying, hover], initial: flying}}
+roots: {Safety: {priority: 100}, Survey: {priority: 10}}
+groups:
+  Safety: {packs: {down: {Land: {priority: 5}, Fly: {apart: true}}}}
+  Survey: {tasks: [TakeOff]}
+  TakeOff: {needs: [Rotors], sets: [Air == flying], tasks: [Rotors], stop: true}
+  Land: {when: [Air == hover], needs: [Rotors], tasks: [Rotors]}
+  Fly:
+    providers:
+      - {name: cruise, needs: [Rotors], sets: [Air == flying], tasks: [Rotors]}
+      - {name: brake, needs: [Rotors], causing: [Air == hover within 4 s], tasks: [Rotors]}
+  Rotors: {}
+)";
+  CHECK(cell_words(down, "TakeOff", "Land") ==
+        "hard: Fly, which is requested with Land, takes at once what TakeOff holds. TakeOff stops. Rotors runs on, but "
+        "not for TakeOff any more.");
+  CHECK(cell_words(down, "TakeOff", "Safety") ==
+        "hard: Safety takes at once what TakeOff holds. TakeOff stops. Rotors runs on, but not for TakeOff any more.");
+}
+
+} // namespace director::tests
