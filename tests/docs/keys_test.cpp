@@ -19,8 +19,8 @@ namespace {
 
 const std::string scenarios = "docs/scenarios.md";
 /// Each page of the reference, and the schema of its keys.
-const std::pair<std::string, std::string> pages[]{{"docs/language.md", "schemas/behaviour.schema.json"},
-                                                  {scenarios, "schemas/scenario.schema.json"}};
+const std::pair<std::string, std::string> pages_of_keys[]{{"docs/language.md", "schemas/behaviour.schema.json"},
+                                                          {scenarios, "schemas/scenario.schema.json"}};
 
 /// The keys that a schema describes, at any depth. JSON is YAML too.
 void collect(const dsl::YamlNode& node, std::set<std::string>& keys) {
@@ -52,7 +52,7 @@ bool shows(const std::string& text, const std::string& key) {
 } // namespace
 
 TEST_CASE("the reference has an example of each key") {
-  for (const auto& [file, schema] : pages) {
+  for (const auto& [file, schema] : pages_of_keys) {
     const Markdown page = read_markdown(read_file(source_dir() / file));
     std::string examples;
     for (const Block& block : page.blocks) examples += text_of(block.lines);
@@ -69,7 +69,7 @@ TEST_CASE("the reference has an example of each key") {
 TEST_CASE("each key has a row in a table of the reference, and `directorc explain` prints it") {
   CHECK(std::string(compiler::language_page()) == read_file(source_dir() / "docs/language.md"));
   CHECK(std::string(compiler::scenarios_page()) == read_file(source_dir() / scenarios));
-  for (const auto& [file, schema] : pages) {
+  for (const auto& [file, schema] : pages_of_keys) {
     const std::vector<std::string> rows = compiler::keys_of(read_file(source_dir() / file));
     for (const std::string& key : keys_of(schema)) {
       if (std::find(rows.begin(), rows.end(), key) == rows.end())
