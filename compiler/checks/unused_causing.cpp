@@ -15,10 +15,22 @@ namespace director::checks {
 
 namespace {
 
-/// Whether a group that needs this one may wait for the conditions of its providers.
-bool is_needed(const Model& model, GroupId group) {
-  const std::vector<EdgeId>& requesters = model.groups[group].requesters;
-  return std::any_of(requesters.begin(), requesters.end(), [&](EdgeId id) { return model.edges[id].needed; });
+/// Whether a task that needs the group can never have it by this provider, which needs what the task or another of its
+/// needs holds: so it may have to wait for another one.
+bool is_no_choice_for_need(const Input& input, ProviderId id) {
+  const Provider& provider = input.model.providers[id];
+  const Indispensable& parts = input.shared.indispensable();
+  const auto clashes = [&](const Provider& needer, GroupId need) {
+    return parts.contains(need, needer.group) ||
+           std::any_of(needer.needs.begin(), needer.needs.end(), [&](const Use<GroupId>& other) {
+             return other.id != provider.group && !parts.in_common(need, other.id).empty();
+           });
+  };
+  return std::any_of(input.model.providers.begin(), input.model.providers.end(), [&](const Provider& needer) {
+    return needer.group != provider.group && needer.needs_group(provider.group) &&
+           std::any_of(provider.needs.begin(), provider.needs.end(),
+                       [&](const Use<GroupId>& need) { return clashes(needer, need.id); });
+  });
 }
 
 /// Sets the help, and notes who listens to the end of its time, which never comes.
@@ -102,7 +114,7 @@ void unused_causing(const Input& input, Findings& findings) {
             // A pushed provider of its own group may wait for it, or a task that can have the group only by that one.
             const GroupId own = model.providers[id].group;
             if (model.providers[arrow.waiter].group == own && !input.facts.pushed.contains(arrow.waiter))
-              return is_needed(model, own) && !decisions.never_pushed(model, id, arrow.condition.id);
+              return is_no_choice_for_need(input, id) && !decisions.never_pushed(model, id, arrow.condition.id);
             // As declared it may push for ever; the decisions treat it as corrected.
             if (input.facts.is_impossible(arrow.waiter, model.conditions[arrow.condition.id].state)) return true;
             return !decisions.never_pushed(model, id, arrow.condition.id) && pushers.may_push(id, arrow.condition.id) &&
