@@ -5,6 +5,7 @@
 #include "runtime/hosted/within_a_day.hpp"
 #include "tests/runtime/hosted/trace/lamp.hpp"
 #include "tests/support/command.hpp"
+#include "tests/support/environment.hpp"
 #include "tests/support/golden.hpp"
 #include "tests/support/no_new_threads.hpp"
 #include "tests/support/other_threads.hpp"
@@ -322,5 +323,6 @@ TEST_CASE("the file of a process that is killed has whole lines, up to shortly b
 }
 
 TEST_CASE("a queue that no memory can hold is refused") {
+  if (tests::is_sanitized) return; // the sanitizer's allocator ends the program
   CHECK_THROWS_AS(EventQueue(std::numeric_limits<std::size_t>::max()), std::bad_alloc);
 }
