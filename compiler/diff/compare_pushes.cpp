@@ -62,13 +62,12 @@ std::set<std::pair<std::string, std::string>> flipped_pairs(const Texts& was, co
 /// What tasks of one side may push, and for what.
 class Pushing {
 public:
-  explicit Pushing(const Checked& checked)
+  Pushing(const Checked& checked, const Possible& possible)
       : model_(checked.model),
         graph_(checked.graph),
-        facts_(analysis::find_facts(checked.model, checked.graph, analysis::Reported::as_is)),
-        causers_(analysis::find_causers(checked.model)) {
-    for (const auto& [waiter, causer] : analysis::find_all_pushes(model_, facts_)) pushes_[waiter].insert(causer);
-  }
+        facts_(possible.facts()),
+        causers_(analysis::find_causers(checked.model)),
+        pushes_(possible.pushes()) {}
 
   /// The groups whose task may push either provider for this condition.
   std::set<std::string> waiters(const std::string& condition, ProviderId one, ProviderId other) {
@@ -88,8 +87,7 @@ public:
                                   const std::vector<ConditionId>& others) {
     std::set<std::string> out;
     for (const auto& [waiter, pushed] : pushes_) {
-      const std::set<ProviderId> own = providers_of(waiter);
-      const bool by_itself = own.contains(of);
+      const bool by_itself = providers_of(waiter).contains(of);
       if (!by_itself && !awaited_providers(waiter).contains(of)) continue;
       const std::set<ProviderId> first = towards(waiter, ones), second = towards(waiter, others);
       for (const ProviderId one : first) {
@@ -113,10 +111,12 @@ public:
 
 private:
   /// Of the group, and of every group that their plans may hold.
-  std::set<ProviderId> providers_of(GroupId waiter) const {
+  const std::set<ProviderId>& providers_of(GroupId waiter) const {
+    const auto [at, fresh] = providers_.try_emplace(waiter);
+    std::set<ProviderId>& out = at->second;
+    if (!fresh) return out;
     std::vector<bool> held = reachable(graph_.needs, waiter.value);
     held[waiter.value] = true;
-    std::set<ProviderId> out;
     for (const ProviderId id : model_.providers.ids()) {
       if (held[model_.providers[id].group.value]) out.insert(id);
     }
@@ -128,7 +128,10 @@ private:
     std::set<ProviderId> out = providers_of(waiter);
     for (const ProviderId id : pushes_.at(waiter)) {
       out.insert(id);
-      for (const Use<GroupId>& need : model_.providers[id].needs) out.merge(providers_of(need.id));
+      for (const Use<GroupId>& need : model_.providers[id].needs) {
+        const std::set<ProviderId>& below = providers_of(need.id);
+        out.insert(below.begin(), below.end());
+      }
     }
     return out;
   }
@@ -160,9 +163,10 @@ private:
 
   const Model& model_;
   const Graph& graph_;
-  const analysis::Facts facts_;
+  const analysis::Facts& facts_;
   const analysis::Causers causers_;
-  std::map<GroupId, std::set<ProviderId>> pushes_; ///< by the group that waits
+  const std::map<GroupId, std::set<ProviderId>>& pushes_;     ///< by the group that waits
+  mutable std::map<GroupId, std::set<ProviderId>> providers_; ///< a cache of providers_of()
 };
 
 class PushOrders {
@@ -313,11 +317,11 @@ private:
   }
 
   Pushing& before_pushes() {
-    if (!was_) was_ = std::make_unique<Pushing>(pair_.before);
+    if (!was_) was_ = std::make_unique<Pushing>(pair_.before, pair_.possible_before);
     return *was_;
   }
   Pushing& after_pushes() {
-    if (!is_) is_ = std::make_unique<Pushing>(pair_.after);
+    if (!is_) is_ = std::make_unique<Pushing>(pair_.after, pair_.possible_after);
     return *is_;
   }
 

@@ -3,8 +3,6 @@
 //
 // Compares what may ever happen, by the facts of the checks: an over-approximation, so "dead" is a proof and
 // "reachable" means "may".
-#include "compiler/analysis/facts/facts.hpp"
-#include "compiler/analysis/facts/pushes.hpp"
 #include "compiler/diff/side.hpp"
 
 #include <fmt/format.h>
@@ -21,14 +19,14 @@ struct May {
   std::set<std::pair<std::string, std::string>> pushes; ///< the waiting group, the pushable provider
 };
 
-May find_may(const Checked& checked) {
+May find_may(const Model& model, const Possible& possible) {
   May out;
-  const Model& model = checked.model;
-  const analysis::Facts facts = analysis::find_facts(model, checked.graph, analysis::Reported::as_is);
+  const analysis::Facts& facts = possible.facts();
   for (const GroupId id : model.groups.ids()) out.groups[name_of(model, id)] = facts.requested.contains(id);
   for (const ProviderId id : model.providers.ids()) out.providers[model.full_name(id)] = facts.active.contains(id);
-  for (const auto& [waiter, causer] : analysis::find_all_pushes(model, facts))
-    out.pushes.emplace(name_of(model, waiter), model.full_name(causer));
+  for (const auto& [waiter, causers] : possible.pushes()) {
+    for (const ProviderId causer : causers) out.pushes.emplace(name_of(model, waiter), model.full_name(causer));
+  }
   return out;
 }
 
@@ -45,8 +43,8 @@ public:
   Reaching(const Pair& pair, Changes& changes)
       : pair_(pair),
         changes_(changes),
-        was_(find_may(pair.before)),
-        is_(find_may(pair.after)) {}
+        was_(find_may(pair.old_model, pair.possible_before)),
+        is_(find_may(pair.new_model, pair.possible_after)) {}
 
   void compare() {
     std::set<std::string> reported; // groups whose requests are reported: their providers are not

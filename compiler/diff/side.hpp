@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: MIT
 // What the parts of a comparison share: the two behaviours, the changes so far, and how things are matched.
 
+#include "compiler/analysis/facts/facts.hpp"
 #include "compiler/diff/change.hpp"
 #include "compiler/pipeline.hpp"
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -14,12 +17,28 @@
 
 namespace director::compiler::diff {
 
+/// What may ever happen in one of the behaviours, its impossible conditions as they are. Computed on first use: most of
+/// it takes longer than comparing.
+class Possible {
+public:
+  explicit Possible(const Checked& checked) : checked_(checked) {}
+  const analysis::Facts& facts() const;
+  /// By the group that waits: the providers that its task may push.
+  const std::map<GroupId, std::set<ProviderId>>& pushes() const;
+
+private:
+  const Checked& checked_;
+  mutable std::optional<analysis::Facts> facts_;
+  mutable std::optional<std::map<GroupId, std::set<ProviderId>>> pushes_;
+};
+
 /// Two behaviours without errors in text and names, whose places are in one set of sources.
 struct Pair {
   const Checked& before;
   const Checked& after;
   const Model& old_model = before.model;
   const Model& new_model = after.model;
+  const Possible possible_before{before}, possible_after{after};
 };
 
 class Changes {

@@ -12,21 +12,20 @@ namespace director::compiler::diff {
 
 using analysis::Reach;
 
-Stakes::Stakes(const Checked& checked, const Contests& contests)
+Stakes::Stakes(const Checked& checked, const Possible& possible, const Contests& contests)
     : model_(checked.model),
       graph_(checked.graph),
       contests_(contests),
       is_closed_(checked.model.deployment),
-      facts_(analysis::find_facts(checked.model, checked.graph, analysis::Reported::as_is)),
+      facts_(possible.facts()),
       branches_(checked.model, {[this](ProviderId id) {
                                   return !is_closed_ || (facts_.capable.contains(id) &&
                                                          facts_.requested.contains(model_.providers[id].group));
                                 },
                                 [this](ProviderId id) { return !is_closed_ || facts_.capable.contains(id); },
                                 [this](ProviderId id) { return !is_closed_ || facts_.pushed.contains(id); },
-                                analysis::Requested::by_group}) {
-  for (const auto& [waiter, causer] : analysis::find_all_pushes(model_, facts_)) pushes_[waiter].push_back(causer);
-}
+                                analysis::Requested::by_group}),
+      pushes_(possible.pushes()) {}
 
 const analysis::Claims& Stakes::claims(GroupId task) {
   std::unique_ptr<analysis::Claims>& out = claims_[task];

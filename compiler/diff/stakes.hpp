@@ -4,8 +4,8 @@
 // declaration, where it is decided by nothing else.
 
 #include "compiler/analysis/chains/claims.hpp"
-#include "compiler/analysis/facts/pushes.hpp"
 #include "compiler/diff/contests.hpp"
+#include "compiler/diff/side.hpp"
 #include "compiler/pipeline.hpp"
 
 #include <algorithm>
@@ -27,8 +27,8 @@ struct Stake {
 
 class Stakes {
 public:
-  /// Both have to outlive it.
-  Stakes(const Checked& checked, const Contests& contests);
+  /// All have to outlive it.
+  Stakes(const Checked& checked, const Possible& possible, const Contests& contests);
   Stakes(const Stakes&) = delete;
   Stakes& operator=(const Stakes&) = delete;
 
@@ -48,10 +48,10 @@ private:
   const Graph& graph_;
   const Contests& contests_;
   const bool is_closed_; ///< it has roots: all requests are known
-  const analysis::Facts facts_;
+  const analysis::Facts& facts_;
   const analysis::Branches branches_;
   std::map<GroupId, std::unique_ptr<analysis::Claims>> claims_;
-  std::map<GroupId, std::vector<ProviderId>> pushes_; ///< by the group that waits
+  const std::map<GroupId, std::set<ProviderId>>& pushes_; ///< by the group that waits
   std::map<std::tuple<GroupId, bool, bool>, std::set<ProviderId>> pushed_by_;
 };
 

@@ -79,8 +79,8 @@ private:
   /// Whether the order of these two decides something on both sides.
   bool decides(const Same& one, const Same& other, std::set<std::string>& groups, std::set<std::string>& pushed) {
     if (!was_) {
-      was_ = std::make_unique<Stakes>(pair_.before, before_);
-      is_ = std::make_unique<Stakes>(pair_.after, after_);
+      was_ = std::make_unique<Stakes>(pair_.before, pair_.possible_before, before_);
+      is_ = std::make_unique<Stakes>(pair_.after, pair_.possible_after, after_);
     }
     const Stake is = is_->between(*one.after, *other.after);
     if (is.empty() || was_->between(*one.before, *other.before).empty()) return false;
