@@ -88,16 +88,7 @@ private:
     out.group = id;
     beginnings_.emplace_back();
     std::string why;
-    std::optional<Beginning> found;
-    for (const Assume assume : {Assume::nothing, Assume::inside}) {
-      const std::vector<std::pair<Way, Outside>> all = tries(ways, assume);
-      for (const bool only_certain : {false, true}) {
-        if (only_certain && !leaves_choice_) break;
-        for (std::size_t i = 0; i < all.size() && !found; ++i)
-          found = begin(all[i].first, all[i].second, only_certain, why);
-      }
-    }
-    if (found) {
+    if (std::optional<Beginning> found = find_beginning(ways, why)) {
       const auto& [way, outside] = std::tie(found->way, found->outside);
       out.given = words_of(outside.given, model_);
       out.reached = true;
@@ -110,6 +101,20 @@ private:
     out.words =
         why.empty() ? "No values from outside were found that meet all conditions on the way to it." : why + ".";
     return out;
+  }
+
+  /// Declared values come before assumed ones. `why`: set by the first that fails.
+  std::optional<Beginning> find_beginning(const std::vector<Way>& ways, std::string& why) const {
+    for (const Assume assume : {Assume::nothing, Assume::inside}) {
+      const std::vector<std::pair<Way, Outside>> all = tries(ways, assume);
+      for (const bool only_certain : {false, true}) {
+        if (only_certain && !leaves_choice_) break;
+        for (const auto& [way, outside] : all) {
+          if (std::optional<Beginning> found = begin(way, outside, only_certain, why)) return found;
+        }
+      }
+    }
+    return {};
   }
 
   /// Empty if the last group does not run then. `why`: set by the first that fails.
@@ -173,17 +178,22 @@ private:
 
   static bool is_stuck(const Transition& cell) { return cell.kind == Kind::never || cell.kind == Kind::endless; }
 
+  /// Nothing if the column never runs, or the engine does not come to rest.
+  std::optional<Transition> running_cell(const Beginning& row, const Beginning& column, CellContext& context) {
+    Transition out;
+    out.kind = Kind::never;
+    decide(row, column, out, context);
+    return is_stuck(out) ? std::nullopt : std::optional(std::move(out));
+  }
+
   /// With `only_certain`, if the column runs then: what a body may choose should not be why it does not, nor why the
   /// row ends.
   std::optional<Transition> certain_cell(std::size_t i, std::size_t j) {
     const Beginning& row = certain_beginning(i);
     if (!row.only_certain) return {};
-    Transition out;
-    out.kind = Kind::never;
     CellContext context{model_, out_.rows[i], out_.rows[j]};
-    decide(row, beginnings_[j], out, context);
-    if (is_stuck(out)) return {};
-    out.words = words_of(out, context);
+    std::optional<Transition> out = running_cell(row, beginnings_[j], context);
+    if (out) out->words = words_of(*out, context);
     return out;
   }
 
@@ -198,11 +208,9 @@ private:
       }
     }
     if (row.given.empty()) return {};
-    Transition out;
-    out.kind = Kind::never;
     CellContext context{model_, out_.rows[i], out_.rows[j]};
-    decide(row, column, out, context);
-    if (is_stuck(out)) return {};
+    std::optional<Transition> out = running_cell(row, column, context);
+    if (!out) return {};
     std::vector<std::pair<ProviderId, Values>> set; // in the order in which they ran
     for (const Assignment& each : context.assignments) {
       const auto given = row.given.find(each.state);
@@ -213,9 +221,9 @@ private:
       at->second.insert(*given);
     }
     if (set.empty()) return {}; // it does not run because of that
-    out.words = words_of(out, context);
+    out->words = words_of(*out, context);
     for (const auto& [id, values] : set)
-      out.words += fmt::format(" {} sets {}.", model_.full_name(id), and_list(words_of(values, model_)));
+      out->words += fmt::format(" {} sets {}.", model_.full_name(id), and_list(words_of(values, model_)));
     return out;
   }
 
