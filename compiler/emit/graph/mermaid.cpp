@@ -7,6 +7,7 @@
 #include "compiler/emit/artefact/code.hpp"
 #include "compiler/emit/graph/formats.hpp"
 #include "compiler/emit/graph/legend.hpp"
+#include "compiler/emit/graph/palette.hpp"
 
 #include <fmt/format.h>
 
@@ -95,9 +96,10 @@ private:
   static constexpr std::string_view runs_sign = "\u25B6 ";
 
   void draw_line_marks() {
-    constexpr std::array<std::string_view, 5> styles{"stroke:#8A919B", "stroke:#00629B,stroke-width:3px",
-                                                     "stroke:#A3171A,stroke-dasharray:6 3,stroke-width:2px",
-                                                     "stroke:#00629B,stroke-width:3px", "stroke:#00629B"};
+    const std::array<std::string, 5> styles{
+        fmt::format("stroke:{}", palette::faint), fmt::format("stroke:{},stroke-width:3px", palette::need),
+        fmt::format("stroke:{},stroke-dasharray:6 3,stroke-width:2px", palette::queued),
+        fmt::format("stroke:{},stroke-width:3px", palette::need), fmt::format("stroke:{}", palette::need)};
     for (std::size_t mark = 0; mark < styles.size(); ++mark) {
       std::string lines;
       for (std::size_t i = 0; i < picture_.arrows.size(); ++i) {
@@ -113,10 +115,12 @@ private:
   }
 
   void draw_marks() {
-    constexpr std::array<std::string_view, 5> styles{"stroke:#8A919B,color:#5A616B", "stroke:#00629B,stroke-width:3px",
-                                                     "stroke:#A3171A,stroke-dasharray:6 3,stroke-width:2px",
-                                                     "stroke:#00704F,stroke-width:3px",
-                                                     "stroke:#00629B,stroke-dasharray:2 2"};
+    const std::array<std::string, 5> styles{
+        fmt::format("stroke:{},color:{}", palette::faint, palette::grey),
+        fmt::format("stroke:{},stroke-width:3px", palette::need),
+        fmt::format("stroke:{},stroke-dasharray:6 3,stroke-width:2px", palette::queued),
+        fmt::format("stroke:{},stroke-width:3px", palette::push),
+        fmt::format("stroke:{},stroke-dasharray:2 2", palette::need)};
     constexpr std::array<std::string_view, 5> names{"inactive", "running", "queued", "pushed", "held"};
     for (std::size_t mark = 0; mark < styles.size(); ++mark)
       draw_class(names[mark], styles[mark],
