@@ -17,7 +17,7 @@ inline std::string in_seconds(std::int64_t microseconds) {
 
 /// "1.5 s", with all digits that are not 0. The time is not negative.
 inline std::string exact_seconds(std::int64_t microseconds) {
-  std::string out = fmt::format("{}.{:06}", microseconds / 1'000'000, microseconds % 1'000'000);
+  std::string out = in_seconds(microseconds);
   while (out.ends_with('0')) out.pop_back();
   if (out.ends_with('.')) out.pop_back();
   return out + " s";

@@ -44,8 +44,10 @@ std::vector<UseGuardSpec> read_use_guards(Reader& reader, const YamlNode* node) 
 bool read_answer_flag(Reader& reader, const YamlNode* node, std::string_view key) {
   const bool is_no =
       node != nullptr && node->kind == YamlNode::Kind::scalar && (node->text == "false" || is_a_no(node->text));
-  if (is_no) reader.unexpected(*node, key, "true", "leave it out where it is not so");
-  if (is_no) return false;
+  if (is_no) {
+    reader.unexpected(*node, key, "true", "leave it out where it is not so");
+    return false;
+  }
   const auto flag = reader.flag(node, key, "true");
   return flag && flag->value;
 }

@@ -37,9 +37,11 @@ bool may_serve_need(const Model& model, const Facts& facts, ProviderId id) {
 void propose_or_leave_out(const Model& model, const Facts& facts, ProviderId provider, const std::string& help,
                           dsl::Diagnostic& finding) {
   const GroupId group = model.providers[provider].group;
+  const bool may_serve = may_serve_need(model, facts, provider);
   for (const Provider& needer : model.providers) {
+    if (!may_serve || needer.group == group) continue;
     for (const Use<GroupId>& need : needer.needs) {
-      if (need.id != group || needer.group == group || !may_serve_need(model, facts, provider)) continue;
+      if (need.id != group) continue;
       finding.notes.push_back(
           {need.span, fmt::format("{} may hold {} by it here", name_of(model, needer.group), name_of(model, group))});
       finding.help = help;
