@@ -30,7 +30,7 @@ bool alive(const Context& x, Index edge) {
 /// Whether an equal of this edge holds the group and may keep it: equals never take from each other.
 bool kept_by_equal(Context& x, Index group, Index edge, bool record) {
   const Index holder = x.s.last[group].holder;
-  if (injected(Fault::equals_take) || x.s.edge_marks[holder].has(mark::refused) || !alive(x, holder) ||
+  if (x.s.edge_marks[holder].has(mark::refused) || !alive(x, holder) ||
       compare(x, {edge, Chains::current}, {holder, Chains::previous}, false) != 0)
     return false;
   x.depends_on_last = x.depends_on_stale = x.depends_on_all_stale = true;
@@ -48,8 +48,7 @@ bool kept_by_equal(Context& x, Index group, Index edge, bool record) {
 /// something too, and have made another choice. True: the sweep has to be repeated.
 bool denied_in_vain(Context& x) {
   for (const Index group : std::span<const Index>{x.s.denied, x.denied_count}) {
-    if (x.s.now[group].holder == x.s.last[group].holder || injected(Fault::denials_are_final)) continue;
-    if (!x.whole && injected(Fault::denials_of_unchanged_units_are_overlooked)) continue;
+    if (x.s.now[group].holder == x.s.last[group].holder) continue;
     if (x.whole) {
       x.s.group_marks[group] |= mark::forgotten;
       open_all(x, mark::forgotten);

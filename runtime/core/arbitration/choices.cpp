@@ -23,7 +23,7 @@ bool next_choice(Context& x, Index at, bool fresh, bool with_conditions, bool re
   for (bool first = fresh; member.choice < providers; ++member.choice, first = true) {
     if (first) {
       member.provider = preferred(x, group, member.choice, edge);
-      if (x.s.enabled[member.provider] == 0 && !injected(Fault::disabled_providers_run)) continue;
+      if (x.s.enabled[member.provider] == 0) continue;
       if (with_conditions && first_false(x, member.provider, edge) != nil) continue;
       if (as_it_is && member.provider != x.s.last[group].active) {
         x.depends_on_requester = true;

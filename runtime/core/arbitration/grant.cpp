@@ -15,8 +15,7 @@ void decide_alone(Context& x, Index edge, bool below_stale) {
 
 /// Grants the current members all together, or refuses them.
 void try_members(Context& x, Index count, bool below_stale) {
-  if (below_stale && any_not_running(x, count) && !injected(Fault::stale_groups_acquire))
-    return wait_for_requester(x, count);
+  if (below_stale && any_not_running(x, count)) return wait_for_requester(x, count);
   if (count == 1 && taken(x, x.s.member[0].edge)) return block(x, 1);
   if (!combine(x, count, true)) return x.t.conditions.empty() ? block(x, count) : refuse(x, count);
   if (!premature(x, count)) return grant(x, count);
@@ -39,7 +38,6 @@ void grant(Context& x, Index count) {
 /// Refuses the current members: no combination is available, even without regard to conditions.
 void block(Context& x, Index count) {
   for (const TriedMember& member : members(x, count)) x.s.edge_marks[member.edge] |= mark::refused;
-  if (injected(Fault::blocked_units_push_on)) keep_pushes(x, count);
   explain(x, count, Why::blocked);
 }
 

@@ -41,7 +41,6 @@ void reach_below_limbo(Context& x) {
 
 /// Keeps each unclaimed live group that a granted stale group may still request.
 void keep_unclaimed(Context& x) {
-  if (injected(Fault::limbo_keeps_nothing)) return;
   if (!x.whole && x.had_limbo) reach_below_limbo(x);
   for (Index i = 0; i < x.s.order_count[x.component]; ++i) {
     const Index group = x.s.order[x.row.order + i];

@@ -5,7 +5,6 @@
 // (Level::urgency, Level::optional). docs/semantics.md, section 4.1.
 
 #include "runtime/core/arbitration/context.hpp"
-#include "runtime/core/base/fault_injection.hpp"
 #include "runtime/core/base/inline.hpp"
 
 namespace director::arbitration {
@@ -64,16 +63,14 @@ Parting parting(Place a, Place b, Index length_a, Index length_b, const Above& a
 
 /// Rule 1.
 inline Verdict compare_heights(Index length_a, Index length_b) {
-  if (injected(Fault::ancestors_are_equals)) return {Precedence::above, 0};
   return {Precedence::above, length_a < length_b ? -1 : length_a > length_b ? 1 : 0};
 }
 
 /// Rules 3 and 4.
 inline Verdict compare_ranks(Side a, Side b, Index urgency_a, Index urgency_b) {
-  if (a.optional != b.optional)
-    return {Precedence::optional, a.optional != injected(Fault::optional_goes_first) ? 1 : -1};
+  if (a.optional != b.optional) return {Precedence::optional, a.optional ? 1 : -1};
   if (urgency_a == urgency_b) return {Precedence::equal, 0};
-  return {Precedence::priority, (urgency_a < urgency_b) != injected(Fault::priorities_are_reversed) ? -1 : 1};
+  return {Precedence::priority, urgency_a < urgency_b ? -1 : 1};
 }
 
 /// The urgency of an edge that is requested at this level; nil: that holds its target without a request.
@@ -155,8 +152,7 @@ DIRECTOR_ONE_COPY inline int compare_siblings(const Context& x, Side a, Side b, 
   const int by_rank = compare_ranks(a, b, urgency(x, a.edge), urgency(x, b.edge)).order;
   if (by_rank != 0 || !in_order) return by_rank;
   const auto stamp = [&](Index edge) { return requested(x, edge) ? x.s.request[edge].stamp : ~std::uint64_t{0}; };
-  if (stamp(a.edge) != stamp(b.edge)) // rule 5
-    return (stamp(a.edge) < stamp(b.edge)) != injected(Fault::younger_goes_first) ? -1 : 1;
+  if (stamp(a.edge) != stamp(b.edge)) return stamp(a.edge) < stamp(b.edge) ? -1 : 1; // rule 5
   return a.edge < b.edge ? -1 : 1;
 }
 

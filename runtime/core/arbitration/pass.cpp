@@ -39,7 +39,7 @@ void finish(Context& x) {
   for (const Index g : opened(x)) {
     if (x.s.now[g].holder == nil || x.s.now[g].active != nil || x.s.last[g].active == nil) continue;
     x.depends_on_last = true;
-    if (note_if_stale(x, g) || injected(Fault::unwanted_needs_live_on)) x.s.now[g].active = x.s.last[g].active;
+    if (note_if_stale(x, g)) x.s.now[g].active = x.s.last[g].active;
   }
   x.s.next_count[x.component] = x.placed;
   x.s.first_moved[x.component] = x.first_moved;

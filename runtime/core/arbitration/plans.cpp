@@ -92,7 +92,6 @@ bool search_plan(Context& x, Index provider, Index begin, Index& end, bool fresh
   if (fresh) {
     end = begin;
   } else {
-    if (injected(Fault::only_the_first_plan)) drop_entries(x, begin, end), end = begin;
     if (!change_last(x, begin, end, by_declaration)) return false;
   }
   while (next_need(x, provider, begin, end)) {

@@ -96,7 +96,7 @@ bool relax(Context& x, Index provider) {
       if (!x.s.condition_marks[effect].has(mark::lacked)) continue;
       const bool shorter = length < x.s.cost[effect];
       const Index other = x.s.cost_at[effect];
-      const bool declared_first = injected(Fault::the_later_provider_is_pushed) ? provider > other : provider < other;
+      const bool declared_first = provider < other;
       const bool earlier =
           length == x.s.cost[effect] && (declared_first || (provider == other && plan < x.s.cost_plan[effect]));
       if (!shorter && !earlier) continue;
@@ -180,7 +180,7 @@ bool is_requested(const Context& x, Index group) {
 Index preferred_by_push(const Context& x, Index group, Index place, Index edge) {
   const Index begin = x.t.groups[group].providers.begin;
   const Push& push = x.s.now[group].push;
-  if (injected(Fault::pushes_move_nothing) || !applies(x, push, edge)) return static_cast<Index>(begin + place);
+  if (!applies(x, push, edge)) return static_cast<Index>(begin + place);
   if (place == 0) return push.provider;
   const auto usual = static_cast<Index>(begin + place - 1);
   return usual < push.provider ? usual : static_cast<Index>(usual + 1);
@@ -189,7 +189,7 @@ Index preferred_by_push(const Context& x, Index group, Index place, Index edge) 
 /// Keeps the pushes of a unit that is granted.
 void keep_own_pushes(Context& x, Index count) {
   if (!pushes(x, count)) return;
-  if (!injected(Fault::served_pushes_end)) keep_serving_pushes(x, count);
+  keep_serving_pushes(x, count);
   // A push that serves one member of a unit serves all; below a stale group each member has only its own.
   x.depends_on_stale = x.depends_on_stale || count > 1;
   x.depends_on_all_stale = x.depends_on_all_stale || count > 1;
@@ -262,7 +262,7 @@ void finish_pushes(Context& x) {
     if (push.edge == nil) continue;
     x.depends_on_last = true;
     if (x.s.now[g].holder == nil) {
-      if (is_requested(x, g) || injected(Fault::pushes_outlive_requests)) continue;
+      if (is_requested(x, g)) continue;
       x.s.edge_trail[push.edge] |= trail::on_stale; // the unit that may make it again has to be decided again
       push = Push{};
       continue;

@@ -32,7 +32,6 @@ void compare_claims(Context& x, Index edge) {
 template <class Take>
 void each_user_edge(Context& x, Index group, Take&& take) {
   for (const Index user : x.t.list(x.t.groups[group].users)) {
-    if (user != group && injected(Fault::users_are_overlooked)) continue;
     for (const Index e : x.t.list(x.t.groups[user].requesters)) {
       const Index from = x.t.edges[e].requester;
       if (x.s.request[e].level != nil && (from == nil || x.s.last[from].holder != nil)) take(e);
@@ -47,7 +46,7 @@ void each_user_edge(Context& x, Index group, Take&& take) {
 void reach_unit(Context& x, Index requester) {
   const Range edges = x.t.groups[requester].edges;
   const auto apart = [&](Index e) { return requested(x, e) && x.t.levels[x.s.request[e].level].apart; };
-  if (injected(Fault::units_stay_in_place) || !any(edges.rows(), apart)) return;
+  if (!any(edges.rows(), apart)) return;
   for (const Index e : edges.rows()) {
     if (!apart(e) && x.s.last[target(x, e)].holder == e) reach_all_below(x, target(x, e));
   }
@@ -72,8 +71,7 @@ void each_in_line(Context& x, Index group, Take&& take) {
 void check_lines(Context& x, Index group) {
   const auto end = static_cast<Index>(x.s.place[group] + x.s.extent[group]);
   for (WaitingLine& line : std::span(x.lines).first(x.line_count)) {
-    if (line.first >= end || holder_now(x, line.group) != nil || injected(Fault::waiting_lines_are_overlooked))
-      continue;
+    if (line.first >= end || holder_now(x, line.group) != nil) continue;
     line.first = nil;
     bool found = false;
     each_in_line(x, line.group, [&](Index e, Index place) {
@@ -152,7 +150,7 @@ void reach_edge(Context& x, Index edge) {
 void reach_by_request(Context& x, Index edge, bool with_siblings) {
   const Index group = target(x, edge), from = x.t.edges[edge].requester;
   reach_edge(x, edge);
-  if (from != nil && with_siblings && !injected(Fault::other_members_are_overlooked)) {
+  if (from != nil && with_siblings) {
     for (const Index e : x.t.groups[from].edges.rows()) reach_edge(x, e);
     reach_unit(x, from);
   }
@@ -164,7 +162,6 @@ void reach_by_request(Context& x, Index edge, bool with_siblings) {
 /// Reaches the units that depend on the last assignment of the group, which the last pass changed.
 void reach_by_last_result(Context& x, Index group) {
   x.disturbed = true;
-  if (injected(Fault::the_last_result_is_overlooked)) return;
   each_user_edge(x, group, [&](Index e) {
     if (is_in_line(x, e)) return;
     if (x.s.edge_trail[e].has(trail::on_last)) reach_edge(x, e);
@@ -196,7 +193,7 @@ void reach_all_below(Context& x, Index group) {
     x.s.reach[found++] = g;
   };
   add(group);
-  for (Index i = 0; i < found && !injected(Fault::groups_below_are_overlooked); ++i) {
+  for (Index i = 0; i < found; ++i) {
     for (const Index e : x.t.groups[x.s.reach[i]].edges.rows()) {
       reach_edge(x, e);
       reach_pushes_of(x, e);

@@ -14,7 +14,6 @@ namespace {
 bool waived(const Context& x, Index provider, Index condition, Index edge) {
   const Index group = x.t.providers[provider].group;
   const Push& push = x.s.now[group].push;
-  if (injected(Fault::nothing_is_waived)) return false;
   if (push.edge == nil || push.provider != provider) return false;
   x.depends_on_last = true;
   if (!x.s.last[group].in_force() || x.s.last[group].push.provider != provider) return false;
@@ -57,7 +56,7 @@ bool any_enabled_causer(const Context& x, Index condition) {
 /// Whether `stay` replaces `when`: all of it holds, and the provider was active for its granted group.
 bool stays(const Context& x, Index provider) {
   const Provider& row = x.t.providers[provider];
-  if (row.stay.empty() || injected(Fault::stay_is_ignored)) return false;
+  if (row.stay.empty()) return false;
   x.depends_on_last = true;
   if (x.s.last[row.group].active != provider || !x.s.last[row.group].granted()) return false;
   return !any(x.t.list(row.stay), [&](Index condition) { return !holds(x, condition); });
@@ -86,8 +85,7 @@ void refuse(Context& x, Index count) {
   explain(x, count, Why::waiting, x.s.unmet[0].condition);
   if (early) return keep_pushes(x, count);
   for (Index i = 0; i < unmet; ++i) {
-    if (any_enabled_causer(x, x.s.unmet[i].condition) || injected(Fault::pushes_without_a_causer)) continue;
-    return; // no provider can cause it, so the unit pushes nothing
+    if (!any_enabled_causer(x, x.s.unmet[i].condition)) return; // the unit pushes nothing
   }
   push_for(x, count, unmet);
 }

@@ -21,9 +21,7 @@ bool any_edge(const Context& x, Index group, const Is& is) {
 }
 
 /// Whether the edge is decided in every pass, or, as it searched for a provider to push, as soon as anything differs.
-bool is_decided_again(const Context& x, Index edge) {
-  return x.s.edge_trail[edge].has(trail::on_stale | trail::waits);
-}
+bool is_decided_again(const Context& x, Index edge) { return x.s.edge_trail[edge].has(trail::on_stale | trail::waits); }
 
 /// Whether the pass has to open the group, whatever differs: an edge is decided again, or is optional and so ordered
 /// elsewhere.
@@ -34,10 +32,9 @@ bool is_always_opened(const Context& x, Index group) {
 /// Whether the pass follows only from a change of the assignment by the last one, on which no decision depends.
 bool is_settled(const Context& x) {
   if (x.s.component[x.component].has(work::changed)) return false;
-  if (injected(Fault::the_last_result_is_always_settled)) return true;
   if (x.pushed_count != 0 || x.had_limbo || x.reached_count != 0) return false;
   // Requests that ended because their requester stopped: it may still hold their targets, as needs.
-  if (x.s.rerequested[x.component] != nil && !injected(Fault::ended_requests_are_overlooked)) return false;
+  if (x.s.rerequested[x.component] != nil) return false;
   for (Index e = x.s.first_root[x.component]; e != nil; e = x.s.next_root[e]) {
     if (is_decided_again(x, e)) return false;
   }
@@ -51,8 +48,7 @@ bool is_settled(const Context& x) {
 
 /// Whether the next pass may have to open the group.
 bool may_be_opened_next(const Context& x, Index group) {
-  return !injected(Fault::permanent_decisions_are_overlooked) &&
-         (is_marked_stale(x, group) || is_always_opened(x, group));
+  return is_marked_stale(x, group) || is_always_opened(x, group);
 }
 
 /// Clears the marks of edges that the walk may have visited, and of groups that it may have passed by.
@@ -201,9 +197,8 @@ void pass_by(Context& x, Index group) {
 /// Whether an edge that searched for pushes, or whose target was claimed, need not be decided again.
 bool keeps_waiting(const Context& x, Index edge) {
   const std::uint8_t bits = x.s.edge_trail[edge];
-  const bool searches = (bits & trail::waits) != 0 && x.disturbed && !injected(Fault::waiting_units_are_overlooked);
-  const bool is_free =
-      (bits & trail::in_line) != 0 && !taken(x, edge) && !injected(Fault::waiting_lines_are_overlooked);
+  const bool searches = (bits & trail::waits) != 0 && x.disturbed;
+  const bool is_free = (bits & trail::in_line) != 0 && !taken(x, edge);
   return !searches && !is_free;
 }
 
@@ -223,7 +218,7 @@ bool copy_unchanged_rest(Context& x, Index root) {
     const Index group = x.t.edges[e].target;
     const bool was_held = x.s.last[group].holder == e;
     const bool affected = !stands(x, e) || (was_held && x.s.place[group] < x.opened_end);
-    if (affected && !injected(Fault::the_rest_is_always_unchanged)) {
+    if (affected) {
       x.undecided = e;
       return false;
     }

@@ -27,7 +27,7 @@ void add_candidates(Context& x, Index group) {
   for (Index e = edges.end; e != edges.begin;) {
     --e;
     const Index level = x.s.request[e].level;
-    if (!x.whole && level != nil && !injected(Fault::stale_requesters_are_overlooked)) {
+    if (!x.whole && level != nil) {
       const bool on_requester = x.s.edge_trail[e].has(trail::on_requester);
       stale_matters = stale_matters || on_requester;
       if ((differs & (on_requester ? trail::requests | trail::stale : trail::requests)) != 0) {
@@ -37,8 +37,7 @@ void add_candidates(Context& x, Index group) {
     }
     if (level == nil || !requests) {
       if (holder_now(x, x.t.edges[e].target) != e) {
-        if (differs != 0 && !x.whole && x.s.last[x.t.edges[e].target].holder == e &&
-            !injected(Fault::lost_needs_are_overlooked))
+        if (differs != 0 && !x.whole && x.s.last[x.t.edges[e].target].holder == e)
           reach_all_below(x, x.t.edges[e].target);
         continue;
       }
@@ -50,7 +49,7 @@ void add_candidates(Context& x, Index group) {
     stale_matters = stale_matters || !x.s.now[group].granted(); // this request counts only while it is stale
     const Level& row = x.t.levels[level];
     std::uint8_t all = marks;
-    if (row.optional || row.apart || injected(Fault::members_are_granted_alone)) {
+    if (row.optional || row.apart) {
       all |= mark::alone;
     } else {
       ++together;

@@ -25,14 +25,7 @@ inline void place(Context& x, Index group) {
     close_extents(x, requester_of_holder(x, x.s.now[group]));
     x.top = group;
   }
-  Index at = x.placed;
-  if (injected(Fault::ancestors_are_equals) && at != 0 &&
-      x.s.next_order[x.row.order + at - 1] == requester(x, x.s.now[group].holder)) {
-    put(x, x.s.next_order[x.row.order + at - 1], at);
-    --at;
-  }
-  put(x, group, at);
-  ++x.placed;
+  put(x, group, x.placed++);
   if (!x.t.groups[group].edges.empty()) add_candidates(x, group);
 }
 

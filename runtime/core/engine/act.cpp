@@ -88,9 +88,8 @@ std::span<const Index> Engine::with_reasons() {
   for (Index i = 0; i < c.touched_count; ++i) {
     const Index group = x_.s.touched[i];
     if (!decided(group)) {
-      if (!granted(group) || injected(Fault::other_components_are_overlooked)) continue;
-    } else if (x_.s.group_marks[group].has(mark::differs) || !x_.s.now[group].granted() ||
-               injected(Fault::unchanged_groups_are_overlooked)) {
+      if (!granted(group)) continue;
+    } else if (x_.s.group_marks[group].has(mark::differs) || !x_.s.now[group].granted()) {
       continue;
     }
     x_.s.reach[count++] = group;
@@ -107,7 +106,7 @@ void Engine::stop_group(Index group) {
   use_data_of(group, nil);
   forget_triggers(group);
   for (const Index e : x_.t.groups[group].edges.rows()) {
-    if (x_.s.request[e].level == nil || injected(Fault::stopped_requests_stay)) continue;
+    if (x_.s.request[e].level == nil) continue;
     x_.s.request[e].level = nil;
     arbitration::note_rerequest(x_, e);
   }
@@ -116,12 +115,12 @@ void Engine::stop_group(Index group) {
 /// The reasons to run of a granted group that follow from its assignment.
 std::uint8_t Engine::reasons(const GroupAssignment& last, const GroupAssignment& now) {
   std::uint8_t bits = 0;
-  const bool handed_on = last.holder != now.holder && !injected(Fault::a_new_holder_gives_no_reason);
+  const bool handed_on = last.holder != now.holder;
   if (last.active == nil || !last.granted() || handed_on) bits |= reason::new_task;
   if (last.active != now.active) bits |= now.in_force() ? reason::pushed : reason::new_task;
   const bool served =
       last.serving() && now.push.provider == last.push.provider && now.push.condition == last.push.condition;
-  if (now.serving() && !served && !injected(Fault::a_lost_state_gives_no_reason)) bits |= reason::pushed;
+  if (now.serving() && !served) bits |= reason::pushed;
   return bits;
 }
 
@@ -138,14 +137,13 @@ void Engine::give_reasons(Index group) {
 
 /// Adopts the new assignment. A group that is not granted leaves the run queue; its pending reasons stay.
 inline void Engine::adopt(Index group) {
-  if (!x_.s.now[group].granted() && !injected(Fault::lost_groups_stay_queued)) leave_queue(group);
+  if (!x_.s.now[group].granted()) leave_queue(group);
   x_.s.group_marks[group].remove(mark::differs);
   x_.s.last[group] = x_.s.now[group];
   for (const Index slot : x_.t.groups[group].slots.rows()) x_.s.last.plan[slot] = x_.s.now.plan[slot];
 }
 
 void Engine::adopt_order(Index component) {
-  if (injected(Fault::the_order_stays)) return;
   const Component& row = x_.t.components[component];
   const Index count = x_.s.order_count[component] = x_.s.next_count[component];
   const Index* const next = x_.s.next_order + row.order;

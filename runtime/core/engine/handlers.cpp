@@ -9,9 +9,7 @@ namespace director {
 const char part::handlers = 0;
 
 void Engine::end_lifecycle(Index group) {
-  for (const Index state : x_.t.list(x_.t.groups[group].owned)) {
-    if (!injected(Fault::owned_states_stay)) set_by_handler(state, x_.t.states[state].initial);
-  }
+  for (const Index state : x_.t.list(x_.t.groups[group].owned)) { set_by_handler(state, x_.t.states[state].initial); }
   handle(group, Reason::stopped);
   timers_.disarm({Timers::Kind::every, group});
 }
@@ -30,7 +28,7 @@ void Engine::handle(Index group, Reason reason) {
 /// Calls the start handler when the group becomes live, and begins the period when its provider becomes active.
 void Engine::begin_lifecycle(Index group) {
   const GroupAssignment &now = x_.s.now[group], &last = x_.s.last[group];
-  if (last.active == now.active || injected(Fault::handlers_are_overlooked)) return;
+  if (last.active == now.active) return;
   if (last.active == nil) {
     starting_ = group;
     handle(group, Reason::started);

@@ -43,7 +43,6 @@ bool Engine::take_input(const Input& record) {
 [[gnu::noinline]] bool Engine::take_enabled(Index provider, std::uint8_t wanted) {
   if (x_.s.enabled[provider] == wanted) return false;
   x_.s.enabled[provider] = wanted;
-  if (injected(Fault::enabling_is_overlooked)) return true;
   const Index component = x_.t.groups[x_.t.providers[provider].group].component;
   mark(component, work::changed);
   x_.s.news_count[component] = nil; // which units may push it is not noted, and this is rare

@@ -52,7 +52,6 @@ DIRECTOR_ONE_COPY inline void Engine::mark(Index component, std::uint8_t bits) {
 
 /// Notes that the group becomes stale, or stale no longer, if a decision of the last pass depended on it.
 DIRECTOR_ONE_COPY inline void Engine::mark_stale(Index group) {
-  if (injected(Fault::staleness_is_overlooked)) return;
   const RunQueueEntry& entry = x_.s.run_queue[group];
   if (entry.stale_matters != 0 || x_.s.component[entry.component].has(work::stale_matters))
     mark(entry.component, work::changed);
@@ -70,7 +69,7 @@ inline void Engine::untouch(Index group) { x_.s.run_queue[group].flags.remove(gr
 /// Adds bits of Reason. True if one of them is new.
 inline bool Engine::note_reasons(Index group, std::uint8_t bits) {
   RunQueueEntry& entry = x_.s.run_queue[group];
-  if ((bits & reason::new_task) != 0 && !injected(Fault::done_outlives_a_new_task)) entry.done = 0;
+  if ((bits & reason::new_task) != 0) entry.done = 0;
   const auto news = static_cast<std::uint8_t>(bits & ~entry.pending);
   entry.pending |= news;
   if ((news & reason::makes_stale) != 0) mark_stale(group);
@@ -92,7 +91,7 @@ DIRECTOR_INLINE void Engine::queue_run(Index group, bool anew) {
   RunQueueEntry& entry = x_.s.run_queue[group];
   if (anew) {
     entry.pending |= reason::new_task;
-    if (!injected(Fault::done_outlives_a_new_task)) entry.done = 0;
+    entry.done = 0;
   }
   enter_queue(group);
 }

@@ -64,7 +64,6 @@ void Engine::remember_request(Index edge) {
 
 /// Swaps requests with those before this micro-step; the second call swaps them back.
 void Engine::swap_altered() {
-  if (injected(Fault::stops_use_the_new_order)) return;
   for (Requested& row : std::span(x_.s.before, x_.before_count)) {
     Requested& request = x_.s.request[row.target];
     std::swap(request.level, row.level);

@@ -66,7 +66,7 @@ void Engine::update_conditions(Index state) {
         value != unset && narrow(unchanged, x_.t.intervals.subspan(row.accepts.begin, row.accepts.size()), value);
     if (now == arbitration::holds(x_, condition)) continue;
     x_.s.truth[condition] = now ? 1 : 0;
-    if (!x_.s.counters->begun || injected(Fault::conditions_are_overlooked)) continue;
+    if (!x_.s.counters->begun) continue;
     for (const Index component : x_.t.list(row.components)) mark(component, work::changed);
     for (const Index group : x_.t.list(row.groups)) arbitration::touch_group(x_, group);
   }
