@@ -142,6 +142,7 @@ BehaviourSpec read_file(Reader& reader, const YamlNode& root) {
   BehaviourSpec file;
   file.file = root.span.file;
   file.span = {root.span.file, 0, static_cast<std::uint32_t>(reader.source().size())};
+  if (reader.is_another_file(root, "a behaviour file", "language", {"scenario", "steps"}, slips_of_file())) return file;
   if (!read_language(reader, root)) return file;
   const Span first = root.pairs.empty() ? root.span : root.pairs.front().key.span;
   reader.know_keys(root, "a behaviour file", keys, slips_of_file());

@@ -150,12 +150,15 @@ StepSpec read_step(Reader& reader, const YamlNode& mapping) {
 void read_top(Reader& reader, const YamlNode& root, const std::string& path, FileAccess& files, ScenarioSpec& out) {
   static const Keys keys{"scenario", "behaviour", "given", "script", "steps", "doc"};
   const Span first = root.pairs.empty() ? root.span : root.pairs.front().key.span;
+  out.behaviour = {"", first};
+  if (reader.is_another_file(root, "a scenario file", "steps", {"language", "groups"}, slips_of_scenario_file()))
+    return;
   reader.know_keys(root, "a scenario file", keys, slips_of_scenario_file());
   out.title = reader.text(root.find("scenario"), "scenario");
   out.behaviour = reader
                       .word(reader.require(root, "behaviour", "a scenario file", first, "behaviour: walker.yaml"),
                             "behaviour", "the path of a behaviour file")
-                      .value_or(Word{"", first});
+                      .value_or(out.behaviour);
   if (!out.behaviour.value.empty()) out.behaviour_path = files.beside(path, out.behaviour.value);
   out.doc = reader.text(root.find("doc"), "doc");
   out.given = read_settings(reader, root.find("given"), "given");

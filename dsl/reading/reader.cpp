@@ -167,6 +167,15 @@ void Reader::know_keys(const YamlNode& mapping, std::string_view thing, const Ke
   }
 }
 
+bool Reader::is_another_file(const YamlNode& file, std::string_view thing, std::string_view own, const Keys& foreign,
+                             const Slips& slips) {
+  const auto key = std::find_if(foreign.begin(), foreign.end(), [&](const auto& each) { return file.find(each); });
+  if (file.find(own) || key == foreign.end()) return false;
+  error("unknown_key", key_of(file, *key).span, fmt::format("{} has no key {}", thing, in_quotes(*key)),
+        *help_for(slips, *key));
+  return true;
+}
+
 void Reader::exclude(const YamlNode& mapping, std::string_view key, std::string_view other, std::string_view help) {
   if (!mapping.find(key) || !mapping.find(other)) return;
   Word first = key_of(mapping, key), second = key_of(mapping, other);

@@ -52,6 +52,10 @@ public:
   /// lacks() and require(), which do not report a key as missing if it is only misspelt, or if the YAML reader reported
   /// it.
   void know_keys(const YamlNode& mapping, std::string_view thing, const Keys& keys, const Slips& slips = {});
+  /// Whether the file is one of another kind: it has one of these keys, and not the key `own`. Reports that key alone:
+  /// all else in the file would be wrong for the same reason. `thing`: "a behaviour file".
+  bool is_another_file(const YamlNode& file, std::string_view thing, std::string_view own, const Keys& foreign,
+                       const Slips& slips);
   /// exclusive_keys at the later of the two, if both are there.
   void exclude(const YamlNode& mapping, std::string_view key, std::string_view other, std::string_view help);
   bool lacks(const YamlNode& mapping, std::string_view key) const;

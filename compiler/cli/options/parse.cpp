@@ -76,6 +76,23 @@ std::optional<Message> unknown_subcommand(const std::vector<std::string>& argume
                  true};
 }
 
+/// What no option or positional of the subcommand takes: the first unknown option, or else all of it.
+std::string unexpected(const CLI::App& subcommand) {
+  std::vector<std::string> words = subcommand.remaining();
+  const auto options_end = std::find(words.begin(), words.end(), "--");
+  const auto option = std::find_if(words.begin(), options_end, [](const auto& word) { return word.starts_with('-'); });
+  if (option == options_end) {
+    words.erase(options_end, options_end + (options_end == words.end() ? 0 : 1));
+    return fmt::format("unexpected {} `{}`", words.size() == 1 ? "argument" : "arguments", fmt::join(words, "`, `"));
+  }
+  std::vector<std::string> names;
+  for (const CLI::Option* each : subcommand.get_options())
+    for (const std::string& name : each->get_lnames()) names.push_back("--" + name);
+  const std::string name = option->substr(0, option->find('='));
+  const std::optional<std::string> near = dsl::suggest(name, names);
+  return fmt::format("there is no option `{}`{}", name, near ? fmt::format("; did you mean `{}`?", *near) : "");
+}
+
 /// An error for an empty value, as of "$BUILD" if BUILD is not set.
 std::optional<Message> empty_value(const CLI::App& subcommand) {
   for (const CLI::Option* option : subcommand.get_options()) {
@@ -143,11 +160,13 @@ Request parse(const std::vector<std::string>& arguments, const std::string& sche
     return Message{fmt::format("directorc {}\n", version()), false};
   } catch (const CLI::ParseError& error) {
     if (const std::optional<Message> wrong = id_without_equals(arguments)) return *wrong;
-    std::string with = "directorc";
-    for (const CLI::App* subcommand : apps) {
-      if (subcommand->parsed()) with += " " + subcommand->get_name();
-    }
-    return Message{fmt::format("{}: {}\nTry `{} --help`.\n", with, error.what(), with), true};
+    const auto parsed =
+        std::find_if(apps.begin(), apps.end(), [](const CLI::App* subcommand) { return subcommand->parsed(); });
+    const CLI::App& at = parsed == apps.end() ? app : **parsed;
+    const std::string with = parsed == apps.end() ? "directorc" : "directorc " + at.get_name();
+    const bool extra = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) ||
+                       (parsed == apps.end() && !arguments.empty());
+    return Message{fmt::format("{}: {}\nTry `{} --help`.\n", with, extra ? unexpected(at) : error.what(), with), true};
   }
   for (std::size_t i = 0; i < apps.size(); ++i) {
     if (!apps[i]->parsed()) continue;

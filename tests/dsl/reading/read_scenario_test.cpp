@@ -317,11 +317,20 @@ TEST_CASE("Every scenario of this project is read without a finding") {
   CHECK(count > 0);
 }
 
-TEST_CASE("A file of the other kind is recognised by its keys") {
+TEST_CASE("A file of the other kind is recognised by its keys, and its other keys are not reported") {
   CHECK(read_scenario_body("language: 1\ngroups: {}\n").findings() ==
         "2:1 `language` unknown_key: a scenario file has no key `language` (this belongs to a behaviour file, which "
+        "`directorc check` reads)\n");
+  CHECK(read_text("scenario: it walks\nbehaviour: ../walker.yaml\ngiven: {}\nsteps: []\n").findings() ==
+        "1:1 `scenario` unknown_key: a behaviour file has no key `scenario` (this belongs to a scenario, which "
+        "`directorc test` and `directorc simulate` play)\n");
+}
+
+TEST_CASE("In a file that is of its own kind, each key of the other kind is reported") {
+  CHECK(read_scenario_body("steps: []\nlanguage: 1\ngroups: {}\n").findings() ==
+        "3:1 `language` unknown_key: a scenario file has no key `language` (this belongs to a behaviour file, which "
         "`directorc check` reads)\n"
-        "3:1 `groups` unknown_key: a scenario file has no key `groups` (this belongs to a behaviour file, which "
+        "4:1 `groups` unknown_key: a scenario file has no key `groups` (this belongs to a behaviour file, which "
         "`directorc check` reads)\n");
   CHECK(read_body("steps: []\n").findings() ==
         "3:1 `steps` unknown_key: a behaviour file has no key `steps` (this belongs to a scenario, which `directorc "

@@ -39,6 +39,23 @@ TEST_CASE("a wrong command line is reported, with a suggestion") {
   CHECK(world.out.empty());
 }
 
+TEST_CASE("the first unknown option is reported, or all arguments that are too many, in their order") {
+  World world;
+  CHECK(world.directorc({"check", "--fromat", "json", "x.yaml", "--fro"}) == 2);
+  CHECK(world.err == "directorc check: there is no option `--fromat`; did you mean `--format`?\n"
+                     "Try `directorc check --help`.\n");
+  CHECK(world.directorc({"check", "x.yaml", "--colours=3"}) == 2);
+  CHECK(world.err == "directorc check: there is no option `--colours`\nTry `directorc check --help`.\n");
+  CHECK(world.directorc({"graph", "x.yaml", "y.yaml", "z.yaml"}) == 2);
+  CHECK(world.err == "directorc graph: unexpected arguments `y.yaml`, `z.yaml`\nTry `directorc graph --help`.\n");
+  CHECK(world.directorc({"--versoin"}) == 2);
+  CHECK(world.err == "directorc: there is no option `--versoin`; did you mean `--version`?\nTry `directorc --help`.\n");
+  CHECK(world.directorc({"graph", "--", "x.yaml", "--y.yaml"}) == 2);
+  CHECK(world.err == "directorc graph: unexpected argument `--y.yaml`\nTry `directorc graph --help`.\n");
+  CHECK(world.directorc({"graph", "x.yaml", "y.yaml"}) == 2);
+  CHECK(world.err == "directorc graph: unexpected argument `y.yaml`\nTry `directorc graph --help`.\n");
+}
+
 TEST_CASE("help and version go to the output and are no mistake") {
   World world;
   CHECK(world.directorc({"--version"}) == 0);

@@ -73,7 +73,7 @@ TEST_CASE("what is wrong with a command line commands no terminal") {
   World world;
   CHECK(told_plainly(world, {"\x1B[31m"}).find("directorc: there is no subcommand `\\x1B[31m`; there are ") == 0);
   CHECK(told_plainly(world, {"check", "a.yaml", "--\x1B[31m"}) ==
-        "directorc check: The following argument was not expected: --\\x1B[31m\nTry `directorc check --help`.\n");
+        "directorc check: there is no option `--\\x1B[31m`\nTry `directorc check --help`.\n");
 }
 
 TEST_CASE("of what is very long, messages repeat the beginning and the end") {
