@@ -3,6 +3,7 @@
 #include "tests/property/reached.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace director::property {
 
@@ -70,6 +71,16 @@ void Reached::look(const compiler::Machine& machine) {
   for (const std::uint32_t word : now_) key = (key ^ word) * 1'099'511'628'211U, key ^= key >> 29;
   if (!seen_.insert(key).second) return;
 
+  // A provider that is held by a push runs with any values of the states that it causes itself; so does what needs it.
+  const std::function<bool(Index)> is_held = [&](Index g) {
+    const Push& push = s.last[g].push;
+    const Index provider = engine.granted(g) ? engine.active(g) : s.last[g].planned;
+    return (push.edge != nil && push.provider == provider) ||
+           director::any(t.list(t.providers[provider].needs), [&](Index e) {
+             const Index target = t.edges[e].target;
+             return engine.holder(target) == e && is_held(target);
+           });
+  };
   const std::vector<std::int32_t> all = values_of(engine);
   for (Index v = 0; v < t.states.size(); ++v) values[v].insert(all[v]);
   for (Index g = 0; g < t.groups.size(); ++g) {
@@ -80,9 +91,7 @@ void Reached::look(const compiler::Machine& machine) {
       if (engine.granted(g) && engine.active(g) == push.provider && engine.state(push.edge) == RunState::queued)
         pushed_to_effect.insert(each);
     }
-    // A provider that is held by a push runs with any values of the states that it causes itself.
-    const bool is_held = push.edge != nil && push.provider == engine.active(g);
-    if (engine.granted(g) && !is_held) granted_in.insert({GroupId{g}, all});
+    if (engine.granted(g) && !is_held(g)) granted_in.insert({GroupId{g}, all});
   }
   for (std::size_t i = 0; i < packs_.size(); ++i) {
     const Index group = ground_.model.providers[packs_[i].provider].group.value;

@@ -47,7 +47,7 @@ public:
       pushed_to_effect;                       ///< the provider ran while the task waited
   std::vector<std::set<std::int32_t>> values; ///< state
   std::set<GrantedBelow> granted_below;
-  /// A group that is granted and not held by a push, and the values of all states then.
+  /// A group that is granted, neither it nor a need of it held by a push, and the values of all states then.
   std::set<std::pair<compiler::GroupId, std::vector<std::int32_t>>> granted_in;
   /// After find_changes(): the values of all states, and those after the next micro-step.
   std::set<std::pair<std::vector<std::int32_t>, std::vector<std::int32_t>>> changes;

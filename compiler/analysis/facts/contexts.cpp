@@ -80,10 +80,19 @@ bool Contexts::widen(GroupId group, const Requested& requested) {
   return widen(facts_.grants[group], requested.granted) || tried;
 }
 
+/// While its requester is stale, a task that runs goes on without those that it was granted together with.
+Region Contexts::while_granted(GroupId group) const {
+  const Region &granted = facts_.grants[group], &tried = facts_.contexts[group];
+  Region later = after(granted);
+  if (is_kept_adrift(group)) return later;
+  later.meet(tried);
+  return hull(granted, later);
+}
+
 Region Contexts::around_requested(ProviderId id) {
   const GroupId group = model_.providers[id].group;
   Region out = around(id, facts_.pushed.contains(id));
-  out.meet(is_kept_adrift(group) ? after(facts_.grants[group]) : facts_.grants[group]);
+  out.meet(while_granted(group));
   if (facts_.plans[id] == PlanVerdict::found) {
     for (const Use<GroupId>& need : model_.providers[id].needs) out.meet(around_needed(need.id));
   }

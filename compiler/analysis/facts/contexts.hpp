@@ -43,6 +43,8 @@ private:
   /// "Hand-over"): some group requests or needs that requester.
   bool is_kept_adrift(GroupId group) const;
   Region around(ProviderId id, bool pushed) const;
+  /// Around the states with which a task for the group may stay granted.
+  Region while_granted(GroupId group) const;
   /// Around the states with which it runs for a request.
   Region around_requested(ProviderId id);
   /// Around all states that may follow one in the region, itself included.
