@@ -151,9 +151,7 @@ private:
 };
 
 bool has_priority(const Model& model, const Task& task) {
-  const std::vector<Level>& levels = model.edges[task.edge].levels;
-  return std::any_of(task.levels.begin(), task.levels.end(),
-                     [&](const Task::NamedLevel& named) { return levels[named.level].priority != 0; });
+  return model.any_level(task, [](const Level& level) { return level.priority != 0; });
 }
 
 std::string beside(const Model& model, const Together& together) {

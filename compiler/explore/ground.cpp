@@ -4,7 +4,6 @@
 
 #include "compiler/lower/lower.hpp"
 #include "compiler/lower/steps.hpp"
-#include "compiler/play/resolve_case.hpp"
 
 #include <fmt/format.h>
 
@@ -137,7 +136,7 @@ private:
               std::any_of(options.begin(), options.end(), [&](const auto& o) { return o->level == row; });
           if (!twice) options.push_back(RequestedLevel{edge, row});
         }
-        if (!provider.has_packs || may_be_left_out(model_, task)) {
+        if (!provider.has_packs || model_.may_be_left_out(task)) {
           options.emplace_back();
         } else {
           required.push_back(edge);

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/explore/scenario_words.hpp"
 
-#include "compiler/play/resolve_case.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -95,7 +93,7 @@ void ScenarioWords::answer(const Provider& row, const RequestedPack& requests, b
       if (each.tasks.size() < requests.size() || (found && each.tasks.size() >= fewest)) continue;
       auto next = requests.begin();
       const bool rest_optional = std::all_of(each.tasks.begin(), each.tasks.end(), [&](const Task& task) {
-        if (next == requests.end() || !has(task, *next)) return may_be_left_out(m_, task);
+        if (next == requests.end() || !has(task, *next)) return m_.may_be_left_out(task);
         ++next;
         return true;
       });

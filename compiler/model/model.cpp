@@ -33,6 +33,10 @@ std::string State::value_text(std::int64_t value) const {
   return values.words().at(static_cast<std::size_t>(value));
 }
 
+bool Pack::requests(EdgeId edge) const {
+  return std::any_of(tasks.begin(), tasks.end(), [&](const Task& task) { return task.edge == edge; });
+}
+
 std::string Model::full_name(ProviderId id) const {
   const Provider& provider = providers[id];
   const std::string& group = groups[provider.group].name.value;

@@ -107,6 +107,7 @@ struct Pack {
   Span span{};
   std::vector<Task> tasks;
   std::string doc;
+  bool requests(EdgeId edge) const; ///< one of the tasks is requested through the edge
 };
 
 struct Provider {
@@ -213,6 +214,23 @@ struct Model {
   };
   Limit trials; ///< of one decision
   Limit pass;   ///< of one pass over one component
+
+  /// Whether the test holds for some level at which the task is requested.
+  template <class Test>
+  bool any_level(const Task& task, const Test& test) const {
+    const std::vector<Level>& all = edges[task.edge].levels;
+    return std::any_of(task.levels.begin(), task.levels.end(),
+                       [&](const Task::NamedLevel& named) { return test(all[named.level]); });
+  }
+  /// ... for each of them.
+  template <class Test>
+  bool each_level(const Task& task, const Test& test) const {
+    return !any_level(task, [&](const Level& level) { return !test(level); });
+  }
+  /// Whether a body that requests the pack of this task may leave it out: it is optional at one of its levels.
+  bool may_be_left_out(const Task& task) const {
+    return any_level(task, [](const Level& level) { return level.optional; });
+  }
 
   const Group& group_of(ProviderId id) const { return groups[providers[id].group]; }
   /// `Walk.halting`, or `Kick` for a provider called `default`.

@@ -214,14 +214,10 @@ private:
     if (!together.whole) return true;
     const GroupId requester = model_.providers[*together.provider].group;
     const std::vector<ProviderId>& providers = model_.groups[requester].providers;
-    const auto has = [](const Pack& pack, const Task& task) {
-      return std::any_of(pack.tasks.begin(), pack.tasks.end(),
-                         [&](const Task& each) { return each.edge == task.edge; });
-    };
     return std::any_of(providers.begin(), providers.end(), [&](ProviderId id) {
       const Provider& provider = model_.providers[id];
       return counts_(id) && std::any_of(provider.packs.begin(), provider.packs.end(), [&](const Pack& pack) {
-               return has(pack, loser) && !(provider.has_packs && has(pack, taker));
+               return pack.requests(loser.edge) && !(provider.has_packs && pack.requests(taker.edge));
              });
     });
   }

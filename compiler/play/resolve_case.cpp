@@ -63,10 +63,10 @@ void leave_out(const Word& name, const dsl::CaseSpec& spec, const Pack& pack, Na
   const std::string owner = fmt::format("the pack `{}` has", pack.name);
   const Task* task = names.task(pack.tasks, owner, name);
   if (task == nullptr) return;
-  if (!may_be_left_out(names.model, *task)) {
+  if (!names.model.may_be_left_out(*task)) {
     std::vector<std::string> known;
     for (const Task& each : pack.tasks) {
-      if (may_be_left_out(names.model, each)) known.push_back(names.model.groups[each.target].name.value);
+      if (names.model.may_be_left_out(each)) known.push_back(names.model.groups[each.target].name.value);
     }
     names.undefined(name.span, fmt::format("{} no optional task called `{}`", owner, name.value), name.value, known)
         .notes.push_back({task->span, "a body that requests the pack cannot leave out this one"});
@@ -182,12 +182,6 @@ void resolve_guards(const dsl::CaseSpec& spec, Case& out) {
 }
 
 } // namespace
-
-bool may_be_left_out(const Model& model, const Task& task) {
-  const std::vector<Level>& levels = model.edges[task.edge].levels;
-  return std::any_of(task.levels.begin(), task.levels.end(),
-                     [&](const Task::NamedLevel& level) { return levels[level.level].optional; });
-}
 
 std::optional<ProviderId> find_promise(const Model& model, std::string_view trigger) {
   for (const ProviderId id : model.providers.ids()) {

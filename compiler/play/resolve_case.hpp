@@ -8,9 +8,6 @@ namespace director::compiler {
 
 Case resolve_case(const dsl::CaseSpec& spec, ProviderId provider, Names& names);
 
-/// Whether a body that requests the pack of this task may leave it out: it is optional at one of its levels.
-bool may_be_left_out(const Model& model, const Task& task);
-
 /// The provider of a promise with a time limit, by the trigger that fires when it is broken: `Walk.halting.broken`.
 std::optional<ProviderId> find_promise(const Model& model, std::string_view trigger);
 

@@ -83,15 +83,9 @@ private:
     for (const Task& task : pack.tasks) {
       const bool requested = view_.requested(static_cast<Index>(task.edge.value));
       if (requested && has_level(task)) --count;
-      if (!requested && !may_be_left_out(task)) return false;
+      if (!requested && !model_.may_be_left_out(task)) return false;
     }
     return count == 0;
-  }
-
-  bool may_be_left_out(const Task& task) const {
-    const std::vector<Level>& levels = model_.edges[task.edge].levels;
-    return std::any_of(task.levels.begin(), task.levels.end(),
-                       [&](const Task::NamedLevel& each) { return levels[each.level].optional; });
   }
 
   /// The place of the condition in the waiting provider, otherwise of its state.

@@ -20,10 +20,6 @@ namespace {
 
 const std::string& name_of(const Model& model, const Task& task) { return model.groups[task.target].name.value; }
 
-bool holds(const Pack& pack, const Task& task) {
-  return std::any_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& each) { return each.edge == task.edge; });
-}
-
 /// `{Motion: still, Grip: open}`, with the first value of each; empty if there is none.
 std::string settings(const Model& model, const Values& values) {
   std::vector<std::string> pairs;
@@ -115,9 +111,10 @@ std::string kept(const Model& model, const Task& task) { return name_of(model, t
 /// A pack that requests both; the column's own, if there is none.
 const Pack& pack_of_both(const Provider& provider, const Link& row, const Link& column) {
   const std::vector<Pack>& packs = provider.packs;
-  if (holds(packs[row.pack], *column.next)) return packs[row.pack];
-  const auto both = std::find_if(packs.begin(), packs.end(),
-                                 [&](const Pack& pack) { return holds(pack, *row.next) && holds(pack, *column.next); });
+  if (packs[row.pack].requests(column.next->edge)) return packs[row.pack];
+  const auto both = std::find_if(packs.begin(), packs.end(), [&](const Pack& pack) {
+    return pack.requests(row.next->edge) && pack.requests(column.next->edge);
+  });
   return both == packs.end() ? packs[column.pack] : *both;
 }
 
@@ -126,7 +123,7 @@ std::string leads_beside(const Model& model, const Link& row, const Link& column
   const Provider& provider = model.providers[column.provider];
   if (!provider.has_packs) return fmt::format("tasks: [{}, {}]", kept(model, *row.next), name_of(model, *column.next));
   const Pack& pack = pack_of_both(provider, row, column);
-  if (!holds(pack, *row.next)) return leads_on(model, column);
+  if (!pack.requests(row.next->edge)) return leads_on(model, column);
   return fmt::format("pack: {}, with: [{}]", dsl::yaml_word(pack.name), kept(model, *row.next));
 }
 
@@ -135,7 +132,7 @@ std::string goes_on_with(const Model& model, const Link& row, const Link& column
   const Provider& provider = model.providers[column.provider];
   if (!provider.has_packs) return fmt::format("tasks: [{}]", kept(model, *column.next));
   for (const Pack& pack : provider.packs) {
-    if (holds(pack, *column.next) && !holds(pack, *row.next))
+    if (pack.requests(column.next->edge) && !pack.requests(row.next->edge))
       return fmt::format("pack: {}, with: [{}]", dsl::yaml_word(pack.name), kept(model, *column.next));
   }
   return "continue: true";
@@ -223,9 +220,9 @@ Parting part(const Model& model, const Way& row, const Way& column) {
   const Link &first = row.links[*out.link], &second = column.links[*out.link];
   const Provider& provider = model.providers[second.provider];
   if (first.provider != second.provider) {
-    out.replaced = !provider.has_packs || !holds(provider.packs[second.pack], *first.next);
+    out.replaced = !provider.has_packs || !provider.packs[second.pack].requests(first.next->edge);
   } else {
-    out.replaced = provider.has_packs && !holds(pack_of_both(provider, first, second), *first.next);
+    out.replaced = provider.has_packs && !pack_of_both(provider, first, second).requests(first.next->edge);
   }
   return out;
 }

@@ -203,14 +203,6 @@ std::size_t skip_blanks(std::string_view text, std::size_t at) {
   return at;
 }
 
-std::size_t skip_properties(std::string_view text, std::size_t at) {
-  while (at < text.size() && (text[at] == '&' || text[at] == '!')) {
-    while (at < text.size() && !is_space(text[at])) ++at;
-    at = skip_blanks(text, at);
-  }
-  return at;
-}
-
 namespace {
 
 /// Calls `report` for each byte of the value with its place; returns the end.

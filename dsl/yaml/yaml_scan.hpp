@@ -63,9 +63,6 @@ bool begins_line_before(std::string_view text, std::size_t first, std::size_t se
 /// The offset behind blanks, line breaks and comments.
 std::size_t skip_blanks(std::string_view text, std::size_t at);
 
-/// The offset behind an anchor or a tag (and blanks) before a value.
-std::size_t skip_properties(std::string_view text, std::size_t at);
-
 /// The places in the text of the bytes of a plain scalar's value, and, last, of its end.
 std::vector<std::size_t> places_in_plain(std::string_view text, std::size_t begin, std::string_view value);
 std::size_t end_of_plain(std::string_view text, std::size_t begin, std::string_view value);

@@ -65,17 +65,11 @@ private:
     for (std::string_view between = " "; edge != nil && !v_.is_limbo(edge); between = ", that for ") {
       const Index requester = t_.edges[edge].requester;
       text += std::string(between) + (requester == nil ? "the program" : group(requester)) + ", priority " +
-              std::to_string(priority(edge));
+              std::to_string(v_.priority(edge));
       if (requester == nil) break;
       edge = v_.holder(requester);
     }
     add(std::move(text), About::edge, first);
-  }
-
-  std::int32_t priority(Index edge) const {
-    if (v_.requested(edge)) return t_.levels[v_.request[edge].level].priority;
-    const Range levels = t_.edges[edge].levels;
-    return levels.empty() ? 0 : t_.levels[levels.begin].priority;
   }
 
   void condition(const Because& because) {

@@ -35,12 +35,6 @@ bool at_all_levels(const Model& model, const Task& first, const Task& second, co
   });
 }
 
-template <class Test>
-bool at_all_levels(const Model& model, const Task& task, const Test& test) {
-  return std::all_of(task.levels.begin(), task.levels.end(),
-                     [&](const Task::NamedLevel& named) { return test(model.edges[task.edge].levels[named.level]); });
-}
-
 } // namespace
 
 bool has(const Groups& groups, GroupId group) { return std::binary_search(groups.begin(), groups.end(), group); }
@@ -266,11 +260,7 @@ bool Takers::always_beside(GroupId requester, const Task& first, const Task& sec
   for (const ProviderId id : model.groups[requester].providers) {
     const Provider& provider = model.providers[id];
     for (const Pack& pack : provider.packs) {
-      const auto requests_it = [&](const Task& task) {
-        return std::any_of(pack.tasks.begin(), pack.tasks.end(),
-                           [&](const Task& each) { return each.edge == task.edge; });
-      };
-      if (requests_it(second) && !(provider.has_packs && requests_it(first))) return false;
+      if (pack.requests(second.edge) && !(provider.has_packs && pack.requests(first.edge))) return false;
     }
   }
   return true;
@@ -302,17 +292,17 @@ bool Takers::is_needed(GroupId group) const {
 }
 
 bool Takers::is_mandatory(const Task& task) const {
-  return at_all_levels(input_.model, task, [](const Level& level) { return !level.optional; });
+  return input_.model.each_level(task, [](const Level& level) { return !level.optional; });
 }
 
 bool Takers::is_optional(const Task& task) const {
-  return at_all_levels(input_.model, task, [](const Level& level) { return level.optional; });
+  return input_.model.each_level(task, [](const Level& level) { return level.optional; });
 }
 
 bool Takers::is_member(const Task& task) const { return shares_unit(input_.model, task); }
 
 bool Takers::is_apart(const Task& task) const {
-  return at_all_levels(input_.model, task, [](const Level& level) { return level.apart; });
+  return input_.model.each_level(task, [](const Level& level) { return level.apart; });
 }
 
 } // namespace director::analysis

@@ -58,9 +58,7 @@ private:
 } // namespace
 
 bool shares_unit(const Model& model, const Task& task) {
-  const std::vector<Level>& levels = model.edges[task.edge].levels;
-  return std::all_of(task.levels.begin(), task.levels.end(),
-                     [&](const Task::NamedLevel& named) { return levels[named.level].shares_unit(); });
+  return model.each_level(task, [](const Level& level) { return level.shares_unit(); });
 }
 
 std::vector<const Task*> unit_members(const Model& model, const Pack& pack) {

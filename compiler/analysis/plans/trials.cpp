@@ -29,9 +29,7 @@ void multiply(TrialCount& to, const TrialCount& factor) {
 } // namespace
 
 bool may_be_member(const Model& model, const Task& task) {
-  const std::vector<Level>& levels = model.edges[task.edge].levels;
-  return std::any_of(task.levels.begin(), task.levels.end(),
-                     [&](const Task::NamedLevel& named) { return levels[named.level].shares_unit(); });
+  return model.any_level(task, [](const Level& level) { return level.shares_unit(); });
 }
 
 Trials::Trials(const Model& model, std::int64_t most_plans, Budget& budget)

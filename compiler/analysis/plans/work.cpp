@@ -4,6 +4,7 @@
 
 #include "compiler/lower/plans.hpp"
 #include "runtime/core/base/parts.hpp"
+#include "runtime/core/base/tables.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -60,7 +60,7 @@ void define_pack(Code& code, const CppEmission& e, const Pack& pack, ProviderId 
       fmt::format("static_assert(Pack::takes<{}...>, \"{} requests {} only\");", given, pack.name, and_list(names)));
   code.line(fmt::format("static_assert(Pack::once<{}...>, \"{} is given a task twice\");", given, pack.name));
   for (const Task& task : pack.tasks) {
-    if (may_be_omitted(e.model, task)) continue;
+    if (e.model.may_be_left_out(task)) continue;
     code.line(fmt::format("static_assert(director::given<{}, {}...>, \"{} must be given its task {}\");",
                           group_in(e, provider, task.target), given, pack.name, group_name(e.model, task.target)));
   }

@@ -90,12 +90,6 @@ void document(Code& code, const CppEmission& e, std::string_view doc, const dsl:
   code.comment(doc.empty() ? place : fmt::format("{} {}", doc, place));
 }
 
-bool may_be_omitted(const Model& model, const Task& task) {
-  const std::vector<Level>& levels = model.edges[task.edge].levels;
-  return std::any_of(task.levels.begin(), task.levels.end(),
-                     [&](const Task::NamedLevel& named) { return levels[named.level].optional; });
-}
-
 std::string member_text(const CppEmission& e, const Task& task) {
   const Index first_row = e.tables.edges[task.edge.value].levels.begin;
   const auto row = [&](const Task::NamedLevel& level) { return std::to_string(first_row + level.level); };
@@ -122,7 +116,7 @@ std::string tasks_text(const Model& model, const std::vector<Task>& tasks) {
   for (const Task& task : tasks) {
     if (!out.empty()) out += ", ";
     out += group_name(model, task.target);
-    if (may_be_omitted(model, task)) out += " (optional)";
+    if (model.may_be_left_out(task)) out += " (optional)";
     if (model.edges[task.edge].levels[task.levels.front().level].apart) out += " (apart)";
   }
   return out;

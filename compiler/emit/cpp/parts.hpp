@@ -33,8 +33,6 @@ std::string trigger_in(const Model& model, TriggerId trigger);
 std::string state_in(const Model& model, StateId state);
 /// `doc`, then the place in brackets, as a comment.
 void document(Code& code, const CppEmission& e, std::string_view doc, const dsl::Span& span);
-/// Whether a pack is complete without it: it has a level that is optional.
-bool may_be_omitted(const Model& model, const Task& task);
 /// `director::Member<Walk, 4, 0, 7>`
 std::string member_text(const CppEmission& e, const Task& task);
 /// Words for a comment: "LeftLeg, LeftArm (optional)".

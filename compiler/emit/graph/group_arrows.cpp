@@ -177,9 +177,7 @@ private:
 
 bool has_priorities(const Model& model, const std::vector<Task>& tasks) {
   return std::any_of(tasks.begin(), tasks.end(), [&](const Task& task) {
-    const std::vector<Level>& levels = model.edges[task.edge].levels;
-    return std::any_of(task.levels.begin(), task.levels.end(),
-                       [&](const Task::NamedLevel& named) { return levels[named.level].priority != 0; });
+    return model.any_level(task, [](const Level& level) { return level.priority != 0; });
   });
 }
 

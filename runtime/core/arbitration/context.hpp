@@ -56,9 +56,9 @@ struct Context {
   Index stale_granted = 0; ///< granted groups that are marked as stale
 
   // The trail.
-  Index opened_count = 0;  ///< rows of State::opened in use
-  Index reached_count = 0; ///< rows of State::reached in use
-  Index kept_count = 0;    ///< rows of State::news that were not opened when the pass began: stale groups
+  Index opened_count = 0;   ///< rows of State::opened in use
+  Index reached_count = 0;  ///< rows of State::reached in use
+  Index unopened_count = 0; ///< rows of State::news that were not opened when the pass began: stale groups
   std::array<WaitingLine, 4> lines{};
   Index line_count = 0;  ///< lines in use
   Index opened_end = 0;  ///< the place in the last order behind all groups that were opened

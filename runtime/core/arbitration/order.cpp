@@ -42,8 +42,7 @@ int compare_chains(const Context& x, Place a, Place b, bool in_order) {
   const Parting at = parting(
       a, b, of_a.length, of_b.length, [&](Place place) { return above(x, place); },
       [&](Index edge) { return !is_limbo(x, edge) && optional(x, edge); });
-  return at.a.edge == nil ? compare_heights(of_a.length, of_b.length).order
-                          : compare_siblings(x, at.a, at.b, in_order);
+  return at.a.edge == nil ? compare_heights(of_a.length, of_b.length).order : compare_siblings(x, at.a, at.b, in_order);
 }
 
 void sort_by_holders(const Context& x, std::span<Index> groups, Chains along) {

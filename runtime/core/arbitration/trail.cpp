@@ -38,7 +38,7 @@ bool is_settled(const Context& x) {
   for (Index e = x.s.first_root[x.component]; e != nil; e = x.s.next_root[e]) {
     if (is_decided_again(x, e)) return false;
   }
-  for (Index i = 0; i < x.kept_count; ++i) {
+  for (Index i = 0; i < x.unopened_count; ++i) {
     const Index g = x.s.news[x.row.order + i];
     if (is_marked_stale(x, g) && !becomes_stale(x, g) && x.s.run_queue[g].stale_matters != 0) return false;
     if (any_edge(x, g, [&](Index e) { return is_decided_again(x, e); })) return false;
@@ -92,12 +92,12 @@ void begin_trail(Context& x) {
     const std::uint8_t bits = x.s.group_trail[g];
     x.s.group_trail[g].remove(trail::disturbed | trail::again);
     if ((bits & trail::disturbed) != 0) reach_by_last_result(x, g);
-    if ((bits & trail::again) != 0) rows[x.kept_count++] = g;
+    if ((bits & trail::again) != 0) rows[x.unopened_count++] = g;
   }
   x.settled = is_settled(x);
   if (x.settled) return;
   Index kept = 0;
-  for (Index i = 0; i < x.kept_count; ++i) {
+  for (Index i = 0; i < x.unopened_count; ++i) {
     const Index g = rows[i];
     const bool stays_stale = is_marked_stale(x, g) && becomes_stale(x, g);
     if (stays_stale && !is_always_opened(x, g) && !(x.had_limbo && was_in_limbo(x, g))) {
@@ -106,9 +106,9 @@ void begin_trail(Context& x) {
       open(x, g);
     }
   }
-  x.kept_count = kept;
+  x.unopened_count = kept;
   for (Index g = std::exchange(x.s.flipped[x.component], nil); g != nil; g = x.s.next_flipped[g]) {
-    x.s.group_trail[g].remove(trail::touched);
+    x.s.group_trail[g].remove(trail::flipped);
     reach(x, g);
   }
   Index from = nil;
@@ -159,7 +159,7 @@ void end_trail(Context& x) {
     x.s.edge_trail[e] &= trail::kept;
   }
   news = 0;
-  for (Index i = 0; i < x.kept_count; ++i) {
+  for (Index i = 0; i < x.unopened_count; ++i) {
     const Index g = x.s.news[x.row.order + i];
     if (is_opened(x, g)) continue;
     x.s.group_trail[g] |= trail::again;

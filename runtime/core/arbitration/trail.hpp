@@ -72,9 +72,9 @@ inline bool is_noted(const Context& x, Index group) {
 }
 
 /// Notes for the next pass that a condition of a provider flipped, or to decide the group as if one had.
-inline void touch_group(Context& x, Index group) {
-  if (!is_noted(x, group) || x.s.group_trail[group].has(trail::touched)) return;
-  x.s.group_trail[group] |= trail::touched;
+inline void note_flipped(Context& x, Index group) {
+  if (!is_noted(x, group) || x.s.group_trail[group].has(trail::flipped)) return;
+  x.s.group_trail[group] |= trail::flipped;
   x.s.next_flipped[group] = std::exchange(x.s.flipped[x.s.run_queue[group].component], group);
 }
 

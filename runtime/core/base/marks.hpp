@@ -44,21 +44,12 @@ inline constexpr std::uint8_t kept = on_last | on_stale | waits | in_line | on_r
 // Bits of State::group_trail.
 inline constexpr std::uint8_t disturbed = 1; ///< its holder, provider, plan or push may have changed
 inline constexpr std::uint8_t moved = 2;     ///< its place in the order may have changed
-inline constexpr std::uint8_t touched = 4;   ///< since the last pass a condition of a provider flipped
+inline constexpr std::uint8_t flipped = 4;   ///< since the last pass a condition of a provider flipped
 inline constexpr std::uint8_t stale = 8;     ///< it was stale in the last pass
 inline constexpr std::uint8_t requests = 16; ///< its requests were candidates in the last pass
 inline constexpr std::uint8_t opened = 32;   ///< this pass examines it
 inline constexpr std::uint8_t passed = 64;   ///< it was passed by, with all below it
 inline constexpr std::uint8_t again = 128;   ///< the next pass has to open it in any case
 } // namespace trail
-
-/// Bits of RunQueueEntry::flags.
-namespace group_flag {
-inline constexpr std::uint8_t queue = 1;      ///< it is in the run queue
-inline constexpr std::uint8_t touched = 2;    ///< it is listed in State::touched
-inline constexpr std::uint8_t waits = 4;      ///< it may have a wait that is pending
-inline constexpr std::uint8_t listens = 8;    ///< a provider listens to a trigger
-inline constexpr std::uint8_t lifecycle = 16; ///< it owns states, or has a handler or a period
-} // namespace group_flag
 
 } // namespace director

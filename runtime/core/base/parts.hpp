@@ -28,9 +28,6 @@ extern const char timers, together, several, states, handlers, promises, data; /
 /// is higher on a 32-bit machine, because that code takes 5 kB, and saves only an eighth of the time at 24 groups.
 inline constexpr Index most_decided_whole = sizeof(void*) < 8 ? 32 : 16;
 
-/// Groups that a search for a stale requester visits for one unit of work.
-inline constexpr Index walked_a_unit = 8;
-
 using Parts = std::array<const char*, 17>;
 
 /// The parts that these tables use. `data`: some task has data. `all`: all parts.

@@ -52,11 +52,11 @@ namespace work {
 inline constexpr std::uint8_t changed = 1;       ///< a request, value or flag that it depends on has changed
 inline constexpr std::uint8_t unsettled = 2;     ///< a pass over the last result may decide differently
 inline constexpr std::uint8_t stale_matters = 4; ///< decisions of the last pass depended on which groups are stale
-inline constexpr std::uint8_t passed = 16;       ///< it was decided in this micro-step
+inline constexpr std::uint8_t decided = 16;      ///< it was decided in this micro-step
 inline constexpr std::uint8_t reordered = 32;    ///< the order of its edges of root may have changed
-inline constexpr std::uint8_t pushes = 64;       ///< with `passed`: it has pushes, or had them before
-inline constexpr std::uint8_t kept = stale_matters | reordered;      ///< bits that stay when it need not be decided
-inline constexpr std::uint8_t listed = changed | unsettled | passed; ///< with any of them it is listed in State::work
+inline constexpr std::uint8_t pushes = 64;       ///< with `decided`: it has pushes, or had them before
+inline constexpr std::uint8_t kept = stale_matters | reordered;       ///< bits that stay when it need not be decided
+inline constexpr std::uint8_t listed = changed | unsettled | decided; ///< with any of them it is listed in State::work
 } // namespace work
 
 /// Bits of RunQueueEntry::pending, as Reason.
@@ -71,6 +71,15 @@ namespace result {
 inline constexpr std::uint8_t done = 1;
 inline constexpr std::uint8_t failed = 2; ///< with `done`
 } // namespace result
+
+/// Bits of RunQueueEntry::flags.
+namespace group_flag {
+inline constexpr std::uint8_t queue = 1;      ///< it is in the run queue
+inline constexpr std::uint8_t touched = 2;    ///< it is listed in State::touched
+inline constexpr std::uint8_t waits = 4;      ///< it may have a wait that is pending
+inline constexpr std::uint8_t listens = 8;    ///< a provider listens to a trigger
+inline constexpr std::uint8_t lifecycle = 16; ///< it owns states, or has a handler or a period
+} // namespace group_flag
 
 /// A byte of bits. It is no `char`, which may alias anything: after a write, all pointers would be read again.
 class Bits {
@@ -266,7 +275,7 @@ struct State {
   Index* next_count = nullptr;       ///< as `order_count`
   Index* first_moved = nullptr;      ///< component: the first place at which that order differs
   Index* rerequested = nullptr;      ///< component: the first edge with trail::changed; nil
-  Index* flipped = nullptr;          ///< component: the first group with trail::touched; nil
+  Index* flipped = nullptr;          ///< component: the first group with trail::flipped; nil
   Index* news_count = nullptr;       ///< component: the number of these; nil: the last pass is unknown
   Index* on_last = nullptr;          ///< component: how many edges have trail::on_last
   Index* pushed_count = nullptr;     ///< component: the number of these

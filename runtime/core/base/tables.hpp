@@ -34,6 +34,9 @@ inline constexpr Time never = 9223372036854775807; ///< later than any step
 inline constexpr Time last_time = never - 1;       ///< a step to a later time is one to this time
 inline constexpr Time first_time = -never - 1;
 
+/// Groups that a search for a stale requester visits for one unit of work (docs/bounds.md).
+inline constexpr Index walked_a_unit = 8;
+
 /// An iterator over rows.
 struct RowIterator {
   Index row;

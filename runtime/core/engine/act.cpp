@@ -20,7 +20,7 @@ void Engine::arbitrate() {
     std::uint8_t left = x_.depends_on_all_stale ? work::stale_matters : 0;
     if (other && x_.depends_on_last) left |= work::unsettled;
     if (x_.pushed_count != 0) left |= work::pushes;
-    x_.s.component[component] = left | work::passed;
+    x_.s.component[component] = left | work::decided;
   }
   act(passes, stops);
   if (x_.before_count != 0) forget_altered();
@@ -79,7 +79,7 @@ void Engine::act_on_touched() {
 /// Granted groups that may have a new reason to run, in the new order: their assignment differs, or they were touched.
 std::span<const Index> Engine::with_reasons() {
   const Counters& c = *x_.s.counters;
-  const auto decided = [&](Index g) { return x_.s.component[x_.t.groups[g].component].has(work::passed); };
+  const auto decided = [&](Index g) { return x_.s.component[x_.t.groups[g].component].has(work::decided); };
   Index count = 0;
   for (Index i = 0; i < differing_; ++i) {
     const Index group = x_.s.differing[i];

@@ -106,9 +106,9 @@ public:
   std::uint64_t decided() const { return x_.decided; } ///< units of arbitration so far, again where a pass is repeated
   /// The work done so far, including searches for pushes; docs/bounds.md says what is counted.
   std::uint64_t work() const { return x_.work; }
-  /// Makes the next pass over each component begin from nothing, for tests.
+  /// Makes the next pass over each component begin from nothing: the memory was changed from outside.
   void forget_trail() { arbitration::forget_trail(x_); }
-  /// The same; sets up to how many groups a component is decided whole.
+  /// The same, for tests; sets up to how many groups a component is decided whole.
   void set_most_decided_whole(Index groups) {
     x_.most_decided_whole = groups;
     forget_trail();

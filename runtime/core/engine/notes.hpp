@@ -106,7 +106,7 @@ DIRECTOR_INLINE void Engine::forget_work() {
   for (Index i = 0; i < before; ++i) {
     const Index component = x_.s.work[i];
     Bits& bits = x_.s.component[component];
-    bits.remove(work::passed | work::pushes);
+    bits.remove(work::decided | work::pushes);
     if (bits.has(work::changed | work::unsettled)) {
       x_.s.work[left++] = component;
     } else {

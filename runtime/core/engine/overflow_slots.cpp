@@ -59,6 +59,32 @@ void Inbox::publish(Index slot, const OverflowSlot::Note& note) {
   unseen_.store(1, std::memory_order_release);
 }
 
+bool Inbox::post_in_turn(std::span<const Input> records) {
+  return !any(records, [&](const Input& record) { return is_pending(record.thing); }) && claim(records);
+}
+
+void Inbox::reserve(std::span<Input> records) {
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const Index slot = records[i].thing; // of two requests for one task, the last one counts
+    const bool again = any(records.subspan(i + 1), [&](const Input& later) { return later.thing == slot; });
+    records[i].handle = !again && slot < slots_.size() ? reserve(slot) : nil;
+  }
+}
+
+void Inbox::publish(std::span<const Input> records) {
+  const std::uint32_t position = tail_.load(std::memory_order_relaxed), ticket = count(tickets_);
+  Index leader = nil;
+  for (const Input& record : records) {
+    if (record.handle != nil && leader == nil) leader = record.thing;
+  }
+  for (std::size_t i = records.size(); i-- > 0;) {
+    if (records[i].handle == nil) continue;
+    OverflowSlot::Note note{records[i], position, ticket, leader};
+    note.input.more = records.size() > 1;
+    publish(records[i].thing, note);
+  }
+}
+
 /// Counts a lost input, for the reader to see.
 void Inbox::count_lost() {
   count(lost_);

@@ -68,7 +68,7 @@ void Engine::update_conditions(Index state) {
     x_.s.truth[condition] = now ? 1 : 0;
     if (!x_.s.counters->begun) continue;
     for (const Index component : x_.t.list(row.components)) mark(component, work::changed);
-    for (const Index group : x_.t.list(row.groups)) arbitration::touch_group(x_, group);
+    for (const Index group : x_.t.list(row.groups)) arbitration::note_flipped(x_, group);
   }
   x_.s.values[state].unchanged = unchanged;
 }

@@ -1,8 +1,8 @@
 // docs/semantics.md, section 3, Inputs: inputs of several records, which are taken together.
 // SPDX-License-Identifier: MIT
 //
-// In overflow slots the records of one input are published from the last to the first, the leader, after all places are
-// reserved: a reader that sees a record whose leader is still missing leaves it in its slot.
+// A reader that sees a record in an overflow slot whose leader, the first record of the input, is still missing leaves
+// it in its slot: Inbox::publish publishes the leader last.
 
 #include "runtime/core/engine/inbox.hpp"
 
@@ -20,32 +20,6 @@ const Input* Inbox::take_more() {
   OverflowSlot* const next = first_of(taken_->held_note().ticket);
   if (next != nullptr) deliver(*next);
   return next != nullptr ? &record_ : nullptr;
-}
-
-bool Inbox::post_in_turn(std::span<const Input> records) {
-  return !any(records, [&](const Input& record) { return is_pending(record.thing); }) && claim(records);
-}
-
-void Inbox::reserve(std::span<Input> records) {
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    const Index slot = records[i].thing; // of two requests for one task, the last one counts
-    const bool again = any(records.subspan(i + 1), [&](const Input& later) { return later.thing == slot; });
-    records[i].handle = !again && slot < slots_.size() ? reserve(slot) : nil;
-  }
-}
-
-void Inbox::publish(std::span<const Input> records) {
-  const std::uint32_t position = tail_.load(std::memory_order_relaxed), ticket = count(tickets_);
-  Index leader = nil;
-  for (const Input& record : records) {
-    if (record.handle != nil && leader == nil) leader = record.thing;
-  }
-  for (std::size_t i = records.size(); i-- > 0;) {
-    if (records[i].handle == nil) continue;
-    OverflowSlot::Note note{records[i], position, ticket, leader};
-    note.input.more = records.size() > 1;
-    publish(records[i].thing, note);
-  }
 }
 
 /// Puts a record back if the rest of its input is about to be published. If a later one has come, this one is lost.

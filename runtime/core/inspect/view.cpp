@@ -22,6 +22,12 @@ View view_of(const Engine& engine) {
           .enabled = memory.enabled};
 }
 
+std::int32_t View::priority(Index edge) const {
+  if (requested(edge)) return tables->levels[request[edge].level].priority;
+  const Range levels = tables->edges[edge].levels;
+  return levels.empty() ? 0 : tables->levels[levels.begin].priority;
+}
+
 RunState View::state(Index edge) const {
   const Index group = tables->edges[edge].target;
   if (granted(group) && holder(group) == edge) return RunState::running;

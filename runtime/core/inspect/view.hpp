@@ -44,6 +44,7 @@ struct View {
   Index holder(Index group) const { return assignment[group].holder; }
   bool granted(Index group) const { return assignment[group].granted(); }
   bool requested(Index edge) const { return request[edge].level != nil; }
+  std::int32_t priority(Index edge) const;                      ///< of the request; of a need: of the first level, or 0
   RunState state(Index edge) const;                             ///< of a request: running, queued or none
   Queued queued(Index edge) const { return queued_edge[edge]; } ///< why it is queued
   Holding holding(Index group) const;

@@ -73,11 +73,6 @@ private:
   bool optional(Index edge) const {
     return !v_.is_limbo(edge) && v_.requested(edge) && t_.levels[v_.request[edge].level].optional;
   }
-  std::int32_t priority(Index edge) const {
-    if (v_.requested(edge)) return t_.levels[v_.request[edge].level].priority;
-    const Range levels = t_.edges[edge].levels;
-    return levels.empty() ? 0 : t_.levels[levels.begin].priority;
-  }
   Index length(Index edge) const {
     Index count = 0;
     for (; edge != nil; edge = above(edge)) ++count;
@@ -137,8 +132,8 @@ private:
         holds && arbitration::compare_ranks(at_ours, whole, urgency(out.ours), urgency(out.theirs)).order == 0;
     out.our_first = ours == out.ours && !keeps ? first_of_unit(out.ours, out.theirs) : out.ours;
     out.their_first = with == out.theirs ? first_of_unit(out.theirs, out.ours) : out.theirs;
-    out.our_priority = priority(out.our_first);
-    out.their_priority = priority(out.their_first);
+    out.our_priority = v_.priority(out.our_first);
+    out.their_priority = v_.priority(out.their_first);
     const Verdict verdict =
         arbitration::compare_ranks(at_ours, at_theirs, urgency(out.our_first), urgency(out.their_first));
     out.won_by = verdict.by;

@@ -41,8 +41,9 @@ TEST_CASE("readers see whole buffers while the writer continues") {
   DoubleBuffer buffers;
   std::array<std::array<int, 32>, 2> contents{};
   std::atomic<bool> stop{false}, torn{false};
+  std::array<std::atomic<int>, 2> looks{};
   std::vector<std::thread> readers;
-  for (int i = 0; i < 2; ++i) {
+  for (std::atomic<int>& own : looks) {
     readers.emplace_back([&] {
       for (int newest = 0; !stop;) {
         const Index buffer = buffers.enter();
@@ -52,18 +53,23 @@ TEST_CASE("readers see whole buffers while the writer continues") {
         torn = torn || first < newest; // time does not go back
         newest = first;
         buffers.leave(buffer);
+        ++own;
       }
     });
   }
-  for (int i = 1; i <= 20'000; ++i) {
+  int written = 0;
+  const auto goes_on = [&] { return written < 20'000 || looks[0] == 0 || looks[1] == 0; };
+  for (int i = 1; i < 100'000'000 && goes_on(); ++i) {
     const Index buffer = buffers.begin();
     if (buffer == nil) continue;
+    ++written;
     contents[buffer].fill(i);
     buffers.finish(buffer);
   }
   stop = true;
   for (std::thread& reader : readers) reader.join();
   CHECK(!torn);
+  CHECK_FALSE(goes_on());
 }
 
 TEST_CASE("a copy of a view is equal to the view when it was made") {
