@@ -36,10 +36,24 @@ std::optional<Fault> forbidden_bytes(std::string_view text) {
     const auto byte = static_cast<std::uint8_t>(text[at]);
     const bool line_break = byte == '\n' || (byte == '\r' && at + 1 < text.size() && text[at + 1] == '\n');
     if ((byte < 0x20 && byte != '\t' && !line_break) || byte == 0x7F)
-      return Fault{at, at + 1, fmt::format("the byte 0x{:02X} may not stand in a text", byte), "leave it out"};
+      return Fault{at, at + 1, fmt::format("the byte 0x{:02X} may not stand in a text", byte),
+                   byte == '\r' ? "save the file with LF or CRLF at the ends of its lines" : "leave it out"};
     const std::size_t length = utf8_length(text, at);
     if (length == 0) return Fault{at, at + 1, fmt::format("the byte 0x{:02X} is not UTF-8", byte), save_as};
     at += length;
+  }
+  return std::nullopt;
+}
+
+std::optional<Fault> conflict_marker(std::string_view text) {
+  constexpr std::size_t length = 7;
+  for (std::size_t at = 0; at < text.size(); at = line_end(text, at) + 1) {
+    const char first = text[at];
+    if (first != '<' && first != '|' && first != '=' && first != '>') continue;
+    const std::size_t end = std::min(text.find_first_not_of(first, at), text.size());
+    if (end - at != length || (end < text.size() && !is_space(text[end]))) continue;
+    return Fault{at, end, "a merge conflict is not resolved",
+                 "keep one side, and leave out the lines that begin with `<<<<<<<`, `|||||||`, `=======` or `>>>>>>>`"};
   }
   return std::nullopt;
 }

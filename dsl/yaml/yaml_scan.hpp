@@ -21,6 +21,10 @@ struct Fault {
 /// The first forbidden byte: not UTF-8, a NUL or another control character, a byte order mark.
 std::optional<Fault> forbidden_bytes(std::string_view text);
 
+/// The first line that a version control system wrote between the two sides of a conflict. No YAML has such a line,
+/// except in quotes.
+std::optional<Fault> conflict_marker(std::string_view text);
+
 /// The first tab in the line's indentation, unless only a comment or the end of the line follows. `at` is any place in
 /// the line.
 std::optional<std::size_t> tab_in_indentation(std::string_view text, std::size_t at);

@@ -235,11 +235,13 @@ void refuse_tabs(TreeBuilder& builder, std::string_view text, const YamlNode& no
 
 YamlNode read_yaml(FileId file, std::string_view text, std::vector<Diagnostic>& diagnostics) {
   TreeBuilder builder(file, text, diagnostics);
-  if (const auto fault = yaml_scan::forbidden_bytes(text)) {
-    const Span span{file, static_cast<std::uint32_t>(fault->begin), static_cast<std::uint32_t>(fault->end)};
-    diagnostics.push_back({"yaml_syntax", Level::error, span, fault->message, {}, fault->help});
-    return {};
-  }
+  const auto refuse = [&](const yaml_scan::Fault& fault) {
+    const Span span{file, static_cast<std::uint32_t>(fault.begin), static_cast<std::uint32_t>(fault.end)};
+    diagnostics.push_back({"yaml_syntax", Level::error, span, fault.message, {}, fault.help});
+    return YamlNode{};
+  };
+  if (const auto fault = yaml_scan::forbidden_bytes(text)) return refuse(*fault);
+  const auto others = static_cast<std::ptrdiff_t>(diagnostics.size());
   try {
     Feed feed(text);
     std::istream stream(&feed);
@@ -260,7 +262,10 @@ YamlNode read_yaml(FileId file, std::string_view text, std::vector<Diagnostic>& 
   } catch (const NothingMore::More& more) {
     report_more(builder, text, more.at);
   } catch (const YAML::Exception& exception) { report_exception(builder, text, exception); }
-  return {};
+  const auto fault = yaml_scan::conflict_marker(text);
+  if (!fault) return {};
+  diagnostics.erase(diagnostics.begin() + others, diagnostics.end()); // what they say follows from the conflict
+  return refuse(*fault);
 }
 
 } // namespace director::dsl

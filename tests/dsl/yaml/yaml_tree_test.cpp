@@ -148,6 +148,19 @@ TEST_CASE("A tab in a text, behind a value or before a comment is no indentation
   }
 }
 
+TEST_CASE("A merge conflict that is not resolved is reported, and nothing that follows from it") {
+  const std::string finding =
+      "yaml_syntax: a merge conflict is not resolved (keep one side, and leave out the lines that "
+      "begin with `<<<<<<<`, `|||||||`, `=======` or `>>>>>>>`)\n";
+  CHECK(Tree("a:\n<<<<<<< HEAD\n  b: 1\n=======\n  b: 2\n>>>>>>> other\n").findings() == "2:1 `<<<<<<<` " + finding);
+  CHECK(Tree("a: |\n  x\n<<<<<<< HEAD\n  y\n=======\n  z\n>>>>>>> other\n").findings() == "3:1 `<<<<<<<` " + finding);
+  CHECK(Tree("a: 1\n||||||| base\nb: 2\n").findings() == "2:1 `|||||||` " + finding);
+  CHECK(Tree("a: 1\n=======\r\nb: 2\n").findings() == "2:1 `=======` " + finding);
+  CHECK(Tree("a: 1\n>>>>>>> other").findings() == "2:1 `>>>>>>>` " + finding);
+  CHECK(Tree("a: \"\n<<<<<<< x\n\"\n# =======\n").findings() == "");
+  CHECK(Tree("a: 1\n======== x\n").findings().find("conflict") == std::string::npos);
+}
+
 TEST_CASE("If the text is no YAML the place and the likely reason are reported") {
   for (
       const Case& c : {
