@@ -114,7 +114,7 @@ private:
     const std::string where = options_.focus.empty() ? "" : ", of those in the focus";
     if (options_.view == View::pushes)
       return (options_.moment ? "no group is pushed" : "no group may push another one") + where;
-    if (options_.view == View::takes) return "no group may take anything from another one" + where;
+    if (options_.view == View::takes) return "no group may take anything from one that is not requested below it" + where;
     return "there are no groups";
   }
 

@@ -503,9 +503,9 @@ TEST_CASE("a view in which nothing is drawn shows why") {
   };
   using View = PictureOptions::View;
   CHECK(told(View::pushes) == "nothing drawn: no group may push another one");
-  CHECK(told(View::takes) == "nothing drawn: no group may take anything from another one");
+  CHECK(told(View::takes) == "nothing drawn: no group may take anything from one that is not requested below it");
   CHECK(told(View::takes, {}, true) ==
-        "nothing drawn: no group may take anything from another one, of those in the focus");
+        "nothing drawn: no group may take anything from one that is not requested below it, of those in the focus");
   Moment moment;
   moment.groups.resize(1);
   moment.edges.resize(1);
