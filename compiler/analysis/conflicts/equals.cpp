@@ -29,7 +29,7 @@ public:
     const std::vector<std::vector<std::int32_t>> priorities = overlaps.priorities(tasks);
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       if (priorities[i].empty()) continue;
-      const bool in_unit = together.provider && is_always_in_unit(input.model, tasks[i]);
+      const bool in_unit = together.provider && shares_unit(input.model, tasks[i]);
       const Claims& claims = input.shared.claims(tasks[i].target);
       for (const GroupId group : claims.groups()) {
         const bool by_request =
@@ -68,12 +68,6 @@ private:
     std::vector<std::size_t> contested; ///< outside the unit, or members that request it further down
     std::vector<std::size_t> outside;
   };
-
-  static bool is_always_in_unit(const Model& model, const Task& task) {
-    return std::all_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
-      return model.edges[task.edge].levels[named.level].shares_unit();
-    });
-  }
 
   std::map<Stake, Claimed> claimed_by_;
   std::vector<std::vector<const std::vector<std::size_t>*>> stakes_; ///< of each entry

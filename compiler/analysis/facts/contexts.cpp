@@ -80,19 +80,12 @@ bool Contexts::widen(GroupId group, const Requested& requested) {
   return widen(facts_.grants[group], requested.granted) || tried;
 }
 
-/// While its requester is stale, a task that runs goes on without those that it was granted together with.
-Region Contexts::while_granted(GroupId group) const {
-  const Region &granted = facts_.grants[group], &tried = facts_.contexts[group];
-  Region later = after(granted);
-  if (is_kept_adrift(group)) return later;
-  later.meet(tried);
-  return hull(granted, later);
-}
-
 Region Contexts::around_requested(ProviderId id) {
   const GroupId group = model_.providers[id].group;
   Region out = around(id, facts_.pushed.contains(id));
-  out.meet(while_granted(group));
+  // While its requester is stale, a task that runs goes on without those that it was granted together with.
+  const Region& granted = facts_.grants[group];
+  out.meet(is_kept_adrift(group) ? after(granted) : kept_within(facts_.contexts[group], granted));
   if (facts_.plans[id] == PlanVerdict::found) {
     for (const Use<GroupId>& need : model_.providers[id].needs) out.meet(around_needed(need.id));
   }
@@ -122,13 +115,8 @@ void Contexts::visit_below(GroupId group, const std::function<void(GroupId, cons
     // Another provider of the group may keep the request of the one that ran before, even if it requests the same
     // itself.
     if (running > 1) {
-      const auto keep = [&](Region& region) {
-        Region kept = after(region);
-        kept.meet(anywhere.tried);
-        region = hull(region, kept);
-      };
-      keep(all.tried);
-      keep(all.granted);
+      all.tried = kept_within(anywhere.tried, all.tried);
+      all.granted = kept_within(anywhere.tried, all.granted);
     }
     visitor(target, all);
   }
@@ -143,10 +131,14 @@ Region Contexts::after(const Region& region) const {
   return out;
 }
 
+Region Contexts::kept_within(const Region& within, const Region& region) const {
+  Region later = after(region);
+  later.meet(within);
+  return hull(region, later);
+}
+
 bool Contexts::is_always_member(const Pack& pack, const Task& task) const {
-  return !pack.name.empty() && std::all_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& use) {
-    return model_.edges[task.edge].levels[use.level].shares_unit();
-  });
+  return !pack.name.empty() && model_.each_level(task, [](const Level& level) { return level.shares_unit(); });
 }
 
 const Region& Contexts::around_members(const Pack& pack) {

@@ -43,12 +43,13 @@ private:
   /// "Hand-over"): some group requests or needs that requester.
   bool is_kept_adrift(GroupId group) const;
   Region around(ProviderId id, bool pushed) const;
-  /// Around the states with which a task for the group may stay granted.
-  Region while_granted(GroupId group) const;
   /// Around the states with which it runs for a request.
   Region around_requested(ProviderId id);
   /// Around all states that may follow one in the region, itself included.
   Region after(const Region& region) const;
+  /// Around the region and those of the states after it that are within the first one: where what began in the region
+  /// may be kept.
+  Region kept_within(const Region& within, const Region& region) const;
   /// Whether the task is granted only together with others of the pack, at each of its levels.
   bool is_always_member(const Pack& pack, const Task& task) const;
   /// Around the states with which all of these can run.

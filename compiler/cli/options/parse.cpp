@@ -76,9 +76,8 @@ std::optional<Message> unknown_subcommand(const std::vector<std::string>& argume
                  true};
 }
 
-/// What no option or positional of the subcommand takes: the first unknown option, or else all of it.
-std::string unexpected(const CLI::App& subcommand) {
-  std::vector<std::string> words = subcommand.remaining();
+/// The words that no option or positional of the subcommand takes: the first unknown option, or else all of them.
+std::string unexpected(const CLI::App& subcommand, std::vector<std::string> words) {
   const auto options_end = std::find(words.begin(), words.end(), "--");
   const auto option = std::find_if(words.begin(), options_end, [](const auto& word) { return word.starts_with('-'); });
   if (option == options_end) {
@@ -164,9 +163,9 @@ Request parse(const std::vector<std::string>& arguments, const std::string& sche
         std::find_if(apps.begin(), apps.end(), [](const CLI::App* subcommand) { return subcommand->parsed(); });
     const CLI::App& at = parsed == apps.end() ? app : **parsed;
     const std::string with = parsed == apps.end() ? "directorc" : "directorc " + at.get_name();
-    const bool extra = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) ||
-                       (parsed == apps.end() && !arguments.empty());
-    return Message{fmt::format("{}: {}\nTry `{} --help`.\n", with, extra ? unexpected(at) : error.what(), with), true};
+    const std::vector<std::string> words = app.remaining(true);
+    const std::string what = words.empty() ? error.what() : unexpected(at, words);
+    return Message{fmt::format("{}: {}\nTry `{} --help`.\n", with, what, with), true};
   }
   for (std::size_t i = 0; i < apps.size(); ++i) {
     if (!apps[i]->parsed()) continue;

@@ -50,6 +50,11 @@ TEST_CASE("the first unknown option is reported, or all arguments that are too m
   CHECK(world.err == "directorc graph: unexpected arguments `y.yaml`, `z.yaml`\nTry `directorc graph --help`.\n");
   CHECK(world.directorc({"--versoin"}) == 2);
   CHECK(world.err == "directorc: there is no option `--versoin`; did you mean `--version`?\nTry `directorc --help`.\n");
+  CHECK(world.directorc({"-x", "check", "x.yaml"}) == 2);
+  CHECK(world.err == "directorc check: there is no option `-x`\nTry `directorc check --help`.\n");
+  CHECK(world.directorc({"check", "--verbos"}) == 2);
+  CHECK(world.err == "directorc check: there is no option `--verbos`; did you mean `--verbose`?\n"
+                     "Try `directorc check --help`.\n");
   CHECK(world.directorc({"graph", "--", "x.yaml", "--y.yaml"}) == 2);
   CHECK(world.err == "directorc graph: unexpected argument `--y.yaml`\nTry `directorc graph --help`.\n");
   CHECK(world.directorc({"graph", "x.yaml", "y.yaml"}) == 2);
