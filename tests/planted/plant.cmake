@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cmake -D FROM=<folder of the project> -D TO=<folder> -P plant.cmake
-# Copies the sources of runtime/core/ to TO and plants all faults of faults.cmake in the copy. Headers without faults are not copied: includes find
-# them in the project. TO/planted.hpp tells a program about the faults and lets it choose one. What is as before is not written again.
+# Copies the sources and headers of runtime/core/ to TO and plants all faults of faults.cmake in the copy. TO/planted.hpp tells a program about the
+# faults and lets it choose one. What is as before is not written again.
 
 cmake_minimum_required(VERSION 3.25)
 set(core ${FROM}/runtime/core)
@@ -70,10 +70,7 @@ inline bool planted(int fault) { return fault == chosen_fault; }
 } // namespace director
 ]])
 
-list(REMOVE_DUPLICATES changed)
-file(GLOB_RECURSE sources RELATIVE ${core} ${core}/*.cpp)
-list(APPEND sources ${changed})
-list(REMOVE_DUPLICATES sources)
+file(GLOB_RECURSE sources RELATIVE ${core} ${core}/*.cpp ${core}/*.hpp)
 foreach(place IN LISTS sources)
   read(${place} text)
   if(place IN_LIST changed)
