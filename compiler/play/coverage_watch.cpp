@@ -30,9 +30,8 @@ CoverageWatch::CoverageWatch(const Model& model, const Lowered& lowered, Coverag
     : model_(model),
       lowered_(lowered),
       coverage_(coverage),
-      active_(model.groups.size(), nil),
-      holders_(model.groups.size(), nil),
-      requests_(model.edges.size(), nil) {
+      before_{std::vector<Index>(model.groups.size(), nil), std::vector<Index>(model.groups.size(), nil),
+              std::vector<Index>(model.edges.size(), nil)} {
   for (std::size_t i = 0; i < coverage.points.size(); ++i) places_.emplace(coverage.points[i].key, i);
   for (const GroupId id : model.groups.ids()) needed_.add(needed_from(model, id));
 }
@@ -53,9 +52,13 @@ void CoverageWatch::ran(ProviderId provider, const Case* answer) {
   if (answer != nullptr && answer->named_pack) mark({Kind::pack, provider.value, *answer->named_pack});
 }
 
-std::vector<Index> CoverageWatch::requests_of(const Engine& engine) const {
-  std::vector<Index> out;
-  for (Index e = 0; e < requests_.size(); ++e) out.push_back(engine.memory().request[e].level);
+CoverageWatch::Moment CoverageWatch::moment(const Engine& engine) const {
+  Moment out;
+  for (Index g = 0; g < model_.groups.size(); ++g) {
+    out.active.push_back(engine.active(g));
+    out.holders.push_back(engine.holder(g));
+  }
+  for (Index e = 0; e < model_.edges.size(); ++e) out.requests.push_back(engine.memory().request[e].level);
   return out;
 }
 
@@ -63,16 +66,13 @@ void CoverageWatch::stepped(const Engine& engine) {
   look_at_levels(engine.memory());
   look_at_conditions(engine);
   look_at_pushes(engine.memory());
-  look_at_take_overs(engine);
-  for (Index g = 0; g < active_.size(); ++g) {
-    active_[g] = engine.active(g);
-    holders_[g] = engine.holder(g);
-  }
-  requests_ = requests_of(engine);
+  Moment now = moment(engine);
+  look_at_take_overs(now);
+  before_ = std::move(now);
 }
 
 void CoverageWatch::look_at_levels(const director::State& state) {
-  for (Index e = 0; e < requests_.size(); ++e) {
+  for (Index e = 0; e < model_.edges.size(); ++e) {
     const Index level = state.request[e].level;
     if (level != nil) mark({Kind::level, e, level - lowered_.edges[e].levels.begin});
   }
@@ -99,13 +99,13 @@ void CoverageWatch::look_at_conditions(const Engine& engine) {
     const Provider& provider = model_.providers[id];
     const auto group = static_cast<Index>(provider.group.value);
     if (wanted.contains(provider.group)) mark_conditions(Kind::when, id, provider.when, engine);
-    if (active_[group] == id.value || engine.active(group) == id.value)
+    if (before_.active[group] == id.value || engine.active(group) == id.value)
       mark_conditions(Kind::stay, id, provider.stay, engine);
   }
 }
 
 void CoverageWatch::look_at_pushes(const director::State& state) {
-  for (Index g = 0; g < active_.size(); ++g) {
+  for (Index g = 0; g < model_.groups.size(); ++g) {
     const Push& push = state.last[g].push;
     if (push.edge != nil) mark({Kind::push, lowered_.edges[push.edge].target, push.provider});
   }
@@ -123,22 +123,32 @@ std::optional<CoverageWatch::Chain> CoverageWatch::chain(Index edge, const std::
   return std::nullopt;
 }
 
-bool CoverageWatch::optional_below(const Chain& chain, std::size_t sibling, const std::vector<Index>& requests) const {
+/// Whether the provider of its requester needs its target. Then a request that the provider also has for it does not
+/// count.
+bool CoverageWatch::is_needed(Index edge, const std::vector<Index>& active) const {
+  const Index requester = lowered_.edges[edge].requester;
+  if (requester == nil || active[requester] == nil) return false;
+  return model_.providers[ProviderId{active[requester]}].needs_group(model_.edges[EdgeId{edge}].target);
+}
+
+bool CoverageWatch::optional_below(const Chain& chain, std::size_t sibling, const Moment& at) const {
   for (std::size_t i = 0; i <= sibling; ++i) {
-    if (requests[chain[i]] != nil && lowered_.levels[requests[chain[i]]].optional) return true;
+    const Index level = at.requests[chain[i]];
+    if (level != nil && lowered_.levels[level].optional && !is_needed(chain[i], at.active)) return true;
   }
   return false;
 }
 
-void CoverageWatch::take_over(const Chain& taker, const Chain& loser, const std::vector<Index>& requests) {
+void CoverageWatch::take_over(const Chain& taker, const Chain& loser, const Moment& now) {
   const auto requester = [&](Index edge) { return lowered_.edges[edge].requester; };
+  const std::vector<Index>& requests = now.requests;
   for (std::size_t i = 0; i < taker.size(); ++i) {
     for (std::size_t j = 0; j < loser.size(); ++j) {
       if (requester(taker[i]) != requester(loser[j])) continue;
       const Index first = taker[i], second = loser[j];
       if (first == second || requests[first] == nil || requests[second] == nil) return; // the loser gave it up itself
-      const bool first_optional = optional_below(taker, i, requests);
-      const bool second_optional = optional_below(loser, j, requests_);
+      const bool first_optional = optional_below(taker, i, now);
+      const bool second_optional = optional_below(loser, j, before_);
       const auto priority = [&](Index edge) { return lowered_.levels[requests[edge]].priority; };
       if (first_optional != second_optional ? second_optional : priority(first) > priority(second))
         mark({Kind::take_over, first, second});
@@ -148,14 +158,12 @@ void CoverageWatch::take_over(const Chain& taker, const Chain& loser, const std:
 }
 
 /// A group that went from one edge to another while the loser's side was still requested.
-void CoverageWatch::look_at_take_overs(const Engine& engine) {
-  std::vector<Index> holders(holders_.size());
-  for (Index g = 0; g < holders.size(); ++g) holders[g] = engine.holder(g);
-  const std::vector<Index> requests = requests_of(engine);
-  for (Index g = 0; g < holders.size(); ++g) {
-    if (holders[g] == holders_[g]) continue;
-    const std::optional<Chain> taker = chain(holders[g], holders), loser = chain(holders_[g], holders_);
-    if (taker && loser) take_over(*taker, *loser, requests);
+void CoverageWatch::look_at_take_overs(const Moment& now) {
+  for (Index g = 0; g < now.holders.size(); ++g) {
+    if (now.holders[g] == before_.holders[g]) continue;
+    const std::optional<Chain> taker = chain(now.holders[g], now.holders),
+                               loser = chain(before_.holders[g], before_.holders);
+    if (taker && loser) take_over(*taker, *loser, now);
   }
 }
 

@@ -24,26 +24,32 @@ private:
   /// An edge of a chain, from an edge to one of root.
   using Chain = std::vector<Index>;
 
+  struct Moment {
+    std::vector<Index> active, holders; ///< by group
+    std::vector<Index> requests;        ///< by edge: its level
+  };
+
   void mark(const CoveragePoint::Key& key);
   void ran(ProviderId provider, const Case* answer);
   void stepped(const Engine& engine);
-  std::vector<Index> requests_of(const Engine& engine) const;
+  Moment moment(const Engine& engine) const;
   void look_at_levels(const director::State& state);
   void look_at_conditions(const Engine& engine);
   void mark_conditions(CoveragePoint::Kind kind, ProviderId provider, const std::vector<ConditionUse>& uses,
                        const Engine& engine);
   void look_at_pushes(const director::State& state);
-  void look_at_take_overs(const Engine& engine);
+  void look_at_take_overs(const Moment& now);
   std::optional<Chain> chain(Index edge, const std::vector<Index>& holders) const;
-  bool optional_below(const Chain& chain, std::size_t sibling, const std::vector<Index>& requests) const;
-  void take_over(const Chain& taker, const Chain& loser, const std::vector<Index>& requests);
+  bool is_needed(Index edge, const std::vector<Index>& active) const;
+  bool optional_below(const Chain& chain, std::size_t sibling, const Moment& at) const;
+  void take_over(const Chain& taker, const Chain& loser, const Moment& now);
 
   const Model& model_;
   const Lowered& lowered_;
   Coverage& coverage_;
   std::map<CoveragePoint::Key, std::size_t> places_;
-  IdTable<GroupId, std::vector<GroupId>> needed_;  ///< what a group's providers need, transitively, and itself
-  std::vector<Index> active_, holders_, requests_; ///< after the micro-step before: by group, by group, by edge
+  IdTable<GroupId, std::vector<GroupId>> needed_; ///< what a group's providers need, transitively, and itself
+  Moment before_;                                 ///< after the micro-step before
 };
 
 } // namespace director::compiler

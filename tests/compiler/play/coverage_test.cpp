@@ -42,8 +42,8 @@ struct Watched {
   std::vector<std::string> happened;
 };
 
-Watched watch(const std::string& steps) {
-  const LoadedScenario loaded = load_scenario(watched_walker, steps);
+Watched watch(const std::string& steps, const char* behaviour = watched_walker) {
+  const LoadedScenario loaded = load_scenario(behaviour, steps);
   INFO(loaded.findings);
   REQUIRE(loaded.findings.empty());
   const Model& model = loaded.behaviour.model;
@@ -151,6 +151,31 @@ script: {Walk: {tasks: [Legs]}, Kick: {pack: swing}}
 steps: [request: Kick, request: Walk, cancel: Kick]
 )");
   CHECK(watched.text.find("take-overs    0 of 1") != std::string::npos);
+}
+
+TEST_CASE("nothing was taken from a provider that gave up what it needs, though it requested it as optional too") {
+  const char* const walker = R"(behaviour: walker
+language: 1
+states: {Phase: {values: [wait, play, dance], initial: wait, external: true}}
+roots: {Walk: {priority: 10}, Look: {priority: 5}}
+groups:
+  Walk:
+    providers:
+      - {name: playing, when: [Phase == play], needs: [Head], tasks: {Head: {optional: true}}}
+      - {name: dancing, when: [Phase == dance], tasks: {Head: {optional: true}}}
+  Look: {tasks: [Head]}
+  Head: {}
+)";
+  const std::string script = R"(script:
+  Walk.playing: {tasks: [Head]}
+  Walk.dancing: {tasks: [Head]}
+  Look: {tasks: [Head]}
+)";
+  const auto covered = [&](const std::string& steps) {
+    return watch(script + "steps: [" + steps + "]\n", walker).text.find("take-overs    1 of") != std::string::npos;
+  };
+  CHECK_FALSE(covered("set: {Phase: play}, request: Walk, request: Look, set: {Phase: wait}"));
+  CHECK(covered("set: {Phase: dance}, request: Walk, request: Look"));
 }
 
 namespace {
