@@ -125,16 +125,19 @@ std::optional<CoverageWatch::Chain> CoverageWatch::chain(Index edge, const std::
 
 /// Whether the provider of its requester needs its target. Then a request that the provider also has for it does not
 /// count.
-bool CoverageWatch::is_needed(Index edge, const std::vector<Index>& active) const {
+bool CoverageWatch::is_needed(Index edge, const Moment& at) const {
   const Index requester = lowered_.edges[edge].requester;
-  if (requester == nil || active[requester] == nil) return false;
-  return model_.providers[ProviderId{active[requester]}].needs_group(model_.edges[EdgeId{edge}].target);
+  if (requester == nil || at.active[requester] == nil) return false;
+  return model_.providers[ProviderId{at.active[requester]}].needs_group(model_.edges[EdgeId{edge}].target);
 }
 
-bool CoverageWatch::optional_below(const Chain& chain, std::size_t sibling, const Moment& at) const {
+/// Whether an edge of the chain is, from the sibling down.
+template <class Needed>
+bool CoverageWatch::optional_below(const Chain& chain, std::size_t sibling, const Moment& at,
+                                   const Needed& needed) const {
   for (std::size_t i = 0; i <= sibling; ++i) {
     const Index level = at.requests[chain[i]];
-    if (level != nil && lowered_.levels[level].optional && !is_needed(chain[i], at.active)) return true;
+    if (level != nil && lowered_.levels[level].optional && !needed(chain[i])) return true;
   }
   return false;
 }
@@ -147,8 +150,13 @@ void CoverageWatch::take_over(const Chain& taker, const Chain& loser, const Mome
       if (requester(taker[i]) != requester(loser[j])) continue;
       const Index first = taker[i], second = loser[j];
       if (first == second || requests[first] == nil || requests[second] == nil) return; // the loser gave it up itself
-      const bool first_optional = optional_below(taker, i, now);
-      const bool second_optional = optional_below(loser, j, before_);
+      if (is_needed(first, now)) return;                                                // no task took it
+      // A request that its requester's next provider does not need is on its own.
+      const auto was_needed = [&](Index edge) {
+        return is_needed(edge, before_) && (now.active[requester(edge)] == nil || is_needed(edge, now));
+      };
+      const bool first_optional = optional_below(taker, i, now, [](Index) { return false; });
+      const bool second_optional = optional_below(loser, j, before_, was_needed);
       const auto priority = [&](Index edge) { return lowered_.levels[requests[edge]].priority; };
       if (first_optional != second_optional ? second_optional : priority(first) > priority(second))
         mark({Kind::take_over, first, second});

@@ -40,8 +40,9 @@ private:
   void look_at_pushes(const director::State& state);
   void look_at_take_overs(const Moment& now);
   std::optional<Chain> chain(Index edge, const std::vector<Index>& holders) const;
-  bool is_needed(Index edge, const std::vector<Index>& active) const;
-  bool optional_below(const Chain& chain, std::size_t sibling, const Moment& at) const;
+  bool is_needed(Index edge, const Moment& at) const;
+  template <class Needed>
+  bool optional_below(const Chain& chain, std::size_t sibling, const Moment& at, const Needed& needed) const;
   void take_over(const Chain& taker, const Chain& loser, const Moment& now);
 
   const Model& model_;
