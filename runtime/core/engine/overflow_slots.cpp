@@ -101,7 +101,7 @@ void Inbox::lose(OverflowSlot& slot, Index place) {
 void Inbox::count_replaced(std::uint32_t ticket) {
   if (replaced_.load(std::memory_order_relaxed) == ticket) return;
   replaced_.store(ticket, std::memory_order_relaxed);
-  count_lost();
+  count(lost_); // the reader knows, or sees the record that took its place
 }
 
 /// Holds the newest record of every slot; a record published later waits for the next call.

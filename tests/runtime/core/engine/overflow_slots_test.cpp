@@ -173,6 +173,18 @@ TEST_CASE("a record that is published before its leader waits for it") {
   CHECK(input->thing == 1);
 }
 
+TEST_CASE("an inbox is empty when a later input about a task that the reader held has been taken") {
+  Small small;
+  small.fill();
+  CHECK(small.post(Kind::request, {2}));
+  small.inbox.open(); // a step that ends before the request is taken
+  small.fill();
+  CHECK(small.post(Kind::cancel, {2}));
+  CHECK(small.read() == Lines{"fire", "fire", "cancel 2"});
+  CHECK_FALSE(small.inbox.waits());
+  CHECK(small.inbox.empty());
+}
+
 TEST_CASE("an inbox without overflow slots refuses when it is full") {
   std::vector<Inbox::Cell> cells(2);
   Inbox inbox(cells);
