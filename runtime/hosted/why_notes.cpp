@@ -76,7 +76,9 @@ private:
     const Index state = t_.conditions[because.condition].state;
     const std::string name = n_.state(n_.self, state);
     add(name + " is " + value(state), About::condition, because.condition);
-    for (const Index row : causers(t_, because.condition)) causer(row, because);
+    const auto all = causers(t_, because.condition);
+    const auto pushed = std::find_if(all.begin(), all.end(), [&](Index row) { return is_pushed(row); });
+    for (const Index row : all) causer(row, because, pushed == all.end() ? nil : *pushed);
     if (t_.states[state].external) add("the outside may set " + name, About::state, state);
     if (because.provider != nil) others(because);
   }
@@ -93,23 +95,33 @@ private:
     }
   }
 
-  /// The state of a provider that promises the condition.
-  void causer(Index row, const Because& because) {
+  /// Whether its group is to change to it, if it can run.
+  bool is_pushed(Index row) const {
+    const Push& push = v_.assignment[t_.providers[row].group].push;
+    return push.edge != nil && push.provider == row;
+  }
+
+  /// The state of a provider that promises the condition. `pushed`: the first one that is, or nil.
+  void causer(Index row, const Because& because, Index pushed) {
     const Index of = t_.providers[row].group;
     const GroupAssignment& standing = v_.assignment[of];
     std::string text = provider(row);
     if (v_.enabled[row] == 0) {
-      text += " could cause it, and is disabled";
+      text += is_pushed(row) ? " is pushed for " + edge(standing.push.edge) + ", and is disabled"
+                             : " could cause it, and is disabled";
     } else if (standing.active == row && (standing.flags & flag::in_force) != 0) {
       text += " is to cause it: pushed for " + edge(standing.push.edge);
     } else if (standing.active == row) {
       text += " could cause it, and runs";
+    } else if (is_pushed(row)) {
+      text += " is pushed for " + edge(standing.push.edge) + ", and cannot run now";
     } else if (!is_requested(of)) {
       text += " could cause it, but nothing requests " + group(of);
     } else if (!standing.granted()) {
       text += " could cause it, but " + group(of) + " waits itself";
     } else {
       text += " could cause it, and is not pushed for " + edge(because.edge);
+      if (pushed != nil) text += ", because " + provider(pushed) + " is";
     }
     add(std::move(text), About::provider, row);
   }

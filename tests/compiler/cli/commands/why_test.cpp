@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <utility>
+
 namespace {
 
 using director::tests::World;
@@ -120,6 +122,38 @@ groups:
                      "  Door_.closing could cause it, and is not pushed for root>Lift (lift.yaml:9)\n"
                      "  Load == light is false too, and no enabled provider promises it, so nothing is pushed "
                      "(lift.yaml:11)\n");
+}
+
+TEST_CASE("why a group waits: a push that stands keeps others from being pushed, also while its provider cannot run") {
+  World world;
+  world.files.add("lift.yaml", R"(behaviour: lift
+language: 1
+states:
+  Door: {values: [open, shut], initial: open}
+  Power: {values: [on, off], initial: on, external: true}
+roots: {Lift: {priority: 5}, Motor: {priority: 1}, Helper: {priority: 1}}
+groups:
+  Lift: {when: [Door == shut]}
+  Motor: {providers: [{name: closing, when: [Power == on], causing: [Door == shut]}, {name: resting}]}
+  Helper: {providers: [{name: resting}, {name: pulling, causing: [Door == shut]}]}
+)");
+  const auto why = [&](const std::string& last) {
+    world.files.add("s.yaml", "behaviour: lift.yaml\nsteps: [request: [Motor, Helper, Lift], " + last + "]\n");
+    CHECK(world.directorc({"why", "s.yaml", "Lift"}) == 0);
+    return std::exchange(world.out, {});
+  };
+  const auto head = [](const std::string& first) {
+    return "Lift waits (root>Lift): until Door == shut, which " + first +
+           " could cause\n"
+           "  Door is open (lift.yaml:8)\n";
+  };
+  const std::string other =
+      "  Helper.pulling could cause it, and is not pushed for root>Lift, because Motor.closing is "
+      "(lift.yaml:10)\n";
+  CHECK(why("set: {Power: off}") ==
+        head("Motor.closing") + "  Motor.closing is pushed for root>Lift, and cannot run now (lift.yaml:9)\n" + other);
+  CHECK(why("disable: Motor.closing") ==
+        head("Helper.pulling") + "  Motor.closing is pushed for root>Lift, and is disabled (lift.yaml:9)\n" + other);
 }
 
 TEST_CASE("why a group waits: which tasks hold what it needs") {
