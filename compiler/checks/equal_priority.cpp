@@ -1,6 +1,8 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/equal_priority.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/equals.hpp"
+#include "compiler/analysis/conflicts/withheld.hpp"
+#include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/reported_pairs.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -220,10 +222,30 @@ private:
   Findings& findings_;
 };
 
+/// A provider that its group does not change to.
+void report(const Model& model, const WithheldNeed& withheld, Findings& findings) {
+  using Link = dsl::Note::Link;
+  const std::string wanting = name_of(model, withheld.wanting), task = name_of(model, withheld.task->target);
+  const std::string wanted = name_of(model, withheld.group);
+  const GroupId group = model.providers[withheld.wanting].group;
+  Diagnostic& finding =
+      findings.add(withheld.task->span,
+                   fmt::format("{} and {} have equal rank and may both want {}: while {} has it, {} stays with {}",
+                               wanting, task, wanted, task, name_of(model, group), name_of(model, withheld.running)));
+  finding.notes.push_back({withheld.need->span,
+                           fmt::format("{} needs {}, with the same priority {}", wanting,
+                                       name_of(model, withheld.need->id), withheld.level.priority),
+                           Link::first});
+  add_chain(model, need_path(model, withheld.need->id, withheld.group), finding.notes, Link::next);
+  add_chain(model, withheld.path, finding.notes, Link::first);
+  finding.help = fmt::format("give {} another priority: then {} takes {}", task, wanting, wanted);
+}
+
 } // namespace
 
 void equal_priority(const Input& input, Findings& findings) {
   for (const EqualList& list : find_equals(input)) Reports(input.model, list, findings).run();
+  for (const WithheldNeed& withheld : find_withheld_needs(input)) report(input.model, withheld, findings);
 }
 
 } // namespace director::checks
