@@ -69,10 +69,7 @@ private:
 
   bool decided(GroupId group) const { return decisions_.decided.contains(group); }
 
-  bool may_run(GroupId group) const {
-    const std::vector<ProviderId>& all = model_.groups[group].providers;
-    return std::any_of(all.begin(), all.end(), [&](ProviderId id) { return input_.facts.active.contains(id); });
-  }
+  bool may_run(GroupId group) const { return model_.has_any(group, input_.facts.active); }
 
   std::string requester_of(EdgeId edge) const {
     const auto& requester = model_.edges[edge].requester;

@@ -173,12 +173,6 @@ void report_excluded(const Input& input, ProviderId id, Findings& findings) {
   propose_or_leave_out(input.model, input.facts, id, fmt::format("request {} elsewhere too", group), finding);
 }
 
-/// Whether the group has another provider that may run.
-bool has_active(const Input& input, GroupId group) {
-  const std::vector<ProviderId>& all = input.model.groups[group].providers;
-  return std::any_of(all.begin(), all.end(), [&](ProviderId id) { return input.facts.active.contains(id); });
-}
-
 /// What it needs is always held while others of its group can run.
 void report_idle(const Input& input, ProviderId id, const Refused& refused, Findings& findings) {
   const Taker& taker = refused.refusals.front().taker;
@@ -230,7 +224,7 @@ void shadowed_provider(const Input& input, Findings& findings) {
     if (!facts.requested.contains(provider.group) || !facts.capable.contains(id) || facts.active.contains(id)) continue;
     if (explained.contains(id) || never_holds(facts, id)) continue;
     if (facts.excluded.contains(id)) {
-      if (has_active(input, provider.group)) report_excluded(input, id, findings);
+      if (input.model.has_any(provider.group, input.facts.active)) report_excluded(input, id, findings);
       continue;
     }
     if (!facts.impossible.empty() && find_choice_here(input, id, rivals.of(id), mended) != Covering::covered) continue;

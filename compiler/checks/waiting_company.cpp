@@ -70,10 +70,7 @@ private:
   }
 
   /// Otherwise another finding reports that it never runs.
-  bool may_run(GroupId group) const {
-    const std::vector<ProviderId>& all = input_.model.groups[group].providers;
-    return std::any_of(all.begin(), all.end(), [&](ProviderId id) { return input_.facts.active.contains(id); });
-  }
+  bool may_run(GroupId group) const { return input_.model.has_any(group, input_.facts.active); }
 
   /// Where the member could run while the other one waits.
   std::optional<Region> find_held_back(GroupId member, GroupId waiting, const Region& region) {

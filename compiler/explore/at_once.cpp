@@ -222,9 +222,7 @@ std::optional<Verdict> latch(const Model& model, GroupId from, GroupId to) {
 std::optional<Verdict> can_run(const Assertion& assertion, const Model& model) {
   const GroupId group = assertion.groups.front().id;
   const analysis::Facts facts = analysis::find_facts(model, make_graph(model), analysis::Reported::as_is);
-  const std::vector<ProviderId>& providers = model.groups[group].providers;
-  if (std::any_of(providers.begin(), providers.end(), [&](ProviderId id) { return facts.active.contains(id); }))
-    return {};
+  if (model.has_any(group, facts.active)) return {};
   Verdict out;
   out.kind = Verdict::Kind::refuted;
   out.why = facts.requested.contains(group)

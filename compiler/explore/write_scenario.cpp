@@ -5,8 +5,6 @@
 #include "compiler/explore/scenario_draft.hpp"
 #include "compiler/play/play.hpp"
 #include "compiler/play/resolve_scenario.hpp"
-#include "dsl/reading/read_scenario.hpp"
-#include "dsl/source/file_access.hpp"
 #include "dsl/yaml/yaml_text.hpp"
 
 #include <fmt/format.h>
@@ -54,14 +52,9 @@ struct Play {
 
 Play play_text(const std::string& text, const Model& model, const Lowered& lowered) {
   Play out;
-  dsl::MemoryFiles files;
-  files.add("found.scenario.yaml", text);
-  dsl::Sources sources;
-  const dsl::ReadScenarioResult read = dsl::read_scenario("found.scenario.yaml", files, sources);
-  if (dsl::has_errors(read.diagnostics)) return out;
-  const ResolvedScenario resolved = resolve_scenario(read.scenario, model);
-  if (dsl::has_errors(resolved.findings)) return out;
-  out.steps.resize(resolved.scenario.steps.size());
+  const std::optional<Scenario> scenario = scenario_from(text, model);
+  if (!scenario) return out;
+  out.steps.resize(scenario->steps.size());
   const Sink sink = [&](const Happening& happening) {
     using Kind = Happening::Kind;
     if (happening.kind == Kind::input || happening.kind == Kind::budget_exhausted) return;
@@ -77,7 +70,7 @@ Play play_text(const std::string& text, const Model& model, const Lowered& lower
     default: break;
     }
   };
-  const Played played = play(resolved.scenario, model, lowered, {}, sink);
+  const Played played = play(*scenario, model, lowered, {}, sink);
   out.good = !played.refused;
   out.exhausted = played.budget_exhausted;
   return out;

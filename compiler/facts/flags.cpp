@@ -274,6 +274,22 @@ Words Compilers::complete(const Flags& flags) {
   return out;
 }
 
+namespace {
+
+/// The values of an option, in the word that follows it or in the same word.
+template <class Take>
+void each_value(const Words& words, std::string_view option, const Take& take) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == option && i + 1 < words.size()) {
+      take(words[++i]);
+    } else if (words[i].starts_with(option) && words[i].size() > option.size() && words[i] != "-include-pch") {
+      take(words[i].substr(option.size()));
+    }
+  }
+}
+
+} // namespace
+
 Words include_folders(const Words& words, const std::string& directory, bool angled) {
   Words out;
   const auto add = [&](const std::string& folder) {
@@ -282,13 +298,7 @@ Words include_folders(const Words& words, const std::string& directory, bool ang
   };
   for (const std::string_view option : {"-iquote", "-I", "-isystem", "-idirafter"}) {
     if (angled && option == "-iquote") continue;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      if (words[i] == option && i + 1 < words.size()) {
-        add(words[++i]);
-      } else if (words[i].starts_with(option) && words[i].size() > option.size()) {
-        add(words[i].substr(option.size()));
-      }
-    }
+    each_value(words, option, add);
   }
   return out;
 }
@@ -302,15 +312,7 @@ Words forced_includes(const Words& words, const std::string& directory) {
     if (file.is_absolute()) return out.push_back(file.lexically_normal().string());
     for (const std::string& folder : folders) out.push_back((fs::path(folder) / file).lexically_normal().string());
   };
-  for (const std::string_view option : {"-imacros", "-include"}) {
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      if (words[i] == option && i + 1 < words.size()) {
-        add(words[++i]);
-      } else if (words[i].starts_with(option) && words[i].size() > option.size() && words[i] != "-include-pch") {
-        add(words[i].substr(option.size()));
-      }
-    }
-  }
+  for (const std::string_view option : {"-imacros", "-include"}) { each_value(words, option, add); }
   return out;
 }
 

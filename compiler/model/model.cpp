@@ -37,6 +37,11 @@ bool Pack::requests(EdgeId edge) const {
   return std::any_of(tasks.begin(), tasks.end(), [&](const Task& task) { return task.edge == edge; });
 }
 
+bool Model::has_any(GroupId group, const IdSet<ProviderId>& some) const {
+  const std::vector<ProviderId>& own = groups[group].providers;
+  return std::any_of(own.begin(), own.end(), [&](ProviderId id) { return some.contains(id); });
+}
+
 std::string Model::full_name(ProviderId id) const {
   const Provider& provider = providers[id];
   const std::string& group = groups[provider.group].name.value;

@@ -232,6 +232,8 @@ struct Model {
     return any_level(task, [](const Level& level) { return level.optional; });
   }
 
+  /// Whether one of the group's providers is among these.
+  bool has_any(GroupId group, const IdSet<ProviderId>& some) const;
   const Group& group_of(ProviderId id) const { return groups[providers[id].group]; }
   /// `Walk.halting`, or `Kick` for a provider called `default`.
   std::string full_name(ProviderId id) const;

@@ -4,11 +4,14 @@
 
 #include "compiler/play/resolve_case.hpp"
 #include "compiler/play/unreachable_cases.hpp"
+#include "dsl/reading/read_scenario.hpp"
+#include "dsl/source/file_access.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace director::compiler {
 
@@ -215,6 +218,18 @@ private:
 
 ResolvedScenario resolve_scenario(const dsl::ScenarioSpec& spec, const Model& model) {
   return Resolving(spec, model).resolve();
+}
+
+std::optional<Scenario> scenario_from(const std::string& text, const Model& model) {
+  const char* const path = "written.scenario.yaml";
+  dsl::MemoryFiles files;
+  files.add(path, text);
+  dsl::Sources sources;
+  const dsl::ReadScenarioResult read = dsl::read_scenario(path, files, sources);
+  if (dsl::has_errors(read.diagnostics)) return std::nullopt;
+  ResolvedScenario resolved = resolve_scenario(read.scenario, model);
+  if (dsl::has_errors(resolved.findings)) return std::nullopt;
+  return std::move(resolved.scenario);
 }
 
 } // namespace director::compiler

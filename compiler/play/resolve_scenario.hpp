@@ -5,6 +5,10 @@
 
 #include "compiler/play/scenario.hpp"
 
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace director::compiler {
 
 struct ResolvedScenario {
@@ -13,5 +17,8 @@ struct ResolvedScenario {
 };
 
 ResolvedScenario resolve_scenario(const dsl::ScenarioSpec& spec, const Model& model);
+
+/// Of a text that the compiler wrote itself; empty: the text has errors.
+std::optional<Scenario> scenario_from(const std::string& text, const Model& model);
 
 } // namespace director::compiler

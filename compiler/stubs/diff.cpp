@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t context = 3; ///< lines shown around a difference
 
 /// With their line breaks; the last one may have none.
-std::vector<std::string_view> lines_of(std::string_view text) {
+std::vector<std::string_view> lines_with_breaks(std::string_view text) {
   std::vector<std::string_view> out;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
@@ -33,7 +33,7 @@ struct Edit {
 
 /// Replaces one line: its beginning and end remain if they are whole lines again.
 void edit_line(std::vector<Edit>& edits, std::string_view old, std::string_view fresh) {
-  const std::vector<std::string_view> lines = lines_of(fresh);
+  const std::vector<std::string_view> lines = lines_with_breaks(fresh);
   const bool first = lines.front() == old;
   const bool last = !first && lines.back() == old;
   if (!first && !last) edits.push_back({'-', std::string(old)});
@@ -60,13 +60,13 @@ std::vector<Edit> edits_of(std::string_view text, const std::vector<Insertion>& 
     if (fresh == line) {
       out.push_back({' ', fresh});
     } else if (line.empty()) {
-      for (const std::string_view added : lines_of(fresh)) out.push_back({'+', std::string(added)});
+      for (const std::string_view added : lines_with_breaks(fresh)) out.push_back({'+', std::string(added)});
     } else {
       edit_line(out, line, fresh);
     }
     begin = end;
   };
-  const std::vector<std::string_view> lines = lines_of(text);
+  const std::vector<std::string_view> lines = lines_with_breaks(text);
   const bool ends = text.empty() || text.ends_with('\n'); // then the text behind the last line has a line break of its
                                                           // own
   for (std::size_t i = 0; i < lines.size(); ++i) edit(lines[i], !ends && i + 1 == lines.size());

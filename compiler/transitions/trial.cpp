@@ -5,8 +5,6 @@
 #include "compiler/play/play.hpp"
 #include "compiler/play/resolve_scenario.hpp"
 #include "compiler/play/why.hpp"
-#include "dsl/reading/read_scenario.hpp"
-#include "dsl/source/file_access.hpp"
 
 #include <fmt/format.h>
 
@@ -122,13 +120,8 @@ std::vector<Assignment> assignments_of(const Trial& trial) {
 Trial play_trial(const std::string& text, const Model& model, const Lowered& lowered, std::uint32_t from,
                  const Way& way) {
   Trial out;
-  dsl::MemoryFiles files;
-  files.add("transition.scenario.yaml", text);
-  dsl::Sources sources;
-  const dsl::ReadScenarioResult read = dsl::read_scenario("transition.scenario.yaml", files, sources);
-  if (dsl::has_errors(read.diagnostics)) return out;
-  const ResolvedScenario resolved = resolve_scenario(read.scenario, model);
-  if (dsl::has_errors(resolved.findings)) return out;
+  const std::optional<Scenario> scenario = scenario_from(text, model);
+  if (!scenario) return out;
   struct Listener {
     Trial& to;
     std::uint32_t from, step = 0;
@@ -145,7 +138,7 @@ Trial play_trial(const std::string& text, const Model& model, const Lowered& low
     out.rest = rest_of(view, model);
     explain_refusal(view, model, lowered, way, out);
   };
-  const Played played = play(resolved.scenario, model, lowered, options, [&](const Happening& happening) {
+  const Played played = play(*scenario, model, lowered, options, [&](const Happening& happening) {
     if (happening.kind == Happening::Kind::input) listener.step = happening.step;
   });
   out.good = !played.refused && !played.budget_exhausted;

@@ -209,7 +209,7 @@ private:
     for (const StateId state : model_.states.ids()) {
       for (const Source& source : sources_[state]) {
         if (source.kind != Source::Kind::initial || model_.states[state].of)
-          later[state] = later[state].united(acts(source) ? source.values : ValueSet{});
+          later[state] = later[state].united(acts(model_, source, facts_.active) ? source.values : ValueSet{});
       }
     }
     std::map<ProviderId, NeverKept> lost;
@@ -241,13 +241,6 @@ private:
     }
     std::stable_sort(out.never_kept.begin(), out.never_kept.end(),
                      [](const NeverKept& a, const NeverKept& b) { return a.causer < b.causer; });
-  }
-
-  bool acts(const Source& source) const {
-    if (source.provider) return facts_.active.contains(*source.provider);
-    if (!source.group) return true;
-    const std::vector<ProviderId>& all = model_.groups[*source.group].providers;
-    return std::any_of(all.begin(), all.end(), [&](ProviderId id) { return facts_.active.contains(id); });
   }
 
   bool is_passed_over(ProviderId causer, ProviderId waiter) const {

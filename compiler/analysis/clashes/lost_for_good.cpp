@@ -89,8 +89,7 @@ private:
     if (source.provider)
       return facts_.active.contains(*source.provider) && !shared_.decisions().never_runs(model_, *source.provider);
     if (!source.group) return source.kind != Source::Kind::initial || model_.states[source.state].of.has_value();
-    const std::vector<ProviderId>& all = model_.groups[*source.group].providers;
-    return std::any_of(all.begin(), all.end(), [&](ProviderId each) { return facts_.active.contains(each); });
+    return model_.has_any(*source.group, facts_.active);
   }
 
   /// Whether each may be false. If there are several, one of them must be made false by something that runs whether or

@@ -53,6 +53,11 @@ IdTable<StateId, std::vector<Source>> find_sources(const Model& model) {
   return std::move(collector.sources);
 }
 
+bool acts(const Model& model, const Source& source, const IdSet<ProviderId>& providers) {
+  if (source.provider) return providers.contains(*source.provider);
+  return !source.group || model.has_any(*source.group, providers);
+}
+
 const ConditionUse& promise_of(const Model& model, ProviderId causer, ConditionId condition) {
   const std::vector<ConditionUse>& promises = model.providers[causer].causing;
   return *std::find_if(promises.begin(), promises.end(),

@@ -25,6 +25,9 @@ struct Source {
 /// By state, in the order of Kind, then of providers and groups.
 IdTable<StateId, std::vector<Source>> find_sources(const Model& model);
 
+/// Whether one of these providers sets it, or it comes from elsewhere; for a handler whether its group has one of them.
+bool acts(const Model& model, const Source& source, const IdSet<ProviderId>& providers);
+
 /// The provider's promise that satisfies the condition.
 const ConditionUse& promise_of(const Model& model, ProviderId causer, ConditionId condition);
 

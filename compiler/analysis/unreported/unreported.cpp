@@ -149,15 +149,8 @@ private:
     const Condition& condition = model_.conditions[id];
     const std::vector<Source>& sources = sources_[condition.state];
     return std::none_of(sources.begin(), sources.end(), [&](const Source& source) {
-      return !source.values.intersected(condition.accepts).empty() && acts(source);
+      return !source.values.intersected(condition.accepts).empty() && acts(model_, source, happening_.runs);
     });
-  }
-
-  bool acts(const Source& source) const {
-    if (source.provider) return happening_.runs.contains(*source.provider);
-    if (!source.group) return true;
-    const std::vector<ProviderId>& all = model_.groups[*source.group].providers;
-    return std::any_of(all.begin(), all.end(), [&](ProviderId each) { return happening_.runs.contains(each); });
   }
 
   const Model& model_;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Typed reading of a behaviour, between steps and from other threads. `Facts`: see program.hpp.
 
-#include "runtime/core/inspect/snapshot.hpp"
+#include "runtime/core/inspect/double_buffer.hpp"
 #include "runtime/core/inspect/why.hpp"
 
 namespace director {

@@ -58,13 +58,13 @@ public:
     Input* input = records.data();
     const bool room = (store_data(task, *input) && ... && store_data(more, *++input));
     if (room && (goes_first(records) || inbox_->post_in_turn(records))) return true;
-    std::array words = records;
-    inbox_->reserve(words);
-    input = words.data();
+    std::array reserved = records;
+    inbox_->reserve(reserved);
+    input = reserved.data();
     const Input* before = records.data();
     move_to_slot(task, *before, *input);
     (move_to_slot(more, *++before, *++input), ...);
-    inbox_->publish(words);
+    inbox_->publish(reserved);
     return true;
   }
 
@@ -194,12 +194,12 @@ private:
   /// Moves the data to the place of the overflow slot that was reserved.
   template <class Task>
   void move_to_slot([[maybe_unused]] Task& task, [[maybe_unused]] const Input& before,
-                    [[maybe_unused]] const Input& word) const {
+                    [[maybe_unused]] const Input& reserved) const {
     if constexpr (has_data<Task>) {
       auto& waiting = data_->template waiting<Task>();
       TaskBase<Task>& base = task;
-      if (word.handle != nil)
-        waiting.put_at(word.handle, std::move(before.handle == nil ? base.data : waiting.value(before.handle)));
+      if (reserved.handle != nil)
+        waiting.put_at(reserved.handle, std::move(before.handle == nil ? base.data : waiting.value(before.handle)));
       if (before.handle != nil) waiting.free(before.handle);
     }
   }

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // The state between two micro-steps, as it can be read from outside: holders, requests, values. A view reads the memory
-// of an engine, or a copy of it (snapshot.hpp).
+// of an engine, or a copy of it (View::copy).
 
 #include "runtime/core/base/state.hpp"
 
