@@ -31,7 +31,7 @@ CoverageWatch::CoverageWatch(const Model& model, const Lowered& lowered, Coverag
       lowered_(lowered),
       coverage_(coverage),
       before_{std::vector<Index>(model.groups.size(), nil), std::vector<Index>(model.groups.size(), nil),
-              std::vector<Index>(model.edges.size(), nil)} {
+              std::vector<bool>(model.groups.size()), std::vector<Index>(model.edges.size(), nil)} {
   for (std::size_t i = 0; i < coverage.points.size(); ++i) places_.emplace(coverage.points[i].key, i);
   for (const GroupId id : model.groups.ids()) needed_.add(needed_from(model, id));
 }
@@ -57,6 +57,7 @@ CoverageWatch::Moment CoverageWatch::moment(const Engine& engine) const {
   for (Index g = 0; g < model_.groups.size(); ++g) {
     out.active.push_back(engine.active(g));
     out.holders.push_back(engine.holder(g));
+    out.pushed.push_back(engine.memory().last[g].push.edge != nil);
   }
   for (Index e = 0; e < model_.edges.size(); ++e) out.requests.push_back(engine.memory().request[e].level);
   return out;
@@ -67,7 +68,7 @@ void CoverageWatch::stepped(const Engine& engine) {
   look_at_conditions(engine);
   look_at_pushes(engine.memory());
   Moment now = moment(engine);
-  look_at_take_overs(now);
+  look_at_take_overs(now, engine);
   before_ = std::move(now);
 }
 
@@ -78,14 +79,15 @@ void CoverageWatch::look_at_levels(const director::State& state) {
   }
 }
 
+bool CoverageWatch::holds(ConditionId id, const Engine& engine) const {
+  const Condition& condition = model_.conditions[id];
+  const std::int32_t value = engine.value(static_cast<Index>(condition.state.value));
+  return value != unset && condition.accepts.contains(value);
+}
+
 void CoverageWatch::mark_conditions(Kind kind, ProviderId provider, const std::vector<ConditionUse>& uses,
                                     const Engine& engine) {
-  for (const ConditionUse& use : uses) {
-    const Condition& condition = model_.conditions[use.id];
-    const std::int32_t value = engine.value(static_cast<Index>(condition.state.value));
-    const bool holds = value != unset && condition.accepts.contains(value);
-    mark({kind, provider.value, use.id.value, holds ? 1U : 0U});
-  }
+  for (const ConditionUse& use : uses) { mark({kind, provider.value, use.id.value, holds(use.id, engine) ? 1U : 0U}); }
 }
 
 /// `when` counts while its group is wanted, `stay` while its provider is active, or was until now.
@@ -123,26 +125,26 @@ std::optional<CoverageWatch::Chain> CoverageWatch::chain(Index edge, const std::
   return std::nullopt;
 }
 
-/// Whether the provider of its requester needs its target. Then a request that the provider also has for it does not
-/// count.
-bool CoverageWatch::is_needed(Index edge, const Moment& at) const {
-  const Index requester = lowered_.edges[edge].requester;
-  if (requester == nil || at.active[requester] == nil) return false;
-  return model_.providers[ProviderId{at.active[requester]}].needs_group(model_.edges[EdgeId{edge}].target);
-}
-
 /// Whether an edge of the chain is, from the sibling down.
-template <class Needed>
-bool CoverageWatch::optional_below(const Chain& chain, std::size_t sibling, const Moment& at,
-                                   const Needed& needed) const {
+bool CoverageWatch::optional_below(const Chain& chain, std::size_t sibling, const std::vector<Index>& requests) const {
   for (std::size_t i = 0; i <= sibling; ++i) {
-    const Index level = at.requests[chain[i]];
-    if (level != nil && lowered_.levels[level].optional && !needed(chain[i])) return true;
+    if (requests[chain[i]] != nil && lowered_.levels[requests[chain[i]]].optional) return true;
   }
   return false;
 }
 
-void CoverageWatch::take_over(const Chain& taker, const Chain& loser, const Moment& now) {
+/// Whether the conditions of some provider hold: else the group ended by itself. Those of a pushed one are waived.
+bool CoverageWatch::could_go_on(Index group, const Engine& engine) const {
+  const std::vector<ProviderId>& all = model_.groups[GroupId{group}].providers;
+  return before_.pushed[group] || std::any_of(all.begin(), all.end(), [&](ProviderId id) {
+           const Provider& provider = model_.providers[id];
+           const bool stays = before_.active[group] == id.value && !provider.stay.empty();
+           const std::vector<ConditionUse>& uses = stays ? provider.stay : provider.when;
+           return std::all_of(uses.begin(), uses.end(), [&](const ConditionUse& use) { return holds(use.id, engine); });
+         });
+}
+
+void CoverageWatch::take_over(const Chain& taker, const Chain& loser, const Moment& now, const Engine& engine) {
   const auto requester = [&](Index edge) { return lowered_.edges[edge].requester; };
   const std::vector<Index>& requests = now.requests;
   for (std::size_t i = 0; i < taker.size(); ++i) {
@@ -150,13 +152,11 @@ void CoverageWatch::take_over(const Chain& taker, const Chain& loser, const Mome
       if (requester(taker[i]) != requester(loser[j])) continue;
       const Index first = taker[i], second = loser[j];
       if (first == second || requests[first] == nil || requests[second] == nil) return; // the loser gave it up itself
-      if (is_needed(first, now)) return;                                                // no task took it
-      // A request that its requester's next provider does not need is on its own.
-      const auto was_needed = [&](Index edge) {
-        return is_needed(edge, before_) && (now.active[requester(edge)] == nil || is_needed(edge, now));
-      };
-      const bool first_optional = optional_below(taker, i, now, [](Index) { return false; });
-      const bool second_optional = optional_below(loser, j, before_, was_needed);
+      for (std::size_t k = 0; k < j; ++k) {
+        if (!could_go_on(requester(loser[k]), engine)) return;
+      }
+      const bool first_optional = optional_below(taker, i, requests);
+      const bool second_optional = optional_below(loser, j, before_.requests);
       const auto priority = [&](Index edge) { return lowered_.levels[requests[edge]].priority; };
       if (first_optional != second_optional ? second_optional : priority(first) > priority(second))
         mark({Kind::take_over, first, second});
@@ -166,12 +166,12 @@ void CoverageWatch::take_over(const Chain& taker, const Chain& loser, const Mome
 }
 
 /// A group that went from one edge to another while the loser's side was still requested.
-void CoverageWatch::look_at_take_overs(const Moment& now) {
+void CoverageWatch::look_at_take_overs(const Moment& now, const Engine& engine) {
   for (Index g = 0; g < now.holders.size(); ++g) {
     if (now.holders[g] == before_.holders[g]) continue;
     const std::optional<Chain> taker = chain(now.holders[g], now.holders),
                                loser = chain(before_.holders[g], before_.holders);
-    if (taker && loser) take_over(*taker, *loser, now);
+    if (taker && loser) take_over(*taker, *loser, now, engine);
   }
 }
 

@@ -26,6 +26,7 @@ private:
 
   struct Moment {
     std::vector<Index> active, holders; ///< by group
+    std::vector<bool> pushed;           ///< the same
     std::vector<Index> requests;        ///< by edge: its level
   };
 
@@ -38,12 +39,12 @@ private:
   void mark_conditions(CoveragePoint::Kind kind, ProviderId provider, const std::vector<ConditionUse>& uses,
                        const Engine& engine);
   void look_at_pushes(const director::State& state);
-  void look_at_take_overs(const Moment& now);
+  void look_at_take_overs(const Moment& now, const Engine& engine);
   std::optional<Chain> chain(Index edge, const std::vector<Index>& holders) const;
-  bool is_needed(Index edge, const Moment& at) const;
-  template <class Needed>
-  bool optional_below(const Chain& chain, std::size_t sibling, const Moment& at, const Needed& needed) const;
-  void take_over(const Chain& taker, const Chain& loser, const Moment& now);
+  bool holds(ConditionId id, const Engine& engine) const;
+  bool could_go_on(Index group, const Engine& engine) const;
+  bool optional_below(const Chain& chain, std::size_t sibling, const std::vector<Index>& requests) const;
+  void take_over(const Chain& taker, const Chain& loser, const Moment& now, const Engine& engine);
 
   const Model& model_;
   const Lowered& lowered_;
