@@ -24,6 +24,10 @@
 // value before anything else is decided.
 //
 // can_run: the facts of the checks decide for every provider whether it may ever run; they are an over-approximation.
+//
+// The same facts prove what is asserted of a group that never runs. Such a group is never granted, so it is never
+// granted together with another one, and nothing passes to it or from it. A group that nothing requests is never
+// blocked, nor is anything below it; if nothing holds it for a need either, its side holds nothing.
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/plans/plans.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -218,17 +222,52 @@ std::optional<Verdict> latch(const Model& model, GroupId from, GroupId to) {
                             model.full_name(*by)));
 }
 
-/// The facts prove what never happens; they do not prove that something happens.
-std::optional<Verdict> can_run(const Assertion& assertion, const Model& model) {
-  const GroupId group = assertion.groups.front().id;
-  const analysis::Facts facts = analysis::find_facts(model, make_graph(model), analysis::Reported::as_is);
+analysis::Facts facts_of(const Model& model) {
+  return analysis::find_facts(model, make_graph(model), analysis::Reported::as_is);
+}
+
+/// Why the group never runs; empty: it may. The facts prove what never happens; they do not prove that something
+/// happens.
+std::string why_it_never_runs(const Model& model, const analysis::Facts& facts, GroupId group) {
   if (model.has_any(group, facts.active)) return {};
+  const std::string name = analysis::name_of(model, group);
+  return facts.requested.contains(group) ? fmt::format("no provider of {} can ever run", name)
+                                         : fmt::format("nothing that runs requests {}", name);
+}
+
+std::optional<Verdict> can_run(const Assertion& assertion, const Model& model) {
+  std::string why = why_it_never_runs(model, facts_of(model), assertion.groups.front().id);
+  if (why.empty()) return {};
   Verdict out;
   out.kind = Verdict::Kind::refuted;
-  out.why = facts.requested.contains(group)
-                ? fmt::format("no provider of {} can ever run", analysis::name_of(model, group))
-                : fmt::format("nothing that runs requests {}", analysis::name_of(model, group));
+  out.why = std::move(why);
   return out;
+}
+
+/// That all but one of these groups never run. `soft`, `never_together`: of two groups one is enough.
+std::optional<Verdict> never_run(const Assertion& assertion, const Model& model) {
+  const analysis::Facts facts = facts_of(model);
+  std::vector<std::string> reasons;
+  for (const Use<GroupId>& use : assertion.groups) {
+    std::string why = why_it_never_runs(model, facts, use.id);
+    if (!why.empty()) reasons.push_back(std::move(why));
+  }
+  if (reasons.empty() || reasons.size() + 1 < assertion.groups.size()) return {};
+  return proven(fmt::format("{}", fmt::join(reasons, ", and ")));
+}
+
+/// That the winner's side requests nothing, or the loser's holds nothing.
+std::optional<Verdict> without_a_side(const Assertion& assertion, const Model& model) {
+  const GroupId winner = assertion.groups.front().id, loser = assertion.groups.back().id;
+  const analysis::Facts facts = facts_of(model);
+  const std::vector<EdgeId>& holders = model.groups[loser].requesters;
+  const bool is_held =
+      std::any_of(holders.begin(), holders.end(), [&](EdgeId edge) { return facts.holding.contains(edge); });
+  for (const GroupId group : {winner, loser}) {
+    if (!facts.requested.contains(group) && (group == winner || !is_held))
+      return proven(why_it_never_runs(model, facts, group));
+  }
+  return {};
 }
 
 /// What a group may lose so that it stops: itself and its needs; and what is requested in one pack, or flat list,
@@ -274,10 +313,14 @@ std::optional<Verdict> soft(const Assertion& assertion, const Model& model) {
 } // namespace
 
 std::optional<Verdict> prove_at_once(const Assertion& assertion, const Model& model) {
+  const auto either = [&](auto first, auto second) {
+    std::optional<Verdict> out = first(assertion, model);
+    return out ? out : second(assertion, model);
+  };
   switch (assertion.kind) {
-  case Assertion::Kind::never_together: return never_together(assertion, model);
-  case Assertion::Kind::beats: return beats(assertion, model);
-  case Assertion::Kind::soft: return soft(assertion, model);
+  case Assertion::Kind::never_together: return either(never_together, never_run);
+  case Assertion::Kind::beats: return either(beats, without_a_side);
+  case Assertion::Kind::soft: return either(soft, never_run);
   case Assertion::Kind::can_run: return can_run(assertion, model);
   }
   return {};

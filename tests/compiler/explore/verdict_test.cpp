@@ -120,6 +120,30 @@ TEST_CASE("what nothing requests cannot run, however much there is to explore") 
   CHECK(verdict_of(idle, "{can_run: N}", 1) == "refuted: nothing that runs requests `N`");
 }
 
+TEST_CASE("what is never requested takes and loses nothing, however much there is to explore") {
+  const std::string idle = "roots: [A, C]\ngroups:\n  A: {needs: [N]}\n  N: {}\n  C: {needs: [N]}\n"
+                           "  U: {needs: [N], tasks: [N]}\n";
+  const std::string why = "proven: nothing that runs requests `U`";
+  CHECK(verdict_of(idle, "{beats: {A: U}}", 1) == why);
+  CHECK(verdict_of(idle, "{beats: {U: A}}", 1) == why);
+  CHECK(verdict_of(idle, "{soft: {from: U, to: A}}", 1) == why);
+  CHECK(verdict_of(idle, "{soft: {from: A, to: U}}", 1) == why);
+  const std::string apart = "roots: [A, C]\ngroups:\n  A: {}\n  C: {}\n  U: {}\n  V: {}\n";
+  CHECK(verdict_of(apart, "{never_together: [A, U]}", 1) == why);
+  CHECK(verdict_of(apart, "{never_together: [U, A, V]}", 1) == why + ", and nothing that runs requests `V`");
+  CHECK(verdict_of(apart, "{never_together: [A, U, C]}").find("refuted: after ") == 0);
+  // A need holds it, though nothing requests it: it is in the way of others.
+  CHECK(
+      verdict_of("roots: {A: {priority: 1}, C: {priority: 2}}\n" + idle.substr(idle.find("groups")), "{beats: {A: N}}")
+          .find("refuted: after ") == 0);
+}
+
+TEST_CASE("what can never run is granted together with nothing") {
+  const std::string never = "states: {S: {values: [x, y], initial: x}}\nroots: [A, B]\n"
+                            "groups: {A: {}, B: {when: [S == y]}}\n";
+  CHECK(verdict_of(never, "{never_together: [A, B]}", 1) == "proven: no provider of `B` can ever run");
+}
+
 TEST_CASE("what can run is shown by how it comes to run") {
   CHECK(verdict_of(two, "{can_run: B}") == "proven: it runs after: request B; set {S: y}");
   CHECK(verdict_of("states: {S: {values: [x, y], initial: x}}\nroots: [A]\n"
