@@ -166,18 +166,23 @@ std::string GitFiles::beside(const std::string& file, const std::string& relativ
 
 FilesBeside::FilesBeside(dsl::FileAccess& files, const std::string& first, const std::string& second)
     : files_(files),
-      path_(fs::path(first).lexically_normal().string()),
-      first_(fs::path(path_).parent_path().string()),
+      first_(fs::path(first).lexically_normal().parent_path().string()),
       second_(fs::path(second).lexically_normal().parent_path().string()) {}
 
-dsl::Result<std::string, dsl::FileError> FilesBeside::fetch(const std::string& path, std::size_t most,
-                                                            dsl::Kinds kinds) {
-  auto found = files_.read(path, most, kinds);
-  if (found || path == path_ || found.error().kind != dsl::FileError::Kind::not_found) return found;
-  const fs::path inside = fs::path(path).lexically_normal().lexically_relative(first_.empty() ? "." : first_);
-  if (inside.empty() || first_ == second_) return found;
-  auto other = files_.read((fs::path(second_) / inside).lexically_normal().string(), most, kinds);
-  return other ? std::move(other) : std::move(found);
+std::string FilesBeside::beside(const std::string& file, const std::string& relative) {
+  const auto moved = moved_.find(file);
+  std::string wanted = files_.beside(moved == moved_.end() ? file : moved->second, relative);
+  const fs::path inside = fs::path(wanted).lexically_normal().lexically_relative(first_.empty() ? "." : first_);
+  if (inside.empty() || first_ == second_ || is_there(wanted)) return wanted;
+  std::string other = (fs::path(second_) / inside).lexically_normal().string();
+  if (!is_there(other)) return wanted;
+  moved_.emplace(other, std::move(wanted));
+  return other;
+}
+
+bool FilesBeside::is_there(const std::string& path) {
+  const auto read = files_.read(path, 0, dsl::Kinds::ordinary);
+  return read || read.error().kind != dsl::FileError::Kind::not_found;
 }
 
 } // namespace director::compiler::cli

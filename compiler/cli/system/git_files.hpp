@@ -6,6 +6,7 @@
 #include "compiler/facts/programs.hpp"
 #include "dsl/source/file_access.hpp"
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -75,20 +76,22 @@ private:
 };
 
 /// Files beside one file, or otherwise beside another: git's difftool copies the old one alone into a folder of its
-/// own, and its imports are beside the new one.
+/// own, and its imports are beside the new one. Each has the path of the file that is read.
 class FilesBeside final : public dsl::FileAccess {
 public:
   FilesBeside(dsl::FileAccess& files, const std::string& first, const std::string& second);
   std::string identity(const std::string& path) override { return files_.identity(path); }
-  std::string beside(const std::string& file, const std::string& relative) override {
-    return files_.beside(file, relative);
-  }
+  std::string beside(const std::string& file, const std::string& relative) override;
 
 private:
-  dsl::Result<std::string, dsl::FileError> fetch(const std::string& path, std::size_t most, dsl::Kinds kinds) override;
+  dsl::Result<std::string, dsl::FileError> fetch(const std::string& path, std::size_t most, dsl::Kinds kinds) override {
+    return files_.read(path, most, kinds);
+  }
+  bool is_there(const std::string& path);
 
   dsl::FileAccess& files_;
-  std::string path_, first_, second_; ///< folders, but the path
+  std::string first_, second_;               ///< folders
+  std::map<std::string, std::string> moved_; ///< files beside the other one: the path that each would have beside this
 };
 
 } // namespace director::compiler::cli

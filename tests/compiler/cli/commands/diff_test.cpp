@@ -107,3 +107,32 @@ TEST_CASE("diff: imports of the old file that are not beside it are beside the n
   CHECK(w.directorc({"diff", "/tmp/blob/walker.yaml", "robot/walker.yaml"}) == 0);
   CHECK(w.out.starts_with("needs_added: "));
 }
+
+TEST_CASE("diff: an import beside the new file has that path in places of the old side, and counts once") {
+  World w;
+  const std::string main = "behaviour: walker\nlanguage: 1\nimports: [parts/legs.yaml, parts/../parts/arms.yaml]\n";
+  w.files.add("/tmp/blob/walker.yaml", main + "roots: {Walk: {priority: 1}}\ngroups: {Walk: {needs: [Legs]}}\n");
+  w.files.add("robot/walker.yaml", main + "roots: {Walk: {priority: 1}}\ngroups: {Walk: {needs: [Legs]}}\n"
+                                          "states: {Legs_up: {values: [no, yes], initial: no}}\n");
+  w.files.add("robot/parts/legs.yaml",
+              "behaviour: legs\nlanguage: 1\nimports: [arms.yaml]\ngroups: {Legs: {needs: [Arms]}}\n");
+  w.files.add("robot/parts/arms.yaml", "behaviour: arms\nlanguage: 1\ngroups: {Arms: {}}\n");
+  CHECK(w.directorc({"diff", "/tmp/blob/walker.yaml", "robot/walker.yaml"}) == 0);
+  CHECK(w.out.starts_with("state_added: "));
+  // What is beside the old file is read there, also for a file that is not.
+  w.files.add("/tmp/blob/parts/arms.yaml", "behaviour: arms\nlanguage: 1\ngroups: {Arms: {stop: true}, Hand: {}}\n");
+  CHECK(w.directorc({"diff", "/tmp/blob/walker.yaml", "robot/walker.yaml"}) == 0);
+  CHECK(w.out.find("    before /tmp/blob/parts/arms.yaml:3:") != std::string::npos);
+  CHECK(w.out.find("    before robot/") == std::string::npos);
+}
+
+TEST_CASE("diff: the place of an import beside the new file is one that can be opened") {
+  World w;
+  const std::string head = "behaviour: walker\nlanguage: 1\nimports: [parts/legs.yaml]\nroots: [Walk]\ngroups: ";
+  w.files.add("/tmp/blob/walker.yaml", head + "{Walk: {needs: [Legs], tasks: [Legs]}}\n");
+  w.files.add("robot/walker.yaml", head + "{Walk: {}}\n");
+  w.files.add("robot/parts/legs.yaml", "behaviour: legs\nlanguage: 1\ngroups: {Legs: {}}\n");
+  CHECK(w.directorc({"diff", "/tmp/blob/walker.yaml", "robot/walker.yaml"}) == 0);
+  CHECK(w.out.find("before robot/parts/legs.yaml:3:10\n") != std::string::npos);
+  CHECK(w.out.find("/tmp/blob/parts") == std::string::npos);
+}
