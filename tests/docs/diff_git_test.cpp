@@ -272,6 +272,33 @@ TEST_CASE("a link is followed in a revision and in what is staged, as far as it 
           .output.starts_with("directorc: cannot read `HEAD:robot/none.yaml`: no such file in the revision `HEAD`\n"));
 }
 
+TEST_CASE("a file that is imported under several names, through links, is one, in a revision and in what is staged") {
+  const Repository repository;
+  repository.write("bib/legs.yaml", "behaviour: legs\nlanguage: 1\ngroups: {Legs: {}, Arms: {}}\n");
+  repository.write("walk.yaml", "behaviour: walk\nlanguage: 1\nimports: [bib/legs.yaml, lib/legs.yaml]\n"
+                                "groups: {Walk: {needs: [Legs]}}\n");
+  const std::string head = "behaviour: r\nlanguage: 1\nimports: [walk.yaml, legs.yaml]\nroots: [Walk, Arms]\n";
+  repository.write("r.yaml", head);
+  REQUIRE(repository
+              .run("ln -s bib lib && ln -s mid.yaml legs.yaml && ln -s lib/legs.yaml mid.yaml && "
+                   "git add . && git commit --quiet -m links && directorc check r.yaml")
+              .status == 0);
+  const std::string changed =
+      "request_removed: The program or a provider requests one task less, or in one pack less.\n"
+      "  the program no longer requests `Arms` (C++ has to follow)\n";
+  repository.write("r.yaml", "behaviour: r\nlanguage: 1\nimports: [walk.yaml, legs.yaml]\nroots: [Walk]\n");
+  const Ran beside = repository.run("directorc diff --git HEAD r.yaml");
+  CHECK(beside.output.find(changed) != std::string::npos);
+  // Both sides are read from git: none of the links is on the disk any more.
+  const Ran staged = repository.run("git add . && rm -r lib legs.yaml mid.yaml && directorc diff --staged r.yaml");
+  CHECK(staged.output == beside.output);
+  CHECK(staged.status == 0);
+  // And where the imports of a file alone are beside another one.
+  repository.run("git checkout --quiet . && mkdir alone");
+  repository.write("alone/r.yaml", head);
+  CHECK(repository.run("directorc diff alone/r.yaml r.yaml").output.find(changed) != std::string::npos);
+}
+
 TEST_CASE("a file that is not staged, or is in no repository, is reported") {
   const Repository repository;
   const Ran gone =

@@ -43,8 +43,7 @@ dsl::Result<std::string, dsl::FileError> read_object(Programs& programs, const s
                                                      std::size_t most) {
   using Kind = dsl::FileError::Kind;
   if (name.find('\n') != std::string::npos) return dsl::FileError{Kind::not_readable, "a line break in its name"};
-  // A header line: `OID blob SIZE`, or that there is no such object. For a link in a commit git follows it; for a
-  // staged one it does not.
+  // A header line: `OID blob SIZE`, or that there is no such object.
   const Answer answer =
       programs.run_apart({"git", "-C", folder, "cat-file", "--batch", "--follow-symlinks"}, name + "\n");
   if (!answer.started || answer.status != 0)
@@ -67,6 +66,19 @@ dsl::Result<std::string, dsl::FileError> read_object(Programs& programs, const s
 std::string inside(const Repository& repository, const std::string& file) {
   const fs::path from_folder = absolute_path(file).lexically_normal().lexically_relative(repository.folder);
   return (fs::path(repository.prefix) / from_folder).lexically_normal().string();
+}
+
+/// Of a path from the top of the repository.
+bool is_outside(const std::string& name) { return name == ".." || name.starts_with("../"); }
+
+/// The text of the file to which a path leads. `commit` is empty for what is staged.
+dsl::Result<std::string, dsl::FileError> read_from(GitTree& tree, Programs& programs, const std::string& folder,
+                                                   const std::string& commit, const std::string& name,
+                                                   const std::string& where, std::size_t most) {
+  const GitTree::Place place = tree.find(name);
+  if (place.leaves)
+    return dsl::FileError{dsl::FileError::Kind::not_readable, "it is a link to outside of the repository"};
+  return read_object(programs, folder, commit + ":" + place.path, where, most);
 }
 
 } // namespace
@@ -96,6 +108,7 @@ std::optional<std::string> GitFiles::open(const std::string& file, Newer newer) 
     return fmt::format("`{}` is no commit: name one, a branch or a tag", revision_);
   }
   commit_ = first_line(commit.output);
+  tree_.emplace(programs_, folder_, commit_);
   path_ = top() + name_before(inside(found.value(), file), newer);
   return {};
 }
@@ -123,40 +136,34 @@ std::string GitFiles::name_before(const std::string& name, Newer newer) {
 dsl::Result<std::string, dsl::FileError> GitFiles::fetch(const std::string& path, std::size_t most, dsl::Kinds kinds) {
   if (path.starts_with('/')) return disk_.read(path, most, kinds);
   const std::string name = path.substr(std::min(path.size(), top().size()));
-  if (!path.starts_with(top()) || name == ".." || name.starts_with("../"))
+  if (!path.starts_with(top()) || is_outside(name))
     return dsl::FileError{dsl::FileError::Kind::not_found, "it is outside of the repository"};
-  return read_object(programs_, folder_, commit_ + ":" + name, fmt::format("in the revision `{}`", revision_), most);
+  return read_from(*tree_, programs_, folder_, commit_, name, fmt::format("in the revision `{}`", revision_), most);
 }
 
 std::optional<std::string> StagedFiles::open(const std::string& file) {
   const auto found = find_repository(programs_, file);
   if (!found) return found.error();
   repository_ = found.value();
+  tree_.emplace(programs_, repository_.folder, "");
   return {};
 }
 
 dsl::Result<std::string, dsl::FileError> StagedFiles::fetch(const std::string& path, std::size_t most,
                                                             dsl::Kinds kinds) {
   const std::string name = inside(repository_, path);
-  if (name == ".." || name.starts_with("../")) return disk_.read(path, most, kinds);
-  auto read = read_object(programs_, repository_.folder, ":" + name, "is staged", most);
-  if (!read || read.value().find('\n') != std::string::npos || !is_link(name)) return read;
-  // As git follows the links of a commit.
-  const std::string target = (fs::path(name).parent_path() / read.value()).lexically_normal().string();
-  if (fs::path(read.value()).is_absolute() || target == ".." || target.starts_with("../") || is_link(target))
-    return dsl::FileError{dsl::FileError::Kind::not_readable, "it is a link that is not followed"};
-  return read_object(programs_, repository_.folder, ":" + target, "is staged", most);
+  if (is_outside(name)) return disk_.read(path, most, kinds);
+  return read_from(*tree_, programs_, repository_.folder, "", name, "is staged", most);
 }
 
-/// `name`: from the top of the repository.
-bool StagedFiles::is_link(const std::string& name) {
-  const Answer answer =
-      programs_.run_apart({"git", "-C", repository_.folder, "ls-files", "--stage", "--", ":(top,literal)" + name}, "");
-  return answer.status == 0 && answer.output.starts_with("120000 ");
+std::string StagedFiles::identity(const std::string& path) {
+  const std::string name = inside(repository_, path);
+  return is_outside(name) ? disk_.identity(path) : ":" + tree_->find(name).path;
 }
 
 std::string GitFiles::identity(const std::string& path) {
-  return path.starts_with('/') ? disk_.identity(path) : path; // as `beside` returns it
+  if (!path.starts_with(top())) return disk_.identity(path);
+  return top() + tree_->find(path.substr(top().size())).path;
 }
 
 std::string GitFiles::beside(const std::string& file, const std::string& relative) {

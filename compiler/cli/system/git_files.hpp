@@ -3,6 +3,7 @@
 // Files as they were in a revision of git. Their paths are REVISION:PATH, from the top of the repository, like git's;
 // absolute ones are read from the disk, as the files of a build have no revision.
 
+#include "compiler/cli/system/git_tree.hpp"
 #include "compiler/facts/programs.hpp"
 #include "dsl/source/file_access.hpp"
 
@@ -50,6 +51,7 @@ private:
   std::string folder_;   ///< in the repository
   std::string commit_;
   std::string path_;
+  std::optional<GitTree> tree_; ///< since open()
 };
 
 /// Files as they are staged for the next commit. Their paths are those of the disk; files outside of the repository are
@@ -61,18 +63,18 @@ public:
   /// Finds the repository around `file`. Returns an error, or nothing.
   std::optional<std::string> open(const std::string& file);
 
-  std::string identity(const std::string& path) override { return disk_.identity(path); }
+  std::string identity(const std::string& path) override;
   std::string beside(const std::string& file, const std::string& relative) override {
     return disk_.beside(file, relative);
   }
 
 private:
   dsl::Result<std::string, dsl::FileError> fetch(const std::string& path, std::size_t most, dsl::Kinds kinds) override;
-  bool is_link(const std::string& name);
 
   Programs& programs_;
   dsl::FileAccess& disk_;
   Repository repository_;
+  std::optional<GitTree> tree_; ///< since open()
 };
 
 /// Files beside one file, or otherwise beside another: git's difftool copies the old one alone into a folder of its
