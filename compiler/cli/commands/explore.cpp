@@ -20,10 +20,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The relative path from the scenarios' folder to the behaviour.
+/// The path with the links on it followed, as far as it exists: the system follows them before `..`.
+fs::path without_links(const std::string& path) {
+  std::error_code failed;
+  fs::path out = fs::weakly_canonical(absolute_path(path), failed);
+  return failed ? absolute_path(path).lexically_normal() : out;
+}
+
+/// The relative path from the scenarios' folder to the behaviour. Links to the file itself are kept: what it imports is
+/// beside the link.
 std::string path_from(const std::string& folder, const std::string& file) {
-  const fs::path from = absolute_path(folder).lexically_normal();
-  const fs::path to = absolute_path(file).lexically_normal();
+  const fs::path from = without_links(folder);
+  const fs::path named = absolute_path(file);
+  const fs::path to = without_links(named.parent_path().string()) / named.filename();
   const fs::path relative = to.lexically_relative(from);
   return relative.empty() ? to.string() : relative.string();
 }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/artefact/notice.hpp"
 #include "tests/compiler/cli/world.hpp"
+#include "tests/support/command.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <filesystem>
 
 namespace {
 
@@ -58,6 +61,20 @@ steps:
     expect: |
       run B new_task
 )");
+}
+
+TEST_CASE("scenarios that are written through a link name the behaviour as it is seen from their own folder") {
+  namespace fs = std::filesystem;
+  const director::tests::TemporaryFolder folder;
+  fs::create_directories(folder.path() / "robot");
+  fs::create_directories(folder.path() / "deep/er/out");
+  fs::create_directory_symlink("../deep/er/out", folder.path() / "robot/found");
+  const std::string file = (folder.path() / "robot/b.yaml").string(), found = (folder.path() / "robot/found").string();
+  World world;
+  world.files.add(file, "behaviour: b\nlanguage: 1\n" + two + "assertions: [{never_together: [A, B]}]\n");
+  CHECK(world.directorc({"explore", file, "--output", found}) == 1);
+  CHECK(world.outputs.files.at(found + "/never_together_A_B.scenario.yaml")
+            .find("\nbehaviour: ../../../robot/b.yaml\n") != std::string::npos);
 }
 
 TEST_CASE("scenarios that would get the same name are numbered, and long names are cut") {
