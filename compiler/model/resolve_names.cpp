@@ -114,17 +114,18 @@ bool claim_cpp_name(Resolver& r, std::string_view kind, const Word& name) {
   if (is_new) return true;
   const Resolver::Declared& first = at->second;
   const bool same = first.name.value == name.value;
+  const bool is_again = same && first.kind == kind;
   std::string message;
-  if (same && first.kind == kind) {
+  if (is_again) {
     message = fmt::format("the {} `{}` is declared twice", kind, name.value);
   } else {
     message = fmt::format("the {} `{}` and the {} `{}` become one name in C++, `{}`", kind, name.value, first.kind,
                           first.name.value, at->first);
   }
-  r.error("redefined_name", name.span, std::move(message), "give one of them another name")
-      .notes.push_back({first.name.span, same && first.kind == kind
-                                             ? "declared first here"
-                                             : fmt::format("the {} is declared here", first.kind)});
+  r.error("redefined_name", name.span, std::move(message),
+          is_again ? "give one of them another name, or leave it out" : "give one of them another name")
+      .notes.push_back(
+          {first.name.span, is_again ? "declared first here" : fmt::format("the {} is declared here", first.kind)});
   return false;
 }
 
