@@ -93,10 +93,6 @@ TEST_CASE("a place in a revision is one that git takes") {
   CHECK(repository.run("cd robot && git show my/work:arms.yaml").output.starts_with("behaviour: arms\n"));
   repository.write("robot/parts/legs.yaml", "behaviour: legs\nlanguage: 1\ngroups: {Legs: {stop: true}, Arms: {}}\n");
   CHECK(places("../top.yaml") == "my/work:robot/parts/legs.yaml\n");
-  repository.write("robot/up.yaml", "behaviour: up\nlanguage: 1\nimports: [../../arms.yaml]\nroots: [Arms]\n");
-  REQUIRE(repository.run("git commit --quiet -a -m outside").status == 0);
-  CHECK(repository.run("directorc diff --git HEAD robot/up.yaml 2>&1 | grep -c 'it is outside of the repository'")
-            .output != "0\n");
 }
 
 TEST_CASE("a file that is renamed is compared with its old content") {
@@ -297,6 +293,76 @@ TEST_CASE("a file that is imported under several names, through links, is one, i
   repository.run("git checkout --quiet . && mkdir alone");
   repository.write("alone/r.yaml", head);
   CHECK(repository.run("directorc diff alone/r.yaml r.yaml").output.find(changed) != std::string::npos);
+}
+
+TEST_CASE("imports that git does not keep are read from the disk on both sides") {
+  const Repository repository;
+  REQUIRE(repository
+              .run("mkdir inner && cd inner && git init --quiet . && git config user.name Nobody && "
+                   "git config user.email nobody@example.org && mkdir made deep && echo made >.gitignore")
+              .status == 0);
+  const auto behaviour = [](const std::string& needs) {
+    return "behaviour: walker\nlanguage: 1\nimports: [../../shared.yaml, ../made/arms.yaml]\nroots: [Walk]\n"
+           "groups: {Walk: {needs: " +
+           needs + "}}\n";
+  };
+  repository.write("shared.yaml", "behaviour: shared\nlanguage: 1\ngroups: {Legs: {}}\n");
+  repository.write("inner/made/arms.yaml", "behaviour: arms\nlanguage: 1\nimports: [../hand.yaml]\n"
+                                           "groups: {Arms: {}}\n");
+  repository.write("inner/hand.yaml", "behaviour: hand\nlanguage: 1\ngroups: {Hand: {}}\n");
+  repository.write("inner/deep/walker.yaml", behaviour("[Legs]"));
+  REQUIRE(repository.run("cd inner && git add . && git commit --quiet -m first").status == 0);
+  repository.write("inner/deep/walker.yaml", behaviour("[Legs, Arms]"));
+  repository.write("inner/hand.yaml", "behaviour: hand\nlanguage: 1\ngroups: {Hand: {stop: true}}\n");
+  const std::string expected = "handler: A start or stop handler is new, is gone, or sets other values.\n"
+                               "  `Hand` now has a stop handler (C++ has to follow)\n"
+                               "    now    ../hand.yaml:3:23\n"
+                               "    before HEAD:hand.yaml:3:10\n"
+                               "\n"
+                               "needs_added: A provider needs one more group.\n"
+                               "  `Walk` now needs `Arms`\n"
+                               "    now    walker.yaml:5:31\n"
+                               "    before HEAD:deep/walker.yaml:5:10\n"
+                               "\n"
+                               "2 changes\n";
+  CHECK(repository.run("cd inner/deep && directorc diff --git HEAD walker.yaml").output == expected);
+  CHECK(repository.run("cd inner/deep && git add .. && directorc diff --staged walker.yaml").output == expected);
+  CHECK(repository.run("cd inner && directorc diff --git HEAD \"$PWD/deep/walker.yaml\"").status == 0);
+  // What only the old one imports is gone.
+  repository.write("inner/deep/walker.yaml", "behaviour: walker\nlanguage: 1\nroots: [Walk]\ngroups: {Walk: {}}\n");
+  const Ran gone = repository.run("rm shared.yaml && directorc diff --git HEAD inner/deep/walker.yaml");
+  CHECK(gone.output == "directorc: cannot read `shared.yaml`: No such file or directory; git does not keep it\n");
+  CHECK(gone.status == 2);
+}
+
+TEST_CASE("imports in a submodule are read in its recorded commit") {
+  const Repository repository;
+  const std::string behaviour = "behaviour: r\nlanguage: 1\nimports: [lib/parts/legs.yaml]\nroots: [Walk]\n";
+  repository.write("r.yaml", behaviour + "groups: {Walk: {}}\n");
+  REQUIRE(repository
+              .run("git clone --quiet . ../lib$$ && git -c protocol.file.allow=always submodule --quiet add "
+                   "\"$(cd .. && pwd)/lib$$\" lib && mkdir lib/parts && mv lib/robot/parts/legs.yaml lib/parts && "
+                   "cd lib && git config user.name Nobody && git config user.email nobody@example.org && git add . && "
+                   "git commit --quiet -m moved && cd .. && git add . && git commit --quiet -m second; "
+                   "status=$?; rm -rf ../lib$$; exit $status")
+              .status == 0);
+  repository.write("r.yaml", behaviour + "groups: {Walk: {needs: [Legs]}}\n");
+  const std::string expected = "needs_added: A provider needs one more group.\n"
+                               "  `Walk` now needs `Legs`\n"
+                               "    now    r.yaml:5:25\n"
+                               "    before HEAD:r.yaml:5:10\n"
+                               "\n"
+                               "1 change\n";
+  CHECK(repository.run("directorc diff --git HEAD r.yaml").output == expected);
+  CHECK(repository.run("git add r.yaml && directorc diff --staged r.yaml").output == expected);
+  // Without its commit the old behaviour is not known.
+  repository.write("r.yaml", "behaviour: r\nlanguage: 1\nroots: [Walk]\ngroups: {Walk: {}}\n");
+  const Ran lost = repository.run("rm -rf lib && mkdir lib && directorc diff --git HEAD r.yaml 2>&1 | "
+                                  "sed 's/commit [0-9a-f]* /commit C /'");
+  CHECK(lost.output ==
+        "directorc: cannot read `HEAD:lib/parts/legs.yaml`: it is in the submodule `lib`, whose commit C "
+        "is not on this computer: `git submodule update --init` fetches it\n");
+  CHECK(repository.run("directorc diff --git HEAD r.yaml").status == 2);
 }
 
 TEST_CASE("a file that is not staged, or is in no repository, is reported") {

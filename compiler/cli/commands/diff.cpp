@@ -20,7 +20,8 @@ std::optional<Checked> load_from(dsl::FileAccess& files, const std::string& file
   return load(file, {}, sources, other, request.cpp);
 }
 
-std::optional<Checked> load_before(const Diff& request, dsl::Sources& sources, Console& console) {
+/// `lost`: gets the file because of which git cannot tell how the behaviour was.
+std::optional<Checked> load_before(const Diff& request, dsl::Sources& sources, Console& console, LostFile& lost) {
   if (request.revision.empty()) {
     FilesBeside files(console.files, shown_path(request.before), shown_path(request.after));
     return load_from(files, request.before, request, sources, console);
@@ -36,6 +37,7 @@ std::optional<Checked> load_before(const Diff& request, dsl::Sources& sources, C
     if (!path->empty()) *path = absolute_path(*path).string(); // it is no part of a revision
   }
   std::optional<Checked> out = load_from(files, files.path(), there, sources, console);
+  lost = files.lost();
   if (!out)
     print_message(
         console, fmt::format("  help: where it was called otherwise, `git add {}` lets git see that; any two files are "
@@ -44,14 +46,16 @@ std::optional<Checked> load_before(const Diff& request, dsl::Sources& sources, C
   return out;
 }
 
-std::optional<Checked> load_after(const Diff& request, dsl::Sources& sources, Console& console) {
+std::optional<Checked> load_after(const Diff& request, dsl::Sources& sources, Console& console, LostFile& lost) {
   if (!request.staged) return load(request.after, {}, sources, console, request.cpp);
   StagedFiles files(console.programs, console.files);
   if (const std::optional<std::string> wrong = files.open(request.after)) {
     print_message(console, fmt::format("directorc: {}\n", *wrong));
     return {};
   }
-  return load_from(files, request.after, request, sources, console);
+  std::optional<Checked> out = load_from(files, request.after, request, sources, console);
+  lost = files.lost();
+  return out;
 }
 
 /// git's difftool names no file for a new or deleted one. The text for that; empty: there are two files.
@@ -82,10 +86,17 @@ int run(const Diff& request, Console& console) {
       print({}, request, sources, console);
     return clean;
   }
-  const std::optional<Checked> before = load_before(request, sources, console);
+  LostFile lost_before, lost_after;
+  const std::optional<Checked> before = load_before(request, sources, console, lost_before);
   if (!before) return misused;
-  const std::optional<Checked> after = load_after(request, sources, console);
+  const std::optional<Checked> after = load_after(request, sources, console, lost_after);
   if (!after) return misused;
+  // What has errors only because a file cannot be read here is neither accepted nor refused.
+  const LostFile& lost = before->resolved ? lost_after : lost_before;
+  if (before->resolved != after->resolved && !lost.empty()) {
+    print_message(console, fmt::format("directorc: cannot read `{}`: {}\n", lost.path, lost.why));
+    return misused;
+  }
   if (!before->resolved && !after->resolved) {
     console.err << "directorc: neither of the two can be compared: both have errors in their text or their names\n";
     for (const Checked* side : {&*before, &*after})

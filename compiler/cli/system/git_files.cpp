@@ -71,14 +71,57 @@ std::string inside(const Repository& repository, const std::string& file) {
 /// Of a path from the top of the repository.
 bool is_outside(const std::string& name) { return name == ".." || name.starts_with("../"); }
 
+/// Where a path from the top of the repository is on the disk.
+fs::path on_disk(const Repository& repository, const std::string& name) {
+  const fs::path prefix = fs::path(repository.prefix).parent_path(); // without the last slash
+  return (repository.folder / fs::path(name).lexically_relative(prefix.empty() ? "." : prefix)).lexically_normal();
+}
+
+/// Whether git does not keep the file: it is outside of the repository, or not in the tree and ignored.
+bool is_elsewhere(GitTree& tree, Programs& programs, const Repository& repository, const std::string& name) {
+  if (is_outside(name)) return true;
+  const GitTree::Place place = tree.find(name);
+  if (place.is_there || place.leaves) return false;
+  const std::string path = on_disk(repository, place.path).string();
+  const Answer answer = programs.run_apart({"git", "-C", repository.folder, "check-ignore", "--quiet", "--", path}, "");
+  return answer.started && answer.status == 0;
+}
+
+dsl::Result<std::string, dsl::FileError> read_submodule(Programs& programs, const Repository& repository,
+                                                        const GitTree::Place& place, std::size_t most) {
+  constexpr std::size_t shown = 12; // characters of a commit
+  const std::string folder = on_disk(repository, place.submodule).string(), commit = place.commit.substr(0, shown);
+  const Answer known = programs.run_apart({"git", "-C", folder, "cat-file", "-e", place.commit + "^{commit}"}, "");
+  if (!known.started || known.status != 0)
+    return dsl::FileError{dsl::FileError::Kind::not_readable,
+                          fmt::format("it is in the submodule `{}`, whose commit {} is not on this computer: `git "
+                                      "submodule update --init` fetches it",
+                                      place.submodule, commit)};
+  const std::string name = fs::path(place.path).lexically_relative(place.submodule).string();
+  return read_object(programs, folder, place.commit + ":" + name,
+                     fmt::format("in the commit {} of the submodule `{}`", commit, place.submodule), most);
+}
+
 /// The text of the file to which a path leads. `commit` is empty for what is staged.
-dsl::Result<std::string, dsl::FileError> read_from(GitTree& tree, Programs& programs, const std::string& folder,
+dsl::Result<std::string, dsl::FileError> read_from(GitTree& tree, Programs& programs, const Repository& repository,
                                                    const std::string& commit, const std::string& name,
                                                    const std::string& where, std::size_t most) {
   const GitTree::Place place = tree.find(name);
   if (place.leaves)
     return dsl::FileError{dsl::FileError::Kind::not_readable, "it is a link to outside of the repository"};
-  return read_object(programs, folder, commit + ":" + place.path, where, most);
+  if (!place.submodule.empty()) return read_submodule(programs, repository, place, most);
+  return read_object(programs, repository.folder, commit + ":" + place.path, where, most);
+}
+
+/// An import that is not on the disk either, or that git cannot read. Of a path that is only tried, `most` is 0.
+void note_lost(const dsl::Result<std::string, dsl::FileError>& read, const std::string& path, std::size_t most,
+               const std::set<std::string>& elsewhere, LostFile& lost) {
+  if (read || most == 0 || !lost.empty()) return;
+  const dsl::FileError& error = read.error();
+  if (elsewhere.contains(path))
+    lost = {path, error.message + "; git does not keep it"};
+  else if (error.kind == dsl::FileError::Kind::not_readable)
+    lost = {path, error.message};
 }
 
 } // namespace
@@ -96,10 +139,11 @@ dsl::Result<Repository, std::string> find_repository(Programs& programs, const s
 std::optional<std::string> GitFiles::open(const std::string& file, Newer newer) {
   const auto found = find_repository(programs_, file);
   if (!found) return found.error();
-  folder_ = found.value().folder;
+  repository_ = found.value();
+  is_absolute_ = fs::path(file).is_absolute();
   const auto parsed = [&](const std::string& name) {
-    return programs_.run_apart({"git", "-C", folder_, "rev-parse", "--verify", "--quiet", "--end-of-options", name},
-                               "");
+    return programs_.run_apart(
+        {"git", "-C", repository_.folder, "rev-parse", "--verify", "--quiet", "--end-of-options", name}, "");
   };
   const Answer commit = parsed(revision_ + "^{commit}");
   if (commit.status != 0) {
@@ -108,17 +152,18 @@ std::optional<std::string> GitFiles::open(const std::string& file, Newer newer) 
     return fmt::format("`{}` is no commit: name one, a branch or a tag", revision_);
   }
   commit_ = first_line(commit.output);
-  tree_.emplace(programs_, folder_, commit_);
+  tree_.emplace(programs_, repository_.folder, commit_);
   path_ = top() + name_before(inside(found.value(), file), newer);
   return {};
 }
 
 /// The name of the file in the revision, if git can find it; otherwise the same name.
 std::string GitFiles::name_before(const std::string& name, Newer newer) {
-  const auto there = read_object(programs_, folder_, commit_ + ":" + name, "", dsl::largest_file);
+  const auto there = read_object(programs_, repository_.folder, commit_ + ":" + name, "", dsl::largest_file);
   if (there || there.error().kind != dsl::FileError::Kind::not_found) return name;
   std::vector<std::string> command{
-      "git", "-C", folder_, "diff", "--find-renames", "--diff-filter=R", "--no-relative", "--name-status", "-z"};
+      "git",           "-C", repository_.folder, "diff", "--find-renames", "--diff-filter=R", "--no-relative",
+      "--name-status", "-z"};
   if (newer == Newer::staged) command.emplace_back("--cached");
   command.insert(command.end(), {commit_, "--"});
   const Answer answer = programs_.run_apart(command, "");
@@ -134,11 +179,12 @@ std::string GitFiles::name_before(const std::string& name, Newer newer) {
 }
 
 dsl::Result<std::string, dsl::FileError> GitFiles::fetch(const std::string& path, std::size_t most, dsl::Kinds kinds) {
-  if (path.starts_with('/')) return disk_.read(path, most, kinds);
-  const std::string name = path.substr(std::min(path.size(), top().size()));
-  if (!path.starts_with(top()) || is_outside(name))
-    return dsl::FileError{dsl::FileError::Kind::not_found, "it is outside of the repository"};
-  return read_from(*tree_, programs_, folder_, commit_, name, fmt::format("in the revision `{}`", revision_), most);
+  if (!path.starts_with(top()) && !elsewhere_.contains(path)) return disk_.read(path, most, kinds); // of a build
+  auto read = elsewhere_.contains(path) ? disk_.read(path, most, kinds)
+                                        : read_from(*tree_, programs_, repository_, commit_, path.substr(top().size()),
+                                                    fmt::format("in the revision `{}`", revision_), most);
+  note_lost(read, path, most, elsewhere_, lost_);
+  return read;
 }
 
 std::optional<std::string> StagedFiles::open(const std::string& file) {
@@ -152,8 +198,11 @@ std::optional<std::string> StagedFiles::open(const std::string& file) {
 dsl::Result<std::string, dsl::FileError> StagedFiles::fetch(const std::string& path, std::size_t most,
                                                             dsl::Kinds kinds) {
   const std::string name = inside(repository_, path);
-  if (is_outside(name)) return disk_.read(path, most, kinds);
-  return read_from(*tree_, programs_, repository_.folder, "", name, "is staged", most);
+  const bool is_kept = !is_elsewhere(*tree_, programs_, repository_, name);
+  auto read =
+      is_kept ? read_from(*tree_, programs_, repository_, "", name, "is staged", most) : disk_.read(path, most, kinds);
+  note_lost(read, path, most, elsewhere_, lost_);
+  return read;
 }
 
 std::string StagedFiles::identity(const std::string& path) {
@@ -167,8 +216,20 @@ std::string GitFiles::identity(const std::string& path) {
 }
 
 std::string GitFiles::beside(const std::string& file, const std::string& relative) {
-  if (!file.starts_with(top()) || fs::path(relative).is_absolute()) return disk_.beside(file, relative);
-  return top() + FileAccess::beside(file.substr(top().size()), relative); // the revision is no folder
+  if (fs::path(relative).is_absolute()) return disk_.beside(file, relative);
+  const bool is_kept = file.starts_with(top()); // the revision is no folder
+  const std::string name = is_kept ? FileAccess::beside(file.substr(top().size()), relative)
+                                   : inside(repository_, disk_.beside(file, relative));
+  if (!is_elsewhere(*tree_, programs_, repository_, name)) return top() + name;
+  fs::path path = is_kept ? on_disk(repository_, name) : fs::path(disk_.beside(file, relative));
+  if (is_kept && !is_absolute_) path = path.lexically_relative(absolute_path("."));
+  return *elsewhere_.insert(path.string()).first;
+}
+
+std::string StagedFiles::beside(const std::string& file, const std::string& relative) {
+  std::string path = disk_.beside(file, relative);
+  if (is_elsewhere(*tree_, programs_, repository_, inside(repository_, path))) elsewhere_.insert(path);
+  return path;
 }
 
 FilesBeside::FilesBeside(dsl::FileAccess& files, const std::string& first, const std::string& second)
