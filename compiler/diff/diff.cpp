@@ -9,6 +9,10 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
+#include <map>
+#include <utility>
+
 namespace director::compiler {
 
 namespace diff {
@@ -60,6 +64,33 @@ void add_errors(const Checked& checked, ChangeKind kind, Changes& changes) {
   }
 }
 
+/// What tells an error apart, without its place. Messages about files have their paths, which differ between the sides:
+/// then it is what the import says.
+std::pair<std::string, std::string> identity_of(const Checked& checked, const dsl::Diagnostic& error) {
+  for (const dsl::BehaviourSpec& file : checked.spec.files) {
+    for (const dsl::ImportSpec& import : file.imports) {
+      if (import.path.span == error.span) return {error.id, import.path.value};
+    }
+  }
+  return {error.id, error.message};
+}
+
+/// The errors of `after` that `before` has not, or has fewer times.
+void add_new_errors(const Checked& before, const Checked& after, Changes& changes) {
+  std::map<std::pair<std::string, std::string>, std::size_t> known;
+  for (const dsl::Diagnostic& finding : before.findings) {
+    if (finding.level == dsl::Level::error) ++known[identity_of(before, finding)];
+  }
+  for (const dsl::Diagnostic& finding : after.findings) {
+    if (finding.level != dsl::Level::error) continue;
+    std::size_t& left = known[identity_of(after, finding)];
+    if (left == 0)
+      changes.add(ChangeKind::refused, finding.id, finding.message, std::nullopt, finding.span);
+    else
+      --left;
+  }
+}
+
 } // namespace
 
 } // namespace diff
@@ -67,8 +98,12 @@ void add_errors(const Checked& checked, ChangeKind kind, Changes& changes) {
 std::vector<BehaviourChange> find_changes(const Checked& before, const Checked& after, TransitionsPlayed* played) {
   diff::Changes changes;
   if (!before.resolved || !after.resolved) {
-    if (before.resolved) diff::add_errors(after, ChangeKind::refused, changes);
-    if (after.resolved) diff::add_errors(before, ChangeKind::accepted, changes);
+    if (before.resolved)
+      diff::add_errors(after, ChangeKind::refused, changes);
+    else if (after.resolved)
+      diff::add_errors(before, ChangeKind::accepted, changes);
+    else
+      diff::add_new_errors(before, after, changes);
     return changes.take();
   }
   const diff::Pair pair{before, after};

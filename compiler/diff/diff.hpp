@@ -16,7 +16,8 @@
 
 namespace director::compiler {
 
-/// The places of both are in one set of sources. `played`: gets the number of played transitions.
+/// The places of both are in one set of sources. If both have errors in their text or their names, only the new errors
+/// are changes. `played`: gets the number of played transitions.
 std::vector<BehaviourChange> find_changes(const Checked& before, const Checked& after,
                                           TransitionsPlayed* played = nullptr);
 

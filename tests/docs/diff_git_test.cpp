@@ -204,6 +204,38 @@ TEST_CASE("the hook reports changes, and refuses the configured ones") {
   CHECK(silent.status == 0);
 }
 
+TEST_CASE("the hook refuses errors that are new, not those that a behaviour had before") {
+  const Repository repository;
+  const auto half = [](const std::string& rest) {
+    return "behaviour: half\nlanguage: 1\nextern: [Arms]\nroots: [Walk]\ngroups: {Walk: {needs: [Arms]}" + rest + "}\n";
+  };
+  repository.write("half.yaml", half(""));
+  REQUIRE(repository.run("git add . && git commit --quiet -m half").status == 0);
+  REQUIRE(
+      repository.run("cp '" + (source_dir() / "docs/hooks/pre-commit").string() + "' .git/hooks/pre-commit").status ==
+      0);
+  repository.write("notes.txt", "more\n");
+  const Ran other = repository.run("git add . && git commit --quiet -m 'only notes'");
+  CHECK(other.output.empty());
+  CHECK(other.status == 0);
+  repository.write("half.yaml", half(", Legs: {}"));
+  const Ran same = repository.run("git commit --quiet -a -m legs");
+  CHECK(same.output.starts_with("directorc: neither of the two can be compared: both have errors in their text or "
+                                "their names\nHEAD:half.yaml:3:10: error: "));
+  CHECK(same.status == 0);
+  repository.write("half.yaml", half(", Legs: {needs: [Lags]}"));
+  const Ran worse = repository.run("git commit --quiet -a -m lags");
+  CHECK(worse.output.find("half.yaml:\n"
+                          "refused: The new behaviour has errors in its text or its names: nothing of it is compared.\n"
+                          "  there is no group called `Lags`\n"
+                          "    now    half.yaml:5:58\n"
+                          "\n"
+                          "1 change\n\n"
+                          "pre-commit: this commit is refused for what is told above\n") != std::string::npos);
+  CHECK(worse.status == 1);
+  CHECK(repository.run("git log --format=%s").output == "legs\nonly notes\nhalf\nfirst\n");
+}
+
 TEST_CASE("the hook compares a behaviour whose file ends in .yml") {
   const Repository repository;
   repository.write("robot/runner.yml", Repository::walker("[Legs]"));

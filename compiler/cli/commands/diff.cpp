@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 
 namespace director::compiler::cli {
@@ -66,6 +67,14 @@ std::string only_side(const Diff& request) {
   return {};
 }
 
+/// Whether the second half of the files has the texts of the first one.
+bool have_same_text(const dsl::Sources& sources, std::size_t first_half) {
+  const auto middle = sources.begin() + static_cast<std::ptrdiff_t>(first_half);
+  return std::equal(
+      sources.begin(), middle, middle, sources.end(),
+      [](const dsl::SourceFile& before, const dsl::SourceFile& after) { return before.text() == after.text(); });
+}
+
 void print(const std::vector<BehaviourChange>& changes, const Diff& request, const dsl::Sources& sources,
            Console& console) {
   switch (request.format) {
@@ -89,6 +98,7 @@ int run(const Diff& request, Console& console) {
   LostFile lost_before, lost_after;
   const std::optional<Checked> before = load_before(request, sources, console, lost_before);
   if (!before) return misused;
+  const std::size_t of_before = sources.size();
   const std::optional<Checked> after = load_after(request, sources, console, lost_after);
   if (!after) return misused;
   // What has errors only because a file cannot be read here is neither accepted nor refused.
@@ -97,11 +107,12 @@ int run(const Diff& request, Console& console) {
     print_message(console, fmt::format("directorc: cannot read `{}`: {}\n", lost.path, lost.why));
     return misused;
   }
-  if (!before->resolved && !after->resolved) {
+  const bool are_broken = !before->resolved && !after->resolved;
+  // A hook has nothing to say of what a commit does not touch.
+  if (are_broken && !(request.staged && have_same_text(sources, of_before))) {
     console.err << "directorc: neither of the two can be compared: both have errors in their text or their names\n";
     for (const Checked* side : {&*before, &*after})
       print_findings(errors_of(side->findings), sources, console.err, console.err_colours, console.err_width);
-    return found;
   }
   TransitionsPlayed transitions;
   const std::vector<BehaviourChange> changes = find_changes(*before, *after, &transitions);

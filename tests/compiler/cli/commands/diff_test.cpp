@@ -56,10 +56,30 @@ TEST_CASE("diff: the new one is refused") {
   CHECK(w.out.starts_with("refused: "));
   CHECK(w.directorc({"diff", "bad.yaml", "new.yaml"}) == 0);
   CHECK(w.out.starts_with("accepted: "));
-  CHECK(w.directorc({"diff", "bad.yaml", "bad.yaml"}) == 1);
+}
+
+TEST_CASE("diff: where both have errors, only new ones are refused") {
+  World w = diff_world();
+  CHECK(w.directorc({"diff", "bad.yaml", "bad.yaml", "--breaking=all"}) == 0);
   CHECK(w.out.empty());
-  CHECK(w.err.starts_with("directorc: neither of the two can be compared: both have errors in their text or their "
-                          "names\nbad.yaml:3:9: error: "));
+  const char* const neither = "directorc: neither of the two can be compared: both have errors in their text or their "
+                              "names\n";
+  CHECK(w.err.starts_with(neither + std::string("bad.yaml:3:9: error: ")));
+  const std::string head = "behaviour: walker\nlanguage: 1\n";
+  w.files.add("one.yaml", head + "imports: [none.yaml]\nroots: [Wlak]\ngroups: {Walk: {}}\n");
+  w.files.add("moved/one.yaml", head + "imports: [none.yaml]\n\nroots: [Wlak]\ngroups: {Walk: {}, Legs: {}}\n");
+  w.files.add("two.yaml", head + "imports: [gone.yaml]\nroots: [Wlak, Walk]\ngroups: {Walk: {needs: [Wlak]}}\n");
+  CHECK(w.directorc({"diff", "one.yaml", "moved/one.yaml"}) == 0);
+  CHECK(w.out.empty());
+  CHECK(w.err.starts_with(neither));
+  CHECK(w.directorc({"diff", "one.yaml", "two.yaml"}) == 1);
+  CHECK(w.out == "refused: The new behaviour has errors in its text or its names: nothing of it is compared.\n"
+                 "  cannot read `gone.yaml`: No such file or directory\n"
+                 "    now    two.yaml:3:11\n"
+                 "\n"
+                 "1 change\n");
+  CHECK(w.directorc({"diff", "two.yaml", "one.yaml", "--format=json"}) == 1);
+  CHECK(w.out.find("\"kind\": \"refused\"") != std::string::npos);
 }
 
 TEST_CASE("diff: wrong words") {
