@@ -213,7 +213,8 @@ void report_undefined(Resolver& r, std::string_view kind, const Word& name, cons
   } else if (const auto nearest = dsl::suggest(name.value, known)) {
     finding.help = fmt::format("did you mean `{}`?", *nearest);
   } else if (kind == "group") {
-    finding.help = "declare it under `groups`, import a file that does, or list it under `extern`";
+    finding.help = r.main.roots ? "declare it under `groups`, or import a file that does" // nothing would provide it
+                                : "declare it under `groups`, import a file that does, or list it under `extern`";
   } else if (kind == "state" || kind == "trigger") {
     finding.help = fmt::format("declare it under `{}s`, or import a file that does", kind);
   } else if (kind == "layer") {

@@ -173,8 +173,7 @@ TEST_CASE("of three thousand unknown names each is reported, and the first ones 
   const tests::CheckedText checked = tests::check_text(text);
   REQUIRE(checked.checked.findings.size() == 3'000);
   CHECK(checked.checked.findings.front().help == "did you mean `T0`?");
-  CHECK(checked.checked.findings.back().help ==
-        "declare it under `groups`, import a file that does, or list it under `extern`");
+  CHECK(checked.checked.findings.back().help == "declare it under `groups`, or import a file that does");
 }
 
 TEST_CASE("more conditions of one provider than fit into a message are all checked") {
