@@ -74,13 +74,23 @@ private:
     auto text = files_.read(path, largest_file, Kinds::ordinary);
     if (!text) {
       result_.diagnostics.push_back(unreadable(path, text.error(), import.span));
-      if (text.error().kind == FileError::Kind::not_found && is_there(path + ".yaml"))
-        result_.diagnostics.back().help = fmt::format("did you mean `{}.yaml`?", import.value);
+      if (text.error().kind == FileError::Kind::not_found) suggest(importer, import.value);
       return std::nullopt;
     }
     const FileId id = sources_.add(path, std::move(text.value()));
     read(path, id, import.span);
     return id;
+  }
+
+  /// Changes the help of the last finding if the imported file exists under a similar path.
+  void suggest(const std::string& importer, const std::string& import) {
+    std::string& help = result_.diagnostics.back().help;
+    std::string slashes = import;
+    std::replace(slashes.begin(), slashes.end(), '\\', '/');
+    if (is_there(files_.beside(importer, import) + ".yaml"))
+      help = fmt::format("did you mean `{}.yaml`?", import);
+    else if (slashes != import && is_there(files_.beside(importer, slashes)))
+      help = fmt::format("paths are written with `/` on all systems: `{}`", slashes);
   }
 
   bool is_there(const std::string& path) {
