@@ -11,9 +11,10 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <compare>
 #include <map>
+#include <optional>
 #include <set>
-#include <tuple>
 
 namespace director::compiler::diff {
 
@@ -87,15 +88,30 @@ std::vector<Names> choose(const Pair& pair) {
 /// One of the two behaviours.
 class Played {
 public:
-  explicit Played(const Model& model) : model_(model), lowered_(lower(model)), plays_(model, lowered_) {
+  Played(const Model& model, const Possible& possible)
+      : model_(model),
+        possible_(possible),
+        lowered_(lower(model)),
+        plays_(model, lowered_) {
     for (const GroupId id : model.groups.ids()) ids_.emplace(name_of(model, id), id);
   }
   Transition between(const Names& ends) { return plays_.between(ids_.at(ends.first), ids_.at(ends.second)); }
+  bool reaches(const std::string& name) { return plays_.reaches(ids_.at(name)); }
+  /// False: it is proven that the group never runs.
+  bool may_run(const std::string& name) const {
+    const GroupId id = ids_.at(name);
+    const std::vector<ProviderId>& providers = model_.groups[id].providers;
+    const analysis::Facts& facts = possible_.facts();
+    return facts.requested.contains(id) && std::any_of(providers.begin(), providers.end(), [&](ProviderId provider) {
+             return facts.active.contains(provider);
+           });
+  }
   Span span(const std::string& name) const { return model_.groups[ids_.at(name)].name.span; }
   std::size_t work() const { return plays_.work(); }
 
 private:
   const Model& model_;
+  const Possible& possible_;
   Lowered lowered_;
   TransitionPlays plays_;
   std::map<std::string, GroupId> ids_;
@@ -103,6 +119,33 @@ private:
 
 std::string bound_text(const std::optional<Microseconds>& bound) {
   return bound ? "at most " + dsl::time_text(*bound) : std::string("any time");
+}
+
+/// A sentence about the transitions between one group and others.
+struct Sentence {
+  ChangeKind kind{};
+  std::string group;
+  bool is_second = false; ///< they lead to the group, not from it
+  std::string words;
+  auto operator<=>(const Sentence&) const = default;
+};
+
+/// For a transition that is unreachable on one side. Nothing is reported if no control passes on the other one either,
+/// or if it is reported for one of the groups: that it never runs is proven on one side only.
+std::optional<Sentence> unreachable_sentence(const Names& ends, Kind before, Kind after, Played& was, Played& is) {
+  if (before == Kind::same_chain || after == Kind::same_chain) return {};
+  const bool now = after == Kind::unreachable;
+  std::vector<std::string> names;
+  for (const std::string& name : {ends.first, ends.second}) {
+    if ((now ? is : was).reaches(name)) continue;
+    if (is.may_run(name) != was.may_run(name)) return {};
+    names.push_back(name);
+  }
+  if (names.empty()) return {};
+  const std::string& name = names.front();
+  return Sentence{ChangeKind::transition_changed, name, name == ends.second,
+                  now ? fmt::format("unreachable now, as `{}` is not made to run; before {}", name, name_of(before))
+                      : fmt::format("{} now; before unreachable, as `{}` was not made to run", name_of(after), name)};
 }
 
 } // namespace
@@ -113,19 +156,21 @@ TransitionsPlayed compare_transitions(const Pair& pair, Changes& changes) {
   const std::vector<Names> pairs = choose(pair);
   count.wanted = pairs.size();
   if (pairs.empty()) return count;
-  Played was(pair.old_model), is(pair.new_model);
-  std::map<std::tuple<ChangeKind, std::string, std::string>, std::vector<std::string>>
-      changed; // what, from, sentence: to
+  Played was(pair.old_model, pair.possible_before), is(pair.new_model, pair.possible_after);
+  std::map<Sentence, std::vector<std::string>> changed; // the other groups
   for (const Names& ends : pairs) {
     if (was.work() + is.work() > most_work) break;
     ++count.played;
     const Transition before = was.between(ends), after = is.between(ends);
     const auto add = [&](ChangeKind kind, const std::string& words) {
-      changed[{kind, ends.first, words}].push_back(ends.second);
+      changed[{kind, ends.first, false, words}].push_back(ends.second);
     };
     if (before.kind != after.kind) {
-      // Whether a group can run at all is reported for the group itself.
-      if (before.kind == Kind::unreachable || after.kind == Kind::unreachable) continue;
+      if (before.kind == Kind::unreachable || after.kind == Kind::unreachable) {
+        if (const auto sentence = unreachable_sentence(ends, before.kind, after.kind, was, is))
+          changed[*sentence].push_back(sentence->is_second ? ends.first : ends.second);
+        continue;
+      }
       const ChangeKind kind = before.kind == Kind::soft && after.kind == Kind::hard   ? ChangeKind::hardened
                               : before.kind == Kind::hard && after.kind == Kind::soft ? ChangeKind::softened
                                                                                       : ChangeKind::transition_changed;
@@ -135,11 +180,14 @@ TransitionsPlayed compare_transitions(const Pair& pair, Changes& changes) {
           fmt::format("soft, and may take {}, before {}", bound_text(after.bound), bound_text(before.bound)));
     }
   }
-  for (auto& [what, to] : changed) {
-    const auto& [kind, from, words] = what;
-    std::sort(to.begin(), to.end());
-    changes.add(kind, from, fmt::format("from `{}` to {}: {}", from, ticked_list(to), words), was.span(to.front()),
-                is.span(to.front()));
+  for (auto& [what, others] : changed) {
+    std::sort(others.begin(), others.end());
+    const std::string group = ticked(what.group), list = ticked_list(others);
+    const std::string& at = what.is_second ? what.group : others.front();
+    changes.add(
+        what.kind, what.group,
+        fmt::format("from {} to {}: {}", what.is_second ? list : group, what.is_second ? group : list, what.words),
+        was.span(at), is.span(at));
   }
   return count;
 }

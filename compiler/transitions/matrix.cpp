@@ -67,6 +67,11 @@ public:
     return from && to ? cell(*from, *to) : Transition{};
   }
 
+  bool reaches(GroupId group) {
+    const std::optional<std::size_t> row = row_of(group);
+    return row && out_.rows[*row].reached;
+  }
+
   std::size_t work() const { return player_.work(); }
 
 private:
@@ -347,6 +352,8 @@ TransitionPlays::TransitionPlays(const Model& model, const Lowered& lowered)
 TransitionPlays::~TransitionPlays() = default;
 
 Transition TransitionPlays::between(GroupId first, GroupId second) { return finder_->between(first, second); }
+
+bool TransitionPlays::reaches(GroupId group) { return finder_->reaches(group); }
 
 std::size_t TransitionPlays::work() const { return finder_->work(); }
 

@@ -78,6 +78,8 @@ public:
   ~TransitionPlays();
   /// Unreachable also if no request of the program leads to one of them.
   Transition between(GroupId first, GroupId second);
+  /// Whether it is made to run alone: otherwise all its transitions are unreachable.
+  bool reaches(GroupId group);
   /// A measure of the time that all plays so far took.
   std::size_t work() const;
 

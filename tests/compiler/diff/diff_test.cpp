@@ -163,6 +163,54 @@ TEST_CASE("two tasks change ranks: the one gains what the other loses") {
       "transition_changed: from `Walk` to `Kick`: waits now, before hard\n");
 }
 
+TEST_CASE("transitions of a group that is no longer made to run, and of which that is not proven") {
+  const auto robot = [](const std::string& walk, const std::string& kick) {
+    return "roots: [Play, Rest, Wave]\ngroups:\n  Play: {packs: {go: {Walk: {priority: " + walk +
+           "}, Kick: {priority: " + kick +
+           ", apart: true}}}}\n"
+           "  Rest: {needs: [Head], tasks: [Head]}\n"
+           "  Wave: {needs: [Arm], tasks: [Arm]}\n"
+           "  Walk: {needs: [Legs], tasks: [Legs]}\n"
+           "  Kick: {needs: [Legs], tasks: [Legs]}\n"
+           "  Legs: {}\n  Head: {}\n  Arm: {}\n";
+  };
+  CHECK(
+      told(robot("10", "20"), robot("20", "10")) ==
+      "takeover_gained: `Walk` can now take `Legs` from `Kick`: `Play` requests it with priority 20, before with "
+      "priority 10\n"
+      "takeover_lost: `Kick` can no longer take `Legs` from `Walk`: `Play` requests it with priority 10 (apart), "
+      "before "
+      "with priority 20 (apart)\n"
+      "transition_changed: from `Kick` to `Rest` and `Wave`: unreachable now, as `Kick` is not made to run; before "
+      "both\n"
+      "transition_changed: from `Rest` and `Wave` to `Kick`: unreachable now, as `Kick` is not made to run; before "
+      "both\n"
+      "transition_changed: from `Walk` to `Rest` and `Wave`: both now; before unreachable, as `Walk` was not made to "
+      "run\n"
+      "transition_changed: from `Rest` and `Wave` to `Walk`: both now; before unreachable, as `Walk` was not made to "
+      "run\n"
+      "finding_new: warning is new: `Kick` never runs for `Play`: `Walk`, which goes before it and never has to wait, "
+      "is always requested with it and takes `Legs`\n"
+      "finding_gone: warning is gone: `Walk` never runs for `Play`: `Kick`, which goes before it and never has to "
+      "wait, "
+      "is always requested with it and takes `Legs`\n");
+}
+
+TEST_CASE("of a group that is proven never to run the transitions are not reported besides") {
+  const auto robot = [](const std::string& tasks) {
+    return "roots: [Play, Rest]\ngroups:\n  Play: {tasks: [" + tasks +
+           "]}\n"
+           "  Rest: {needs: [Head], tasks: [Head]}\n"
+           "  Walk: {needs: [Legs], tasks: [Legs]}\n"
+           "  Kick: {needs: [Legs], tasks: [Legs]}\n"
+           "  Legs: {}\n  Head: {}\n";
+  };
+  CHECK(told(robot("Walk, Kick"), robot("Walk")) ==
+        "became_dead: `Kick` is never requested any more\n"
+        "request_removed: `Play` no longer requests `Kick`\n"
+        "finding_gone: warning is gone: `Walk` and `Kick` can never be granted together: both come down to `Legs`\n");
+}
+
 TEST_CASE("another number that changes no rank is reported as that: what could take a group still can") {
   const char* const plain = "groups: {Walk: {needs: [Legs]}, Kick: {needs: [Legs]}, Legs: {}}\n";
   CHECK(told(std::string("roots: {Walk: {priority: 10}, Kick: {priority: 20}}\n") + plain,
