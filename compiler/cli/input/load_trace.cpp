@@ -63,8 +63,11 @@ LoadedTrace load_trace(const std::string& file, Console& console) {
 std::optional<bool> is_of_version(const LoadedTrace& trace, const std::string& file, const director::Names& names,
                                   const std::string& behaviour, Console& console) {
   if (fingerprint_text(names) != trace.recorded->fingerprint) return false;
+  director::Names recorded = names;
+  // The fingerprint is independent of the behaviour's own name, which may be another one now.
+  recorded.behaviour = trace.recorded->behaviour().c_str();
   std::string written;
-  append_header(names, trace.recorded->file, written);
+  append_header(recorded, trace.recorded->file, written);
   if (written == trace.header) return true;
   print_message(console,
                 fmt::format("{0}:1: error: the header of the trace was changed: it has the fingerprint of "

@@ -416,6 +416,26 @@ TEST_CASE("a header that does not belong to its fingerprint, or to the events, i
   CHECK(world.directorc({"replay", "wide.jsonl"}) == 0);
 }
 
+TEST_CASE("a behaviour that has another name now is no other version") {
+  World world = with_trace();
+  std::string renamed = rover_that_is_recorded;
+  const std::string name = "behaviour: rover";
+  renamed.replace(renamed.find(name), name.size(), "behaviour: lander");
+  world.files.add("lander.yaml", renamed);
+  CHECK(world.directorc({"replay", "run.jsonl", "--behaviour", "lander.yaml"}) == 0);
+  CHECK(world.err.empty());
+  CHECK(world.out == "run.jsonl: 37 events, all the same\n");
+  CHECK(world.directorc({"trace", "run.jsonl", "--to=html", "-o", "page.html", "--behaviour", "lander.yaml"}) == 0);
+  CHECK(world.err.empty());
+}
+
+TEST_CASE("a byte order mark before the header, as an editor may write it, is no damage") {
+  World world = with_trace();
+  world.files.add("bom.jsonl", "\xEF\xBB\xBF" + trace_in(world));
+  CHECK(world.directorc({"replay", "bom.jsonl"}) == 0);
+  CHECK(world.out == "bom.jsonl: 37 events, all the same\n");
+}
+
 TEST_CASE("if the recorded version decides differently, the trace has been changed") {
   World world = with_trace();
   std::string some;
