@@ -13,6 +13,7 @@
 #include "compiler/stubs/merge.hpp"
 #include "compiler/stubs/scan.hpp"
 #include "compiler/stubs/stale.hpp"
+#include "dsl/lexical/cpp_type.hpp"
 #include "dsl/source/harmless.hpp"
 #include "dsl/source/load_file.hpp"
 
@@ -49,9 +50,11 @@ std::string shown(const SourcePlace& place) {
 
 class Run {
 public:
-  Run(const Stubs& request, const Wanted& wanted, const Deployment& deployment, Console& console)
+  Run(const Stubs& request, const Wanted& wanted, const Deployment& deployment, const dsl::Spec& spec, Console& console)
       : request_(request),
         wanted_(wanted),
+        sources_(deployment.sources),
+        spec_(spec),
         header_{wanted.header, header(deployment).text()},
         facts_{facts_name(wanted.behaviour), facts(deployment).text()},
         console_(console),
@@ -86,11 +89,44 @@ private:
     return found_in(ask("declarations", to_json(question)));
   }
 
+  /// The line of the generated header at which the problem is, if it is there.
+  std::string_view line_of_header(const Problem& problem) const {
+    if (fs::path(problem.place.path).filename() != header_.path) return {};
+    std::string_view rest = header_.text;
+    for (std::uint32_t line = 1; line < problem.place.line && !rest.empty(); ++line)
+      rest.remove_prefix(std::min(rest.size(), rest.find('\n') + 1));
+    return rest.substr(0, rest.find('\n'));
+  }
+
+  /// Of a problem with one of the behaviour's `headers`: where it is listed there, as the generated header need not
+  /// exist on the disk.
+  std::string place_in_behaviour(const Problem& problem) const {
+    const std::string_view line = line_of_header(problem);
+    for (const dsl::BehaviourSpec& file : spec_.files) {
+      for (const dsl::Word& header : file.cpp.headers) {
+        if (line.empty() || dsl::include_line(header.value) != line) continue;
+        const dsl::SourceFile& source = sources_[header.span.file];
+        const dsl::Place place = source.place(header.span.begin);
+        return shown({source.path(), place.line, place.column});
+      }
+    }
+    return {};
+  }
+
   Refusal not_understood(const std::vector<Problem>& problems, std::string_view consequence) const {
     Refusal out{compiler::cli::found, {}};
     constexpr std::size_t most = 5;
-    for (std::size_t i = 0; i < std::min(problems.size(), most); ++i)
-      out.text += fmt::format("{}: error: {}\n", shown(problems[i].place), problems[i].message);
+    bool is_told = false;
+    for (std::size_t i = 0; i < std::min(problems.size(), most); ++i) {
+      const std::string listed = place_in_behaviour(problems[i]);
+      out.text +=
+          fmt::format("{}: error: {}\n", listed.empty() ? shown(problems[i].place) : listed, problems[i].message);
+      const bool may_lack_folders = !listed.empty() || program_.compiled.empty();
+      if (is_told || !may_lack_folders || !problems[i].message.ends_with("' file not found")) continue;
+      out.text += "  help: name the folder from which it is included with `-I`, or with `-p` the folder of "
+                  "compile_commands.json\n";
+      is_told = true;
+    }
     out.text += fmt::format("directorc: {}\n", consequence);
     return out;
   }
@@ -252,6 +288,8 @@ private:
 
   const Stubs& request_;
   const Wanted& wanted_;
+  const dsl::Sources& sources_;
+  const dsl::Spec& spec_;
   const Artefact header_, facts_;
   Console& console_;
   Scanner scanner_;
@@ -277,7 +315,7 @@ int run(const Stubs& request, Console& console) {
   }
   const Lowered lowered = lower(checked->model);
   const Deployment deployment{sources, checked->model, lowered};
-  return Run(request, wanted(deployment), deployment, console).run();
+  return Run(request, wanted(deployment), deployment, checked->spec, console).run();
 }
 
 } // namespace director::compiler::cli

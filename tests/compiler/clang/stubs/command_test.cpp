@@ -355,8 +355,16 @@ TEST_CASE("C++ that cannot be read is reported, and nothing is written") {
   CHECK(said.ends_with("directorc: this C++ cannot be read, so nothing is written\nstatus 1\n"));
   CHECK(shop.text("src/wheels.cpp") == broken);
   shop.write("src/wheels.cpp", "#include \"cart.hpp\"\n#include \"absent.hpp\"\n");
-  CHECK(shop.stubs() == "src/wheels.cpp:2:10: error: 'absent.hpp' file not found\n"
-                        "directorc: this C++ cannot be read, so nothing is written\nstatus 1\n");
+  const std::string help = "  help: name the folder from which it is included with `-I`, or with `-p` the folder of "
+                           "compile_commands.json\n"
+                           "directorc: this C++ cannot be read, so nothing is written\nstatus 1\n";
+  CHECK(shop.stubs() == "src/wheels.cpp:2:10: error: 'absent.hpp' file not found\n" + help);
+  // A header that the behaviour lists is included by the generated one, which need not be on the disk.
+  shop.write("cart.yaml", std::string(yaml) + "cpp: {headers: [parts/axle.hpp]}\n");
+  shop.write("inc/parts/axle.hpp", "#pragma once\n");
+  shop.write("src/wheels.cpp", "#include \"cart.hpp\"\n");
+  CHECK(shop.stubs() == "cart.yaml:15:17: error: 'parts/axle.hpp' file not found\n" + help);
+  CHECK(shop.stubs("-I inc").find("not found") == std::string::npos);
 }
 
 TEST_CASE("a missing #include is reported, and what is there is not added again") {
