@@ -84,10 +84,13 @@ std::string unexpected(const CLI::App& subcommand, std::vector<std::string> word
     words.erase(options_end, options_end + (options_end == words.end() ? 0 : 1));
     return fmt::format("unexpected {} `{}`", words.size() == 1 ? "argument" : "arguments", fmt::join(words, "`, `"));
   }
+  const std::string name = option->substr(0, option->find('='));
+  if (const CLI::App* parent = subcommand.get_parent(); parent && subcommand.get_option_no_throw(name))
+    return fmt::format("`{0}` stands before the subcommand; write `{1} {2} {0}`", name, parent->get_name(),
+                       subcommand.get_name());
   std::vector<std::string> names;
   for (const CLI::Option* each : subcommand.get_options())
-    for (const std::string& name : each->get_lnames()) names.push_back("--" + name);
-  const std::string name = option->substr(0, option->find('='));
+    for (const std::string& word : each->get_lnames()) names.push_back("--" + word);
   const std::optional<std::string> near = dsl::suggest(name, names);
   return fmt::format("there is no option `{}`{}", name, near ? fmt::format("; did you mean `{}`?", *near) : "");
 }

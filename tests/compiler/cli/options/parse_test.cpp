@@ -52,6 +52,12 @@ TEST_CASE("the first unknown option is reported, or all arguments that are too m
   CHECK(world.err == "directorc: there is no option `--versoin`; did you mean `--version`?\nTry `directorc --help`.\n");
   CHECK(world.directorc({"-x", "check", "x.yaml"}) == 2);
   CHECK(world.err == "directorc check: there is no option `-x`\nTry `directorc check --help`.\n");
+  for (const std::string option : {"--werror", "--format=json", "-p"}) {
+    const std::string name = option.substr(0, option.find('='));
+    CHECK(world.directorc({option, "check", "w.yaml"}) == 2);
+    CHECK(world.err == "directorc check: `" + name + "` stands before the subcommand; write `directorc check " + name +
+                           "`\nTry `directorc check --help`.\n");
+  }
   CHECK(world.directorc({"check", "--verbos"}) == 2);
   CHECK(world.err == "directorc check: there is no option `--verbos`; did you mean `--verbose`?\n"
                      "Try `directorc check --help`.\n");
