@@ -103,6 +103,7 @@ public:
       bounds_ = analysis::find_bounds(checked->model, lower(checked->model).view());
     print(*checked);
     const bool unreachable = explained_ && !explained_->steps;
+    print_left_out(*checked);
     const bool is_open = print_undecided(checked->undecided, console_);
     print_unchecked_types(*checked, request_.cpp, console_);
     if (dsl::has_errors(checked->findings) || unreachable) return found;
@@ -123,6 +124,19 @@ private:
     explained_ = Explained{request_.reachable, analysis::find_witness(checked.model, facts, *parsed.goal), {}};
     if (!explained_->steps) explained_->missing = missing_for(checked.model, facts, *parsed.goal);
     return {};
+  }
+
+  /// What was asked for and does not apply to a module.
+  void print_left_out(const Checked& checked) const {
+    if (!checked.resolved || checked.model.deployment) return;
+    const auto note = [&](bool is_asked, std::string_view option, std::string_view what) {
+      if (is_asked)
+        print_message(console_, fmt::format("directorc: note: `{}` has no `roots`: {}, so `{}` adds nothing\n",
+                                            shown_path(request_.file), what, option));
+    };
+    note(request_.explore, "--explore", "a module alone cannot be played");
+    note(request_.verbose, "--verbose",
+         "how much memory and time a module takes depends on the deployment that imports it");
   }
 
   void print(const Checked& checked) const {

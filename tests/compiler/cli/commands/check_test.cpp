@@ -175,3 +175,18 @@ TEST_CASE("an `allow` for what only exploring finds is not reported as unused wi
 }
 
 } // namespace
+
+TEST_CASE("what does not apply to a module is named") {
+  World world;
+  world.files.add("legs.yaml", "behaviour: legs\nlanguage: 1\ngroups: {Legs: {}}\n");
+  CHECK(world.directorc({"check", "legs.yaml"}) == 0);
+  CHECK(world.err.empty());
+  CHECK(world.directorc({"check", "--explore", "legs.yaml"}) == 0);
+  CHECK(world.err ==
+        "directorc: note: `legs.yaml` has no `roots`: a module alone cannot be played, so `--explore` adds "
+        "nothing\n");
+  CHECK(world.directorc({"check", "--verbose", "legs.yaml"}) == 0);
+  CHECK(world.err ==
+        "directorc: note: `legs.yaml` has no `roots`: how much memory and time a module takes depends on the "
+        "deployment that imports it, so `--verbose` adds nothing\n");
+}
