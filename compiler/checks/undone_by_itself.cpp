@@ -1,6 +1,7 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/undone_by_itself.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/undoing.hpp"
+#include "compiler/analysis/chains/runs_below.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -18,23 +19,13 @@ namespace {
 
 class Undone {
 public:
-  Undone(const Input& input, Findings& findings)
-      : model_(input.model),
-        facts_(input.facts),
-        shared_(input.shared),
-        findings_(findings) {}
+  Undone(const Input& input, Findings& findings) : model_(input.model), facts_(input.facts), findings_(findings) {}
 
-  void look_at(GroupId task, const Want& want) {
+  void look_at(const RunsBelow& below, GroupId task, const Want& want) {
     const std::vector<ConditionUse>& own = model_.providers[want.waiter].sets;
     for (const ConditionUse& entry : own) look_at_entry(want, setter(want.waiter), entry, {});
-    const Claims& claims = shared_.claims(task);
-    for (const GroupId group : claims.groups()) {
-      if (group == task) continue;
-      for (const Reach reach : {Reach::mandatory, Reach::optional}) {
-        if (claims.find(group, reach) == nullptr) continue;
-        look_below(want, group, claims.path(group, reach));
-        break;
-      }
+    for (const GroupId group : below.groups()) {
+      if (group != task) look_below(want, group, below.path(group));
     }
   }
 
@@ -92,7 +83,6 @@ private:
 
   const Model& model_;
   const Facts& facts_;
-  const Shared& shared_;
   Findings& findings_;
   std::set<std::pair<dsl::Span, dsl::Span>> seen_;
 };
@@ -102,8 +92,9 @@ private:
 void undone_by_itself(const Input& input, Findings& findings) {
   Undone undone(input, findings);
   for (const Wanting& wanting : input.shared.wants()) {
+    const RunsBelow below(input.shared.branches(), input.shared.claims(wanting.task), wanting.task);
     for (const Want& want : wanting.wants) {
-      if (want.waiter == wanting.provider) undone.look_at(wanting.task, want);
+      if (want.waiter == wanting.provider) undone.look_at(below, wanting.task, want);
     }
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/chains/claims.hpp"
+#include "compiler/analysis/chains/runs_below.hpp"
 #include "tests/compiler/analysis/support/analysed.hpp"
 
 using namespace director::analysis;
@@ -22,4 +23,47 @@ groups:
   CHECK(path[0].from == c.group("Walk"));
   CHECK(path[0].to == c.group("Legs"));
   CHECK(path[1].to == c.group("Hip"));
+}
+
+TEST_CASE("what a task needs runs below it only where it is requested too, and only then with what that requests") {
+  const Analysed c(R"(
+roots: [Walk]
+groups:
+  Walk: {needs: [Legs, Arms], tasks: [Legs]}
+  Legs: {needs: [Hip], tasks: [Foot]}
+  Arms: {tasks: [Hand]}
+  Hip: {}
+  Foot: {}
+  Hand: {}
+)");
+  const auto all = [](director::compiler::ProviderId) { return true; };
+  const Branches branches(c.model, all);
+  const GroupId walk = c.group("Walk"), legs = c.group("Legs"), foot = c.group("Foot");
+  const Claims claims(branches, walk);
+  const RunsBelow below(branches, claims, walk);
+  CHECK(below.groups() == std::vector<GroupId>{walk, legs, foot});
+  CHECK_FALSE(below.contains(c.group("Hip")));
+  CHECK(below.path(walk).empty());
+  const std::vector<ChainStep> path = below.path(foot);
+  REQUIRE(path.size() == 2);
+  CHECK(path[0].from == walk);
+  CHECK(path[0].to == legs);
+  CHECK(path[1].to == foot);
+}
+
+TEST_CASE("a group runs below a task only where the conditions on the way do not exclude each other") {
+  const Analysed c(R"(
+states: {S: {values: [a, b], external: true}}
+roots: [Walk]
+groups:
+  Walk: {when: [S == a], tasks: [Legs]}
+  Legs: {providers: [{name: one, when: [S == a]}, {name: two, tasks: [Foot], when: [S == b]}]}
+  Foot: {}
+)");
+  const auto all = [](director::compiler::ProviderId) { return true; };
+  const Branches branches(c.model, all);
+  const Claims claims(branches, c.group("Walk"));
+  const RunsBelow below(branches, claims, c.group("Walk"));
+  CHECK(below.contains(c.group("Legs")));
+  CHECK_FALSE(below.contains(c.group("Foot")));
 }
