@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/takings.hpp"
 #include "compiler/analysis/causing/undoing.hpp"
+#include "compiler/analysis/chains/runs_below.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -9,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
 #include <set>
 
 namespace director::checks {
@@ -28,40 +31,78 @@ public:
       : model_(input.model),
         facts_(input.facts),
         shared_(input.shared),
-        findings_(findings) {}
+        findings_(findings),
+        stopping_(input.model.states.size()) {
+    for (const GroupId group : model_.groups.ids()) {
+      if (!model_.groups[group].stop) continue;
+      for (const ConditionUse& entry : model_.groups[group].stop->sets)
+        add_stopping(model_.conditions[entry.id].state, group);
+    }
+    for (const StateId state : model_.states.ids()) {
+      if (model_.states[state].of) add_stopping(state, model_.states[state].of->id);
+    }
+  }
 
   void look_at(const Wanting& wanting, const Want& want) {
+    const StateId state = model_.conditions[want.condition.id].state;
+    if (stopping_[state].empty()) return;
+    const Claims& claims = shared_.claims(wanting.task);
+    const Granted granted{wanting.task, Takings(model_, shared_.indispensable(), claims, wanting.task),
+                          RunsBelow(shared_.branches(), claims, wanting.task)};
     for (const ProviderId causer : want.causers) {
-      const StateId state = model_.conditions[want.condition.id].state;
-      const GroupId group = model_.providers[causer].group;
-      look_at_stop(wanting, want, causer, group, state, nullptr);
-      for (const Pack& pack : model_.providers[causer].packs) {
-        for (const Task& task : pack.tasks) {
-          for (const GroupId below : shared_.claims(task.target).groups()) {
-            if (below != group) look_at_stop(wanting, want, causer, below, state, &task);
-          }
-        }
+      for (const GroupId stopped : stopping_[state]) {
+        if (stopped == model_.providers[causer].group)
+          look_at_stop(granted, want, causer, stopped, state, {});
+        else
+          look_below(granted, want, causer, stopped, state);
       }
     }
   }
 
 private:
-  /// `task`: of the causing provider, which leads to the group that stops; null: that is the causing group itself.
-  void look_at_stop(const Wanting& wanting, const Want& want, ProviderId causer, GroupId stopped, StateId state,
-                    const Task* task) {
+  /// The task that was pushed for, and what it takes and runs once it is granted.
+  struct Granted {
+    GroupId task{};
+    Takings takings;
+    RunsBelow below;
+  };
+
+  void add_stopping(StateId state, GroupId group) {
+    std::vector<GroupId>& groups = stopping_[state];
+    if (std::find(groups.begin(), groups.end(), group) == groups.end()) groups.push_back(group);
+  }
+
+  void look_below(const Granted& granted, const Want& want, ProviderId causer, GroupId stopped, StateId state) {
+    for (const Pack& pack : model_.providers[causer].packs) {
+      for (const Task& task : pack.tasks) {
+        const Claims& claims = shared_.claims(task.target);
+        if (!claims.contains(stopped)) continue;
+        const RunsBelow below(shared_.branches(), claims, task.target);
+        if (!below.contains(stopped)) continue;
+        std::vector<ChainStep> chain = below.path(stopped);
+        chain.insert(chain.begin(), {model_.providers[causer].group, task.target, false, task.span});
+        look_at_stop(granted, want, causer, stopped, state, chain);
+      }
+    }
+  }
+
+  /// `chain`: from the causing group to the one that stops; empty: that is the causing group itself.
+  void look_at_stop(const Granted& granted, const Want& want, ProviderId causer, GroupId stopped, StateId state,
+                    const std::vector<ChainStep>& chain) {
     for (const StopValue& stop : stop_values(stopped, state)) {
       const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, stop.values);
       if (values.empty() || seen_.count({stop.span, want.condition.span}) != 0) continue;
-      Taking how = why_stopped(wanting.task, stopped, causer);
-      if (how.notes.empty()) continue;
-      if (task != nullptr) {
-        std::vector<ChainStep> chain = shared_.claims(task->target).path(stopped);
-        chain.insert(chain.begin(), {model_.providers[causer].group, task->target, false, task->span});
-        std::vector<dsl::Note> notes;
-        add_chain(model_, chain, notes);
-        how.notes.insert(how.notes.begin(), notes.begin(), notes.end());
-      }
-      report(wanting, want, causer, stop, values, std::move(how));
+      Search search{causer, {}, {}};
+      std::optional<Taking> how = why_stopped(granted, stopped, search);
+      if (!how) continue;
+      std::vector<dsl::Note> notes;
+      add_chain(model_, chain, notes);
+      const auto is_told = [&](const dsl::Note& note) {
+        return std::any_of(notes.begin(), notes.end(), [&](const dsl::Note& told) { return told.span == note.span; });
+      };
+      how->notes.erase(std::remove_if(how->notes.begin(), how->notes.end(), is_told), how->notes.end());
+      how->notes.insert(how->notes.begin(), notes.begin(), notes.end());
+      report(granted.task, want, causer, stop, values, std::move(*how));
     }
   }
 
@@ -84,32 +125,81 @@ private:
     return out;
   }
 
-  /// How the task takes what each provider of the group needs, told of the causer or the first one; empty: the group
-  /// continues, or is handed over.
-  Taking why_stopped(GroupId task, GroupId group, ProviderId causer) const {
-    const Takings takings(model_, shared_.indispensable(), shared_.claims(task), task);
-    if (takings.takes(group)) return {};
+  struct Search {
+    ProviderId causer{};
+    std::set<GroupId> seen;    ///< groups whose requesters were looked at
+    std::set<GroupId> stopped; ///< of these, the ones that are known to stop
+  };
+
+  /// Empty: the group continues, or is handed over, or it is not certain.
+  std::optional<Taking> why_stopped(const Granted& granted, GroupId group, Search& search) const {
+    if (granted.below.contains(group)) return std::nullopt;
+    // It is held only as a need then, and a group that is not requested stops.
+    if (granted.takings.takes(group)) return granted.takings.way_to({group, {}});
+    if (std::optional<Taking> out = why_needs_fail(granted.takings, group, search.causer)) return out;
+    return why_unrequested(granted, group, search);
+  }
+
+  /// How the task takes what each provider of the group needs, told of the causer or the first one.
+  std::optional<Taking> why_needs_fail(const Takings& takings, GroupId group, ProviderId causer) const {
     const bool causes = model_.providers[causer].group == group;
-    Taking out;
+    std::optional<Taking> out;
     for (const ProviderId id : model_.groups[group].providers) {
       if (id != causer && !facts_.active.contains(id)) continue;
       const Use<GroupId>* need = takings.need_taken(id);
-      if (need == nullptr) return {};
-      if (causes ? id != causer : !out.notes.empty()) continue;
+      if (need == nullptr) return std::nullopt;
+      if (causes ? id != causer : out.has_value()) continue;
       out = takings.way_to(*need);
-      out.notes.insert(out.notes.begin(),
-                       {need->span, fmt::format("{} needs {}", name_of(model_, id), name_of(model_, need->id))});
+      out->notes.insert(out->notes.begin(),
+                        {need->span, fmt::format("{} needs {}", name_of(model_, id), name_of(model_, need->id))});
     }
     return out;
   }
 
-  void report(const Wanting& wanting, const Want& want, ProviderId causer, const StopValue& stop,
-              const ValueSet& values, Taking how) {
+  /// How everything that requests the group is stopped, and with it the group, told of the first one.
+  std::optional<Taking> why_unrequested(const Granted& granted, GroupId group, Search& search) const {
+    if (search.stopped.count(group) != 0) return Taking{}; // it was told before
+    if (!search.seen.insert(group).second) return std::nullopt;
+    std::optional<Taking> out;
+    for (const EdgeId id : model_.groups[group].requesters) {
+      const Edge& edge = model_.edges[id];
+      if (edge.levels.empty()) continue;
+      if (!edge.requester) return std::nullopt;
+      if (!may_request(*edge.requester, group)) continue;
+      std::optional<Taking> why = why_requester_stopped(granted, *edge.requester, search);
+      if (!why) return std::nullopt;
+      if (out) continue;
+      out = std::move(why);
+      const std::vector<ChainStep> step{{*edge.requester, group, false, request_span(model_, *edge.requester, group)}};
+      std::vector<dsl::Note> notes;
+      add_chain(model_, step, notes);
+      out->notes.insert(out->notes.begin(), notes.begin(), notes.end());
+    }
+    if (out) search.stopped.insert(group);
+    return out;
+  }
+
+  std::optional<Taking> why_requester_stopped(const Granted& granted, GroupId requester, Search& search) const {
+    // The task does not stop what leads to it, or what goes before it.
+    if (shared_.claims(requester).contains(granted.task)) return std::nullopt;
+    if (!shared_.chains().may_beat(granted.task, requester)) return std::nullopt;
+    return why_stopped(granted, requester, search);
+  }
+
+  bool may_request(GroupId from, GroupId to) const {
+    const std::vector<Branch>& branches = shared_.branches().from(from);
+    return facts_.requested.contains(from) && std::any_of(branches.begin(), branches.end(), [&](const Branch& branch) {
+             return branch.to == to && !branch.by_need;
+           });
+  }
+
+  void report(GroupId task, const Want& want, ProviderId causer, const StopValue& stop, const ValueSet& values,
+              Taking how) {
     seen_.insert({stop.span, want.condition.span});
-    dsl::Diagnostic& finding = findings_.add(
-        stop.span, fmt::format("{}, and it is stopped when {} is granted, which waits for {}: the two go "
-                               "round",
-                               stop.what, name_of(model_, wanting.task), name_of(model_, want.condition.id)));
+    dsl::Diagnostic& finding =
+        findings_.add(stop.span, fmt::format("{}, and it is stopped when {} is granted, which waits for {}: the two go "
+                                             "round",
+                                             stop.what, name_of(model_, task), name_of(model_, want.condition.id)));
     add_taking(model_, want, causer, std::move(how), finding);
     finding.help = stay_help(model_, want, values);
   }
@@ -118,6 +208,7 @@ private:
   const Facts& facts_;
   const Shared& shared_;
   Findings& findings_;
+  IdTable<StateId, std::vector<GroupId>> stopping_; ///< groups whose stop may set it
   std::set<std::pair<dsl::Span, dsl::Span>> seen_;
 };
 
