@@ -87,19 +87,51 @@ private:
         report(edge);
     }
     if (!granted || !decided(id)) return;
-    for (const ProviderId provider : model_.groups[id].providers) {
-      if (!input_.facts.active.contains(provider)) continue;
-      add("shadowed_provider", model_.providers[provider].span,
-          fmt::format("{} never runs: wherever it is granted, what a handler sets takes that away before it runs",
-                      name_of(model_, provider)));
-      out_.back().rules_out = {model_.providers[provider].span};
-      out_.back().help = "let `start` or `stop` set what leaves its conditions true, or give it a `stay`";
+    for (const ProviderId provider : model_.groups[id].providers) report(provider);
+  }
+
+  /// Whether a handler declares that it may set the state.
+  bool is_set_by_handler(StateId state) const {
+    return std::any_of(model_.groups.begin(), model_.groups.end(), [&](const Group& group) {
+      for (const auto* handler : {&group.start, &group.stop}) {
+        if (!*handler) continue;
+        for (const ConditionUse& entry : (*handler)->sets) {
+          if (model_.conditions[entry.id].state == state) return true;
+        }
+      }
+      return false;
+    });
+  }
+
+  /// Reports a provider that was chosen, and lost control again before each run.
+  void report_undone(ProviderId id, const std::vector<StateId>& states) {
+    const bool handlers = std::any_of(states.begin(), states.end(), [&](StateId at) { return is_set_by_handler(at); });
+    std::vector<dsl::Note> notes;
+    for (const StateId at : states) {
+      const State& state = model_.states[at];
+      if (!state.of) continue;
+      notes.push_back({state.of->span, fmt::format("{} is {} again when {} stops", name_of(model_, at),
+                                                   state.value_text(*state.initial), name_of(model_, state.of->id))});
     }
+    std::vector<std::string> causes;
+    if (handlers) causes.emplace_back("what a handler sets");
+    if (!notes.empty()) causes.emplace_back("a state that returns to its initial value");
+    const std::string name = name_of(model_, id);
+    dsl::Diagnostic& finding = add("shadowed_provider", model_.providers[id].span,
+                                   fmt::format("{} never runs: wherever it is granted, {} takes that away before it "
+                                               "runs",
+                                               name, list_of(causes, "or")));
+    finding.rules_out = {model_.providers[id].span};
+    finding.notes = std::move(notes);
+    finding.help = handlers ? "let `start` or `stop` set what leaves its conditions true, or give it a `stay`"
+                            : fmt::format("give {} a `stay` under which it can continue", name);
   }
 
   void report(ProviderId id) {
     const Provider& provider = model_.providers[id];
     if (!decided(provider.group) || !input_.facts.active.contains(id)) return;
+    const std::vector<StateId>& undoing = decisions_.set_before_run[id];
+    if (!undoing.empty()) return report_undone(id, undoing);
     const Kept& kept = decisions_.passed_over[id];
     const std::string name = name_of(model_, id), group = name_of(model_, provider.group);
     std::vector<std::string> reasons;

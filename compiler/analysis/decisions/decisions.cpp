@@ -18,6 +18,7 @@ public:
         left_(steps_left) {
     gathered_.passed_over.resize(part.providers.size());
     gathered_.refused.resize(part.edges.size());
+    set_before_run_.resize(part.providers.size());
     find_goals(model, facts);
   }
 
@@ -42,6 +43,7 @@ public:
       const ProviderId id = part_.providers[provider].id;
       if ((ran_ & bit(provider)) != 0) out_.runs.add(id);
       out_.passed_over[id] = ids_of(gathered_.passed_over[provider]);
+      for (const Row state : each(set_before_run_[provider])) out_.set_before_run[id].push_back(part_.states[state].id);
     }
     for (const PossiblePush& push : gathered_.found)
       out_.pushed.emplace(part_.providers[push.to].id, part_.conditions[push.unmet].id);
@@ -83,10 +85,15 @@ private:
       if (moment.level[edge] != nothing) requested_ |= bit(edge);
       if (runs(edge)) granted_ |= bit(edge);
     }
+    Rows given = 0;
+    for (Row state = 0; state < part_.states.size(); ++state) {
+      if (moment.given[state] != nothing) given |= bit(state);
+    }
     for (Row group = 0; group < part_.groups.size(); ++group) {
       if (!moment.has(group, Moment::granted)) continue;
+      if (given == 0) ran_ |= bit(moment.active[group]);
+      set_before_run_[moment.active[group]] |= given;
       const Component::ProviderRow& provider = part_.providers[moment.active[group]];
-      if (!moment.is_given()) ran_ |= bit(moment.active[group]);
       for (std::size_t i = 0; i < provider.packs.size(); ++i) {
         const std::vector<Row>& members = provider.packs[i].members;
         if (!members.empty() && std::all_of(members.begin(), members.end(), runs)) whole_.emplace(provider.id, i);
@@ -157,6 +164,7 @@ private:
   Seen<Moment> seen_;
   std::vector<Moment> open_;
   Rows ran_ = 0, requested_ = 0, granted_ = 0, run_goal_ = 0, grant_goal_ = 0;
+  std::vector<Rows> set_before_run_; ///< by provider
   std::set<PackOf> whole_, whole_goal_;
   std::set<std::pair<Row, Row>> push_goal_;
 };
@@ -170,6 +178,7 @@ Decisions find_decisions(const Model& model, const Facts& facts, Reported report
   out.requested = out.granted = IdSet<EdgeId>(model.edges.size());
   out.passed_over = IdTable<ProviderId, Kept>(model.providers.size());
   out.refused = IdTable<EdgeId, Kept>(model.edges.size());
+  out.set_before_run = IdTable<ProviderId, std::vector<StateId>>(model.providers.size());
   const std::int64_t most = budget.grant(Decisions::steps_for(model.groups.size()));
   std::int64_t left = most;
   const IdTable<StateId, std::vector<Source>> sources = find_sources(model);

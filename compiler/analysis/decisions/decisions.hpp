@@ -52,6 +52,8 @@ struct Decisions {
   std::set<std::pair<ProviderId, ConditionId>> pushed;
   IdTable<ProviderId, Kept> passed_over;
   IdTable<EdgeId, Kept> refused;
+  /// In some decision it was chosen, but before its run a handler, or the stop of their group, set these states.
+  IdTable<ProviderId, std::vector<StateId>> set_before_run;
   std::size_t moments = 0, passes = 0; ///< that were examined
 
   /// For all parts together: a third of a second. Measured on six dense behaviours of four to eight groups that use all

@@ -147,9 +147,35 @@ groups:
   R: {}
 )");
   CHECK(checked.findings() ==
-        "main.yaml:6: `G` never runs: wherever it is granted, what a handler sets takes that away before it runs "
+        "main.yaml:6: `G` never runs: wherever it is granted, a state that returns to its initial value takes "
+        "that away before it runs "
         "[shadowed_provider]\n"
         "main.yaml:6: no provider of `G` can run while `S` is b [uncovered_state]\n");
+}
+
+/// G.one takes what P needs; so K ends, and with it the value of S for which K was pushed.
+TEST_CASE("what takes control away from a provider before each run is named") {
+  const auto findings = [](const std::string& of, const std::string& handler) {
+    return tests::check_text("states: {S: {values: [a, b], initial: b" + of + R"(}, T: {values: [p, q], external: true}}
+roots: {G: {priority: 2}, P: {priority: 1}}
+groups:
+  G:
+    providers:
+      - {name: one, when: [S == a], needs: [R], tasks: [R]}
+      - {name: two, when: [T == q]}
+  P: {needs: [R], tasks: [K, R]}
+  R: {}
+  K: {)" + handler + R"(providers: [{name: idle}, {name: push, causing: [S == a]}]}
+allow: [uncovered_state]
+because: it waits for both
+)")
+        .findings();
+  };
+  const std::string begin = "main.yaml:8: `G.one` never runs: wherever it is granted, ";
+  const std::string end = " takes that away before it runs [shadowed_provider]\n";
+  CHECK(findings(", of: K", "") == begin + "a state that returns to its initial value" + end);
+  CHECK(findings(", of: K", "stop: {sets: [S == b]}, ") ==
+        begin + "what a handler sets or a state that returns to its initial value" + end);
 }
 
 } // namespace
