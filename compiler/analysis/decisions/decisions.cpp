@@ -93,10 +93,13 @@ private:
       if (!moment.has(group, Moment::granted)) continue;
       if (given == 0) ran_ |= bit(moment.active[group]);
       set_before_run_[moment.active[group]] |= given;
-      const Component::ProviderRow& provider = part_.providers[moment.active[group]];
-      for (std::size_t i = 0; i < provider.packs.size(); ++i) {
-        const std::vector<Row>& members = provider.packs[i].members;
-        if (!members.empty() && std::all_of(members.begin(), members.end(), runs)) whole_.emplace(provider.id, i);
+      // What one provider requested may be kept by the next one.
+      for (const Row id : part_.groups[group].providers) {
+        const Component::ProviderRow& provider = part_.providers[id];
+        for (std::size_t i = 0; i < provider.packs.size(); ++i) {
+          const std::vector<Row>& members = provider.packs[i].members;
+          if (!members.empty() && std::all_of(members.begin(), members.end(), runs)) whole_.emplace(provider.id, i);
+        }
       }
     }
   }
