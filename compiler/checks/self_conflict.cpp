@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <tuple>
@@ -75,8 +76,28 @@ std::string message_of(const Model& model, const Loser& loser) {
     return is_direct ? fmt::format("{} never runs for {}, which it needs", name, by)
                      : fmt::format("{} never runs for {} below {}, which it needs", name, by, holder);
   }
+  if (loser.only_while_above) {
+    const std::string group = name_of(model, model.providers[loser.above].group);
+    return is_direct ? fmt::format("{} never runs for {} while {} keeps {} for itself", name, group, above, kept)
+                     : fmt::format("{} never runs for {} below {} while {} keeps {} for itself", name, by, group, above,
+                                   kept);
+  }
   return is_direct ? fmt::format("{} never runs for {}, which keeps {} for itself", name, above, kept)
                    : fmt::format("{} never runs for {} below {}, which keeps {} for itself", name, by, above, kept);
+}
+
+/// A provider that may keep the requests of the one above, and does not always hold the group.
+std::optional<ProviderId> find_keeper(const Input& input, const Loser& loser) {
+  const Model& model = input.model;
+  for (const ProviderId id : model.groups[model.providers[loser.above].group].providers) {
+    const std::vector<Use<GroupId>>& needs = model.providers[id].needs;
+    if (id != loser.above && input.facts.active.contains(id) &&
+        std::none_of(needs.begin(), needs.end(), [&](const Use<GroupId>& need) {
+          return input.shared.indispensable().contains(need.id, loser.taker.group);
+        }))
+      return id;
+  }
+  return std::nullopt;
 }
 
 /// The provider's need that leads to the group.
@@ -97,7 +118,7 @@ using Losers = std::vector<const Loser*>;
 /// Tasks that lose the same group below other entries, or other providers of the group, are reported with the first
 /// one.
 std::vector<std::vector<Losers>> losers_by_place(const Input& input) {
-  std::map<std::tuple<ProviderId, dsl::Span, GroupId>, Losers> by_entry;
+  std::map<std::tuple<ProviderId, dsl::Span, GroupId, bool>, Losers> by_entry;
   for (const Loser& loser : input.conflicts.losers()) {
     const EdgeId edge = loser.refused.task->edge;
     if (loser.taker.kind != Taker::Kind::above || is_cycle(input.model, loser) || input.facts.excludes(edge)) continue;
@@ -105,17 +126,17 @@ std::vector<std::vector<Losers>> losers_by_place(const Input& input) {
       continue;
     // Another request for it may have a better chance; then this is no fault.
     if (requests_above(loser) && input.conflicts.grants().refused().count(edge) == 0) continue;
-    by_entry[{loser.above, place_of(loser).span, loser.taker.group}].push_back(&loser);
+    by_entry[{loser.above, place_of(loser).span, loser.taker.group, loser.only_while_above}].push_back(&loser);
   }
-  std::map<std::tuple<bool, EdgeId, GroupId, GroupId>, std::size_t> places;
+  std::map<std::tuple<bool, EdgeId, GroupId, GroupId, bool>, std::size_t> places;
   std::vector<std::vector<Losers>> out;
   for (auto& [key, losers] : by_entry) {
     const Loser& first = *losers.front();
     // How many tasks request a group above them does not matter.
     const auto holder = requests_above(first) ? GroupId{} : first.taker.holder;
     const auto kept = requests_above(first) ? GroupId{} : first.taker.group;
-    const auto [at, is_new] =
-        places.try_emplace({requests_above(first), first.refused.task->edge, holder, kept}, out.size());
+    const auto [at, is_new] = places.try_emplace(
+        {requests_above(first), first.refused.task->edge, holder, kept, first.only_while_above}, out.size());
     if (is_new) out.emplace_back();
     out[at->second].push_back(std::move(losers));
   }
@@ -170,13 +191,19 @@ void report(const Input& input, const std::vector<Losers>& all, Findings& findin
     finding.notes.push_back({need->span, fmt::format("{} needs {}", above, name_of(model, need->id))});
     add_chain(model, need_path(model, need->id, loser.taker.group), finding.notes, dsl::Note::Link::next);
   }
+  if (const auto keeper = loser.only_while_above ? find_keeper(input, loser) : std::nullopt)
+    finding.notes.push_back({model.providers[*keeper].span,
+                             fmt::format("{} may run while {} runs, if that keeps the request",
+                                         name_of(model, loser.refused.task->target), name_of(model, *keeper))});
   std::vector<ChainStep> chain = loser.chain;
   chain.erase(requests_above(loser) ? chain.end() - 1 : chain.begin()); // that is the place of the finding
   for (const ChainStep& step : need_path(model, loser.refused.task->target, loser.taker.group)) chain.push_back(step);
   add_chain(model, chain, finding.notes);
   for (const Losers& each : all) {
     if (&each != &losers) add_same(model, loser, *each.front(), finding);
-    for (const Loser* other : each) finding.rules_out.push_back(other->refused.task->span);
+    for (const Loser* other : each) {
+      if (!other->only_while_above) finding.rules_out.push_back(other->refused.task->span);
+    }
   }
   std::set<EdgeId> reported{loser.refused.task->edge};
   for (const Losers& each : all) {

@@ -238,8 +238,17 @@ std::vector<Claim> claims_of(const dsl::Diagnostic& finding, const Model& model)
     } else if (const auto kept = model.find_group(names.back())) {
       const auto add = [&](Span span) {
         const auto place = places.entry(span);
-        if (edge && place && place->provider)
-          out.push_back(NeverBelow{*place->provider, place->task->edge, *edge, *kept});
+        if (!edge || !place || !place->provider) return;
+        const auto& providers = model.groups[model.providers[*place->provider].group].providers;
+        for (const ProviderId by : providers) {
+          // Without "while", also where another provider keeps the request.
+          const std::vector<compiler::Pack>& packs = model.providers[by].packs;
+          const bool is_kept =
+              !contains(finding, "while") && std::none_of(packs.begin(), packs.end(), [&](const compiler::Pack& pack) {
+                return pack.requests(place->task->edge);
+              });
+          if (by == *place->provider || is_kept) out.push_back(NeverBelow{by, place->task->edge, *edge, *kept});
+        }
       };
       add(finding.span);
       for (const Span span : notes_with("the same here")) add(span);

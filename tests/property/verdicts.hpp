@@ -31,7 +31,7 @@ struct NeverPushed {
 struct NeverWhole {
   std::size_t pack = 0;
 };
-/// While the provider runs and requests `edge`, the task `loser` below that is never granted, because of the group.
+/// While the provider runs and `edge` is requested, the task `loser` below that is never granted, because of the group.
 struct NeverBelow {
   compiler::ProviderId provider{};
   compiler::EdgeId edge{}, loser{};

@@ -171,12 +171,14 @@ Grants::Grants(const Input& input, Takers& takers, Packmates& packmates)
   for (const auto& [group, standing] : standing_) visit(group, true);
 }
 
-Grants::Grants(const Input& input, Takers& takers, Packmates& packmates, ProviderId above, const Pack& pack)
+Grants::Grants(const Input& input, Takers& takers, Packmates& packmates, ProviderId above, const Pack& pack,
+               Running running)
     : input_(input),
       takers_(takers),
       packmates_(packmates),
       origin_(above),
-      pack_(&pack) {
+      pack_(&pack),
+      running_(running) {
   const Provider& provider = input.model.providers[above];
   standing_[provider.group];
   visit(provider, pack, standing_of(provider.group), false);
@@ -252,7 +254,8 @@ Grants::Standing Grants::standing_of(GroupId group) {
   std::vector<ProviderId> running;
   for (const ProviderId id : input_.model.groups[group].providers) {
     const bool is_origin = origin_ && input_.model.providers[*origin_].group == group;
-    if (is_origin ? id == *origin_ : granted_.contains(id)) running.push_back(id);
+    const bool may_keep = running_ == Running::any && input_.facts.active.contains(id);
+    if (is_origin ? id == *origin_ || may_keep : granted_.contains(id)) running.push_back(id);
   }
   for (const GroupId taken : takers_.held_by(group, running)) {
     if (!takers_.is_contested(taken)) continue;

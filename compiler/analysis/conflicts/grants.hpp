@@ -41,8 +41,11 @@ class Grants {
 public:
   /// Below all roots. Only what is held steadily counts.
   Grants(const Input& input, Takers& takers, Packmates& packmates);
-  /// Only below this pack, while that provider is active, for any requester of its group.
-  Grants(const Input& input, Takers& takers, Packmates& packmates, ProviderId above, const Pack& pack);
+  /// While which provider the requests of a pack stand: the one that made them, or any of its group, which may keep
+  /// them.
+  enum class Running { above, any };
+  /// Only below this pack of `above`, for any requester of its group.
+  Grants(const Input& input, Takers& takers, Packmates& packmates, ProviderId above, const Pack& pack, Running running);
 
   /// Tasks that are never granted, by edge: their entries. Without those that fail because of other members of their
   /// unit.
@@ -88,6 +91,7 @@ private:
   Packmates& packmates_;
   std::optional<ProviderId> origin_;
   const Pack* pack_ = nullptr; ///< of the origin
+  Running running_ = Running::above;
   std::size_t visits_ = 0;
   std::map<GroupId, Standing> standing_;
   std::set<std::pair<std::size_t, GroupId>> open_; ///< in the graph's order

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/losers.hpp"
 
+#include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace director::analysis {
 
@@ -50,6 +52,12 @@ const Taker* find_own(const Refused& refused, GroupId above, const Pack& pack) {
   return nullptr;
 }
 
+bool is_only_one(const Input& input, ProviderId id) {
+  const std::vector<ProviderId>& all = input.model.groups[input.model.providers[id].group].providers;
+  return std::all_of(all.begin(), all.end(),
+                     [&](ProviderId each) { return each == id || !input.facts.active.contains(each); });
+}
+
 } // namespace
 
 std::vector<Loser> find_losers(const Input& input, Takers& takers, Packmates& packmates) {
@@ -62,13 +70,19 @@ std::vector<Loser> find_losers(const Input& input, Takers& takers, Packmates& pa
     for (const Pack& pack : model.providers[id].packs) {
       if (!is_worth_a_look(input, takers, id, pack)) continue;
       if (visits > most_visits) continue;
-      const Grants grants(input, takers, packmates, id, pack);
+      const Grants grants(input, takers, packmates, id, pack, Grants::Running::above);
       visits += grants.visits();
+      std::optional<Grants> kept; ///< while any provider of the group runs, computed if there are losers
+      const auto loses_if_kept = [&](EdgeId edge) {
+        if (is_only_one(input, id) || input.conflicts.grants().refused().count(edge) != 0) return true;
+        if (!kept) visits += kept.emplace(input, takers, packmates, id, pack, Grants::Running::any).visits();
+        return kept->refused().count(edge) != 0;
+      };
       for (const auto& [edge, all] : grants.refused()) {
         for (const Refused& refused : all) {
           const Taker* taker = find_own(refused, group, pack);
           if (taker == nullptr) continue;
-          Loser loser{id, nullptr, refused, *taker, {}};
+          Loser loser{id, nullptr, refused, *taker, {}, !loses_if_kept(edge)};
           if (refused.requester != group) loser.chain = grants.chain_to(*refused.requester);
           loser.chain.push_back({*refused.requester, refused.task->target, false, refused.task->span});
           const GroupId first = loser.chain.front().to;

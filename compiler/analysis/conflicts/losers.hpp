@@ -15,6 +15,8 @@ struct Loser {
   Refused refused;              ///< the loser
   Taker taker;                  ///< `above`: that provider; else another entry of the pack
   std::vector<ChainStep> chain; ///< the requests from the pack to the loser
+  /// It may run while another provider of the group keeps the requests of `above`, which does not hold as much.
+  bool only_while_above = false;
 };
 
 /// For every pack, and any requester of its group; shorter chains first. Without those whose cause is further down.
