@@ -92,7 +92,7 @@ Rows Pass::lacking(Row provider) {
   }
   Rows out = 0;
   for (const Row condition : row.when) {
-    if (row.unsure || !holds(condition)) out |= bit(condition);
+    if (!holds(condition)) out |= bit(condition); // also if it is unsure: one of those does not hold
   }
   return out;
 }
