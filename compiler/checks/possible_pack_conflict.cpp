@@ -42,6 +42,12 @@ public:
     }
   }
 
+  /// Two ways that want one group, if no two ways can be used together.
+  std::optional<ClashingWays> all_clash() const {
+    if (clashing_.empty() || !working_.empty()) return std::nullopt;
+    return ClashingWays{clashing_.front().first, clashing_.front().second, nullptr, nullptr, {}, true};
+  }
+
   std::optional<ClashingWays> run() const {
     if (clashing_.empty() || working_.empty()) return std::nullopt;
     if (const Pair* useless = find_useless()) return make(*useless, true);
@@ -257,17 +263,89 @@ std::set<std::pair<std::size_t, std::size_t>> find_rivals(Units& units, const st
   return out;
 }
 
-void look_at(const Input& input, Units& units, const Pack& pack, Findings& findings) {
+/// What the requester keeps from its tasks, whichever of its providers runs: one may keep what another one requested.
+class KeptByRequester {
+public:
+  KeptByRequester(const Input& input, GroupId requester)
+      : input_(input),
+        requester_(requester),
+        groups_(input.conflicts.takers().held_by(requester)) {}
+
+  /// A group of this way that it keeps. What it needs and requests is one claim.
+  std::optional<GroupId> find(const Way& way) const {
+    for (const ProviderId id : input_.model.groups[requester_].providers) {
+      if (input_.model.providers[id].needs_group(way.combination.picks.front().group)) return std::nullopt;
+    }
+    const auto kept =
+        std::find_if(way.groups.begin(), way.groups.end(), [&](GroupId group) { return has(groups_, group); });
+    return kept == way.groups.end() ? std::nullopt : std::optional(*kept);
+  }
+
+  std::vector<Way> without_kept(std::vector<Way> ways) const {
+    ways.erase(std::remove_if(ways.begin(), ways.end(), [&](const Way& way) { return find(way).has_value(); }),
+               ways.end());
+    return ways;
+  }
+
+  /// Adds a note for each provider that has no other way than one that it keeps.
+  void add_notes(const std::vector<Way>& all, dsl::Diagnostic& finding) const {
+    std::set<ProviderId> seen;
+    for (const Way& way : without_kept(all)) seen.insert(way.provider());
+    for (const Way& way : all) {
+      if (!seen.insert(way.provider()).second) continue;
+      finding.notes.push_back(
+          {input_.model.providers[way.provider()].span,
+           fmt::format("{} takes {}, which {} keeps for itself", name_of(input_.model, way.provider()),
+                       name_of(input_.model, *find(way)), name_of(input_.model, requester_))});
+    }
+  }
+
+private:
+  const Input& input_;
+  GroupId requester_;
+  const Groups& groups_;
+};
+
+/// Reports two that would work together, were it not for what their requester keeps.
+void report_kept(const Input& input, const KeptByRequester& kept, const Sides& sides, const Sides& before,
+                 const ClashingWays& clash, Findings& findings) {
+  const Task &first = sides.first.task, &second = sides.second.task;
+  const Model& model = input.model;
+  const GroupId group = groups_in_common(*clash.first, *clash.second).front();
+  dsl::Diagnostic& finding =
+      findings.add(second.span, fmt::format("{} and {} can never be granted together: {} and {} both want {}",
+                                            name_of(model, first.target), name_of(model, second.target),
+                                            name_of(model, clash.first->provider()),
+                                            name_of(model, clash.second->provider()), name_of(model, group)));
+  finding.rules_out_together = {first.span, second.span};
+  finding.notes.push_back({first.span, fmt::format("{} is requested in the same unit", name_of(model, first.target))});
+  add_chain(model, *clash.first, group, finding);
+  add_chain(model, *clash.second, group, finding);
+  kept.add_notes(before.first.ways, finding);
+  kept.add_notes(before.second.ways, finding);
+  finding.help = "request them in two packs";
+}
+
+void look_at(const Input& input, Units& units, GroupId requester, const Pack& pack, Findings& findings) {
   const std::vector<const Task*> members = unit_members(input.model, pack);
   if (members.size() < 2) return;
+  const KeptByRequester kept(input, requester);
   std::set<std::size_t> reported; // of long packs: each member once
   for (const auto& [j, i] : find_rivals(units, members)) {
     if (reported.count(j) != 0) continue;
     const auto first = find_ways(units, members[i]->target), second = find_ways(units, members[j]->target);
     if (!first || !second) continue;
-    const auto clash = PairSearch(input, *first, *second).run();
-    if (!clash) continue;
-    report(input, pack, {{*members[i], *first}, {*members[j], *second}}, *clash, findings);
+    const std::vector<Way> left_first = kept.without_kept(*first), left_second = kept.without_kept(*second);
+    const PairSearch search(input, left_first, left_second);
+    const Sides sides{{*members[i], left_first}, {*members[j], left_second}};
+    if (const auto clash = search.run()) {
+      report(input, pack, sides, *clash, findings);
+    } else if (const auto never = search.all_clash();
+               never && units.verdict({members[i]->target, members[j]->target}) == UnitVerdict::possible) {
+      report_kept(input, kept, sides, {{*members[i], *first}, {*members[j], *second}}, *never, findings);
+    } else {
+      continue;
+    }
     if (members.size() > longest_with_all_pairs) reported.insert(j);
   }
 }
@@ -280,7 +358,7 @@ void possible_pack_conflict(const Input& input, Findings& findings) {
   for (const ProviderId id : input.model.providers.ids()) {
     const Provider& provider = input.model.providers[id];
     if (!provider.has_packs || !input.facts.active.contains(id)) continue;
-    for (const Pack& pack : provider.packs) look_at(input, units, pack, findings);
+    for (const Pack& pack : provider.packs) look_at(input, units, provider.group, pack, findings);
   }
 }
 

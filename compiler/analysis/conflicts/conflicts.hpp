@@ -34,6 +34,7 @@ public:
   /// Whether it leads back to a group that is always above it: the finding about the cycle reports that it is never
   /// granted.
   bool closes_cycle(EdgeId edge) const;
+  Takers& takers() const;
   /// Below all roots.
   const Grants& grants() const;
   const std::vector<Loser>& losers() const;
@@ -44,7 +45,6 @@ private:
   Input input_;
   mutable std::optional<std::vector<Clash>> clashes_;
   mutable std::optional<std::vector<PackConflict>> pack_conflicts_;
-  Takers& takers() const;
   Packmates& packmates() const;
 
   mutable std::optional<std::vector<TaskCycle>> task_cycles_;
