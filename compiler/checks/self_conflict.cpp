@@ -1,6 +1,7 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/self_conflict.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/conflicts/starving.hpp"
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/shared/shared.hpp"
@@ -199,6 +200,11 @@ void report(const Input& input, const std::vector<Losers>& all, Findings& findin
   chain.erase(requests_above(loser) ? chain.end() - 1 : chain.begin()); // that is the place of the finding
   for (const ChainStep& step : need_path(model, loser.refused.task->target, loser.taker.group)) chain.push_back(step);
   add_chain(model, chain, finding.notes);
+  // What keeps its other providers from running.
+  for (const Taker& other : loser.refused.together) {
+    if (other.kind != Taker::Kind::above || other.group != loser.taker.group)
+      add_taker(input, loser.refused, other, finding.notes);
+  }
   for (const Losers& each : all) {
     if (&each != &losers) add_same(model, loser, *each.front(), finding);
     for (const Loser* other : each) {
