@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <set>
@@ -129,15 +130,17 @@ private:
     const auto own =
         std::find_if(members.begin(), members.end(), [&](const Task* member) { return member->target == group; });
     if (own == members.end()) return;
-    const auto other = std::find_if(members.begin(), members.end(), [&](const Task* member) {
+    std::vector<const Task*> waiting;
+    std::copy_if(members.begin(), members.end(), std::back_inserter(waiting), [&](const Task* member) {
       return member->target != group && !facts_.capable_groups.contains(member->target);
     });
-    if (other == members.end()) return;
-    const GroupId target = (*other)->target;
+    if (waiting.empty()) return;
+    const Task* other = waiting.front();
+    const GroupId target = other->target;
     if (*own != reported_)
       notes_.push_back({(*own)->span, fmt::format("{} requests {}", name_of(model_, by), name_of(model_, group))});
-    notes_.push_back({(*other)->span, fmt::format("it is granted only together with {}", name_of(model_, target))});
-    if (!deadlock_) deadlock_ = Deadlock{*other, *own};
+    notes_.push_back({other->span, fmt::format("it is granted only together with {}", name_of(model_, target))});
+    if (!deadlock_) deadlock_ = Deadlock{other, *own, {waiting.begin() + 1, waiting.end()}};
     others.push_back(target);
   }
 
@@ -199,10 +202,21 @@ std::int32_t highest_priority(const Model& model, const Task& task) {
 } // namespace
 
 std::string apart_help(const Model& model, const Deadlock& deadlock, bool to_push) {
-  const std::string waits = name_of(model, deadlock.waits->target);
-  if (to_push && highest_priority(model, *deadlock.waits) <= highest_priority(model, *deadlock.kept))
-    return fmt::format("make {} `apart`, with a higher priority than {}", waits, name_of(model, deadlock.kept->target));
-  return fmt::format("make {} `apart`, so that it waits for itself alone", waits);
+  const std::string kept = name_of(model, deadlock.kept->target);
+  const auto goes_after = [&](const Task* task) {
+    return to_push && highest_priority(model, *task) <= highest_priority(model, *deadlock.kept);
+  };
+  if (deadlock.also.empty()) {
+    const std::string waits = name_of(model, deadlock.waits->target);
+    return goes_after(deadlock.waits) ? fmt::format("make {} `apart`, with a higher priority than {}", waits, kept)
+                                      : fmt::format("make {} `apart`, so that it waits for itself alone", waits);
+  }
+  std::vector<std::string> names{name_of(model, deadlock.waits->target)};
+  for (const Task* task : deadlock.also) names.push_back(name_of(model, task->target));
+  const bool some_go_after =
+      goes_after(deadlock.waits) || std::any_of(deadlock.also.begin(), deadlock.also.end(), goes_after);
+  return some_go_after ? fmt::format("make {} `apart`, with higher priorities than {}", list_of(names), kept)
+                       : fmt::format("make {} `apart`, so that each waits for itself alone", list_of(names));
 }
 
 Idleness explain_idle(const Input& input, ProviderId provider) {

@@ -37,9 +37,10 @@ struct Promises {
 /// `chains`: over the providers that may be active.
 Promises find_promises(const Model& model, const Graph& graph, const Facts& facts, const Chains& chains);
 
-/// Two members of one unit that wait for each other.
+/// Members of one unit that wait for each other.
 struct Deadlock {
   const Task *waits = nullptr, *kept = nullptr; ///< one can never run, and the other one waits with it
+  std::vector<const Task*> also = {};           ///< other members of the unit that can never run
 };
 
 /// `to_push`: the group that the waiting task has to push.
