@@ -228,7 +228,7 @@ TEST_CASE("the hook refuses errors that are new, not those that a behaviour had 
   CHECK(worse.output.find("half.yaml:\n"
                           "refused: The new behaviour has errors in its text or its names: nothing of it is compared.\n"
                           "  there is no group called `Lags`\n"
-                          "    now    half.yaml:5:58\n"
+                          "    now    half.yaml:5:48\n"
                           "\n"
                           "1 change\n\n"
                           "pre-commit: this commit is refused for what is told above\n") != std::string::npos);
