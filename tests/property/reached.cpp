@@ -95,7 +95,7 @@ void Reached::look(const compiler::Machine& machine) {
   }
   for (std::size_t i = 0; i < packs_.size(); ++i) {
     const Index group = ground_.model.providers[packs_[i].provider].group.value;
-    if (whole[i] || engine.active(group) != packs_[i].provider.value || !engine.granted(group)) continue;
+    if (whole[i] || !engine.granted(group)) continue; // another provider may keep what this one requested
     whole[i] = std::all_of(packs_[i].members.begin(), packs_[i].members.end(),
                            [&](EdgeId edge) { return engine.state(edge.value) == RunState::running; });
   }
