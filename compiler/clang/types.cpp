@@ -58,10 +58,10 @@ Source write_source(const Json& request) {
     if (dsl::is_identifier(last))
       out.text += "#ifdef " + last + "\nusing " + (macro + std::to_string(i)) + " = int;\n#endif\n";
   }
-  // An enum within a template has values only after it is used.
+  // An enum within a template has values only after it is used, also where an alias names it. Faults of these lines do
+  // not count.
   for (std::size_t i = 0; i < number; ++i)
-    if (request["names"].items()[i].as_text().find('<') != std::string::npos)
-      out.text += "namespace director_uses { using enum " + (alias + std::to_string(i)) + "; }\n";
+    out.text += "namespace director_uses { using enum " + (alias + std::to_string(i)) + "; }\n";
   out.text += "}\n";
   return out;
 }
@@ -83,6 +83,9 @@ Json describe(const clang::EnumDecl& decl, Places& places) {
 /// such as std::function, it is unknown here whether these are among them.
 bool is_complete(clang::QualType type) {
   if (!type->isIncompleteType()) return true;
+  if (const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl()) {
+    if (const clang::CXXRecordDecl* member = record->getInstantiatedFromMemberClass()) return member->hasDefinition();
+  }
   const auto* special = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(type->getAsTagDecl());
   if (special == nullptr || special->isExplicitSpecialization()) return false;
   llvm::SmallVector<clang::ClassTemplatePartialSpecializationDecl*, 4> some;

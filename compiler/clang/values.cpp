@@ -82,15 +82,19 @@ std::optional<std::set<Values::Names>> Values::of(const Expr* expr, const EnumDe
     return list->getInitExprs().size() == 1 ? of(list->getInitExprs()[0], names, depth - 1) : std::nullopt;
   if (const auto* made = llvm::dyn_cast<CXXConstructExpr>(expr))
     return made->getNumArgs() >= 1 ? of(made->getArg(0), names, depth - 1) : std::nullopt;
+  Expr::EvalResult result;
+  const auto is_known = [&] {
+    return expr->getType()->isIntegralOrEnumerationType() && expr->EvaluateAsInt(result, context_);
+  };
   if (const auto* name = llvm::dyn_cast<DeclRefExpr>(expr)) {
+    // Before its initializer, whose value the type of the variable may cut.
+    if (is_known()) return std::set<Names>{names_of(result.Val.getInt(), names)};
     const auto* variable = llvm::dyn_cast<VarDecl>(name->getDecl());
     if (variable != nullptr && variable->getType().isConstQualified() && !variable->getType()->isReferenceType() &&
         variable->getInit() != nullptr && !llvm::isa<ParmVarDecl>(variable) && !variable->getInit()->isValueDependent())
       return of(variable->getInit(), names, depth - 1);
   }
-  Expr::EvalResult result;
-  if (expr->getType()->isIntegralOrEnumerationType() && expr->EvaluateAsInt(result, context_))
-    return std::set<Names>{names_of(result.Val.getInt(), names)};
+  if (is_known()) return std::set<Names>{names_of(result.Val.getInt(), names)};
   // A cast to a smaller type may change the value.
   const auto* cast = llvm::dyn_cast<ExplicitCastExpr>(expr);
   const auto width = [&](QualType type) {

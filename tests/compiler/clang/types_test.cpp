@@ -71,7 +71,9 @@ TEST_CASE("a type whose template is only defined for some arguments is a type") 
   const Workshop work("types-some");
   work.write("flags", "g++\n-std=c++20\n-I" + source_folder() + "\n-I" + work.path() + "\n");
   work.write("way.hpp", "#pragma once\n#include <functional>\nnamespace way {\ntemplate <class> class Call;\n"
-                        "template <class R, class... A> class Call<R(A...)> {};\ntemplate <> class Call<int>;\n}\n");
+                        "template <class R, class... A> class Call<R(A...)> {};\ntemplate <> class Call<int>;\n"
+                        "template <class T> struct Action { struct Goal { T t; }; struct Later; };\n"
+                        "using Goal = Action<int>::Goal;\n}\n");
   const auto checked = [&](const std::string& data) {
     work.write("cart.yaml", "behaviour: cart\nlanguage: 1\ncpp: {headers: [way.hpp]}\nroots: [Drive]\ngroups:\n"
                             "  Drive: {data: '" +
@@ -80,6 +82,10 @@ TEST_CASE("a type whose template is only defined for some arguments is a type") 
   };
   CHECK(checked("std::function<void(int)>") == "");
   CHECK(checked("way::Call<void(int)>") == "");
+  CHECK(checked("way::Action<int>::Goal") == "");
+  CHECK(checked("way::Goal") == "");
+  CHECK(checked("way::Action<int>::Later").find("`way::Action<int>::Later` is declared and not defined") !=
+        std::string::npos);
   CHECK(checked("way::Call<int>").find("`way::Call<int>` is declared and not defined") != std::string::npos);
 }
 
@@ -167,6 +173,8 @@ template <class T>
 struct Holder {
   enum class Kind { one, two };
 };
+using Held = Holder<long>;
+using HeldKind = Held::Kind;
 inline namespace v2 { enum class Versioned { older, newer }; }
 namespace { enum class Hidden { seen, unseen }; }
 enum class Twice { first, second, again = first };
@@ -179,22 +187,12 @@ struct Named {
   const char *type, *value;
 };
 constexpr Named types[] = {
-    {"game::OfC", "stale"},
-    {"game::Gap", "right"},
-    {"game::Tiny", "high"},
-    {"game::Wide", "same"},
-    {"game::Signed", "minus"},
-    {"game::Renamed", "low"},
-    {"game::Outer::Inner", "in"},
-    {"game::Outer::Alias", "out"},
-    {"game::Holder<int>::Kind", "two"},
-    {"game::Versioned", "newer"},
-    {"game::v2::Versioned", "older"},
-    {"game::Hidden", "seen"},
-    {"game::Beside", "near"},
-    {"Short", "in"},
-    {"::game::Tiny", "low"},
-    {"c_enum", "C_TWO"},
+    {"game::OfC", "stale"},       {"game::Gap", "right"},        {"game::Tiny", "high"},
+    {"game::Wide", "same"},       {"game::Signed", "minus"},     {"game::Renamed", "low"},
+    {"game::Outer::Inner", "in"}, {"game::Outer::Alias", "out"}, {"game::Holder<int>::Kind", "two"},
+    {"game::HeldKind", "one"},    {"game::Versioned", "newer"},  {"game::v2::Versioned", "older"},
+    {"game::Hidden", "seen"},     {"game::Beside", "near"},      {"Short", "in"},
+    {"::game::Tiny", "low"},      {"c_enum", "C_TWO"},
 };
 
 /// The findings of a behaviour that waits for this value of this type.
