@@ -15,7 +15,16 @@ namespace {
 
 using namespace clang;
 
-std::vector<bool> reached_blocks(const CFG& graph) {
+/// Whether what decides where the block leads is no constant.
+bool is_open(const CFGBlock& block, const ASTContext& context) {
+  const auto* condition = llvm::dyn_cast_or_null<Expr>(block.getTerminatorCondition());
+  Expr::EvalResult result;
+  return condition != nullptr && !condition->isValueDependent() && !condition->EvaluateAsRValue(result, context);
+}
+
+/// `all`: also by edges that Clang leaves out though no constant decides: out of a `switch` over all values of an enum,
+/// whose type may have others, and by comparisons that exclude each other, of what may change in between.
+std::vector<bool> reached_blocks(const CFG& graph, const ASTContext& context, bool all) {
   std::vector<bool> out(graph.getNumBlockIDs(), false);
   std::vector<const CFGBlock*> waiting{&graph.getEntry()};
   // An exception may come from anywhere in a `try`, so its handlers count.
@@ -25,8 +34,10 @@ std::vector<bool> reached_blocks(const CFG& graph) {
     waiting.pop_back();
     if (out[block->getBlockID()]) continue;
     out[block->getBlockID()] = true;
-    for (const CFGBlock* next : block->succs()) {
-      if (next != nullptr) waiting.push_back(next);
+    for (const CFGBlock::AdjacentBlock& next : block->succs()) {
+      if (const CFGBlock* reached = next.getReachableBlock()) waiting.push_back(reached);
+      const CFGBlock* left_out = next.getPossiblyUnreachableBlock();
+      if (all && left_out != nullptr && is_open(*block, context)) waiting.push_back(left_out);
     }
   }
   return out;
@@ -58,14 +69,15 @@ Live::Live(const FunctionDecl& function) {
   if (coroutine != nullptr) body = coroutine->getBody();
   const std::unique_ptr<CFG> graph = CFG::buildCFG(&function, body, &function.getASTContext(), options);
   if (graph == nullptr) return; // unknown
-  const std::vector<bool> reached = reached_blocks(*graph);
+  const std::vector<bool> live = reached_blocks(*graph, function.getASTContext(), true);
   for (const CFGBlock* block : *graph) {
-    if (reached[block->getBlockID()]) continue;
+    if (live[block->getBlockID()]) continue;
     for (const CFGElement& element : *block) {
       if (const auto statement = element.getAs<CFGStmt>()) dead_.insert(statement->getStmt());
     }
   }
   if (coroutine != nullptr) return; // its caller has its answer since it was called
+  const std::vector<bool> reached = reached_blocks(*graph, function.getASTContext(), false); // as -Wreturn-type
   for (const CFGBlock* block : graph->getExit().preds()) {
     if (block != nullptr && reached[block->getBlockID()] && falls_through(*block)) reaches_end_ = true;
   }

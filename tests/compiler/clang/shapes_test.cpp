@@ -64,6 +64,11 @@ const Shape promises[] = {
     {"Switch", "",
      "switch (mode_) { case 1: run.set(S::on); [[fallthrough]]; case 2: return ask(run); default: return run.keep(); "
      "}"},
+    {"AfterAllCases", "enum class M : unsigned char { a, b };",
+     "switch (static_cast<M>(mode_)) { case M::a: return run.keep(); case M::b: return run.done(); } run.set(S::on); "
+     "return ask(run);"},
+    {"VolatileTwice", "",
+     "volatile int pin = mode_; if (pin == 1 && pin == 2) { run.set(S::on); return ask(run); } return run.keep();"},
     {"Argument", "inline Outcome act(Run& run, Outcome out) { run.set(S::on); return out; }",
      "return act(run, ask(run));"},
     {"AtOnce", "", "return [&]() -> Outcome { if (mode_) { run.set(S::on); return run.done(); } return ask(run); }();"},
