@@ -125,22 +125,29 @@ std::optional<CoverageWatch::Chain> CoverageWatch::chain(Index edge, const std::
   return std::nullopt;
 }
 
-/// Whether an edge of the chain is, from the sibling down.
-bool CoverageWatch::optional_below(const Chain& chain, std::size_t sibling, const std::vector<Index>& requests) const {
-  for (std::size_t i = 0; i <= sibling; ++i) {
-    if (requests[chain[i]] != nil && lowered_.levels[requests[chain[i]]].optional) return true;
-  }
-  return false;
+bool CoverageWatch::is_optional(Index edge, const std::vector<Index>& requests) const {
+  return requests[edge] != nil && lowered_.levels[requests[edge]].optional;
 }
 
-/// Whether the conditions of some provider hold: else the group ended by itself. Those of a pushed one are waived.
+/// Whether an edge of the chain below the sibling is, or the sibling itself by its request now.
+bool CoverageWatch::optional_below(const Chain& chain, std::size_t sibling, const std::vector<Index>& below,
+                                   const std::vector<Index>& now) const {
+  return is_optional(chain[sibling], now) ||
+         std::any_of(chain.begin(), chain.begin() + static_cast<std::ptrdiff_t>(sibling),
+                     [&](Index edge) { return is_optional(edge, below); });
+}
+
+/// Whether the conditions of some provider hold, its `when`, or its `stay` if it was active: else the group ended by
+/// itself. Those of a pushed one are waived.
 bool CoverageWatch::could_go_on(Index group, const Engine& engine) const {
   const std::vector<ProviderId>& all = model_.groups[GroupId{group}].providers;
+  const auto hold = [&](const std::vector<ConditionUse>& uses) {
+    return std::all_of(uses.begin(), uses.end(), [&](const ConditionUse& use) { return holds(use.id, engine); });
+  };
   return before_.pushed[group] || std::any_of(all.begin(), all.end(), [&](ProviderId id) {
            const Provider& provider = model_.providers[id];
-           const bool stays = before_.active[group] == id.value && !provider.stay.empty();
-           const std::vector<ConditionUse>& uses = stays ? provider.stay : provider.when;
-           return std::all_of(uses.begin(), uses.end(), [&](const ConditionUse& use) { return holds(use.id, engine); });
+           const bool may_stay = before_.active[group] == id.value && !provider.stay.empty();
+           return hold(provider.when) || (may_stay && hold(provider.stay));
          });
 }
 
@@ -155,8 +162,8 @@ void CoverageWatch::take_over(const Chain& taker, const Chain& loser, const Mome
       for (std::size_t k = 0; k < j; ++k) {
         if (!could_go_on(requester(loser[k]), engine)) return;
       }
-      const bool first_optional = optional_below(taker, i, requests);
-      const bool second_optional = optional_below(loser, j, before_.requests);
+      const bool first_optional = optional_below(taker, i, requests, requests);
+      const bool second_optional = optional_below(loser, j, before_.requests, requests);
       const auto priority = [&](Index edge) { return lowered_.levels[requests[edge]].priority; };
       if (first_optional != second_optional ? second_optional : priority(first) > priority(second))
         mark({Kind::take_over, first, second});

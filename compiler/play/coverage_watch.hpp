@@ -43,7 +43,9 @@ private:
   std::optional<Chain> chain(Index edge, const std::vector<Index>& holders) const;
   bool holds(ConditionId id, const Engine& engine) const;
   bool could_go_on(Index group, const Engine& engine) const;
-  bool optional_below(const Chain& chain, std::size_t sibling, const std::vector<Index>& requests) const;
+  bool is_optional(Index edge, const std::vector<Index>& requests) const;
+  bool optional_below(const Chain& chain, std::size_t sibling, const std::vector<Index>& below,
+                      const std::vector<Index>& now) const;
   void take_over(const Chain& taker, const Chain& loser, const Moment& now, const Engine& engine);
 
   const Model& model_;

@@ -178,6 +178,54 @@ groups:
   CHECK(covered("set: {Phase: dance}, request: Walk, request: Look"));
 }
 
+TEST_CASE("a task took something from a provider that could go on by its `when` or its `stay`") {
+  const auto covered = [&](const std::string& steps) {
+    const char* const walker = R"(behaviour: walker
+language: 1
+states: {Ball: {values: [lost, near, far], initial: far, external: true}}
+roots: {Walk: {priority: 10}, Kick: {priority: 20}}
+groups:
+  Walk: {when: [Ball != lost], stay: [Ball != near], needs: [Legs], tasks: [Legs]}
+  Kick: {needs: [Legs], tasks: [Legs]}
+  Legs: {}
+)";
+    const std::string script = "script: {Walk: {tasks: [Legs]}, Kick: {tasks: [Legs]}}\nsteps: [";
+    return watch(script + steps + "]\n", walker).text.find("take-overs    1 of 1") != std::string::npos;
+  };
+  CHECK(covered("set: {Ball: near}, request: Walk, request: Kick"));
+  CHECK(covered("request: Walk, inputs: [set: {Ball: lost}, request: Kick]"));
+}
+
+TEST_CASE("a task took something from one that became optional at that moment") {
+  const char* const player = R"(behaviour: player
+language: 1
+roots: [Play]
+triggers: [Go]
+groups:
+  Play:
+    triggers: [Go]
+    tasks:
+      Kick: {priority: 40, apart: true}
+      Look: {levels: {firm: {priority: 50, apart: true}, spare: {priority: 50, optional: true}}}
+  Kick: {needs: [Head], tasks: [Head]}
+  Look: {needs: [Head], tasks: [Head]}
+  Head: {}
+)";
+  const std::string steps = R"(script:
+  Play:
+    - {reason: trigger, tasks: [Kick, {Look: {level: spare}}]}
+    - {tasks: [{Look: {level: firm}}]}
+  Kick: {tasks: [Head]}
+  Look: {tasks: [Head]}
+steps: [request: Play, trigger: Go]
+)";
+  const Coverage coverage = watch(steps, player).coverage;
+  const auto is_taken = [](const CoveragePoint& point) {
+    return point.key.kind == CoveragePoint::Kind::take_over && point.covered;
+  };
+  CHECK(std::count_if(coverage.points.begin(), coverage.points.end(), is_taken) == 1);
+}
+
 namespace {
 
 /// The take-overs, `Kick from Walk`.
