@@ -94,6 +94,15 @@ private:
     }
   }
 
+  /// Whether a provider between the two can run in the whole region: then the group changes to that one first.
+  bool is_left_for_another(ProviderId running, ProviderId wanting, const Region& region) const {
+    for (const ProviderId id : model_.groups[model_.providers[running].group].providers) {
+      const bool is_between = wanting < id && id < running && input_.facts.active.contains(id);
+      if (is_between && contains(region_of(model_, model_.providers[id].when), region)) return true;
+    }
+    return false;
+  }
+
   /// `claims`: of the task, found when they are first asked for.
   bool look_at_task(ProviderId id, const Task& task, const Preferred& wanting, std::optional<Claims>& claims) {
     const std::vector<Level>& levels = model_.edges[task.edge].levels;
@@ -102,7 +111,7 @@ private:
     });
     Region region = active_region(model_, model_.providers[id]);
     region.meet(wanting.region);
-    if (level == task.levels.end() || region.empty()) return false;
+    if (level == task.levels.end() || region.empty() || is_left_for_another(id, wanting.provider, region)) return false;
     if (!claims) {
       if (effort_ > most_edges) {
         leave_open(task);
