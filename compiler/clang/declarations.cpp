@@ -38,6 +38,7 @@ bool is_fatal(const clang::Diagnostic& fault) {
 struct Unknown {
   std::string name, scope; ///< in which it is searched; empty: in all enclosing ones
   Json row;                ///< its place
+  bool is_ambiguous = false;
 };
 
 /// The words that a message quotes.
@@ -81,7 +82,8 @@ private:
   void note_unknown(const clang::Diagnostic& fault, llvm::StringRef message) {
     namespace diag = clang::diag;
     const unsigned id = fault.getID();
-    if (id != diag::err_undeclared_var_use && id != diag::err_no_member) return;
+    const bool is_ambiguous = id == diag::err_ambiguous_reference;
+    if (id != diag::err_undeclared_var_use && id != diag::err_no_member && !is_ambiguous) return;
     const clang::SourceManager& sources = fault.getSourceManager();
     clang::LangOptions language;
     language.CPlusPlus = true;
@@ -89,9 +91,9 @@ private:
     if (!next || next->isNot(clang::tok::coloncolon)) return;
     const std::vector<std::string> words = quoted(message);
     if (words.empty()) return;
-    unknown.try_emplace(
-        place_of(sources, fault.getLocation()),
-        Unknown{words[0], words.size() > 1 ? words[1] : std::string{}, row_at(sources, fault.getLocation())});
+    unknown.try_emplace(place_of(sources, fault.getLocation()),
+                        Unknown{words[0], words.size() > 1 ? words[1] : std::string{},
+                                row_at(sources, fault.getLocation()), is_ambiguous});
   }
 
   std::string path_;
@@ -153,8 +155,9 @@ void add_parts(llvm::StringRef name, std::set<std::string>& out) {
   for (; !name.empty(); name = name.split("::").second) out.insert(name.split("::").first.str());
 }
 
-/// Reports those unknown names that the bodies are qualified with: the behaviour's namespace, and names of module
-/// classes; each once in a file. A name that the behaviour has no more is unknown within its namespace, and no fault.
+/// Reports those unknown or ambiguous names that the bodies are qualified with: the behaviour's namespace, and names of
+/// module classes; each once in a file. A name that the behaviour has no more is unknown within its namespace, and no
+/// fault.
 void report_unknown(const std::map<Findings::Place, Unknown>& unknown, const std::set<std::string>& interfaces,
                     Findings& out) {
   std::set<std::string> names, scopes;
@@ -170,7 +173,10 @@ void report_unknown(const std::map<Findings::Place, Unknown>& unknown, const std
     });
     if (within || names.count(each.name) == 0 || !reported.emplace(place.first, each.name).second) continue;
     Json row = each.row;
-    row.add("message", Json::text("`" + each.name + "` is not declared here: an `#include` is missing"));
+    row.add("message",
+            Json::text("`" + each.name +
+                       (each.is_ambiguous ? "` is ambiguous here: write its namespace, as in `::" + each.name + "`"
+                                          : "` is not declared here: an `#include` is missing")));
     out.problems.try_emplace(place, std::move(row));
   }
 }

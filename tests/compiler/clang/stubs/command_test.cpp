@@ -381,6 +381,12 @@ TEST_CASE("a missing #include is reported, and what is there is not added again"
                               ":5:19: error: `cart` is not declared here: an `#include` is missing\n" + refusal);
     fs::remove(shop.folder() + "/" + file);
   }
+  // Nor is anything written where a body's class may be the interface or the user's.
+  const std::string include = "#include \"wheels.hpp\"\n";
+  shop.write("src/wheels.cpp", include + "using namespace cart;\n" + source.substr(include.size()));
+  CHECK(shop.stubs() ==
+        "src/wheels.cpp:7:6: error: `Wheels` is ambiguous here: write its namespace, as in `::Wheels`\n" + refusal);
+  fs::remove(shop.folder() + "/src/wheels.cpp");
   // Of the behaviour, if the class has another name than its first files would have.
   std::string other = header;
   other.erase(other.find("#include \"cart.hpp\"\n"), 20);
