@@ -125,30 +125,47 @@ std::optional<CoverageWatch::Chain> CoverageWatch::chain(Index edge, const std::
   return std::nullopt;
 }
 
-bool CoverageWatch::is_optional(Index edge, const std::vector<Index>& requests) const {
-  return requests[edge] != nil && lowered_.levels[requests[edge]].optional;
-}
-
-/// Whether an edge of the chain below the sibling is, or the sibling itself by its request now.
-bool CoverageWatch::optional_below(const Chain& chain, std::size_t sibling, const std::vector<Index>& below,
-                                   const std::vector<Index>& now) const {
-  return is_optional(chain[sibling], now) ||
-         std::any_of(chain.begin(), chain.begin() + static_cast<std::ptrdiff_t>(sibling),
-                     [&](Index edge) { return is_optional(edge, below); });
-}
-
-/// Whether the conditions of some provider hold, its `when`, or its `stay` if it was active: else the group ended by
-/// itself. Those of a pushed one are waived.
-bool CoverageWatch::could_go_on(Index group, const Engine& engine) const {
-  const std::vector<ProviderId>& all = model_.groups[GroupId{group}].providers;
-  const auto hold = [&](const std::vector<ConditionUse>& uses) {
-    return std::all_of(uses.begin(), uses.end(), [&](const ConditionUse& use) { return holds(use.id, engine); });
+/// Whether an edge of the chain is, from the sibling down: by its request now, or else before.
+bool CoverageWatch::optional_below(const Chain& chain, std::size_t sibling, const Moment& now) const {
+  const auto is_optional = [&](Index edge) {
+    const Index level = now.requests[edge] != nil ? now.requests[edge] : before_.requests[edge];
+    return level != nil && lowered_.levels[level].optional;
   };
-  return before_.pushed[group] || std::any_of(all.begin(), all.end(), [&](ProviderId id) {
-           const Provider& provider = model_.providers[id];
-           const bool may_stay = before_.active[group] == id.value && !provider.stay.empty();
-           return hold(provider.when) || (may_stay && hold(provider.stay));
-         });
+  return std::any_of(chain.begin(), chain.begin() + static_cast<std::ptrdiff_t>(sibling) + 1, is_optional);
+}
+
+/// Whether some provider could run, with what it needs; else the group ended by itself.
+bool CoverageWatch::could_go_on(GroupId group, const Engine& engine, std::vector<GroupId>& above) const {
+  if (std::find(above.begin(), above.end(), group) != above.end()) return false;
+  above.push_back(group);
+  const std::vector<ProviderId>& all = model_.groups[group].providers;
+  const bool out = std::any_of(all.begin(), all.end(), [&](ProviderId id) {
+    const std::vector<Use<GroupId>>& needs = model_.providers[id].needs;
+    return meets_conditions(id, engine) && std::all_of(needs.begin(), needs.end(), [&](const Use<GroupId>& need) {
+             return could_go_on(need.id, engine, above);
+           });
+  });
+  above.pop_back();
+  return out;
+}
+
+/// All of its `when`, or of its `stay` if it was active; without those on states that it causes, if it was pushed.
+bool CoverageWatch::meets_conditions(ProviderId id, const Engine& engine) const {
+  const Provider& provider = model_.providers[id];
+  const std::size_t group = provider.group.value;
+  const bool was_active = before_.active[group] == id.value;
+  const bool was_pushed = was_active && before_.pushed[group];
+  const auto is_waived = [&](const ConditionUse& use) {
+    return was_pushed &&
+           std::any_of(provider.causing.begin(), provider.causing.end(), [&](const ConditionUse& promise) {
+             return model_.conditions[promise.id].state == model_.conditions[use.id].state;
+           });
+  };
+  const auto hold = [&](const std::vector<ConditionUse>& uses) {
+    return std::all_of(uses.begin(), uses.end(),
+                       [&](const ConditionUse& use) { return is_waived(use) || holds(use.id, engine); });
+  };
+  return hold(provider.when) || (was_active && !provider.stay.empty() && hold(provider.stay));
 }
 
 void CoverageWatch::take_over(const Chain& taker, const Chain& loser, const Moment& now, const Engine& engine) {
@@ -160,10 +177,11 @@ void CoverageWatch::take_over(const Chain& taker, const Chain& loser, const Mome
       const Index first = taker[i], second = loser[j];
       if (first == second || requests[first] == nil || requests[second] == nil) return; // the loser gave it up itself
       for (std::size_t k = 0; k < j; ++k) {
-        if (!could_go_on(requester(loser[k]), engine)) return;
+        std::vector<GroupId> above;
+        if (!could_go_on(GroupId{requester(loser[k])}, engine, above)) return;
       }
-      const bool first_optional = optional_below(taker, i, requests, requests);
-      const bool second_optional = optional_below(loser, j, before_.requests, requests);
+      const bool first_optional = optional_below(taker, i, now);
+      const bool second_optional = optional_below(loser, j, now);
       const auto priority = [&](Index edge) { return lowered_.levels[requests[edge]].priority; };
       if (first_optional != second_optional ? second_optional : priority(first) > priority(second))
         mark({Kind::take_over, first, second});

@@ -42,10 +42,9 @@ private:
   void look_at_take_overs(const Moment& now, const Engine& engine);
   std::optional<Chain> chain(Index edge, const std::vector<Index>& holders) const;
   bool holds(ConditionId id, const Engine& engine) const;
-  bool could_go_on(Index group, const Engine& engine) const;
-  bool is_optional(Index edge, const std::vector<Index>& requests) const;
-  bool optional_below(const Chain& chain, std::size_t sibling, const std::vector<Index>& below,
-                      const std::vector<Index>& now) const;
+  bool meets_conditions(ProviderId id, const Engine& engine) const;
+  bool could_go_on(GroupId group, const Engine& engine, std::vector<GroupId>& above) const;
+  bool optional_below(const Chain& chain, std::size_t sibling, const Moment& now) const;
   void take_over(const Chain& taker, const Chain& loser, const Moment& now, const Engine& engine);
 
   const Model& model_;
