@@ -50,6 +50,7 @@ TypeFlags flags_of_file(const std::string& path, Console& console) {
   std::istringstream lines(text.value());
   constexpr std::string_view several = "SHELL:"; // of CMake: an option of several words
   for (std::string line; std::getline(lines, line);) {
+    if (line.ends_with('\r')) line.pop_back();
     if (line.starts_with(several)) {
       const std::vector<std::string> words = split_command(std::string_view(line).substr(several.size()));
       command.words.insert(command.words.end(), words.begin(), words.end());

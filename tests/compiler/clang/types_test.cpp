@@ -64,6 +64,8 @@ TEST_CASE("what the generated code includes by itself counts for types too, and 
     return work.directorc({"check", work.path("cart.yaml"), "--flags", work.path("flags")});
   };
   CHECK(checked("std::array<int, 3>").out == "");
+  work.write("flags", "g++\r\n-std=c++20\r\n-I" + source_folder() + "\r\n");
+  CHECK(checked("std::array<int, 3>").out == "");
   CHECK(checked("nowhere::Way").out.find("there is no type `nowhere::Way` in the C++") != std::string::npos);
 }
 
