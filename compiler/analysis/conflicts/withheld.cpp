@@ -80,6 +80,14 @@ private:
     });
   }
 
+  /// What another task of the pack always holds is not held by this one.
+  bool is_taken_beside(const Pack& pack, const Task& task, GroupId group) const {
+    return std::any_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& other) {
+      return other.edge != task.edge && !model_.may_be_left_out(other) &&
+             input_.shared.indispensable().contains(other.target, group);
+    });
+  }
+
   void look_at_tasks(ProviderId id, const std::vector<Preferred>& wanting) {
     const Provider& running = model_.providers[id];
     for (const Pack& pack : running.packs) {
@@ -87,7 +95,9 @@ private:
         std::optional<Claims> claims;
         for (const Preferred& each : wanting) {
           // What is requested as the need itself is the same edge, and stays.
-          if (each.need->id == task.target || always_holds(running, each.group)) continue;
+          if (each.need->id == task.target || always_holds(running, each.group) ||
+              is_taken_beside(pack, task, each.group))
+            continue;
           if (look_at_task(id, task, each, claims)) break;
         }
       }
