@@ -139,9 +139,9 @@ TEST_CASE("what is never requested takes and loses nothing, however much there i
 }
 
 TEST_CASE("what can never run is granted together with nothing") {
-  const std::string never = "states: {S: {values: [x, y], initial: x}}\nroots: [A, B]\n"
+  const std::string unmet = "states: {S: {values: [x, y], initial: x}}\nroots: [A, B]\n"
                             "groups: {A: {}, B: {when: [S == y]}}\n";
-  CHECK(verdict_of(never, "{never_together: [A, B]}", 1) == "proven: no provider of `B` can ever run");
+  CHECK(verdict_of(unmet, "{never_together: [A, B]}", 1) == "proven: no provider of `B` can ever run");
 }
 
 TEST_CASE("what can run is shown by how it comes to run") {

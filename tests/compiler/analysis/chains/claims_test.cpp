@@ -38,15 +38,15 @@ groups:
 )");
   const auto all = [](director::compiler::ProviderId) { return true; };
   const Branches branches(c.model, all);
-  const GroupId walk = c.group("Walk"), legs = c.group("Legs"), foot = c.group("Foot");
-  const Claims claims(branches, walk);
-  const RunsBelow below(branches, claims, walk);
-  CHECK(below.groups() == std::vector<GroupId>{walk, legs, foot});
+  const GroupId above = c.group("Walk"), legs = c.group("Legs"), foot = c.group("Foot");
+  const Claims claims(branches, above);
+  const RunsBelow below(branches, claims, above);
+  CHECK(below.groups() == std::vector<GroupId>{above, legs, foot});
   CHECK_FALSE(below.contains(c.group("Hip")));
-  CHECK(below.path(walk).empty());
+  CHECK(below.path(above).empty());
   const std::vector<ChainStep> path = below.path(foot);
   REQUIRE(path.size() == 2);
-  CHECK(path[0].from == walk);
+  CHECK(path[0].from == above);
   CHECK(path[0].to == legs);
   CHECK(path[1].to == foot);
 }
