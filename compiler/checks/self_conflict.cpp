@@ -91,11 +91,8 @@ std::string message_of(const Model& model, const Loser& loser) {
 std::optional<ProviderId> find_keeper(const Input& input, const Loser& loser) {
   const Model& model = input.model;
   for (const ProviderId id : model.groups[model.providers[loser.above].group].providers) {
-    const std::vector<Use<GroupId>>& needs = model.providers[id].needs;
     if (id != loser.above && input.facts.active.contains(id) &&
-        std::none_of(needs.begin(), needs.end(), [&](const Use<GroupId>& need) {
-          return input.shared.indispensable().contains(need.id, loser.taker.group);
-        }))
+        !input.shared.indispensable().needs_contain(model.providers[id], loser.taker.group))
       return id;
   }
   return std::nullopt;

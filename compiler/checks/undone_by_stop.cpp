@@ -43,19 +43,13 @@ public:
     }
   }
 
-  void look_at(const Wanting& wanting, const Want& want) {
-    const StateId state = model_.conditions[want.condition.id].state;
-    if (stopping_[state].empty()) return;
-    const Claims& claims = shared_.claims(wanting.task);
-    const Granted granted{wanting.task, Takings(model_, shared_.indispensable(), claims, wanting.task),
-                          RunsBelow(shared_.branches(), claims, wanting.task)};
-    for (const ProviderId causer : want.causers) {
-      for (const GroupId stopped : stopping_[state]) {
-        if (stopped == model_.providers[causer].group)
-          look_at_stop(granted, want, causer, stopped, state, {});
-        else
-          look_below(granted, want, causer, stopped, state);
-      }
+  void look_at(const Wanting& wanting) {
+    std::optional<Granted> granted;
+    for (const Want& want : wanting.wants) {
+      const StateId state = model_.conditions[want.condition.id].state;
+      if (stopping_[state].empty()) continue;
+      if (!granted) granted.emplace(grant(wanting.task));
+      look_at(*granted, want, state);
     }
   }
 
@@ -66,6 +60,22 @@ private:
     Takings takings;
     RunsBelow below;
   };
+
+  Granted grant(GroupId task) const {
+    const Claims& claims = shared_.claims(task);
+    return {task, Takings(model_, shared_.indispensable(), claims, task), RunsBelow(shared_.branches(), claims, task)};
+  }
+
+  void look_at(const Granted& granted, const Want& want, StateId state) {
+    for (const ProviderId causer : want.causers) {
+      for (const GroupId stopped : stopping_[state]) {
+        if (stopped == model_.providers[causer].group)
+          look_at_stop(granted, want, causer, stopped, state, {});
+        else
+          look_below(granted, want, causer, stopped, state);
+      }
+    }
+  }
 
   void add_stopping(StateId state, GroupId group) {
     std::vector<GroupId>& groups = stopping_[state];
@@ -216,9 +226,7 @@ private:
 
 void undone_by_stop(const Input& input, Findings& findings) {
   UndoneByStop undone(input, findings);
-  for (const Wanting& wanting : input.shared.wants()) {
-    for (const Want& want : wanting.wants) undone.look_at(wanting, want);
-  }
+  for (const Wanting& wanting : input.shared.wants()) undone.look_at(wanting);
 }
 
 } // namespace director::checks

@@ -100,11 +100,8 @@ public:
   /// False: it is proven that the group never runs.
   bool may_run(const std::string& name) const {
     const GroupId id = ids_.at(name);
-    const std::vector<ProviderId>& providers = model_.groups[id].providers;
     const analysis::Facts& facts = possible_.facts();
-    return facts.requested.contains(id) && std::any_of(providers.begin(), providers.end(), [&](ProviderId provider) {
-             return facts.active.contains(provider);
-           });
+    return facts.requested.contains(id) && model_.has_any(id, facts.active);
   }
   Span span(const std::string& name) const { return model_.groups[ids_.at(name)].name.span; }
   std::size_t work() const { return plays_.work(); }

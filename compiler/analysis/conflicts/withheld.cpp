@@ -47,11 +47,6 @@ private:
     }
   }
 
-  /// The groups that are in every plan of a need; it is one of them.
-  std::vector<GroupId> parts(GroupId need) const {
-    return input_.shared.indispensable().of(need).value_or(std::vector<GroupId>{});
-  }
-
   /// A need counts as a request at the first level of its edge.
   std::int32_t priority_of_need(GroupId group, GroupId need) const {
     const std::vector<EdgeId>& edges = model_.groups[group].edges;
@@ -67,17 +62,11 @@ private:
     for (const Use<GroupId>& need : provider.needs) {
       Region with_need = region;
       with_need.meet(input_.shared.branches().grantable(need.id));
-      if (with_need.empty()) continue;
+      const auto& parts = input_.shared.indispensable().of(need.id);
+      if (with_need.empty() || !parts) continue;
       const std::int32_t priority = priority_of_need(provider.group, need.id);
-      for (const GroupId part : parts(need.id)) wanting.push_back({id, &need, part, priority, with_need});
+      for (const GroupId part : *parts) wanting.push_back({id, &need, part, priority, with_need});
     }
-  }
-
-  /// What a provider needs is not held by its tasks.
-  bool always_holds(const Provider& provider, GroupId group) const {
-    return std::any_of(provider.needs.begin(), provider.needs.end(), [&](const Use<GroupId>& need) {
-      return input_.shared.indispensable().contains(need.id, group);
-    });
   }
 
   /// What another task of the pack always holds is not held by this one.
@@ -94,8 +83,9 @@ private:
       for (const Task& task : pack.tasks) {
         std::optional<Claims> claims;
         for (const Preferred& each : wanting) {
-          // What is requested as the need itself is the same edge, and stays.
-          if (each.need->id == task.target || always_holds(running, each.group) ||
+          // What is requested as the need itself is the same edge, and stays. What the provider needs its tasks do not
+          // hold.
+          if (each.need->id == task.target || input_.shared.indispensable().needs_contain(running, each.group) ||
               is_taken_beside(pack, task, each.group))
             continue;
           if (look_at_task(id, task, each, claims)) break;

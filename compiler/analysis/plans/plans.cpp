@@ -124,4 +124,9 @@ bool Indispensable::contains(GroupId group, GroupId part) const {
   return !parts || std::binary_search(parts->begin(), parts->end(), part);
 }
 
+bool Indispensable::needs_contain(const compiler::Provider& provider, GroupId part) const {
+  return std::any_of(provider.needs.begin(), provider.needs.end(),
+                     [&](const Use<GroupId>& need) { return contains(need.id, part); });
+}
+
 } // namespace director::analysis

@@ -43,6 +43,8 @@ public:
   explicit Indispensable(const Model& model, const IdSet<ProviderId>* counts = nullptr);
   /// Whether `part` is in every way to grant `group`. Any group is, if there is no way.
   bool contains(GroupId group, GroupId part) const;
+  /// Whether it is in every way to grant one of the provider's needs.
+  bool needs_contain(const compiler::Provider& provider, GroupId part) const;
   /// In order; empty optional: there is no way.
   const std::optional<std::vector<GroupId>>& of(GroupId group) const { return parts_[group]; }
   /// The groups that are indispensable for both, in order; none if one of them cannot be granted.
