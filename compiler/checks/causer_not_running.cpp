@@ -3,7 +3,6 @@
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/requests/company.hpp"
-#include "compiler/analysis/requests/standstill.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -25,8 +24,7 @@ public:
         facts_(input.facts),
         shared_(input.shared),
         outranked_(input.conflicts.outranked()),
-        findings_(findings),
-        standstill_(model_, facts_, shared_.requests(), shared_.causers(), shared_.budget()) {
+        findings_(findings) {
     for (const NeverKept& promise : shared_.promises().never_kept) explained_.insert(promise.causer);
     for (const Clash& clash : input.conflicts.clashes()) {
       if (clash.kind == Clash::Kind::vain) in_vain_.insert({clash.second_waiter, clash.second.id});
@@ -60,7 +58,8 @@ private:
     });
     if (is_root) return;
     for (const Request& request : shared_.requests().of(task)) {
-      if (!request.requester || is_claimed_above(request) || !standstill_.may_wait(request, waiter, use, groups))
+      if (!request.requester || is_claimed_above(request) ||
+          !shared_.standstill().may_wait(request, waiter, use, groups))
         continue;
       Company company(model_, facts_, shared_.requests(), groups);
       const std::vector<const Task*> chain = company.find_bare_chain(request);
@@ -144,7 +143,6 @@ private:
   const Shared& shared_;
   const std::vector<Outranked>& outranked_;
   Findings& findings_;
-  Standstill standstill_;
   std::set<ProviderId> explained_;
   std::set<std::pair<ProviderId, ConditionId>> in_vain_;
 };

@@ -10,6 +10,7 @@
 #include "compiler/base/and_list.hpp"
 #include "compiler/diff/meaning.hpp"
 #include "compiler/diff/side.hpp"
+#include "compiler/model/causers.hpp"
 
 #include <fmt/format.h>
 
@@ -66,7 +67,7 @@ public:
       : model_(checked.model),
         graph_(checked.graph),
         facts_(possible.facts()),
-        causers_(analysis::find_causers(checked.model)),
+        causers_(find_causers(checked.model)),
         pushes_(possible.pushes()) {}
 
   /// The groups whose task may push either provider for this condition.
@@ -164,7 +165,7 @@ private:
   const Model& model_;
   const Graph& graph_;
   const analysis::Facts& facts_;
-  const analysis::Causers causers_;
+  const Causers causers_;
   const std::map<GroupId, std::set<ProviderId>>& pushes_;     ///< by the group that waits
   mutable std::map<GroupId, std::set<ProviderId>> providers_; ///< a cache of providers_of()
 };
@@ -192,7 +193,7 @@ private:
     std::vector<ProviderId> causers; ///< in order
   };
   static std::map<std::string, Causing> causing_of(const Model& model) {
-    const analysis::Causers all = analysis::find_causers(model);
+    const Causers all = find_causers(model);
     std::map<std::string, Causing> out;
     for (const ConditionId id : model.conditions.ids()) {
       if (all[id].size() > 1) out.try_emplace(key_of(model, id), Causing{id, all[id]});

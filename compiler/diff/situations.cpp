@@ -5,7 +5,7 @@
 // texts that differ only in spelling count as a change: then something is played in vain, and nothing is reported.
 #include "compiler/diff/situations.hpp"
 
-#include "compiler/analysis/facts/pushes.hpp"
+#include "compiler/model/causers.hpp"
 #include "compiler/transitions/way.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ using transitions::Way;
 
 class Words {
 public:
-  Words(const Model& model, const analysis::Causers& causers) : model_(model), causers_(causers) {}
+  Words(const Model& model, const Causers& causers) : model_(model), causers_(causers) {}
 
   std::string of(GroupId id) {
     const Group& group = model_.groups[id];
@@ -105,13 +105,13 @@ private:
   }
 
   const Model& model_;
-  const analysis::Causers& causers_;
+  const Causers& causers_;
   std::string out_;
   std::set<StateId> states_;
 };
 
 std::map<std::string, std::string> words_of_all(const Model& model) {
-  const analysis::Causers causers = analysis::find_causers(model);
+  const Causers causers = find_causers(model);
   std::map<std::string, std::string> out;
   for (const GroupId id : model.groups.ids()) out.emplace(name_of(model, id), Words(model, causers).of(id));
   return out;

@@ -261,28 +261,18 @@ private:
 } // namespace
 
 ValueClasses::ValueClasses(const State& state, const std::vector<const ValueSet*>& conditions) {
-  begins_.push_back(state.low);
-  for (const ValueSet* accepts : conditions) {
-    for (const ValueSet::Interval& interval : accepts->intervals()) {
-      for (const std::int64_t at : {interval.low, interval.high + 1}) {
-        if (at > state.low && at <= state.high) begins_.push_back(at);
-      }
-    }
-  }
-  std::sort(begins_.begin(), begins_.end());
-  begins_.erase(std::unique(begins_.begin(), begins_.end()), begins_.end());
   std::vector<std::vector<bool>> seen;
-  for (std::size_t i = 0; i < begins_.size(); ++i) {
+  for (const ValueSet::Interval& piece : pieces_of(state.low, state.high, conditions)) {
+    begins_.push_back(piece.low);
     std::vector<bool> satisfied;
-    for (const ValueSet* accepts : conditions) satisfied.push_back(accepts->contains(begins_[i]));
+    for (const ValueSet* accepts : conditions) satisfied.push_back(accepts->contains(piece.low));
     const auto at = std::find(seen.begin(), seen.end(), satisfied);
     pieces_.push_back(static_cast<std::size_t>(at - seen.begin()));
     if (at == seen.end()) {
       seen.push_back(std::move(satisfied));
       classes_.emplace_back();
     }
-    const std::int64_t end = i + 1 < begins_.size() ? begins_[i + 1] - 1 : state.high;
-    classes_[pieces_.back()].add_last({begins_[i], end});
+    classes_[pieces_.back()].add_last(piece);
   }
   for (std::int64_t v = state.low; v <= state.high && state.high - state.low < 256; ++v)
     few_.push_back(piece_of(static_cast<std::int32_t>(v)));

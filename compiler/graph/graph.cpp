@@ -61,7 +61,7 @@ std::vector<Node> find_components(const Graph& graph, const Model& model) {
 
 /// Over the requests alone, with one more node, root, that leads to the roots.
 void add_gates(Graph& graph, const Model& model) {
-  const auto root = static_cast<Node>(model.groups.size());
+  const Node root = root_node(model);
   Arrows requests = graph.tasks;
   requests.emplace_back();
   for (const Task& task : model.roots) requests[root].push_back(task.target.value);
@@ -81,6 +81,13 @@ void add_gates(Graph& graph, const Model& model) {
 bool Graph::Causing::operator==(const Causing& other) const {
   return causer == other.causer && promise.span == other.promise.span && waiter == other.waiter &&
          condition.span == other.condition.span;
+}
+
+Arrows edge_arrows(const Model& model) {
+  Arrows out(root_node(model) + 1);
+  for (const Edge& edge : model.edges)
+    out[edge.requester ? edge.requester->value : root_node(model)].push_back(edge.target.value);
+  return out;
 }
 
 Graph make_graph(const Model& model) {

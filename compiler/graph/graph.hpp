@@ -38,6 +38,10 @@ struct Graph {
 
 Graph make_graph(const Model& model);
 
+/// All edges of the model as arrows between groups; a root's edge begins at `root_node`, which follows the groups.
+Arrows edge_arrows(const Model& model);
+inline Node root_node(const Model& model) { return static_cast<Node>(model.groups.size()); }
+
 /// The group, and all that it leads to by requests and needs; by number.
 std::vector<bool> led_to(const Graph& graph, GroupId from);
 

@@ -5,6 +5,7 @@
 // are found per state, so that the cost is that of the possible pairs.
 
 #include "compiler/lower/steps.hpp"
+#include "compiler/model/causers.hpp"
 
 #include <set>
 
@@ -36,19 +37,11 @@ Range add_intervals(const ValueSet& accepts, Lowered& out) {
 
 void lower_conditions(const Model& model, Lowered& out) {
   number_conditions(model, out);
-  IdTable<StateId, std::vector<ProviderId>> causers_of(model.states.size());
-  for (const ProviderId provider : model.providers.ids()) {
-    for (const ConditionUse& promise : model.providers[provider].causing) {
-      std::vector<ProviderId>& causers = causers_of[model.conditions[promise.id].state];
-      if (causers.empty() || causers.back() != provider) causers.push_back(provider);
-    }
-  }
+  const Causers causers_of = find_causers(model);
   for (const ConditionId id : out.condition_ids) {
     const Condition& condition = model.conditions[id];
     std::vector<Index> causers;
-    for (const ProviderId provider : causers_of[condition.state]) {
-      if (model.causes(provider, id)) causers.push_back(row(provider));
-    }
+    for (const ProviderId provider : causers_of[id]) causers.push_back(row(provider));
     director::Condition lowered;
     lowered.state = row(condition.state);
     lowered.accepts = add_intervals(condition.accepts, out);

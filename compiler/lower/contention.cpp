@@ -18,6 +18,7 @@
 #include "compiler/lower/contention.hpp"
 
 #include "compiler/graph/algorithms.hpp"
+#include "compiler/graph/graph.hpp"
 
 #include <algorithm>
 #include <set>
@@ -74,10 +75,8 @@ Contentions::Contentions(const Model& model, std::size_t pairs, std::size_t part
       place_(model.groups.size(), 0),
       is_requested_(model.groups.size(), false),
       cycle_(model.groups.size(), 0) {
-  const auto root = static_cast<Node>(model.groups.size());
-  Arrows arrows(root + 1);
-  for (const Edge& edge : model.edges)
-    arrows[edge.requester ? edge.requester->value : root].push_back(edge.target.value);
+  const Node root = root_node(model);
+  const Arrows arrows = edge_arrows(model);
   std::size_t place = 0;
   for (const Node node : topological_order(arrows)) {
     if (node != root) place_[GroupId{node}] = ++place;

@@ -101,4 +101,21 @@ ValueSet ValueSet::without(const ValueSet& other) const {
   return out;
 }
 
+std::vector<ValueSet::Interval> pieces_of(std::int64_t low, std::int64_t high,
+                                          const std::vector<const ValueSet*>& sets) {
+  std::vector<std::int64_t> begins{low};
+  for (const ValueSet* set : sets) {
+    for (const ValueSet::Interval& interval : set->intervals()) {
+      if (low < interval.low && interval.low <= high) begins.push_back(interval.low);
+      if (low <= interval.high && interval.high < high) begins.push_back(interval.high + 1);
+    }
+  }
+  std::sort(begins.begin(), begins.end());
+  begins.erase(std::unique(begins.begin(), begins.end()), begins.end());
+  std::vector<ValueSet::Interval> out;
+  for (std::size_t i = 0; i < begins.size(); ++i)
+    out.push_back({begins[i], i + 1 < begins.size() ? begins[i + 1] - 1 : high});
+  return out;
+}
+
 } // namespace director::compiler

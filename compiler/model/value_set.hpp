@@ -38,4 +38,9 @@ private:
   std::vector<Interval> intervals_;
 };
 
+/// The domain low..high, cut where one of these sets begins or ends: within a piece, each of them contains all values
+/// or none.
+std::vector<ValueSet::Interval> pieces_of(std::int64_t low, std::int64_t high,
+                                          const std::vector<const ValueSet*>& sets);
+
 } // namespace director::compiler

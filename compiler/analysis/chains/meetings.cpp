@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/chains/meetings.hpp"
 
+#include "compiler/graph/graph.hpp"
+
 #include <algorithm>
 #include <tuple>
 
@@ -161,7 +163,7 @@ bool Chains::may_beat(GroupId waiter, GroupId other) const {
 
 bool Chains::always_below(GroupId group, GroupId other) const {
   if (!below_) {
-    const auto root = static_cast<Node>(model_.groups.size());
+    const Node root = root_node(model_);
     Arrows arrows(root + 1);
     for (const Together& together : together_) {
       std::vector<Node>& row = arrows[together.provider ? model_.providers[*together.provider].group.value : root];

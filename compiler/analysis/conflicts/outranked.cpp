@@ -3,7 +3,6 @@
 #include "compiler/analysis/conflicts/outranked.hpp"
 
 #include "compiler/analysis/requests/company.hpp"
-#include "compiler/analysis/requests/standstill.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/sources.hpp"
 
@@ -20,8 +19,7 @@ public:
       : model_(input.model),
         facts_(input.facts),
         shared_(input.shared),
-        sources_(find_sources(input.model)),
-        standstill_(model_, facts_, shared_.requests(), shared_.causers(), shared_.budget()) {}
+        sources_(find_sources(input.model)) {}
 
   std::vector<Outranked> run() {
     for (const ProviderId waiter : model_.providers.ids()) {
@@ -47,7 +45,7 @@ private:
     for (const Request& request : shared_.requests().of(model_.providers[waiter].group)) {
       if (!request.requester) continue;
       const std::optional<Company::Rank> rank = company_of(groups).find_outranking(request);
-      if (!rank || !standstill_.may_wait(request, waiter, use)) continue;
+      if (!rank || !shared_.standstill().may_wait(request, waiter, use)) continue;
       if (rank->need == nullptr && (others_push(want, *rank) || is_pushed_company(*rank))) continue;
       out_.push_back({waiter, use, want.causers, request.task, rank->waits, rank->first, rank->need, rank->needer});
     }
@@ -103,7 +101,6 @@ private:
   const Facts& facts_;
   const Shared& shared_;
   IdTable<StateId, std::vector<Source>> sources_;
-  Standstill standstill_;
   std::map<std::vector<GroupId>, Company> companies_; ///< of causing groups
   std::vector<Outranked> out_;
 };

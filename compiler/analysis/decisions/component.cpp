@@ -110,24 +110,14 @@ private:
   void add_state(StateId id, Row row, const std::vector<Source>& sources) {
     const State& state = model_.states[id];
     std::map<std::vector<bool>, ValueSet> kinds;
-    std::vector<std::int64_t> begins{state.low};
+    std::vector<const ValueSet*> accepted;
     for (const auto& [condition, unused] : condition_) {
-      if (model_.conditions[condition].state != id) continue;
-      for (const ValueSet::Interval& interval : model_.conditions[condition].accepts.intervals()) {
-        for (const std::int64_t at : {interval.low, interval.high + 1}) {
-          if (at > state.low && at <= state.high) begins.push_back(at);
-        }
-      }
+      if (model_.conditions[condition].state == id) accepted.push_back(&model_.conditions[condition].accepts);
     }
-    std::sort(begins.begin(), begins.end());
-    begins.erase(std::unique(begins.begin(), begins.end()), begins.end());
-    for (std::size_t i = 0; i < begins.size(); ++i) {
+    for (const ValueSet::Interval& piece : pieces_of(state.low, state.high, accepted)) {
       std::vector<bool> satisfied;
-      for (const auto& [condition, unused] : condition_)
-        satisfied.push_back(model_.conditions[condition].state == id &&
-                            model_.conditions[condition].accepts.contains(begins[i]));
-      const std::int64_t end = i + 1 < begins.size() ? begins[i + 1] - 1 : state.high;
-      kinds[satisfied].add_last({begins[i], end});
+      for (const ValueSet* accepts : accepted) satisfied.push_back(accepts->contains(piece.low));
+      kinds[satisfied].add_last(piece);
     }
     if (kinds.size() > Component::most_values) too_many_ = true;
     for (const auto& [unused, values] : kinds) kinds_[row].push_back(values);

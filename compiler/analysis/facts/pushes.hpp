@@ -7,14 +7,11 @@
 #include "compiler/analysis/chains/sparse_set.hpp"
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/facts/waiting.hpp"
+#include "compiler/model/causers.hpp"
 
 #include <optional>
 
 namespace director::analysis {
-
-/// For each condition the providers that cause it, in order.
-using Causers = IdTable<ConditionId, std::vector<ProviderId>>;
-Causers find_causers(const Model& model);
 
 /// What all searches for pushes share. Requests and values are those of `facts` at construction.
 class Pushes {

@@ -67,6 +67,11 @@ Units& Shared::units() const {
   return *units_;
 }
 
+Standstill& Shared::standstill() const {
+  if (!standstill_) standstill_.emplace(model_, facts_, requests(), causers(), budget_);
+  return *standstill_;
+}
+
 const Branches& Shared::branches() const {
   if (!branches_)
     branches_.emplace(model_,

@@ -12,6 +12,7 @@
 #include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/plans/plans.hpp"
 #include "compiler/analysis/requests/requests.hpp"
+#include "compiler/analysis/requests/standstill.hpp"
 #include "compiler/analysis/states/choice.hpp"
 
 #include <map>
@@ -46,6 +47,7 @@ public:
   const Indispensable& indispensable() const;
   const Rivals& rivals() const;
   Units& units() const;
+  Standstill& standstill() const;
   /// Of the providers that may be active.
   const Branches& branches() const;
   /// What a task for this group may come to hold, by providers that may be active.
@@ -70,6 +72,7 @@ private:
   mutable std::optional<Indispensable> indispensable_;
   mutable std::optional<Rivals> rivals_;
   mutable std::optional<Units> units_;
+  mutable std::optional<Standstill> standstill_;
   mutable std::optional<Branches> branches_;
   mutable std::map<GroupId, Claims> claims_;
   mutable std::map<std::pair<GroupId, GroupId>, Claims> claims_without_;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/states/choice.hpp"
 
+#include "compiler/graph/graph.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -13,14 +15,6 @@ namespace {
 constexpr std::size_t most_ways = 16;
 
 constexpr std::size_t most_providers = std::numeric_limits<std::size_t>::max();
-
-DominatorTree tree_of(const Model& model) {
-  const auto root = static_cast<Node>(model.groups.size());
-  Arrows arrows(root + 1);
-  for (const Edge& edge : model.edges)
-    arrows[edge.requester ? edge.requester->value : root].push_back(edge.target.value);
-  return {arrows, root};
-}
 
 void find_parties(const Model& model, ProviderId rival, std::set<GroupId>& out) {
   if (model.providers[rival].needs.empty()) return;
@@ -45,7 +39,7 @@ Rivals::Rivals(const Model& model, const IdSet<EdgeId>& holding, const IdSet<Pro
       active_(active),
       place_(model.providers.size()),
       deciding_(model.groups.size(), most_providers),
-      below_(tree_of(model)) {
+      below_(edge_arrows(model), root_node(model)) {
   for (const GroupId id : model.groups.ids()) {
     const Group& group = model.groups[id];
     std::vector<Region> regions;

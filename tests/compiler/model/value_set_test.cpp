@@ -49,6 +49,17 @@ TEST_CASE("what two sets have in common") {
   CHECK(of({1}).intersected(of({2})).empty());
 }
 
+TEST_CASE("a domain is cut where a set begins or ends") {
+  using Pieces = std::vector<ValueSet::Interval>;
+  const ValueSet middle = ValueSet::interval(3, 5), beyond = ValueSet::interval(-4, 20);
+  CHECK(pieces_of(0, 9, {}) == Pieces{{0, 9}});
+  CHECK(pieces_of(0, 9, {&middle, &beyond}) == Pieces{{0, 2}, {3, 5}, {6, 9}});
+  const ValueSet first = of({0}), last = of({5, 9});
+  CHECK(pieces_of(0, 9, {&middle, &first, &last}) == Pieces{{0, 0}, {1, 2}, {3, 4}, {5, 5}, {6, 8}, {9, 9}});
+  const ValueSet all = ValueSet::interval(least, most);
+  CHECK(pieces_of(least, most, {&all}) == Pieces{{least, most}});
+}
+
 TEST_CASE("subsets, members and counts") {
   CHECK(of({3, 5}).subset_of(ValueSet::interval(3, 5)));
   CHECK_FALSE(ValueSet::interval(3, 5).subset_of(of({3, 5})));
