@@ -35,7 +35,20 @@ void Outbox::observe(void* self, const Event& event) {
   case Event::Kind::given: return;
   case Event::Kind::set: // for the promises, which are no decisions
   case Event::Kind::broken: return out.put(event, 0);
-  default: return out.put(event, ++out.number_);
+  case Event::Kind::run:
+  case Event::Kind::start:
+  case Event::Kind::stop:
+  case Event::Kind::done:
+  case Event::Kind::failed:
+  case Event::Kind::grant:
+  case Event::Kind::lose:
+  case Event::Kind::queue:
+  case Event::Kind::push:
+  case Event::Kind::release:
+  case Event::Kind::refused:
+  case Event::Kind::fault:
+  case Event::Kind::exhausted:
+  case Event::Kind::lost: return out.put(event, ++out.number_);
   }
 }
 

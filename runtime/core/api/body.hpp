@@ -31,6 +31,9 @@ struct Domain {
 struct Allowed {
   Index state = nil;
   std::int32_t low = 0, high = 0;
+  constexpr bool has(Setting setting) const {
+    return setting.state == state && low <= setting.value && setting.value <= high;
+  }
 };
 
 /// Base of Facts with defaults for what a provider or handler does not declare.
@@ -69,9 +72,7 @@ void this_value_is_not_declared_in_causing_or_sets();
 
 template <class Facts>
 constexpr bool may_set(Setting setting) {
-  return any(Facts::sets, [&](const Allowed& allowed) {
-    return allowed.state == setting.state && allowed.low <= setting.value && setting.value <= allowed.high;
-  });
+  return any(Facts::sets, [&](const Allowed& allowed) { return allowed.has(setting); });
 }
 
 template <class Facts>

@@ -78,13 +78,13 @@ DataPlace Engine::data_of(Index group) const {
   return {DataPlace::Slot::edge, edge};
 }
 
-// The functions of a body's context.
+// The functions of the contexts of bodies.
 
 Time Run::now() const { return engine_.now(); }
 RunState Run::state(Index edge) const { return engine_.state(edge); }
 bool Run::done(Index edge) const { return engine_.answered(edge, result::done); }
 bool Run::failed(Index edge) const { return engine_.answered(edge, result::failed); }
-DataPlace Run::data() const { return engine_.data_of(group_); }
+DataPlace Call::data() const { return engine_.data_of(group_); }
 
 /// Only the last answer of a run counts.
 void Run::forget_pack() {
@@ -103,7 +103,7 @@ bool Run::triggered(Index trigger) const {
              [&](Index slot) { return x.t.listened[slot] == trigger && x.s.fired[slot] != 0; });
 }
 
-void Run::refuse(Index state, std::int32_t value) {
+void Call::refuse(Index state, std::int32_t value) {
   if (engine_.observed()) engine_.report_value(Event::Kind::refused, group_, provider_, state, value);
 }
 

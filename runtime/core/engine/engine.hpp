@@ -117,6 +117,7 @@ public:
   const State& memory() const { return x_.s; }  ///< all that changes
 
 private:
+  friend class Call;
   friend class Run;
   friend class Handling;
   friend class LoadedState; // saved/saved_state.cpp

@@ -81,17 +81,9 @@ void Engine::set_by_handler(Index state, std::int32_t value) {
   merged = value;
 }
 
-// The functions of a handler's context.
-
-DataPlace Handling::data() const { return engine_.data_of(group_); }
-
 void Handling::set(Index state, std::int32_t value) {
   if (engine_.observed()) engine_.report_value(Event::Kind::assign, group_, nil, state, value);
   engine_.set_by_handler(state, value);
-}
-
-void Handling::refuse(Index state, std::int32_t value) {
-  if (engine_.observed()) engine_.report_value(Event::Kind::refused, group_, nil, state, value);
 }
 
 } // namespace director

@@ -20,21 +20,36 @@ struct DataPlace {
   Index index = 0; ///< edge, or group
 };
 
-class Run {
+/// What the contexts of bodies and of handlers have in common.
+class Call {
+public:
+  Index group() const { return group_; }
+  Reasons reasons() const { return reasons_; } ///< of a handler: started or stopped
+  DataPlace data() const; ///< of the task that the run is for; of a handler: that the group got last
+  void refuse(Index state, std::int32_t value); ///< reports a value that is not declared
+
+protected:
+  Call(Engine& engine, Index group, Index provider, Reasons reasons)
+      : engine_(engine),
+        group_(group),
+        provider_(provider),
+        reasons_(reasons) {}
+  Engine& engine_;
+  Index group_, provider_; ///< a handler has no provider: nil
+  Reasons reasons_;
+};
+
+class Run : public Call {
 public:
   Index provider() const { return provider_; }
-  Index group() const { return group_; }
-  Reasons reasons() const { return reasons_; }
   Time now() const;
   bool triggered(Index trigger) const; ///< this trigger fired since the last run
   RunState state(Index edge) const;    ///< of the target of an edge of this group
   bool done(Index edge) const;         ///< its answer was done or fail; only while running
   bool failed(Index edge) const;       ///< its answer was fail; only while running
-  DataPlace data() const;              ///< of the task that this run is for
 
-  void set(Index state, std::int32_t value);    ///< the last value counts; the caller checks that it is declared
-  void refuse(Index state, std::int32_t value); ///< reports a value that is not declared
-  void wait(Time duration);                     ///< above 0; the last call counts
+  void set(Index state, std::int32_t value); ///< the last value counts; the caller checks that it is declared
+  void wait(Time duration);                  ///< above 0; the last call counts
   /// Begins an answer that requests tasks: what an earlier one of this run requested does not count.
   void begin_pack() {
     if (begun_) forget_pack();
@@ -62,42 +77,29 @@ private:
   friend class Engine;
   friend struct testing::Access;
   Run(Engine& engine, const State& state, Index first_edge, Index group, Index provider, Reasons reasons)
-      : engine_(engine),
+      : Call(engine, group, provider, reasons),
         request_(state.request),
         staged_(state.staged_request),
-        first_edge_(first_edge),
-        group_(group),
-        provider_(provider),
-        reasons_(reasons) {}
+        first_edge_(first_edge) {}
   [[gnu::cold]] void forget_pack();
-  Engine& engine_;
   const Requested* request_;
   Staged* staged_;
-  Index first_edge_; ///< the first edge of its group
-  Index group_, provider_;
-  Reasons reasons_;
+  Index first_edge_;   ///< the first edge of its group
   bool begun_ = false; ///< an answer that requests tasks was begun
   std::uint16_t pack_ = 0;
   Time wait_ = 0;
 };
 
 /// The context of a start or stop handler.
-class Handling {
+class Handling : public Call {
 public:
-  Index group() const { return group_; }
-  Reasons reasons() const { return reasons_; } ///< started or stopped
-  DataPlace data() const;                      ///< of the task that the group got last
   void set(Index state, std::int32_t value);
-  void refuse(Index state, std::int32_t value);
   void fault() { faulted_ = true; } ///< the handler threw
 
 private:
   friend class Engine;
   friend struct testing::Access;
-  Handling(Engine& engine, Index group, Reasons reasons) : engine_(engine), group_(group), reasons_(reasons) {}
-  Engine& engine_;
-  Index group_;
-  Reasons reasons_;
+  Handling(Engine& engine, Index group, Reasons reasons) : Call(engine, group, nil, reasons) {}
   bool faulted_ = false;
 };
 
