@@ -113,31 +113,25 @@ int hand_over(const std::string& text, const std::string& output, Console& conso
   return clean;
 }
 
-/// After that step (0: at the end), or at that time. Empty, and prints why, if a body violates its declaration, or the
-/// scenario ends before.
-std::optional<Moment> moment_in(const LoadedScenario& loaded, std::uint32_t step, std::optional<std::int64_t> time,
-                                const dsl::Sources& sources, Console& console) {
+struct Reached {
+  Moment moment;
+  bool ended_early = false; ///< in its step; no other one follows
+};
+
+/// The moment after that step (0: at the end), or at that time. Empty, and prints why, if it is not reached.
+std::optional<Reached> moment_in(const LoadedScenario& loaded, std::uint32_t step, std::optional<std::int64_t> time,
+                                 const dsl::Sources& sources, Console& console) {
   Moment out;
-  PlayOptions options;
-  options.steps = step;
-  options.until = time;
-  options.end = [&](const Engine& engine) { out = moment_of(view_of(engine), loaded.model, loaded.lowered); };
-  const Played played = play(loaded.scenario, loaded.model, loaded.lowered, options, [](const Happening&) {});
-  if (played.refused) {
-    print_findings({*played.refused}, sources, console.err, console.err_colours, console.err_width);
-    return {};
-  }
-  if (played.budget_exhausted) {
-    print_early_end(played, sources[loaded.file].path(), console);
-    return {};
-  }
-  if (played.last_step == 0) return out;
-  const std::vector<std::string>& shown = loaded.scenario.steps[played.last_step - 1].shown;
-  Microseconds now = time_after(loaded.scenario, played.last_step);
+  const auto end = [&](const Engine& engine) { out = moment_of(view_of(engine), loaded.model, loaded.lowered); };
+  const std::optional<Played> played = play_to(loaded, step, time, end, sources, console);
+  if (!played) return std::nullopt;
+  if (played->last_step == 0) return Reached{out};
+  const std::vector<std::string>& shown = loaded.scenario.steps[played->last_step - 1].shown;
+  Microseconds now = time_after(loaded.scenario, played->last_step);
   if (time) now = std::min(now, *time);
-  out.title = fmt::format("{} step {} ({}), at {}", time ? "in" : "after", played.last_step, fmt::join(shown, ", "),
+  out.title = fmt::format("{} step {} ({}), at {}", time ? "in" : "after", played->last_step, fmt::join(shown, ", "),
                           exact_seconds(now));
-  return out;
+  return Reached{out, played->budget_exhausted};
 }
 
 std::string_view ending_of(Format format) {
@@ -165,11 +159,13 @@ int draw_moments(const DrawGraph& request, Console& console) {
   std::optional<PictureOptions> options = options_of(request, subject, console);
   if (!options) return misused;
   std::vector<Moment> moments;
-  for (std::uint32_t step = request.frames ? 1 : request.step; step <= (request.frames ? steps : request.step);
-       ++step) {
-    std::optional<Moment> moment = moment_in(loaded, step, request.time, sources, console);
-    if (!moment) return found;
-    moments.push_back(std::move(*moment));
+  int status = clean;
+  const std::uint32_t last = request.frames ? steps : request.step;
+  for (std::uint32_t step = request.frames ? 1 : request.step; step <= last && status == clean; ++step) {
+    std::optional<Reached> reached = moment_in(loaded, step, request.time, sources, console);
+    if (!reached) return found;
+    moments.push_back(std::move(reached->moment));
+    if (reached->ended_early) status = found;
   }
   if (request.frames && (request.format == Format::dot || request.format == Format::svg)) options->frames = moments;
   std::vector<Output> frames;
@@ -178,7 +174,7 @@ int draw_moments(const DrawGraph& request, Console& console) {
     options->moment = moment;
     const std::optional<std::string> text = drawn(subject, sources, request, *options, console);
     if (!text) return misused;
-    if (!request.frames) return hand_over(*text, request.output, console);
+    if (!request.frames) return std::max(status, hand_over(*text, request.output, console));
     const std::string name = fmt::format("step_{:0{}}.{}", frames.size() + 1, digits, ending_of(request.format));
     frames.push_back({(std::filesystem::path(request.output) / name).string(), *text, is_document});
   }
@@ -191,7 +187,7 @@ int draw_moments(const DrawGraph& request, Console& console) {
     return number.find_first_not_of("0123456789") == std::string_view::npos;
   };
   print_earlier_outputs(request.output, frames, is_frame, "frame", console);
-  return clean;
+  return status;
 }
 
 } // namespace

@@ -25,25 +25,17 @@ int run(const Why& request, Console& console) {
   }
   if (!has_moment(loaded, request.scenario, request.step, request.time, console)) return misused;
   Reasoning reasoning;
-  PlayOptions options;
-  options.steps = request.step;
-  options.until = request.time;
-  options.end = [&](const Engine& engine) {
+  const auto end = [&](const Engine& engine) {
     reasoning = reason_why(view_of(engine), *group, loaded.model, loaded.lowered);
   };
-  const Played played = play(loaded.scenario, loaded.model, loaded.lowered, options, [](const Happening&) {});
-  if (played.refused) {
-    print_findings({*played.refused}, sources, console.err, console.err_colours, console.err_width);
-    return found;
-  }
-  if (played.budget_exhausted) print_early_end(played, request.scenario, console);
-  if (request.step > played.last_step) return found;
+  const std::optional<Played> played = play_to(loaded, request.step, request.time, end, sources, console);
+  if (!played) return found;
   if (request.format == Format::json) {
     console.out << to_line(to_json(reasoning, sources)) << '\n';
   } else {
     console.out << to_text(reasoning, sources, console.out_colours);
   }
-  return played.budget_exhausted ? found : clean;
+  return played->budget_exhausted ? found : clean;
 }
 
 } // namespace director::compiler::cli

@@ -107,6 +107,22 @@ bool has_moment(const LoadedScenario& loaded, const std::string& file, std::uint
   return ends.empty();
 }
 
+std::optional<Played> play_to(const LoadedScenario& loaded, std::uint32_t step, std::optional<Time> time,
+                              std::function<void(const Engine&)> end, const dsl::Sources& sources, Console& console) {
+  PlayOptions options;
+  options.steps = step;
+  options.until = time;
+  options.end = std::move(end);
+  Played played = play(loaded.scenario, loaded.model, loaded.lowered, options, [](const Happening&) {});
+  if (played.refused) {
+    print_findings({*played.refused}, sources, console.err, console.err_colours, console.err_width);
+    return std::nullopt;
+  }
+  if (played.budget_exhausted) print_early_end(played, sources[loaded.file].path(), console);
+  if (step > played.last_step) return std::nullopt;
+  return played;
+}
+
 void print_early_end(const Played& played, const std::string& file, Console& console) {
   const std::string why =
       played.too_many_stops ? "too much is due" : "the engine does not come to rest" + words_of_round(played);

@@ -33,6 +33,12 @@ LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Con
 bool has_moment(const LoadedScenario& loaded, const std::string& file, std::uint32_t step,
                 std::optional<std::int64_t> time, Console& console);
 
+/// Plays to the end of that step (0: of the scenario), or to that time, and hands the engine to `end`. Empty, and
+/// prints why, if a body violates its declaration, or the scenario ends before because the engine did not come to rest.
+/// What ends early in that step itself is printed too, and returned.
+std::optional<Played> play_to(const LoadedScenario& loaded, std::uint32_t step, std::optional<Time> time,
+                              std::function<void(const Engine&)> end, const dsl::Sources& sources, Console& console);
+
 /// Prints in which step the scenario ended early, because the engine did not come to rest.
 void print_early_end(const Played& played, const std::string& file, Console& console);
 

@@ -132,6 +132,13 @@ TEST_CASE("a step that is not played, because the engine does not come to rest b
   CHECK(world.directorc({"graph", "b.scenario.yaml", "--step", "2"}) == 1);
   CHECK(world.out.empty());
   CHECK(world.err == ends);
+  CHECK(world.directorc({"graph", "b.scenario.yaml", "--step", "1"}) == 1);
+  CHECK(world.out.find("after step 1 (request Busy), at 0 s") != std::string::npos);
+  CHECK(world.err == ends);
+  CHECK(world.directorc({"graph", "b.scenario.yaml", "--frames", "-o", "frames"}) == 1);
+  CHECK(world.outputs.files.count("frames/step_1.dot") == 1);
+  CHECK(world.outputs.files.count("frames/step_2.dot") == 0);
+  CHECK(world.err == ends);
 }
 
 TEST_CASE("the spec of a file with errors is printed, and the exit status says that there are errors") {
