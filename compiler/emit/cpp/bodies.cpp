@@ -189,7 +189,7 @@ Code bodies_part(const CppEmission& e) {
   code.block(called_from_inside);
   code.blank();
   code.comment("What the engine calls.");
-  code.open("struct Bodies {");
+  code.open("struct [[gnu::visibility(\"hidden\")]] Bodies {");
   code.block(common);
   call_bodies(code, e);
   call_handlers(code, e, "start", &Group::start);

@@ -86,7 +86,8 @@ void state_facts(Code& code, const CppEmission& e) {
     code.line("#pragma GCC diagnostic error \"-Wswitch\"");
   }
   code.open_list("struct States final : director::Table<", rows, "> {");
-  code.open(fmt::format("static constexpr std::array<director::Domain, {}> domains{{{{", rows.size()));
+  code.open(fmt::format("[[gnu::visibility(\"hidden\")]] static constexpr std::array<director::Domain, {}> domains{{{{",
+                        rows.size()));
   for (const State& state : e.model.states) {
     code.line(fmt::format("{{.low = {}, .high = {}, .external = {}}}, // {}", state.low, state.high, state.external,
                           state.name.value));
@@ -129,7 +130,9 @@ void whole_facts(Code& code, const CppEmission& e) {
   }
   for (const ProviderId id : e.model.providers.ids())
     providers.push_back(fmt::format("director::Row<{}, {}>", provider_in(e.model, id), id.value));
-  code.list(fmt::format("static constexpr std::array<std::uint16_t, {}> places{{", places.size()), places, "};");
+  code.list(fmt::format("[[gnu::visibility(\"hidden\")]] static constexpr std::array<std::uint16_t, {}> places{{",
+                        places.size()),
+            places, "};");
   code.line("using Data = detail::Data;");
   code.line("using States = detail::States;");
   code.list("using Roots = director::Pack<", roots, ">;");

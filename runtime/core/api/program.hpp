@@ -175,7 +175,9 @@ private:
   std::array<Inbox::Cell, Facts::inbox_cells> cells_;
   std::array<OverflowSlot, OverflowSlotOf<Facts>::count> overflow_slots_;
   static constexpr std::size_t memory_bytes = State::bytes(Facts::shape);
-  static constexpr auto layout = [] {
+  // Hidden, as two shared libraries may each have a version of one behaviour: g++ gives such data one address in a
+  // process.
+  [[gnu::visibility("hidden")]] static constexpr auto layout = [] {
     constexpr State::Layout wide = State::layout(Facts::shape);
     using Offset = std::conditional_t<(memory_bytes >> 16 == 0), std::uint16_t, std::uint32_t>;
     std::array<Offset, State::arrays + 1> out{};

@@ -3,6 +3,9 @@
 
 #include "runtime/core/engine/engine.hpp"
 
+/// Names this file to the linker, for shared libraries: others may call their engine, and need other parts.
+extern "C" [[gnu::used]] const char director_whole_engine = 0;
+
 namespace director {
 
 namespace {
