@@ -41,8 +41,8 @@ struct Verdict {
 
 /// Climbs both chains at equal height; the last pair of different edges is where they part: all below it belongs to one
 /// side only. Cost: the longer chain. `above(place)`: the next edge of its chain; nil behind the last.
-template <class Above, class Optional>
-Parting parting(Place a, Place b, Index length_a, Index length_b, const Above& above, const Optional& optional) {
+template <class Next, class Optional>
+Parting parting(Place a, Place b, Index length_a, Index length_b, const Next& above, const Optional& optional) {
   bool optional_a = false, optional_b = false;
   const auto climb = [&](Place& place, bool& is_optional) {
     is_optional = is_optional || optional(place.edge);

@@ -70,7 +70,7 @@ void each_in_line(Context& x, Index group, Take&& take) {
 /// that are below this group are reached; and once one is reached, all others.
 void check_lines(Context& x, Index group) {
   const auto end = static_cast<Index>(x.s.place[group] + x.s.extent[group]);
-  for (WaitingLine& line : std::span(x.lines).first(x.line_count)) {
+  for (WaitingLine& line : std::span(x.waiting_lines).first(x.line_count)) {
     if (line.first >= end || holder_now(x, line.group) != nil) continue;
     line.first = nil;
     bool found = false;
@@ -174,13 +174,13 @@ void reach_users(Context& x, Index group) {
   x.disturbed = true;
   open(x, group);
   bool line = false;
-  const bool has_room = x.line_count < x.lines.size();
+  const bool has_room = x.line_count < x.waiting_lines.size();
   each_user_edge(x, group, [&](Index e) { // a request in line depends on its target alone
     const bool is_target = x.t.edges[e].target == group;
     if (!is_in_line(x, e) || (is_target && !has_room)) return reach_edge(x, e);
     line = line || is_target;
   });
-  if (line) x.lines[x.line_count++] = {group, 0, false};
+  if (line) x.waiting_lines[x.line_count++] = {group, 0, false};
 }
 
 /// Reaches the group and all groups below it: its holder differs, or has another place in the order.

@@ -209,7 +209,7 @@ bool copy_unchanged_rest(Context& x, Index root) {
         static_cast<Index>(x.t.edges.size()); // no edge: it is not called again, which costs more than it saves
     return false;
   }
-  for (const WaitingLine& line : std::span(x.lines).first(x.line_count)) {
+  for (const WaitingLine& line : std::span(x.waiting_lines).first(x.line_count)) {
     if (line.first != nil && holder_now(x, line.group) == nil) return false;
   }
   Index from = x.s.order_count[x.component];

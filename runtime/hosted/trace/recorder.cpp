@@ -68,6 +68,7 @@ Recorder::Recorder(std::unique_ptr<TraceFormat> format, const std::string& path,
   options_.interval = within_a_day(options.interval);
   format_->begin(buffer_);
   write_buffer();
+#ifdef __cpp_exceptions
   try {
     writer_ = std::thread([this] { write_all(); });
   } catch (const std::system_error& problem) {
@@ -75,6 +76,9 @@ Recorder::Recorder(std::unique_ptr<TraceFormat> format, const std::string& path,
     stop_ = true;
     ::close(std::exchange(file_, -1));
   }
+#else
+  writer_ = std::thread([this] { write_all(); });
+#endif
 }
 
 Recorder::~Recorder() { close(); }
