@@ -95,7 +95,7 @@ Outcome ScriptedBodies::run(Run& run) {
     const auto level = static_cast<Index>(tables_.edges[edge].levels.begin + task.level);
     if (run.request(edge, level, task.keep)) data_.stage(edge, task.data);
   }
-  return run.pack();
+  return run.pack(static_cast<std::uint16_t>(found->named_pack.value_or(0)));
 }
 
 void ScriptedBodies::handle(Handling& handling, const IdTable<GroupId, Body>& bodies,

@@ -259,6 +259,17 @@ TEST_CASE("a line that names an event, and that no recorder would have written, 
       refused);
 }
 
+TEST_CASE("an answer has the place of the pack that a scenario names") {
+  World world;
+  world.files.add("robot.yaml", "behaviour: robot\nlanguage: 1\nroots: [Play]\ngroups:\n"
+                                "  Play: {packs: {a: [Head], b: [Legs]}}\n  Head: {}\n  Legs: {}\n");
+  world.files.add("s.yaml", "scenario: packs\nbehaviour: robot.yaml\nscript: {Play: {pack: b}}\n"
+                            "steps:\n  - request: Play\n");
+  REQUIRE(world.directorc({"simulate", "s.yaml", "--trace", "run.jsonl"}) == 0);
+  CHECK(traced_line(trace_in(world), 6) ==
+        R"({"t":0,"n":2,"event":"answer","group":"Play","provider":"default","answer":"pack","pack":1})");
+}
+
 TEST_CASE("the same behaviour decides the same") {
   World world = with_trace();
   CHECK(world.directorc({"replay", "run.jsonl"}) == 0);
