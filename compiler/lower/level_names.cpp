@@ -22,4 +22,29 @@ std::vector<std::string> level_names(const Model& model, const Lowered& lowered)
   return out;
 }
 
+std::vector<LevelUse> level_uses(const Model& model, const Lowered& lowered) {
+  const Tables tables = lowered.view();
+  std::vector<LevelUse> out;
+  const auto add = [&](const std::vector<Task>& tasks, LevelUse use) {
+    for (const Task& task : tasks) {
+      use.edge = static_cast<Index>(task.edge.value);
+      for (const Task::NamedLevel& each : task.levels) {
+        use.level = static_cast<Index>(tables.edges[use.edge].levels.begin + each.level);
+        use.name = each.name.c_str();
+        out.push_back(use);
+      }
+    }
+  };
+  add(model.roots, {});
+  for (const ProviderId id : model.providers.ids()) {
+    LevelUse use{.provider = static_cast<Index>(id.value)};
+    for (const Pack& pack : model.providers[id].packs) {
+      use.pack_name = pack.name.c_str();
+      add(pack.tasks, use);
+      ++use.pack;
+    }
+  }
+  return out;
+}
+
 } // namespace director::compiler

@@ -9,6 +9,7 @@ namespace director::compiler {
 RowNames::RowNames(const Model& model, const Lowered& lowered) : tables_(lowered.view()) {
   texts_.behaviour = model.name;
   texts_.levels = level_names(model, lowered);
+  for (const LevelUse& use : level_uses(model, lowered)) texts_.add(use);
   for (const Group& group : model.groups) texts_.groups.push_back(group.name.value);
   for (const Provider& provider : model.providers) texts_.providers.push_back(provider.name);
   for (const EdgeId id : model.edges.ids()) texts_.edges.push_back(model.edge_name(id));

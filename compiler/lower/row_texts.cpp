@@ -22,6 +22,12 @@ const char* find_value(const void* self, Index state, std::int32_t number) {
 
 } // namespace
 
+void RowTexts::add(LevelUse use) {
+  use.pack_name = kept_.emplace(use.pack_name).first->c_str();
+  use.name = kept_.emplace(use.name).first->c_str();
+  level_uses.push_back(use);
+}
+
 director::Names RowTexts::names(const Tables& tables) const {
   return {.self = this,
           .group = &find<&RowTexts::groups>,
@@ -33,7 +39,8 @@ director::Names RowTexts::names(const Tables& tables) const {
           .trigger = &find<&RowTexts::triggers>,
           .level = &find<&RowTexts::levels>,
           .tables = &tables,
-          .behaviour = behaviour.c_str()};
+          .behaviour = behaviour.c_str(),
+          .level_uses = level_uses};
 }
 
 } // namespace director::compiler

@@ -47,7 +47,10 @@ bool find_word(Word& out, Word last, const std::string& name) {
 
 class EventReading {
 public:
-  EventReading(const Lookup& lookup, const Json& line) : l_(lookup), json_(line) {}
+  EventReading(const Lookup& lookup, const Json& line, bool reads_level)
+      : l_(lookup),
+        json_(line),
+        reads_level_(reads_level) {}
 
   Lookup::Found read() {
     if (json_.is_object() && !json_["director_trace"].is_null())
@@ -136,7 +139,7 @@ private:
     }
     if (problem_.empty() && !json_["value"].is_null()) value();
     const bool asks = e_.kind == Event::Kind::ask || e_.kind == Event::Kind::keep || e_.input == Event::Input::request;
-    if (problem_.empty() && asks) level();
+    if (problem_.empty() && asks && reads_level_) level();
   }
 
   /// Members that a handler of the event assumes to be present.
@@ -221,10 +224,12 @@ private:
 
   const Lookup& l_;
   const Json& json_;
+  const bool reads_level_;
   Event e_;
   std::string problem_;
 };
 
-Lookup::Found Lookup::event(const Json& line) const { return EventReading(*this, line).read(); }
+Lookup::Found Lookup::event(const Json& line) const { return EventReading(*this, line, true).read(); }
+Lookup::Found Lookup::event_without_level(const Json& line) const { return EventReading(*this, line, false).read(); }
 
 } // namespace director::compiler

@@ -25,6 +25,8 @@ public:
     std::string problem; ///< why the line is no event of this behaviour; empty: it is one
   };
   Found event(const Json& line) const;
+  /// The same, but the event has no level: another version's names and places of levels say nothing about this one.
+  Found event_without_level(const Json& line) const;
 
 private:
   using Rows = std::map<std::string, Index, std::less<>>;

@@ -59,6 +59,7 @@ bool RecordedNames::read_rows(const Json& header) {
     row.levels.begin = static_cast<Index>(texts_.levels.size());
     for (const std::string& level : edge["levels"].as_texts()) texts_.levels.push_back(level);
     row.levels.end = static_cast<Index>(texts_.levels.size());
+    level_rows_.resize(texts_.levels.size());
     texts_.edges.push_back(name);
     edge_rows_.push_back(row);
     if (row.requester == nil) tables_.root_edges = static_cast<Index>(edge_rows_.size());
@@ -74,11 +75,39 @@ bool RecordedNames::read_rows(const Json& header) {
     if (initial.is_text() && value == values.end()) return false;
     row.initial = static_cast<std::int32_t>(initial.is_text() ? value - values.begin() : initial.as_number());
   }
+  for (const Json& use : header["level_uses"].items()) {
+    if (!read_use(use)) return false;
+  }
   texts_.triggers = header["triggers"].as_texts();
   texts_.conditions = header["conditions"].as_texts();
-  level_rows_.resize(texts_.levels.size());
   condition_rows_.resize(texts_.conditions.size());
   trigger_rows_.resize(texts_.triggers.size());
+  return true;
+}
+
+bool RecordedNames::read_use(const Json& json) {
+  const auto edge = std::find(texts_.edges.begin(), texts_.edges.end(), json["edge"].as_text());
+  if (edge == texts_.edges.end()) return false;
+  LevelUse use;
+  use.edge = static_cast<Index>(edge - texts_.edges.begin());
+  const director::Edge& row = edge_rows_[use.edge];
+  if (use.edge >= tables_.root_edges) {
+    const director::Range own = group_rows_[row.requester].providers;
+    const auto begin = texts_.providers.begin() + own.begin, end = texts_.providers.begin() + own.end;
+    const auto provider = std::find(begin, end, json["provider"].as_text());
+    if (provider == end) return false;
+    use.provider = static_cast<Index>(provider - texts_.providers.begin());
+  }
+  const std::int64_t place = json["level"].as_number();
+  if (place < 0 || place >= row.levels.size()) return false;
+  use.level = static_cast<Index>(row.levels.begin + place);
+  use.pack = static_cast<std::uint16_t>(json["pack"].as_number());
+  use.pack_name = json["pack_name"].as_text().c_str();
+  use.name = json["name"].as_text().c_str();
+  texts_.add(use);
+  level_rows_[use.level].priority = static_cast<std::int32_t>(json["priority"].as_number());
+  level_rows_[use.level].optional = json["optional"].as_boolean();
+  level_rows_[use.level].apart = json["apart"].as_boolean();
   return true;
 }
 

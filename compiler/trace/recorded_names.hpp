@@ -25,6 +25,7 @@ public:
 
 private:
   bool read_rows(const Json& header);
+  bool read_use(const Json& json);
 
   RowTexts texts_;
   std::vector<director::Group> group_rows_;

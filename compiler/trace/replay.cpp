@@ -11,11 +11,13 @@
 #include "compiler/trace/replay.hpp"
 
 #include "compiler/trace/event_words.hpp"
+#include "compiler/trace/level_map.hpp"
 #include "compiler/trace/lookup.hpp"
 #include "runtime/core/engine/engine.hpp"
 #include "runtime/hosted/engine_memory.hpp"
 #include "runtime/hosted/trace/json_lines.hpp"
 
+#include <algorithm>
 #include <deque>
 #include <tuple>
 #include <utility>
@@ -28,6 +30,11 @@ namespace {
 constexpr std::size_t most_records = 4096;           ///< of one input
 constexpr std::uint32_t most_silent_steps = 100'000; ///< micro-steps without an event
 
+/// Why a request is not replayed.
+constexpr const char* untold =
+    "the level of this request cannot be told: no level of the pack has the recorded name, or means the same; or the "
+    "recorded one has several names";
+
 using Kind = Event::Kind;
 
 class Replayer {
@@ -38,6 +45,7 @@ public:
         names_(names),
         recorded_names_(recorded == nullptr ? names : *recorded),
         is_other_(recorded != nullptr),
+        maps_levels_(is_other_ && !recorded->level_uses.empty()),
         tables_(*names.tables),
         lookup_(names),
         recorded_lookup_(recorded_names_),
@@ -74,7 +82,8 @@ private:
     Json json;
     Event event;
     std::uint64_t dropped = 0;
-    std::string problem; ///< why this behaviour has no such event
+    std::string problem;    ///< why this behaviour has no such event
+    bool is_untold = false; ///< the problem is that its level cannot be told
   };
 
   /// Makes one micro-step, in the step of this event or, if what is left of the step before has no event, in that.
@@ -113,9 +122,10 @@ private:
       if (!line) return nullptr;
       Recorded recorded{line->number, std::move(line->text), std::move(line->json), {}, line->dropped, {}};
       if (line->dropped == 0) {
-        Lookup::Found found = lookup_.event(recorded.json);
+        Lookup::Found found = maps_levels_ ? lookup_.event_without_level(recorded.json) : lookup_.event(recorded.json);
         recorded.event = found.event;
         recorded.problem = std::move(found.problem);
+        if (maps_levels_ && recorded.problem.empty()) find_level(recorded);
         bool skips = is(&recorded, Kind::exhausted) || is(&recorded, Kind::lost);
         if (skips) {
           recorded.problem = damage_of(recorded, recorded_lookup_.event(recorded.json));
@@ -127,6 +137,17 @@ private:
       waiting_.push_back(std::move(recorded));
     }
     return &waiting_[places];
+  }
+
+  void find_level(Recorded& recorded) {
+    if (recorded.event.kind == Kind::answer) answer_ = recorded_lookup_.event(recorded.json).event;
+    if (!has_level(recorded.event)) return;
+    const Lookup::Found was = recorded_lookup_.event(recorded.json);
+    recorded.problem = was.problem;
+    if (!was.problem.empty()) return;
+    recorded.event.level = same_level(recorded_names_, was.event, answer_, names_, recorded.event.edge);
+    recorded.is_untold = recorded.event.level == nil;
+    if (recorded.is_untold) recorded.problem = untold;
   }
 
   /// The next event; null: the trace ends here.
@@ -147,6 +168,11 @@ private:
 
   static bool is(const Recorded* recorded, Kind kind) {
     return recorded != nullptr && recorded->dropped == 0 && recorded->problem.empty() && recorded->event.kind == kind;
+  }
+
+  static bool has_level(const Event& event) {
+    return event.kind == Kind::ask || event.kind == Kind::keep ||
+           (event.kind == Kind::input && event.input == Event::Input::request);
   }
 
   // Inputs.
@@ -285,15 +311,18 @@ private:
 
   void tell(const Event& event) {
     if (over_ || event.kind == Kind::exhausted) return;
-    const Recorded* const recorded = ahead(0);
+    const Recorded* recorded = ahead(0);
     if (recorded == nullptr || recorded->dropped != 0) {
       coming(); // the trace ended in the middle of a micro-step
       over_ = true;
       return;
     }
+    if (recorded->is_untold) return differ(nullptr);
     line_.clear();
     append_event(event, names_, line_);
-    if (line_ != recorded->text) return differ(&event);
+    if (line_ != expected(*recorded) && !(is_other_ && comes_later())) return differ(&event);
+    recorded = ahead(0);
+    if (recorded->is_untold) return differ(nullptr);
     if (is_other_) {
       const std::string damage = damage_of(*recorded, recorded_lookup_.event(recorded->json));
       if (!damage.empty()) return cannot_read(recorded->line, damage);
@@ -301,6 +330,29 @@ private:
     if (watch_ != nullptr) watch_->event(event, recorded->line);
     waiting_.pop_front();
     ++out_.events;
+  }
+
+  /// The recorded line, as it is written with the levels of this version.
+  std::string expected(const Recorded& recorded) const {
+    if (!maps_levels_ || !recorded.problem.empty() || !has_level(recorded.event)) return recorded.text;
+    std::string out;
+    append_event(recorded.event, names_, out);
+    return out;
+  }
+
+  /// Whether the event is a later one of the requests of the same run: their order is that of their declaration, and
+  /// no decision. This one, or one whose level cannot be told, becomes the next.
+  bool comes_later() {
+    for (std::size_t i = 0; const Recorded* const each = ahead(i); ++i) {
+      const Kind kind = each->event.kind;
+      const bool is_request = kind == Kind::ask || kind == Kind::keep || kind == Kind::withdraw;
+      if (!is_request || each->dropped != 0 || (!each->problem.empty() && !each->is_untold)) break;
+      if (!each->is_untold && line_ != expected(*each)) continue;
+      const auto at = waiting_.begin() + static_cast<std::ptrdiff_t>(i);
+      std::rotate(waiting_.begin(), at, at + 1);
+      return true;
+    }
+    return false;
   }
 
   void cannot_read(std::size_t line, std::string problem) {
@@ -334,6 +386,7 @@ private:
     } else {
       found.recorded = words_of(was.event, recorded_names_);
       found.replayed = recorded.problem.empty() ? "nothing" : recorded.problem;
+      found.is_untold = recorded.is_untold;
     }
     out_.difference = found;
   }
@@ -342,9 +395,11 @@ private:
   ReplayWatch* const watch_;
   const director::Names names_;
   const director::Names recorded_names_;
-  const bool is_other_; ///< another version was recorded
+  const bool is_other_;    ///< another version was recorded
+  const bool maps_levels_; ///< ... and the trace says what its levels mean
   const Tables& tables_;
   Lookup lookup_, recorded_lookup_;
+  Event answer_; ///< the last recorded one, with the rows of the recorded version
   std::deque<Recorded> waiting_;
   Replayed out_;
   bool over_ = false;

@@ -11,63 +11,58 @@ namespace chase_ball {
 namespace {
 
 constexpr std::array<director::Group, 2> groups{{
-    {.providers = {0, 2},
-     .edges = {1, 2},
-     .requesters = {3, 4},
-     .listens = {0, 1},
-     .users = {11, 12},
-     .conditional = true},                                                          // ChaseBall
-    {.providers = {2, 3}, .requesters = {4, 5}, .users = {12, 13}, .simple = true}, // Wheels
+  {.providers = {0, 2}, .edges = {1, 2}, .requesters = {3, 4}, .listens = {0, 1}, .users = {11, 12}, .conditional = true}, // ChaseBall
+  {.providers = {2, 3}, .requesters = {4, 5}, .users = {12, 13}, .simple = true}, // Wheels
 }};
 constexpr std::array<director::Provider, 3> providers{{
-    {.when = {0, 1}, .triggers = {1, 2}}, // ChaseBall.driving
-    {},                                   // ChaseBall.turning
-    {.group = 1},                         // Wheels
+  {.when = {0, 1}, .triggers = {1, 2}}, // ChaseBall.driving
+  {}, // ChaseBall.turning
+  {.group = 1}, // Wheels
 }};
 constexpr std::array<director::Edge, 2> edges{{
-    {.levels = {0, 1}},                              // root>ChaseBall
-    {.requester = 0, .target = 1, .levels = {1, 2}}, // ChaseBall>Wheels
+  {.levels = {0, 1}}, // root>ChaseBall
+  {.requester = 0, .target = 1, .levels = {1, 2}}, // ChaseBall>Wheels
 }};
 constexpr std::array<director::Level, 2> levels{{
-    {}, // root>ChaseBall
-    {}, // ChaseBall>Wheels
+  {}, // root>ChaseBall
+  {}, // ChaseBall>Wheels
 }};
 constexpr std::array<director::Condition, 1> conditions{{
-    {.accepts = {0, 1}, .components = {10, 11}, .groups = {13, 14}}, // Ball == seen
+  {.accepts = {0, 1}, .components = {10, 11}, .groups = {13, 14}}, // Ball == seen
 }};
 constexpr std::array<director::Interval, 1> intervals{{
-    {.low = 1, .high = 1}, // Ball == seen
+  {.low = 1, .high = 1}, // Ball == seen
 }};
 constexpr std::array<director::StateVariable, 1> states{{
-    {.initial = 0, .expires = 500000, .expires_to = 0, .external = true, .conditions = {9, 10}}, // Ball
+  {.initial = 0, .expires = 500000, .expires_to = 0, .external = true, .conditions = {9, 10}}, // Ball
 }};
 constexpr std::array<director::Trigger, 1> triggers{{
-    {.listeners = {2, 3}}, // Picture
+  {.listeners = {2, 3}}, // Picture
 }};
 constexpr std::array<director::Promise, 0> promises{};
 constexpr std::array<director::TableIndex, 14> lists{0, 0, 0, 0, 1, 0, 1, 0, 1, 0, 0, 0, 1, 0};
 constexpr std::array<director::Component, 1> components{{
-    {.groups = {5, 7}, .edges = {7, 9}}, // ChaseBall, Wheels
+  {.groups = {5, 7}, .edges = {7, 9}}, // ChaseBall, Wheels
 }};
 constexpr std::array<director::TableIndex, 0> plan_groups{};
 constexpr std::array<director::TableIndex, 1> listened{0};
 
 constexpr director::Tables rows{
-    .groups = groups,
-    .providers = providers,
-    .edges = edges,
-    .levels = levels,
-    .conditions = conditions,
-    .intervals = intervals,
-    .states = states,
-    .triggers = triggers,
-    .promises = promises,
-    .lists = lists,
-    .components = components,
-    .plan_groups = plan_groups,
-    .listened = listened,
-    .root_edges = 1,
-    .most_edges = 1,
+  .groups = groups,
+  .providers = providers,
+  .edges = edges,
+  .levels = levels,
+  .conditions = conditions,
+  .intervals = intervals,
+  .states = states,
+  .triggers = triggers,
+  .promises = promises,
+  .lists = lists,
+  .components = components,
+  .plan_groups = plan_groups,
+  .listened = listened,
+  .root_edges = 1,
+  .most_edges = 1,
 };
 static_assert(director::State::bytes(director::Shape::of(rows)) == director::State::bytes(detail::Whole::shape));
 
@@ -91,7 +86,7 @@ void Whole::called_from_inside() {
 struct [[gnu::visibility("hidden")]] Bodies {
   /// What the user's code throws waits in the behaviour until the micro-step is over.
   template <class Call, class Fault>
-  static auto guarded([[maybe_unused]] Behaviour & behaviour, Call call, [[maybe_unused]] Fault fault) {
+  static auto guarded([[maybe_unused]] Behaviour& behaviour, Call call, [[maybe_unused]] Fault fault) {
 #ifdef __cpp_exceptions
     try {
       return call();
@@ -104,22 +99,22 @@ struct [[gnu::visibility("hidden")]] Bodies {
 #endif
   }
 
-  // The body is chosen by its exact type: to resolve a call among the bodies of a large module costs the compiler much
-  // more.
+  // The body is chosen by its exact type: to resolve a call among the bodies of a large module costs the compiler much more.
   template <class Context>
-  [[gnu::always_inline]] static director::Outcome provide(Behaviour & behaviour, director::Run & run) {
+  [[gnu::always_inline]] static director::Outcome provide(Behaviour& behaviour, director::Run& run) {
     using Module = typename Facts<Context>::Module;
     constexpr director::Outcome (Module::*body)(Context&) = &Module::provide;
     Context context{run, behaviour.data()};
     return (behaviour.modules_.template of<Module>().*body)(context);
   }
 
-  static director::Outcome run_0(Behaviour & behaviour, director::Run & run);
+  static director::Outcome run_0(Behaviour& behaviour, director::Run& run);
   static director::Outcome run(void* self, director::Run& run) {
     static constexpr std::array<director::Outcome (*)(Behaviour&, director::Run&), 1> blocks{&run_0};
     Behaviour& behaviour = *static_cast<Behaviour*>(self);
     return guarded(
-        behaviour, [&] { return blocks[run.provider() / 32](behaviour, run); }, [&] { return run.fault(); });
+        behaviour, [&] { return blocks[run.provider() / 32](behaviour, run); },
+        [&] { return run.fault(); });
   }
 
   static void data(void* self, director::Bodies::Data what, director::Index edge, director::Index handle) {
@@ -131,7 +126,9 @@ struct [[gnu::visibility("hidden")]] Bodies {
     }
   }
 
-  static director::Bodies of(Behaviour & behaviour) { return {.self = &behaviour, .run = &run, .data = &data}; }
+  static director::Bodies of(Behaviour& behaviour) {
+    return {.self = &behaviour, .run = &run, .data = &data};
+  }
 };
 
 } // namespace detail
@@ -149,8 +146,7 @@ director::Outcome chase_ball::detail::Bodies::run_0(Behaviour& behaviour, direct
 namespace chase_ball {
 
 Behaviour::Behaviour(detail::chase_ball_behaviour_a7a083bb388b382b, Cart& module_0)
-    : Program(detail::Bodies::of(*this)),
-      modules_(module_0) {}
+    : Program(detail::Bodies::of(*this)), modules_(module_0) {}
 
 void Behaviour::throw_on() {
 #ifdef __cpp_exceptions
@@ -223,27 +219,27 @@ const char* level(director::Index row) {
 }
 
 const char* why(const director::Because& because, std::span<char> buffer) {
-  static constexpr director::Names some{.self = nullptr,
-                                        .group = [](const void*, director::Index row) { return group(row); },
-                                        .provider = [](const void*, director::Index row) { return provider(row); },
-                                        .edge = [](const void*, director::Index row) { return edge(row); },
-                                        .condition = [](const void*, director::Index row) { return condition(row); }};
+  static constexpr director::Names some{
+      .self = nullptr, .group = [](const void*, director::Index row) { return group(row); },
+      .provider = [](const void*, director::Index row) { return provider(row); },
+      .edge = [](const void*, director::Index row) { return edge(row); },
+      .condition = [](const void*, director::Index row) { return condition(row); }};
   return director::to_text(because, some, buffer);
 }
 
 const director::Names& all() {
+  static constexpr std::array<director::LevelUse, 3> uses{{
+      {0, 0, director::nil, 0, "", ""}, {1, 1, 0, 0, "", ""}, {1, 1, 1, 0, "", ""}}};
   static constexpr director::Names every{
-      .self = nullptr,
-      .group = [](const void*, director::Index row) { return group(row); },
+      .self = nullptr, .group = [](const void*, director::Index row) { return group(row); },
       .provider = [](const void*, director::Index row) { return provider(row); },
       .edge = [](const void*, director::Index row) { return edge(row); },
       .condition = [](const void*, director::Index row) { return condition(row); },
       .state = [](const void*, director::Index row) { return state(row); },
       .value = [](const void*, director::Index row, std::int32_t number) { return value(row, number); },
       .trigger = [](const void*, director::Index row) { return trigger(row); },
-      .level = [](const void*, director::Index row) { return level(row); },
-      .tables = &rows,
-      .behaviour = "chase_ball"};
+      .level = [](const void*, director::Index row) { return level(row); }, .tables = &rows, .behaviour = "chase_ball",
+      .level_uses = uses};
   return every;
 }
 

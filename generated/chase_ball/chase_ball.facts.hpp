@@ -31,26 +31,18 @@ struct Facts<Wheels> {
 
 struct States final : director::Table<director::Row<Ball, 0>> {
   [[gnu::visibility("hidden")]] static constexpr std::array<director::Domain, 1> domains{{
-      {.low = 0, .high = 1, .external = true}, // Ball
+    {.low = 0, .high = 1, .external = true}, // Ball
   }};
-  static constexpr director::Setting setting(Ball value) { return {0, static_cast<std::int32_t>(value)}; }
+  static constexpr director::Setting setting(Ball value) {
+    return {0, static_cast<std::int32_t>(value)};
+  }
 };
 
 /// The behaviour as a whole.
 struct Whole final {
-  static constexpr director::Shape shape{.groups = 2,
-                                         .providers = 3,
-                                         .edges = 2,
-                                         .conditions = 1,
-                                         .states = 1,
-                                         .promises = 0,
-                                         .plan_slots = 0,
-                                         .listen_slots = 1,
-                                         .most_edges = 1,
-                                         .components = 1,
-                                         .lacking = 1,
-                                         .pushable = 0,
-                                         .altered = 0};
+  static constexpr director::Shape shape{
+      .groups = 2, .providers = 3, .edges = 2, .conditions = 1, .states = 1, .promises = 0, .plan_slots = 0,
+      .listen_slots = 1, .most_edges = 1, .components = 1, .lacking = 1, .pushable = 0, .altered = 0};
   static const director::Tables& tables();
   static std::uint64_t fingerprint();
   static void called_from_inside();
@@ -60,8 +52,8 @@ struct Whole final {
   using States = detail::States;
   using Roots = director::Pack<director::Member<ChaseBall, 0, 0, 0>>;
   using Triggers = director::Table<director::Row<Picture, 0>>;
-  using Providers = director::Table<director::Row<ChaseBall::Driving, 0>, director::Row<ChaseBall::Turning, 1>,
-                                    director::Row<Wheels::Default, 2>>;
+  using Providers = director::Table<
+      director::Row<ChaseBall::Driving, 0>, director::Row<ChaseBall::Turning, 1>, director::Row<Wheels::Default, 2>>;
   using Groups = director::Table<director::Row<ChaseBall, 0>, director::Row<Wheels, 1>>;
 };
 

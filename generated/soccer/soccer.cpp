@@ -11,296 +11,219 @@ namespace soccer {
 namespace {
 
 constexpr std::array<director::Group, 24> groups{{
-    {.providers = {0, 1}, .edges = {2, 6}, .requesters = {49, 50}, .users = {174, 175}, .deniable = true}, // Brace
-    {.providers = {1, 4},
-     .edges = {6, 10},
-     .requesters = {50, 51},
-     .owned = {51, 52},
-     .users = {175, 176},
-     .conditional = true,
-     .deniable = true}, // GetUp
-    {.providers = {4, 7},
-     .edges = {10, 12},
-     .requesters = {52, 53},
-     .users = {176, 177},
-     .conditional = true}, // FallRecovery
-    {.providers = {7, 9},
-     .edges = {12, 16},
-     .requesters = {53, 56},
-     .users = {177, 178},
-     .start = true,
-     .stop = true,
-     .equals = true,
-     .deniable = true}, // Walk
-    {.providers = {9, 10},
-     .edges = {16, 18},
-     .requesters = {56, 57},
-     .users = {178, 179},
-     .conditional = true,
-     .deniable = true},                                                                                      // Kick
-    {.providers = {10, 11}, .edges = {18, 19}, .requesters = {57, 59}, .users = {179, 180}},                 // LookAt
-    {.providers = {11, 12}, .edges = {19, 20}, .requesters = {59, 61}, .users = {180, 181}, .simple = true}, // WalkTo
-    {.providers = {12, 13},
-     .edges = {20, 23},
-     .requesters = {61, 62},
-     .listens = {0, 1},
-     .users = {181, 182},
-     .simple = true}, // KickTo
-    {.providers = {13, 16},
-     .edges = {23, 27},
-     .requesters = {62, 63},
-     .users = {182, 183},
-     .conditional = true}, // Striker
-    {.providers = {16, 17},
-     .edges = {27, 28},
-     .requesters = {63, 64},
-     .users = {183, 184},
-     .simple = true}, // KickToGoal
-    {.providers = {17, 20},
-     .edges = {28, 30},
-     .requesters = {64, 65},
-     .listens = {1, 2},
-     .users = {184, 185},
-     .conditional = true}, // WalkToBall
-    {.providers = {20, 21},
-     .edges = {30, 31},
-     .requesters = {65, 66},
-     .users = {185, 186},
-     .simple = true}, // WalkToReady
-    {.providers = {21, 23},
-     .edges = {31, 32},
-     .requesters = {66, 67},
-     .listens = {2, 3},
-     .users = {186, 187},
-     .conditional = true}, // Look
-    {.providers = {23, 24},
-     .requesters = {67, 70},
-     .users = {187, 190},
-     .simple = true,
-     .equals = true,
-     .deniable = true}, // LeftArm
-    {.providers = {24, 25},
-     .requesters = {70, 73},
-     .users = {190, 193},
-     .simple = true,
-     .equals = true,
-     .deniable = true},                                                                   // RightArm
-    {.providers = {25, 26}, .requesters = {73, 74}, .users = {193, 195}, .simple = true}, // Head
-    {.providers = {26, 27},
-     .edges = {32, 35},
-     .requesters = {74, 78},
-     .users = {195, 200},
-     .simple = true,
-     .equals = true,
-     .deniable = true}, // LeftLeg
-    {.providers = {27, 28},
-     .edges = {35, 38},
-     .requesters = {78, 82},
-     .users = {200, 205},
-     .simple = true,
-     .equals = true,
-     .deniable = true},                                                                   // RightLeg
-    {.providers = {28, 29}, .requesters = {82, 83}, .users = {205, 206}, .simple = true}, // LeftHipYaw
-    {.providers = {29, 30}, .requesters = {83, 84}, .users = {206, 207}, .simple = true}, // LeftKnee
-    {.providers = {30, 31}, .requesters = {84, 85}, .users = {207, 208}, .simple = true}, // LeftAnkle
-    {.providers = {31, 32}, .requesters = {85, 86}, .users = {208, 209}, .simple = true}, // RightHipYaw
-    {.providers = {32, 33}, .requesters = {86, 87}, .users = {209, 210}, .simple = true}, // RightKnee
-    {.providers = {33, 34}, .requesters = {87, 88}, .users = {210, 211}, .simple = true}, // RightAnkle
+  {.providers = {0, 1}, .edges = {2, 6}, .requesters = {49, 50}, .users = {174, 175}, .deniable = true}, // Brace
+  {.providers = {1, 4}, .edges = {6, 10}, .requesters = {50, 51}, .owned = {51, 52}, .users = {175, 176}, .conditional = true, .deniable = true}, // GetUp
+  {.providers = {4, 7}, .edges = {10, 12}, .requesters = {52, 53}, .users = {176, 177}, .conditional = true}, // FallRecovery
+  {.providers = {7, 9}, .edges = {12, 16}, .requesters = {53, 56}, .users = {177, 178}, .start = true, .stop = true, .equals = true, .deniable = true}, // Walk
+  {.providers = {9, 10}, .edges = {16, 18}, .requesters = {56, 57}, .users = {178, 179}, .conditional = true, .deniable = true}, // Kick
+  {.providers = {10, 11}, .edges = {18, 19}, .requesters = {57, 59}, .users = {179, 180}}, // LookAt
+  {.providers = {11, 12}, .edges = {19, 20}, .requesters = {59, 61}, .users = {180, 181}, .simple = true}, // WalkTo
+  {.providers = {12, 13}, .edges = {20, 23}, .requesters = {61, 62}, .listens = {0, 1}, .users = {181, 182}, .simple = true}, // KickTo
+  {.providers = {13, 16}, .edges = {23, 27}, .requesters = {62, 63}, .users = {182, 183}, .conditional = true}, // Striker
+  {.providers = {16, 17}, .edges = {27, 28}, .requesters = {63, 64}, .users = {183, 184}, .simple = true}, // KickToGoal
+  {.providers = {17, 20}, .edges = {28, 30}, .requesters = {64, 65}, .listens = {1, 2}, .users = {184, 185}, .conditional = true}, // WalkToBall
+  {.providers = {20, 21}, .edges = {30, 31}, .requesters = {65, 66}, .users = {185, 186}, .simple = true}, // WalkToReady
+  {.providers = {21, 23}, .edges = {31, 32}, .requesters = {66, 67}, .listens = {2, 3}, .users = {186, 187}, .conditional = true}, // Look
+  {.providers = {23, 24}, .requesters = {67, 70}, .users = {187, 190}, .simple = true, .equals = true, .deniable = true}, // LeftArm
+  {.providers = {24, 25}, .requesters = {70, 73}, .users = {190, 193}, .simple = true, .equals = true, .deniable = true}, // RightArm
+  {.providers = {25, 26}, .requesters = {73, 74}, .users = {193, 195}, .simple = true}, // Head
+  {.providers = {26, 27}, .edges = {32, 35}, .requesters = {74, 78}, .users = {195, 200}, .simple = true, .equals = true, .deniable = true}, // LeftLeg
+  {.providers = {27, 28}, .edges = {35, 38}, .requesters = {78, 82}, .users = {200, 205}, .simple = true, .equals = true, .deniable = true}, // RightLeg
+  {.providers = {28, 29}, .requesters = {82, 83}, .users = {205, 206}, .simple = true}, // LeftHipYaw
+  {.providers = {29, 30}, .requesters = {83, 84}, .users = {206, 207}, .simple = true}, // LeftKnee
+  {.providers = {30, 31}, .requesters = {84, 85}, .users = {207, 208}, .simple = true}, // LeftAnkle
+  {.providers = {31, 32}, .requesters = {85, 86}, .users = {208, 209}, .simple = true}, // RightHipYaw
+  {.providers = {32, 33}, .requesters = {86, 87}, .users = {209, 210}, .simple = true}, // RightKnee
+  {.providers = {33, 34}, .requesters = {87, 88}, .users = {210, 211}, .simple = true}, // RightAnkle
 }};
 constexpr std::array<director::Provider, 34> providers{{
-    {.needs = {2, 6}},                                 // Brace
-    {.group = 1, .when = {6, 7}, .needs = {7, 11}},    // GetUp.tucking
-    {.group = 1, .when = {11, 12}, .needs = {12, 16}}, // GetUp.pushing
-    {.group = 1, .when = {16, 17}, .needs = {17, 21}}, // GetUp.rising
-    {.group = 2, .when = {21, 22}},                    // FallRecovery.recovering
-    {.group = 2, .when = {22, 23}},                    // FallRecovery.protecting
-    {.group = 2},                                      // FallRecovery.watching
-    {.group = 3, .needs = {23, 25}},                   // Walk.walking
-    {.group = 3, .needs = {25, 27}, .effects = {27, 29}, .causing = {29, 30}, .promises = {0, 1}}, // Walk.halting
-    {.group = 4, .when = {30, 31}, .stay = {31, 32}, .needs = {32, 34}},                           // Kick
-    {.group = 5, .needs = {34, 35}},                                                               // LookAt
-    {.group = 6},                                                                                  // WalkTo
-    {.group = 7, .triggers = {35, 36}},                                                            // KickTo
-    {.group = 8, .when = {36, 37}},                                                                // Striker.playing
-    {.group = 8, .when = {37, 38}},                                                                // Striker.ready
-    {.group = 8},                                                                                  // Striker.waiting
-    {.group = 9},                                                                                  // KickToGoal
-    {.group = 10, .when = {38, 39}, .stay = {39, 40}, .triggers = {40, 41}}, // WalkToBall.creeping
-    {.group = 10, .when = {41, 42}, .triggers = {42, 43}},                   // WalkToBall.striding
-    {.group = 10},                                                           // WalkToBall.searching
-    {.group = 11},                                                           // WalkToReady
-    {.group = 12, .when = {43, 44}, .triggers = {44, 45}},                   // Look.tracking
-    {.group = 12, .every = 600000},                                          // Look.sweeping
-    {.group = 13},                                                           // LeftArm
-    {.group = 14},                                                           // RightArm
-    {.group = 15},                                                           // Head
-    {.group = 16},                                                           // LeftLeg
-    {.group = 17},                                                           // RightLeg
-    {.group = 18},                                                           // LeftHipYaw
-    {.group = 19},                                                           // LeftKnee
-    {.group = 20},                                                           // LeftAnkle
-    {.group = 21},                                                           // RightHipYaw
-    {.group = 22},                                                           // RightKnee
-    {.group = 23},                                                           // RightAnkle
+  {.needs = {2, 6}}, // Brace
+  {.group = 1, .when = {6, 7}, .needs = {7, 11}}, // GetUp.tucking
+  {.group = 1, .when = {11, 12}, .needs = {12, 16}}, // GetUp.pushing
+  {.group = 1, .when = {16, 17}, .needs = {17, 21}}, // GetUp.rising
+  {.group = 2, .when = {21, 22}}, // FallRecovery.recovering
+  {.group = 2, .when = {22, 23}}, // FallRecovery.protecting
+  {.group = 2}, // FallRecovery.watching
+  {.group = 3, .needs = {23, 25}}, // Walk.walking
+  {.group = 3, .needs = {25, 27}, .effects = {27, 29}, .causing = {29, 30}, .promises = {0, 1}}, // Walk.halting
+  {.group = 4, .when = {30, 31}, .stay = {31, 32}, .needs = {32, 34}}, // Kick
+  {.group = 5, .needs = {34, 35}}, // LookAt
+  {.group = 6}, // WalkTo
+  {.group = 7, .triggers = {35, 36}}, // KickTo
+  {.group = 8, .when = {36, 37}}, // Striker.playing
+  {.group = 8, .when = {37, 38}}, // Striker.ready
+  {.group = 8}, // Striker.waiting
+  {.group = 9}, // KickToGoal
+  {.group = 10, .when = {38, 39}, .stay = {39, 40}, .triggers = {40, 41}}, // WalkToBall.creeping
+  {.group = 10, .when = {41, 42}, .triggers = {42, 43}}, // WalkToBall.striding
+  {.group = 10}, // WalkToBall.searching
+  {.group = 11}, // WalkToReady
+  {.group = 12, .when = {43, 44}, .triggers = {44, 45}}, // Look.tracking
+  {.group = 12, .every = 600000}, // Look.sweeping
+  {.group = 13}, // LeftArm
+  {.group = 14}, // RightArm
+  {.group = 15}, // Head
+  {.group = 16}, // LeftLeg
+  {.group = 17}, // RightLeg
+  {.group = 18}, // LeftHipYaw
+  {.group = 19}, // LeftKnee
+  {.group = 20}, // LeftAnkle
+  {.group = 21}, // RightHipYaw
+  {.group = 22}, // RightKnee
+  {.group = 23}, // RightAnkle
 }};
 constexpr std::array<director::Edge, 38> edges{{
-    {.target = 2, .levels = {0, 1}},                                        // root>FallRecovery
-    {.target = 8, .levels = {1, 2}, .need_urgency = 1},                     // root>Striker
-    {.requester = 0, .target = 16, .levels = {2, 3}},                       // Brace>LeftLeg
-    {.requester = 0, .target = 17, .levels = {3, 4}},                       // Brace>RightLeg
-    {.requester = 0, .target = 13, .levels = {4, 5}},                       // Brace>LeftArm
-    {.requester = 0, .target = 14, .levels = {5, 6}},                       // Brace>RightArm
-    {.requester = 1, .target = 16, .levels = {6, 7}},                       // GetUp>LeftLeg
-    {.requester = 1, .target = 17, .levels = {7, 8}},                       // GetUp>RightLeg
-    {.requester = 1, .target = 13, .levels = {8, 9}},                       // GetUp>LeftArm
-    {.requester = 1, .target = 14, .levels = {9, 10}},                      // GetUp>RightArm
-    {.requester = 2, .target = 1, .levels = {10, 11}},                      // FallRecovery>GetUp
-    {.requester = 2, .levels = {11, 12}, .cluster_offset = 1},              // FallRecovery>Brace
-    {.requester = 3, .target = 16, .levels = {12, 13}},                     // Walk>LeftLeg
-    {.requester = 3, .target = 17, .levels = {13, 14}},                     // Walk>RightLeg
-    {.requester = 3, .target = 13, .levels = {14, 15}},                     // Walk>LeftArm
-    {.requester = 3, .target = 14, .levels = {15, 16}},                     // Walk>RightArm
-    {.requester = 4, .target = 16, .levels = {16, 17}},                     // Kick>LeftLeg
-    {.requester = 4, .target = 17, .levels = {17, 18}},                     // Kick>RightLeg
-    {.requester = 5, .target = 15, .levels = {18, 19}},                     // LookAt>Head
-    {.requester = 6, .target = 3, .levels = {19, 20}},                      // WalkTo>Walk
-    {.requester = 7, .target = 3, .levels = {20, 21}},                      // KickTo>Walk
-    {.requester = 7, .target = 4, .levels = {21, 22}, .cluster_offset = 1}, // KickTo>Kick
-    {.requester = 7, .target = 5, .levels = {22, 23}},                      // KickTo>LookAt
-    {.requester = 8, .target = 9, .levels = {23, 24}},                      // Striker>KickToGoal
-    {.requester = 8, .target = 10, .levels = {24, 25}, .need_urgency = 1},  // Striker>WalkToBall
-    {.requester = 8, .target = 12, .levels = {25, 27}, .need_urgency = 2},  // Striker>Look
-    {.requester = 8, .target = 11, .levels = {27, 28}, .need_urgency = 2},  // Striker>WalkToReady
-    {.requester = 9, .target = 7, .levels = {28, 29}},                      // KickToGoal>KickTo
-    {.requester = 10, .target = 6, .levels = {29, 30}},                     // WalkToBall>WalkTo
-    {.requester = 10, .target = 3, .levels = {30, 31}},                     // WalkToBall>Walk
-    {.requester = 11, .target = 6, .levels = {31, 32}},                     // WalkToReady>WalkTo
-    {.requester = 12, .target = 5, .levels = {32, 33}},                     // Look>LookAt
-    {.requester = 16, .target = 18, .levels = {33, 34}},                    // LeftLeg>LeftHipYaw
-    {.requester = 16, .target = 19, .levels = {34, 35}},                    // LeftLeg>LeftKnee
-    {.requester = 16, .target = 20, .levels = {35, 36}},                    // LeftLeg>LeftAnkle
-    {.requester = 17, .target = 21, .levels = {36, 37}},                    // RightLeg>RightHipYaw
-    {.requester = 17, .target = 22, .levels = {37, 38}},                    // RightLeg>RightKnee
-    {.requester = 17, .target = 23, .levels = {38, 39}},                    // RightLeg>RightAnkle
+  {.target = 2, .levels = {0, 1}}, // root>FallRecovery
+  {.target = 8, .levels = {1, 2}, .need_urgency = 1}, // root>Striker
+  {.requester = 0, .target = 16, .levels = {2, 3}}, // Brace>LeftLeg
+  {.requester = 0, .target = 17, .levels = {3, 4}}, // Brace>RightLeg
+  {.requester = 0, .target = 13, .levels = {4, 5}}, // Brace>LeftArm
+  {.requester = 0, .target = 14, .levels = {5, 6}}, // Brace>RightArm
+  {.requester = 1, .target = 16, .levels = {6, 7}}, // GetUp>LeftLeg
+  {.requester = 1, .target = 17, .levels = {7, 8}}, // GetUp>RightLeg
+  {.requester = 1, .target = 13, .levels = {8, 9}}, // GetUp>LeftArm
+  {.requester = 1, .target = 14, .levels = {9, 10}}, // GetUp>RightArm
+  {.requester = 2, .target = 1, .levels = {10, 11}}, // FallRecovery>GetUp
+  {.requester = 2, .levels = {11, 12}, .cluster_offset = 1}, // FallRecovery>Brace
+  {.requester = 3, .target = 16, .levels = {12, 13}}, // Walk>LeftLeg
+  {.requester = 3, .target = 17, .levels = {13, 14}}, // Walk>RightLeg
+  {.requester = 3, .target = 13, .levels = {14, 15}}, // Walk>LeftArm
+  {.requester = 3, .target = 14, .levels = {15, 16}}, // Walk>RightArm
+  {.requester = 4, .target = 16, .levels = {16, 17}}, // Kick>LeftLeg
+  {.requester = 4, .target = 17, .levels = {17, 18}}, // Kick>RightLeg
+  {.requester = 5, .target = 15, .levels = {18, 19}}, // LookAt>Head
+  {.requester = 6, .target = 3, .levels = {19, 20}}, // WalkTo>Walk
+  {.requester = 7, .target = 3, .levels = {20, 21}}, // KickTo>Walk
+  {.requester = 7, .target = 4, .levels = {21, 22}, .cluster_offset = 1}, // KickTo>Kick
+  {.requester = 7, .target = 5, .levels = {22, 23}}, // KickTo>LookAt
+  {.requester = 8, .target = 9, .levels = {23, 24}}, // Striker>KickToGoal
+  {.requester = 8, .target = 10, .levels = {24, 25}, .need_urgency = 1}, // Striker>WalkToBall
+  {.requester = 8, .target = 12, .levels = {25, 27}, .need_urgency = 2}, // Striker>Look
+  {.requester = 8, .target = 11, .levels = {27, 28}, .need_urgency = 2}, // Striker>WalkToReady
+  {.requester = 9, .target = 7, .levels = {28, 29}}, // KickToGoal>KickTo
+  {.requester = 10, .target = 6, .levels = {29, 30}}, // WalkToBall>WalkTo
+  {.requester = 10, .target = 3, .levels = {30, 31}}, // WalkToBall>Walk
+  {.requester = 11, .target = 6, .levels = {31, 32}}, // WalkToReady>WalkTo
+  {.requester = 12, .target = 5, .levels = {32, 33}}, // Look>LookAt
+  {.requester = 16, .target = 18, .levels = {33, 34}}, // LeftLeg>LeftHipYaw
+  {.requester = 16, .target = 19, .levels = {34, 35}}, // LeftLeg>LeftKnee
+  {.requester = 16, .target = 20, .levels = {35, 36}}, // LeftLeg>LeftAnkle
+  {.requester = 17, .target = 21, .levels = {36, 37}}, // RightLeg>RightHipYaw
+  {.requester = 17, .target = 22, .levels = {37, 38}}, // RightLeg>RightKnee
+  {.requester = 17, .target = 23, .levels = {38, 39}}, // RightLeg>RightAnkle
 }};
 constexpr std::array<director::Level, 39> levels{{
-    {.priority = 90},                 // root>FallRecovery
-    {.priority = 10, .urgency = 1},   // root>Striker
-    {},                               // Brace>LeftLeg
-    {},                               // Brace>RightLeg
-    {},                               // Brace>LeftArm
-    {},                               // Brace>RightArm
-    {},                               // GetUp>LeftLeg
-    {},                               // GetUp>RightLeg
-    {},                               // GetUp>LeftArm
-    {},                               // GetUp>RightArm
-    {},                               // FallRecovery>GetUp
-    {},                               // FallRecovery>Brace
-    {},                               // Walk>LeftLeg
-    {},                               // Walk>RightLeg
-    {.optional = true},               // Walk>LeftArm
-    {.optional = true},               // Walk>RightArm
-    {},                               // Kick>LeftLeg
-    {},                               // Kick>RightLeg
-    {},                               // LookAt>Head
-    {},                               // WalkTo>Walk
-    {},                               // KickTo>Walk
-    {},                               // KickTo>Kick
-    {.apart = true},                  // KickTo>LookAt
-    {.priority = 20},                 // Striker>KickToGoal
-    {.priority = 10, .urgency = 1},   // Striker>WalkToBall
-    {.urgency = 2, .optional = true}, // Striker>Look
-    {.urgency = 2},                   // Striker>Look
-    {.urgency = 2},                   // Striker>WalkToReady
-    {},                               // KickToGoal>KickTo
-    {},                               // WalkToBall>WalkTo
-    {},                               // WalkToBall>Walk
-    {},                               // WalkToReady>WalkTo
-    {},                               // Look>LookAt
-    {},                               // LeftLeg>LeftHipYaw
-    {},                               // LeftLeg>LeftKnee
-    {},                               // LeftLeg>LeftAnkle
-    {},                               // RightLeg>RightHipYaw
-    {},                               // RightLeg>RightKnee
-    {},                               // RightLeg>RightAnkle
+  {.priority = 90}, // root>FallRecovery
+  {.priority = 10, .urgency = 1}, // root>Striker
+  {}, // Brace>LeftLeg
+  {}, // Brace>RightLeg
+  {}, // Brace>LeftArm
+  {}, // Brace>RightArm
+  {}, // GetUp>LeftLeg
+  {}, // GetUp>RightLeg
+  {}, // GetUp>LeftArm
+  {}, // GetUp>RightArm
+  {}, // FallRecovery>GetUp
+  {}, // FallRecovery>Brace
+  {}, // Walk>LeftLeg
+  {}, // Walk>RightLeg
+  {.optional = true}, // Walk>LeftArm
+  {.optional = true}, // Walk>RightArm
+  {}, // Kick>LeftLeg
+  {}, // Kick>RightLeg
+  {}, // LookAt>Head
+  {}, // WalkTo>Walk
+  {}, // KickTo>Walk
+  {}, // KickTo>Kick
+  {.apart = true}, // KickTo>LookAt
+  {.priority = 20}, // Striker>KickToGoal
+  {.priority = 10, .urgency = 1}, // Striker>WalkToBall
+  {.urgency = 2, .optional = true}, // Striker>Look
+  {.urgency = 2}, // Striker>Look
+  {.urgency = 2}, // Striker>WalkToReady
+  {}, // KickToGoal>KickTo
+  {}, // WalkToBall>WalkTo
+  {}, // WalkToBall>Walk
+  {}, // WalkToReady>WalkTo
+  {}, // Look>LookAt
+  {}, // LeftLeg>LeftHipYaw
+  {}, // LeftLeg>LeftKnee
+  {}, // LeftLeg>LeftAnkle
+  {}, // RightLeg>RightHipYaw
+  {}, // RightLeg>RightKnee
+  {}, // RightLeg>RightAnkle
 }};
 constexpr std::array<director::Condition, 12> conditions{{
-    {.state = 3, .accepts = {0, 1}, .components = {171, 172}, .groups = {211, 212}}, // RisingStep == lying
-    {.state = 3, .accepts = {1, 2}, .components = {172, 173}, .groups = {212, 213}}, // RisingStep == tucked
-    {.state = 3, .accepts = {2, 3}, .components = {173, 174}, .groups = {213, 214}}, // RisingStep == kneeling
-    {.state = 1, .accepts = {3, 4}, .components = {158, 159}, .groups = {214, 215}}, // Stability == fallen
-    {.state = 1, .accepts = {4, 5}, .components = {159, 160}, .groups = {215, 216}}, // Stability == falling
-    {.state = 1, .accepts = {5, 6}, .causers = {0, 1}, .components = {160, 161}, .groups = {216, 217}}, // Stability ==
-                                                                                                        // standing
-    {.state = 1,
-     .accepts = {6, 8},
-     .causers = {1, 2},
-     .components = {161, 162},
-     .groups = {217, 218}},                                                            // Stability != fallen|falling
-    {.accepts = {8, 9}, .components = {152, 153}, .groups = {218, 219}},               // Phase == playing
-    {.accepts = {9, 10}, .components = {153, 154}, .groups = {219, 220}},              // Phase == ready
-    {.state = 2, .accepts = {10, 11}, .components = {165, 166}, .groups = {220, 221}}, // Ball == near
-    {.state = 2, .accepts = {11, 12}, .components = {166, 167}, .groups = {221, 222}}, // Ball >= close
-    {.state = 2, .accepts = {12, 13}, .components = {167, 168}, .groups = {222, 224}}, // Ball != lost
+  {.state = 3, .accepts = {0, 1}, .components = {171, 172}, .groups = {211, 212}}, // RisingStep == lying
+  {.state = 3, .accepts = {1, 2}, .components = {172, 173}, .groups = {212, 213}}, // RisingStep == tucked
+  {.state = 3, .accepts = {2, 3}, .components = {173, 174}, .groups = {213, 214}}, // RisingStep == kneeling
+  {.state = 1, .accepts = {3, 4}, .components = {158, 159}, .groups = {214, 215}}, // Stability == fallen
+  {.state = 1, .accepts = {4, 5}, .components = {159, 160}, .groups = {215, 216}}, // Stability == falling
+  {.state = 1, .accepts = {5, 6}, .causers = {0, 1}, .components = {160, 161}, .groups = {216, 217}}, // Stability == standing
+  {.state = 1, .accepts = {6, 8}, .causers = {1, 2}, .components = {161, 162}, .groups = {217, 218}}, // Stability != fallen|falling
+  {.accepts = {8, 9}, .components = {152, 153}, .groups = {218, 219}}, // Phase == playing
+  {.accepts = {9, 10}, .components = {153, 154}, .groups = {219, 220}}, // Phase == ready
+  {.state = 2, .accepts = {10, 11}, .components = {165, 166}, .groups = {220, 221}}, // Ball == near
+  {.state = 2, .accepts = {11, 12}, .components = {166, 167}, .groups = {221, 222}}, // Ball >= close
+  {.state = 2, .accepts = {12, 13}, .components = {167, 168}, .groups = {222, 224}}, // Ball != lost
 }};
 constexpr std::array<director::Interval, 13> intervals{{
-    {},                    // RisingStep == lying
-    {.low = 1, .high = 1}, // RisingStep == tucked
-    {.low = 2, .high = 2}, // RisingStep == kneeling
-    {.low = 1, .high = 1}, // Stability == fallen
-    {.low = 2, .high = 2}, // Stability == falling
-    {.low = 4, .high = 4}, // Stability == standing
-    {},                    // Stability != fallen|falling
-    {.low = 3, .high = 4}, // Stability != fallen|falling
-    {.low = 3, .high = 3}, // Phase == playing
-    {.low = 1, .high = 1}, // Phase == ready
-    {.low = 3, .high = 3}, // Ball == near
-    {.low = 2, .high = 3}, // Ball >= close
-    {.low = 1, .high = 3}, // Ball != lost
+  {}, // RisingStep == lying
+  {.low = 1, .high = 1}, // RisingStep == tucked
+  {.low = 2, .high = 2}, // RisingStep == kneeling
+  {.low = 1, .high = 1}, // Stability == fallen
+  {.low = 2, .high = 2}, // Stability == falling
+  {.low = 4, .high = 4}, // Stability == standing
+  {}, // Stability != fallen|falling
+  {.low = 3, .high = 4}, // Stability != fallen|falling
+  {.low = 3, .high = 3}, // Phase == playing
+  {.low = 1, .high = 1}, // Phase == ready
+  {.low = 3, .high = 3}, // Ball == near
+  {.low = 2, .high = 3}, // Ball >= close
+  {.low = 1, .high = 3}, // Ball != lost
 }};
 constexpr std::array<director::StateVariable, 4> states{{
-    {.initial = 0, .external = true, .conditions = {150, 152}},                                      // Phase
-    {.initial = 0, .external = true, .conditions = {154, 158}},                                      // Stability
-    {.initial = 0, .expires = 1000000, .expires_to = 0, .external = true, .conditions = {162, 165}}, // Ball
-    {.initial = 0, .owner = 1, .conditions = {168, 171}},                                            // RisingStep
+  {.initial = 0, .external = true, .conditions = {150, 152}}, // Phase
+  {.initial = 0, .external = true, .conditions = {154, 158}}, // Stability
+  {.initial = 0, .expires = 1000000, .expires_to = 0, .external = true, .conditions = {162, 165}}, // Ball
+  {.initial = 0, .owner = 1, .conditions = {168, 171}}, // RisingStep
 }};
 constexpr std::array<director::Trigger, 1> triggers{{
-    {.listeners = {45, 49}}, // Vision
+  {.listeners = {45, 49}}, // Vision
 }};
 constexpr std::array<director::Promise, 1> promises{{
-    {.provider = 8, .condition = 5, .within = 2000000}, // Walk.halting
+  {.provider = 8, .condition = 5, .within = 2000000}, // Walk.halting
 }};
 constexpr std::array<director::TableIndex, 224> lists{
-    8,  8,  2,  3,  4,  5,  0,  6,  7,  8,  9,  1,  6,  7,  8,  9,  2,  6,  7,  8,  9,  3,  4,  12, 13, 12, 13, 5,
-    6,  1,  5,  6,  16, 17, 18, 0,  7,  8,  9,  10, 0,  11, 0,  11, 0,  12, 17, 18, 21, 11, 10, 3,  0,  19, 20, 29,
-    21, 22, 31, 28, 30, 27, 1,  23, 24, 26, 25, 4,  8,  14, 5,  9,  15, 18, 2,  6,  12, 16, 3,  7,  13, 17, 32, 33,
-    34, 35, 36, 37, 0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23,
-    0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27,
-    28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 7,  8,  0,  0,  3,  4,  5,  6,  0,  0,  0,  0,  9,  10, 11, 0,  0,  0,
-    0,  1,  2,  0,  0,  0,  0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 0,  1,  13, 0,  1,  14, 5,  15, 0,
-    1,  3,  4,  16, 0,  1,  3,  4,  17, 18, 19, 20, 21, 22, 23, 1,  1,  1,  2,  2,  4,  4,  8,  8,  10, 10, 10, 12};
+    8, 8, 2, 3, 4, 5, 0, 6, 7, 8, 9, 1, 6, 7, 8, 9, 2, 6, 7, 8, 9, 3, 4, 12, 13, 12, 13, 5, 6, 1, 5, 6, 16, 17, 18, 0,
+    7, 8, 9, 10, 0, 11, 0, 11, 0, 12, 17, 18, 21, 11, 10, 3, 0, 19, 20, 29, 21, 22, 31, 28, 30, 27, 1, 23, 24, 26, 25,
+    4, 8, 14, 5, 9, 15, 18, 2, 6, 12, 16, 3, 7, 13, 17, 32, 33, 34, 35, 36, 37, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11,
+    12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18,
+    19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 7, 8, 0, 0, 3, 4, 5, 6, 0, 0, 0, 0, 9,
+    10, 11, 0, 0, 0, 0, 1, 2, 0, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 0, 1, 13, 0, 1, 14, 5, 15, 0, 1, 3, 4,
+    16, 0, 1, 3, 4, 17, 18, 19, 20, 21, 22, 23, 1, 1, 1, 2, 2, 4, 4, 8, 8, 10, 10, 10, 12};
 constexpr std::array<director::Component, 1> components{{
-    {.groups = {88, 112}, .edges = {112, 150}}, // Brace, GetUp, FallRecovery, Walk, Kick, LookAt, WalkTo, KickTo, ...
+  {.groups = {88, 112}, .edges = {112, 150}}, // Brace, GetUp, FallRecovery, Walk, Kick, LookAt, WalkTo, KickTo, ...
 }};
 constexpr std::array<director::TableIndex, 0> plan_groups{};
 constexpr std::array<director::TableIndex, 3> listened{0, 0, 0};
 
 constexpr director::Tables rows{
-    .groups = groups,
-    .providers = providers,
-    .edges = edges,
-    .levels = levels,
-    .conditions = conditions,
-    .intervals = intervals,
-    .states = states,
-    .triggers = triggers,
-    .promises = promises,
-    .lists = lists,
-    .components = components,
-    .plan_groups = plan_groups,
-    .listened = listened,
-    .root_edges = 2,
-    .most_edges = 4,
+  .groups = groups,
+  .providers = providers,
+  .edges = edges,
+  .levels = levels,
+  .conditions = conditions,
+  .intervals = intervals,
+  .states = states,
+  .triggers = triggers,
+  .promises = promises,
+  .lists = lists,
+  .components = components,
+  .plan_groups = plan_groups,
+  .listened = listened,
+  .root_edges = 2,
+  .most_edges = 4,
 };
 static_assert(director::State::bytes(director::Shape::of(rows)) == director::State::bytes(detail::Whole::shape));
 
@@ -324,7 +247,7 @@ void Whole::called_from_inside() {
 struct [[gnu::visibility("hidden")]] Bodies {
   /// What the user's code throws waits in the behaviour until the micro-step is over.
   template <class Call, class Fault>
-  static auto guarded([[maybe_unused]] Behaviour & behaviour, Call call, [[maybe_unused]] Fault fault) {
+  static auto guarded([[maybe_unused]] Behaviour& behaviour, Call call, [[maybe_unused]] Fault fault) {
 #ifdef __cpp_exceptions
     try {
       return call();
@@ -337,27 +260,27 @@ struct [[gnu::visibility("hidden")]] Bodies {
 #endif
   }
 
-  // The body is chosen by its exact type: to resolve a call among the bodies of a large module costs the compiler much
-  // more.
+  // The body is chosen by its exact type: to resolve a call among the bodies of a large module costs the compiler much more.
   template <class Context>
-  [[gnu::always_inline]] static director::Outcome provide(Behaviour & behaviour, director::Run & run) {
+  [[gnu::always_inline]] static director::Outcome provide(Behaviour& behaviour, director::Run& run) {
     using Module = typename Facts<Context>::Module;
     constexpr director::Outcome (Module::*body)(Context&) = &Module::provide;
     Context context{run, behaviour.data()};
     return (behaviour.modules_.template of<Module>().*body)(context);
   }
 
-  static director::Outcome run_0(Behaviour & behaviour, director::Run & run);
-  static director::Outcome run_32(Behaviour & behaviour, director::Run & run);
+  static director::Outcome run_0(Behaviour& behaviour, director::Run& run);
+  static director::Outcome run_32(Behaviour& behaviour, director::Run& run);
   static director::Outcome run(void* self, director::Run& run) {
     static constexpr std::array<director::Outcome (*)(Behaviour&, director::Run&), 2> blocks{&run_0, &run_32};
     Behaviour& behaviour = *static_cast<Behaviour*>(self);
     return guarded(
-        behaviour, [&] { return blocks[run.provider() / 32](behaviour, run); }, [&] { return run.fault(); });
+        behaviour, [&] { return blocks[run.provider() / 32](behaviour, run); },
+        [&] { return run.fault(); });
   }
 
   template <class Context>
-  [[gnu::always_inline]] static void start(Behaviour & behaviour, director::Handling & handling) {
+  [[gnu::always_inline]] static void start(Behaviour& behaviour, director::Handling& handling) {
     using Module = typename Facts<Context>::Module;
     constexpr void (Module::*body)(Context&) = &Module::start;
     Context context{handling, behaviour.data()};
@@ -376,7 +299,7 @@ struct [[gnu::visibility("hidden")]] Bodies {
   }
 
   template <class Context>
-  [[gnu::always_inline]] static void stop(Behaviour & behaviour, director::Handling & handling) {
+  [[gnu::always_inline]] static void stop(Behaviour& behaviour, director::Handling& handling) {
     using Module = typename Facts<Context>::Module;
     constexpr void (Module::*body)(Context&) = &Module::stop;
     Context context{handling, behaviour.data()};
@@ -418,7 +341,7 @@ struct [[gnu::visibility("hidden")]] Bodies {
     }
   }
 
-  static director::Bodies of(Behaviour & behaviour) {
+  static director::Bodies of(Behaviour& behaviour) {
     return {.self = &behaviour, .run = &run, .start = &start, .stop = &stop, .data = &data};
   }
 };
@@ -474,11 +397,11 @@ director::Outcome soccer::detail::Bodies::run_32(Behaviour& behaviour, director:
 
 namespace soccer {
 
-Behaviour::Behaviour(detail::soccer_behaviour_8a339dba0cd58979, Recovery& module_0, Safety& module_1,
-                     Locomotion& module_2, Kicking& module_3, Looking& module_4, Planning& module_5, Strategy& module_6,
-                     Limbs& module_7, Servos& module_8)
-    : Program(detail::Bodies::of(*this)),
-      modules_(module_0, module_1, module_2, module_3, module_4, module_5, module_6, module_7, module_8) {}
+Behaviour::Behaviour(
+    detail::soccer_behaviour_8a339dba0cd58979, Recovery& module_0, Safety& module_1, Locomotion& module_2,
+    Kicking& module_3, Looking& module_4, Planning& module_5, Strategy& module_6, Limbs& module_7, Servos& module_8)
+    : Program(detail::Bodies::of(*this)), modules_(
+    module_0, module_1, module_2, module_3, module_4, module_5, module_6, module_7, module_8) {}
 
 void Behaviour::throw_on() {
 #ifdef __cpp_exceptions
@@ -506,31 +429,30 @@ const char* name_at(const std::array<const char*, count>& all, std::size_t row) 
 
 const char* group(director::Index row) {
   static constexpr std::array<const char*, 24> all{
-      "Brace",   "GetUp",      "FallRecovery", "Walk",        "Kick",      "LookAt",      "WalkTo",    "KickTo",
-      "Striker", "KickToGoal", "WalkToBall",   "WalkToReady", "Look",      "LeftArm",     "RightArm",  "Head",
-      "LeftLeg", "RightLeg",   "LeftHipYaw",   "LeftKnee",    "LeftAnkle", "RightHipYaw", "RightKnee", "RightAnkle"};
+      "Brace", "GetUp", "FallRecovery", "Walk", "Kick", "LookAt", "WalkTo", "KickTo", "Striker", "KickToGoal",
+      "WalkToBall", "WalkToReady", "Look", "LeftArm", "RightArm", "Head", "LeftLeg", "RightLeg", "LeftHipYaw",
+      "LeftKnee", "LeftAnkle", "RightHipYaw", "RightKnee", "RightAnkle"};
   return name_at(all, row);
 }
 
 const char* provider(director::Index row) {
   static constexpr std::array<const char*, 34> all{
-      "default",  "tucking",   "pushing", "rising",   "recovering", "protecting", "watching", "walking", "halting",
-      "default",  "default",   "default", "default",  "playing",    "ready",      "waiting",  "default", "creeping",
-      "striding", "searching", "default", "tracking", "sweeping",   "default",    "default",  "default", "default",
-      "default",  "default",   "default", "default",  "default",    "default",    "default"};
+      "default", "tucking", "pushing", "rising", "recovering", "protecting", "watching", "walking", "halting",
+      "default", "default", "default", "default", "playing", "ready", "waiting", "default", "creeping", "striding",
+      "searching", "default", "tracking", "sweeping", "default", "default", "default", "default", "default", "default",
+      "default", "default", "default", "default", "default"};
   return name_at(all, row);
 }
 
 const char* edge(director::Index row) {
   static constexpr std::array<const char*, 38> all{
-      "root>FallRecovery",    "root>Striker",        "Brace>LeftLeg",      "Brace>RightLeg",     "Brace>LeftArm",
-      "Brace>RightArm",       "GetUp>LeftLeg",       "GetUp>RightLeg",     "GetUp>LeftArm",      "GetUp>RightArm",
-      "FallRecovery>GetUp",   "FallRecovery>Brace",  "Walk>LeftLeg",       "Walk>RightLeg",      "Walk>LeftArm",
-      "Walk>RightArm",        "Kick>LeftLeg",        "Kick>RightLeg",      "LookAt>Head",        "WalkTo>Walk",
-      "KickTo>Walk",          "KickTo>Kick",         "KickTo>LookAt",      "Striker>KickToGoal", "Striker>WalkToBall",
-      "Striker>Look",         "Striker>WalkToReady", "KickToGoal>KickTo",  "WalkToBall>WalkTo",  "WalkToBall>Walk",
-      "WalkToReady>WalkTo",   "Look>LookAt",         "LeftLeg>LeftHipYaw", "LeftLeg>LeftKnee",   "LeftLeg>LeftAnkle",
-      "RightLeg>RightHipYaw", "RightLeg>RightKnee",  "RightLeg>RightAnkle"};
+      "root>FallRecovery", "root>Striker", "Brace>LeftLeg", "Brace>RightLeg", "Brace>LeftArm", "Brace>RightArm",
+      "GetUp>LeftLeg", "GetUp>RightLeg", "GetUp>LeftArm", "GetUp>RightArm", "FallRecovery>GetUp", "FallRecovery>Brace",
+      "Walk>LeftLeg", "Walk>RightLeg", "Walk>LeftArm", "Walk>RightArm", "Kick>LeftLeg", "Kick>RightLeg", "LookAt>Head",
+      "WalkTo>Walk", "KickTo>Walk", "KickTo>Kick", "KickTo>LookAt", "Striker>KickToGoal", "Striker>WalkToBall",
+      "Striker>Look", "Striker>WalkToReady", "KickToGoal>KickTo", "WalkToBall>WalkTo", "WalkToBall>Walk",
+      "WalkToReady>WalkTo", "Look>LookAt", "LeftLeg>LeftHipYaw", "LeftLeg>LeftKnee", "LeftLeg>LeftAnkle",
+      "RightLeg>RightHipYaw", "RightLeg>RightKnee", "RightLeg>RightAnkle"};
   return name_at(all, row);
 }
 
@@ -568,50 +490,56 @@ const char* trigger(director::Index row) {
 }
 
 const char* condition(director::Index row) {
-  static constexpr std::array<const char*, 12> all{"RisingStep == lying",
-                                                   "RisingStep == tucked",
-                                                   "RisingStep == kneeling",
-                                                   "Stability == fallen",
-                                                   "Stability == falling",
-                                                   "Stability == standing",
-                                                   "Stability != fallen|falling",
-                                                   "Phase == playing",
-                                                   "Phase == ready",
-                                                   "Ball == near",
-                                                   "Ball >= close",
-                                                   "Ball != lost"};
+  static constexpr std::array<const char*, 12> all{
+      "RisingStep == lying", "RisingStep == tucked", "RisingStep == kneeling", "Stability == fallen",
+      "Stability == falling", "Stability == standing", "Stability != fallen|falling", "Phase == playing",
+      "Phase == ready", "Ball == near", "Ball >= close", "Ball != lost"};
   return name_at(all, row);
 }
 
 const char* level(director::Index row) {
-  static constexpr std::array<const char*, 39> all{"", "", "", "", "", "", "", "", "", "", "", "", "",
-                                                   "", "", "", "", "", "", "", "", "", "", "", "", "",
-                                                   "", "", "", "", "", "", "", "", "", "", "", "", ""};
+  static constexpr std::array<const char*, 39> all{
+      "", "", "", "", "", "", "", "", "", "", "", "", "", "", "", "", "", "", "", "", "", "", "", "", "", "", "", "",
+      "", "", "", "", "", "", "", "", "", "", ""};
   return name_at(all, row);
 }
 
 const char* why(const director::Because& because, std::span<char> buffer) {
-  static constexpr director::Names some{.self = nullptr,
-                                        .group = [](const void*, director::Index row) { return group(row); },
-                                        .provider = [](const void*, director::Index row) { return provider(row); },
-                                        .edge = [](const void*, director::Index row) { return edge(row); },
-                                        .condition = [](const void*, director::Index row) { return condition(row); }};
+  static constexpr director::Names some{
+      .self = nullptr, .group = [](const void*, director::Index row) { return group(row); },
+      .provider = [](const void*, director::Index row) { return provider(row); },
+      .edge = [](const void*, director::Index row) { return edge(row); },
+      .condition = [](const void*, director::Index row) { return condition(row); }};
   return director::to_text(because, some, buffer);
 }
 
 const director::Names& all() {
+  static constexpr std::array<director::LevelUse, 53> uses{{
+      {0, 0, director::nil, 0, "", ""}, {1, 1, director::nil, 0, "", ""}, {2, 2, 0, 0, "", ""}, {3, 3, 0, 0, "", ""},
+      {4, 4, 0, 0, "", ""}, {5, 5, 0, 0, "", ""}, {6, 6, 1, 0, "", ""}, {7, 7, 1, 0, "", ""}, {8, 8, 1, 0, "", ""},
+      {9, 9, 1, 0, "", ""}, {6, 6, 2, 0, "", ""}, {7, 7, 2, 0, "", ""}, {8, 8, 2, 0, "", ""}, {9, 9, 2, 0, "", ""},
+      {6, 6, 3, 0, "", ""}, {7, 7, 3, 0, "", ""}, {8, 8, 3, 0, "", ""}, {9, 9, 3, 0, "", ""},
+      {10, 10, 4, 0, "stand_up", ""}, {11, 11, 5, 0, "protect", ""}, {12, 12, 7, 0, "", ""}, {13, 13, 7, 0, "", ""},
+      {14, 14, 7, 0, "", ""}, {15, 15, 7, 0, "", ""}, {12, 12, 8, 0, "", ""}, {13, 13, 8, 0, "", ""},
+      {16, 16, 9, 0, "", ""}, {17, 17, 9, 0, "", ""}, {18, 18, 10, 0, "", ""}, {19, 19, 11, 0, "step", ""},
+      {20, 20, 12, 1, "line_up", ""}, {21, 21, 12, 2, "kick", ""}, {22, 22, 12, 2, "kick", ""},
+      {23, 23, 13, 0, "attack", ""}, {24, 24, 13, 0, "attack", ""}, {25, 25, 13, 0, "attack", ""},
+      {26, 27, 14, 0, "go", ""}, {25, 25, 14, 0, "go", ""}, {25, 26, 14, 1, "stay_there", ""},
+      {25, 26, 15, 0, "watch", ""}, {27, 28, 16, 0, "shoot", ""}, {28, 29, 17, 0, "creep", ""},
+      {28, 29, 18, 0, "stride", ""}, {29, 30, 19, 0, "turn", ""}, {30, 31, 20, 0, "go", ""},
+      {31, 32, 21, 0, "track", ""}, {31, 32, 22, 0, "sweep", ""}, {32, 33, 26, 0, "turn_hip", ""},
+      {33, 34, 26, 1, "bend_knee", ""}, {34, 35, 26, 2, "set_foot", ""}, {35, 36, 27, 0, "turn_hip", ""},
+      {36, 37, 27, 1, "bend_knee", ""}, {37, 38, 27, 2, "set_foot", ""}}};
   static constexpr director::Names every{
-      .self = nullptr,
-      .group = [](const void*, director::Index row) { return group(row); },
+      .self = nullptr, .group = [](const void*, director::Index row) { return group(row); },
       .provider = [](const void*, director::Index row) { return provider(row); },
       .edge = [](const void*, director::Index row) { return edge(row); },
       .condition = [](const void*, director::Index row) { return condition(row); },
       .state = [](const void*, director::Index row) { return state(row); },
       .value = [](const void*, director::Index row, std::int32_t number) { return value(row, number); },
       .trigger = [](const void*, director::Index row) { return trigger(row); },
-      .level = [](const void*, director::Index row) { return level(row); },
-      .tables = &rows,
-      .behaviour = "soccer"};
+      .level = [](const void*, director::Index row) { return level(row); }, .tables = &rows, .behaviour = "soccer",
+      .level_uses = uses};
   return every;
 }
 

@@ -115,13 +115,13 @@ struct Facts<RightAnkle> {
 // An enumerator that the behaviour does not list is an error in `setting`.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic error "-Wswitch"
-struct States final : director::Table<director::Row<Phase, 0>, director::Row<Stability, 1>, director::Row<Ball, 2>,
-                                      director::Row<RisingStep, 3>> {
+struct States final : director::Table<
+    director::Row<Phase, 0>, director::Row<Stability, 1>, director::Row<Ball, 2>, director::Row<RisingStep, 3>> {
   [[gnu::visibility("hidden")]] static constexpr std::array<director::Domain, 4> domains{{
-      {.low = 0, .high = 4, .external = true},  // Phase
-      {.low = 0, .high = 4, .external = true},  // Stability
-      {.low = 0, .high = 3, .external = true},  // Ball
-      {.low = 0, .high = 2, .external = false}, // RisingStep
+    {.low = 0, .high = 4, .external = true}, // Phase
+    {.low = 0, .high = 4, .external = true}, // Stability
+    {.low = 0, .high = 3, .external = true}, // Ball
+    {.low = 0, .high = 2, .external = false}, // RisingStep
   }};
   static constexpr director::Setting setting(Phase value) {
     switch (value) {
@@ -133,27 +133,23 @@ struct States final : director::Table<director::Row<Phase, 0>, director::Row<Sta
     }
     return {0, director::unset};
   }
-  static constexpr director::Setting setting(Stability value) { return {1, static_cast<std::int32_t>(value)}; }
-  static constexpr director::Setting setting(Ball value) { return {2, static_cast<std::int32_t>(value)}; }
-  static constexpr director::Setting setting(RisingStep value) { return {3, static_cast<std::int32_t>(value)}; }
+  static constexpr director::Setting setting(Stability value) {
+    return {1, static_cast<std::int32_t>(value)};
+  }
+  static constexpr director::Setting setting(Ball value) {
+    return {2, static_cast<std::int32_t>(value)};
+  }
+  static constexpr director::Setting setting(RisingStep value) {
+    return {3, static_cast<std::int32_t>(value)};
+  }
 };
 #pragma GCC diagnostic pop
 
 /// The behaviour as a whole.
 struct Whole final {
-  static constexpr director::Shape shape{.groups = 24,
-                                         .providers = 34,
-                                         .edges = 38,
-                                         .conditions = 12,
-                                         .states = 4,
-                                         .promises = 1,
-                                         .plan_slots = 0,
-                                         .listen_slots = 3,
-                                         .most_edges = 4,
-                                         .components = 1,
-                                         .lacking = 6,
-                                         .pushable = 1,
-                                         .altered = 0};
+  static constexpr director::Shape shape{
+      .groups = 24, .providers = 34, .edges = 38, .conditions = 12, .states = 4, .promises = 1, .plan_slots = 0,
+      .listen_slots = 3, .most_edges = 4, .components = 1, .lacking = 6, .pushable = 1, .altered = 0};
   static const director::Tables& tables();
   static std::uint64_t fingerprint();
   static void called_from_inside();
@@ -179,15 +175,14 @@ struct Whole final {
       director::Row<LeftKnee::Default, 29>, director::Row<LeftAnkle::Default, 30>,
       director::Row<RightHipYaw::Default, 31>, director::Row<RightKnee::Default, 32>,
       director::Row<RightAnkle::Default, 33>>;
-  using Groups =
-      director::Table<director::Row<Brace, 0>, director::Row<GetUp, 1>, director::Row<FallRecovery, 2>,
-                      director::Row<Walk, 3>, director::Row<Kick, 4>, director::Row<LookAt, 5>,
-                      director::Row<WalkTo, 6>, director::Row<KickTo, 7>, director::Row<Striker, 8>,
-                      director::Row<KickToGoal, 9>, director::Row<WalkToBall, 10>, director::Row<WalkToReady, 11>,
-                      director::Row<Look, 12>, director::Row<LeftArm, 13>, director::Row<RightArm, 14>,
-                      director::Row<Head, 15>, director::Row<LeftLeg, 16>, director::Row<RightLeg, 17>,
-                      director::Row<LeftHipYaw, 18>, director::Row<LeftKnee, 19>, director::Row<LeftAnkle, 20>,
-                      director::Row<RightHipYaw, 21>, director::Row<RightKnee, 22>, director::Row<RightAnkle, 23>>;
+  using Groups = director::Table<
+      director::Row<Brace, 0>, director::Row<GetUp, 1>, director::Row<FallRecovery, 2>, director::Row<Walk, 3>,
+      director::Row<Kick, 4>, director::Row<LookAt, 5>, director::Row<WalkTo, 6>, director::Row<KickTo, 7>,
+      director::Row<Striker, 8>, director::Row<KickToGoal, 9>, director::Row<WalkToBall, 10>,
+      director::Row<WalkToReady, 11>, director::Row<Look, 12>, director::Row<LeftArm, 13>, director::Row<RightArm, 14>,
+      director::Row<Head, 15>, director::Row<LeftLeg, 16>, director::Row<RightLeg, 17>, director::Row<LeftHipYaw, 18>,
+      director::Row<LeftKnee, 19>, director::Row<LeftAnkle, 20>, director::Row<RightHipYaw, 21>,
+      director::Row<RightKnee, 22>, director::Row<RightAnkle, 23>>;
 };
 
 template <>
@@ -195,8 +190,9 @@ struct Facts<Brace::Default> : director::NothingDeclared {
   using Behaviour = Whole;
   using Module = Recovery;
   using Task = Brace;
-  using Tasks = director::Pack<director::Member<LeftLeg, 2, 0, 2>, director::Member<RightLeg, 3, 0, 3>,
-                               director::Member<LeftArm, 4, 0, 4>, director::Member<RightArm, 5, 0, 5>>;
+  using Tasks = director::Pack<
+      director::Member<LeftLeg, 2, 0, 2>, director::Member<RightLeg, 3, 0, 3>, director::Member<LeftArm, 4, 0, 4>,
+      director::Member<RightArm, 5, 0, 5>>;
 };
 template <>
 struct Facts<GetUp::Tucking> : director::NothingDeclared {
@@ -204,10 +200,11 @@ struct Facts<GetUp::Tucking> : director::NothingDeclared {
   using Module = Recovery;
   using Task = GetUp;
   static constexpr std::array<director::Allowed, 1> sets{{{3, 1, 1}}};
-  using Uses = director::Table<director::Row<LeftLeg, 6>, director::Row<RightLeg, 7>, director::Row<LeftArm, 8>,
-                               director::Row<RightArm, 9>>;
-  using Tasks = director::Pack<director::Member<LeftLeg, 6, 1, 6>, director::Member<RightLeg, 7, 1, 7>,
-                               director::Member<LeftArm, 8, 1, 8>, director::Member<RightArm, 9, 1, 9>>;
+  using Uses = director::Table<
+      director::Row<LeftLeg, 6>, director::Row<RightLeg, 7>, director::Row<LeftArm, 8>, director::Row<RightArm, 9>>;
+  using Tasks = director::Pack<
+      director::Member<LeftLeg, 6, 1, 6>, director::Member<RightLeg, 7, 1, 7>, director::Member<LeftArm, 8, 1, 8>,
+      director::Member<RightArm, 9, 1, 9>>;
 };
 template <>
 struct Facts<GetUp::Pushing> : director::NothingDeclared {
@@ -215,10 +212,11 @@ struct Facts<GetUp::Pushing> : director::NothingDeclared {
   using Module = Recovery;
   using Task = GetUp;
   static constexpr std::array<director::Allowed, 1> sets{{{3, 2, 2}}};
-  using Uses = director::Table<director::Row<LeftLeg, 6>, director::Row<RightLeg, 7>, director::Row<LeftArm, 8>,
-                               director::Row<RightArm, 9>>;
-  using Tasks = director::Pack<director::Member<LeftLeg, 6, 1, 6>, director::Member<RightLeg, 7, 1, 7>,
-                               director::Member<LeftArm, 8, 1, 8>, director::Member<RightArm, 9, 1, 9>>;
+  using Uses = director::Table<
+      director::Row<LeftLeg, 6>, director::Row<RightLeg, 7>, director::Row<LeftArm, 8>, director::Row<RightArm, 9>>;
+  using Tasks = director::Pack<
+      director::Member<LeftLeg, 6, 1, 6>, director::Member<RightLeg, 7, 1, 7>, director::Member<LeftArm, 8, 1, 8>,
+      director::Member<RightArm, 9, 1, 9>>;
 };
 template <>
 struct Facts<GetUp::Rising> : director::NothingDeclared {
@@ -226,10 +224,11 @@ struct Facts<GetUp::Rising> : director::NothingDeclared {
   using Module = Recovery;
   using Task = GetUp;
   static constexpr std::array<director::Allowed, 1> sets{{{1, 3, 3}}};
-  using Uses = director::Table<director::Row<LeftLeg, 6>, director::Row<RightLeg, 7>, director::Row<LeftArm, 8>,
-                               director::Row<RightArm, 9>>;
-  using Tasks = director::Pack<director::Member<LeftLeg, 6, 1, 6>, director::Member<RightLeg, 7, 1, 7>,
-                               director::Member<LeftArm, 8, 1, 8>, director::Member<RightArm, 9, 1, 9>>;
+  using Uses = director::Table<
+      director::Row<LeftLeg, 6>, director::Row<RightLeg, 7>, director::Row<LeftArm, 8>, director::Row<RightArm, 9>>;
+  using Tasks = director::Pack<
+      director::Member<LeftLeg, 6, 1, 6>, director::Member<RightLeg, 7, 1, 7>, director::Member<LeftArm, 8, 1, 8>,
+      director::Member<RightArm, 9, 1, 9>>;
 };
 template <>
 struct Facts<FallRecovery::Recovering> : director::NothingDeclared {
@@ -276,8 +275,9 @@ struct Facts<Walk::Walking> : director::NothingDeclared {
   using Task = Walk;
   static constexpr std::array<director::Allowed, 1> sets{{{1, 3, 3}}};
   using Uses = director::Table<director::Row<LeftLeg, 12>, director::Row<RightLeg, 13>>;
-  using Tasks = director::Pack<director::Member<LeftLeg, 12, 2, 12>, director::Member<RightLeg, 13, 2, 13>,
-                               director::Member<LeftArm, 14, 2, 14>, director::Member<RightArm, 15, 2, 15>>;
+  using Tasks = director::Pack<
+      director::Member<LeftLeg, 12, 2, 12>, director::Member<RightLeg, 13, 2, 13>, director::Member<LeftArm, 14, 2, 14>,
+      director::Member<RightArm, 15, 2, 15>>;
 };
 template <>
 struct Facts<Walk::Halting> : director::NothingDeclared {
@@ -334,8 +334,9 @@ struct Facts<Striker::Playing> : director::NothingDeclared {
   using Module = Strategy;
   using Task = Striker;
   static constexpr bool flat = false;
-  using pack_0 = director::Pack<director::Member<KickToGoal, 23, 0, 23>, director::Member<WalkToBall, 24, 0, 24>,
-                                director::Member<Look, 25, 0, 25>>;
+  using pack_0 = director::Pack<
+      director::Member<KickToGoal, 23, 0, 23>, director::Member<WalkToBall, 24, 0, 24>,
+      director::Member<Look, 25, 0, 25>>;
   using Packs = director::Packs<pack_0>;
   static constexpr std::array<const char*, 1> pack_names{"attack"};
 };
@@ -459,8 +460,8 @@ struct Facts<LeftLeg::Default> : director::NothingDeclared {
   using Behaviour = Whole;
   using Module = Servos;
   using Task = LeftLeg;
-  using Uses =
-      director::Table<director::Row<LeftHipYaw, 32>, director::Row<LeftKnee, 33>, director::Row<LeftAnkle, 34>>;
+  using Uses = director::Table<
+      director::Row<LeftHipYaw, 32>, director::Row<LeftKnee, 33>, director::Row<LeftAnkle, 34>>;
   static constexpr bool flat = false;
   using pack_0 = director::Pack<director::Member<LeftHipYaw, 32, 0, 33>>;
   using pack_1 = director::Pack<director::Member<LeftKnee, 33, 0, 34>>;
@@ -473,8 +474,8 @@ struct Facts<RightLeg::Default> : director::NothingDeclared {
   using Behaviour = Whole;
   using Module = Servos;
   using Task = RightLeg;
-  using Uses =
-      director::Table<director::Row<RightHipYaw, 35>, director::Row<RightKnee, 36>, director::Row<RightAnkle, 37>>;
+  using Uses = director::Table<
+      director::Row<RightHipYaw, 35>, director::Row<RightKnee, 36>, director::Row<RightAnkle, 37>>;
   static constexpr bool flat = false;
   using pack_0 = director::Pack<director::Member<RightHipYaw, 35, 0, 36>>;
   using pack_1 = director::Pack<director::Member<RightKnee, 36, 0, 37>>;

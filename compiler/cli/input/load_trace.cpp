@@ -69,6 +69,13 @@ std::optional<bool> is_of_version(const LoadedTrace& trace, const std::string& f
   std::string written;
   append_header(recorded, trace.recorded->file, written);
   if (written == trace.header) return true;
+  // Programs generated before did not record who requests which level. If that differs, the version is another one.
+  recorded.level_uses = {};
+  written.clear();
+  append_header(recorded, trace.recorded->file, written);
+  if (written == trace.header) return true;
+  written.back() = ',';
+  if (trace.header.starts_with(written + "\"level_uses\":")) return false;
   print_message(console,
                 fmt::format("{0}:1: error: the header of the trace was changed: it has the fingerprint of "
                             "`{1}`, but does not name what that behaviour has\n"

@@ -21,6 +21,16 @@ void table(Code& code, std::string_view word, const std::vector<std::string>& na
   code.close("}");
 }
 
+void level_uses(Code& code, const CppEmission& e) {
+  std::vector<std::string> rows;
+  for (const LevelUse& use : director::compiler::level_uses(e.model, e.from.lowered)) {
+    const std::string provider = use.provider == nil ? "director::nil" : std::to_string(use.provider);
+    rows.push_back(fmt::format("{{{}, {}, {}, {}, \"{}\", \"{}\"}}", use.edge, use.level, provider, use.pack,
+                               use.pack_name, use.name));
+  }
+  code.list(fmt::format("static constexpr std::array<director::LevelUse, {}> uses{{{{", rows.size()), rows, "}};");
+}
+
 void values(Code& code, const Model& model) {
   code.blank();
   code.open("const char* value(director::Index state, std::int32_t number) {");
@@ -109,7 +119,9 @@ Code name_definitions(const CppEmission& e) {
   add("level");
   functions.emplace_back(".tables = &rows");
   functions.push_back(fmt::format(".behaviour = \"{}\"", e.model.name));
+  functions.emplace_back(".level_uses = uses");
   code.open("const director::Names& all() {");
+  level_uses(code, e);
   code.list("static constexpr director::Names every{", functions, "};");
   code.line("return every;");
   code.close("}");

@@ -68,6 +68,16 @@ Because why_refused(const View& view, Index edge);
 /// Whether edge `holder` goes before the request `edge`, or is its equal, so that what it holds is in the way.
 bool stands_in_the_way(const View& view, Index holder, Index edge);
 
+/// A task of a pack, or of root, at one of its levels: how a body or the program names that level.
+struct LevelUse {
+  Index edge = nil;
+  Index level = nil;          ///< of Tables::levels
+  Index provider = nil;       ///< that requests it; nil: the program
+  std::uint16_t pack = 0;     ///< its place among those of `provider`
+  const char* pack_name = ""; ///< empty for `tasks`
+  const char* name = "";      ///< of the level; empty if it is written without one
+};
+
 /// The names of rows. `self` is the first argument of each function. `why` uses only the first four functions.
 struct Names {
   const void* self = nullptr;                                      ///< the first argument of each function
@@ -81,6 +91,7 @@ struct Names {
   const char* (*level)(const void* self, Index row) = nullptr; ///< empty for the first of a task in a pack; may be null
   const Tables* tables = nullptr;                              ///< the tables of these rows; only for recorders
   const char* behaviour = nullptr;                             ///< its name; only for recorders
+  std::span<const LevelUse> level_uses{}; ///< in the order in which they are written; only for recorders
 };
 
 /// Writes one line without an end of line, such as `Kick waits (root>Kick): until Stability == standing, which

@@ -132,6 +132,20 @@ void initial_value(const Names& names, Index state, Members& row) {
     row.text("initial", name);
 }
 
+void level_use(const Names& names, const LevelUse& use, std::string& out) {
+  const Level& level = names.tables->levels[use.level];
+  Members row(out);
+  row.text("edge", names.edge(names.self, use.edge));
+  if (use.provider != nil) row.text("provider", names.provider(names.self, use.provider));
+  if (use.pack != 0) row.number("pack", use.pack);
+  if (*use.pack_name != '\0') row.text("pack_name", use.pack_name);
+  if (*use.name != '\0') row.text("name", use.name);
+  row.number("level", use.level - names.tables->edges[use.edge].levels.begin).number("priority", level.priority);
+  if (level.optional) row.flag("optional");
+  if (level.apart) row.flag("apart");
+  row.end();
+}
+
 } // namespace
 
 void append_event(const Event& event, const Names& names, std::string& out) { EventLine(event, names, out).write(); }
@@ -189,6 +203,10 @@ void append_header(const Names& names, std::string_view file, std::string& out) 
   list(t.triggers.size(), [&](Index row) { append_text(names.trigger(names.self, row), out); });
   header.key("conditions");
   list(t.conditions.size(), [&](Index row) { append_text(names.condition(names.self, row), out); });
+  if (!names.level_uses.empty()) {
+    header.key("level_uses"); // the last one: traces of earlier programs are without it
+    list(names.level_uses.size(), [&](Index row) { level_use(names, names.level_uses[row], out); });
+  }
   header.end();
 }
 

@@ -57,6 +57,12 @@ public:
     append_number(value, out_);
     return *this;
   }
+  /// True; one that is false is left out.
+  Members& flag(std::string_view name) {
+    key(name);
+    out_ += "true";
+    return *this;
+  }
   void end() { out_ += '}'; }
 
 private:

@@ -19,7 +19,7 @@ std::string line(const Event& event, const Names& names) {
 
 } // namespace
 
-TEST_CASE("the header of a trace has the names of all rows") {
+TEST_CASE("the header of a trace has the names of all rows, and who requests which level") {
   const Lamp lamp;
   std::string out;
   append_header(lamp.names, "a \"lamp\"\n.yaml", out);
@@ -32,7 +32,10 @@ TEST_CASE("the header of a trace has the names of all rows") {
                    R"({"name":"Shine>Bulb","target":"Bulb","levels":[""]},)"
                    R"({"name":"Signal>Bulb","target":"Bulb","levels":[""]}],)"
                    R"("states":[{"name":"Motion","values":["still","moving"],"initial":"still"},{"name":"Charge"}],)"
-                   R"("triggers":["Alarm"],"conditions":["Motion == still"]})");
+                   R"("triggers":["Alarm"],"conditions":["Motion == still"],"level_uses":[)"
+                   R"({"edge":"root>Shine","level":0,"priority":1},{"edge":"root>Signal","level":0,"priority":2},)"
+                   R"({"edge":"Shine>Bulb","provider":"default","level":0,"priority":0},)"
+                   R"({"edge":"Signal>Bulb","provider":"default","level":0,"priority":0}]})");
 }
 
 TEST_CASE("each event is a line, with names instead of numbers") {
