@@ -23,7 +23,8 @@
 // condition holds at most for as long as `from` lives, and that provider is the active one: a stop of `from` resets the
 // value before anything else is decided.
 //
-// can_run: the facts of the checks decide for every provider whether it may ever run; they are an over-approximation.
+// can_run: the facts of the checks decide for every provider whether it may ever run; they are an over-approximation,
+// for programs that disable no provider. If the same facts for programs that do prove less, the reason says so.
 //
 // The same facts prove what is asserted of a group that never runs. Such a group is never granted, so it is never
 // granted together with another one, and nothing passes to it or from it. A group that nothing requests is never
@@ -222,17 +223,26 @@ std::optional<Verdict> latch(const Model& model, GroupId from, GroupId to) {
                             model.full_name(*by)));
 }
 
-analysis::Facts facts_of(const Model& model) {
-  return analysis::find_facts(model, make_graph(model), analysis::Reported::as_is);
+using analysis::Facts;
+
+Facts facts_of(const Model& model, analysis::Enabled enabled = analysis::Enabled::all) {
+  return analysis::find_facts(model, make_graph(model), analysis::Reported::as_is, enabled);
 }
 
-/// Why the group never runs; empty: it may. The facts prove what never happens; they do not prove that something
-/// happens.
-std::string why_it_never_runs(const Model& model, const analysis::Facts& facts, GroupId group) {
-  if (model.has_any(group, facts.active)) return {};
+/// Why `holds` is true of what can happen, and whether it is also true if the program disables providers. The facts
+/// prove what never happens; they do not prove that something happens.
+template <class Holds>
+std::string why_nothing_runs(const Model& model, const Facts& facts, GroupId group, Holds holds) {
   const std::string name = analysis::name_of(model, group);
-  return facts.requested.contains(group) ? fmt::format("no provider of {} can ever run", name)
-                                         : fmt::format("nothing that runs requests {}", name);
+  return fmt::format(fmt::runtime(facts.requested.contains(group) ? "no provider of {} can ever run{}"
+                                                                  : "nothing that runs requests {}{}"),
+                     name, holds(facts_of(model, analysis::Enabled::some)) ? "" : ", unless a provider is disabled");
+}
+
+/// Empty: it may run.
+std::string why_it_never_runs(const Model& model, const Facts& facts, GroupId group) {
+  const auto never_runs = [&](const Facts& known) { return !model.has_any(group, known.active); };
+  return never_runs(facts) ? why_nothing_runs(model, facts, group, never_runs) : std::string{};
 }
 
 std::optional<Verdict> can_run(const Assertion& assertion, const Model& model) {
@@ -246,7 +256,7 @@ std::optional<Verdict> can_run(const Assertion& assertion, const Model& model) {
 
 /// That all but one of these groups never run. `soft`, `never_together`: of two groups one is enough.
 std::optional<Verdict> never_run(const Assertion& assertion, const Model& model) {
-  const analysis::Facts facts = facts_of(model);
+  const Facts facts = facts_of(model);
   std::vector<std::string> reasons;
   for (const Use<GroupId>& use : assertion.groups) {
     std::string why = why_it_never_runs(model, facts, use.id);
@@ -259,13 +269,15 @@ std::optional<Verdict> never_run(const Assertion& assertion, const Model& model)
 /// That the winner's side requests nothing, or the loser's holds nothing.
 std::optional<Verdict> without_a_side(const Assertion& assertion, const Model& model) {
   const GroupId winner = assertion.groups.front().id, loser = assertion.groups.back().id;
-  const analysis::Facts facts = facts_of(model);
+  const Facts facts = facts_of(model);
   const std::vector<EdgeId>& holders = model.groups[loser].requesters;
-  const bool is_held =
-      std::any_of(holders.begin(), holders.end(), [&](EdgeId edge) { return facts.holding.contains(edge); });
   for (const GroupId group : {winner, loser}) {
-    if (!facts.requested.contains(group) && (group == winner || !is_held))
-      return proven(why_it_never_runs(model, facts, group));
+    const auto has_no_side = [&](const Facts& known) {
+      const auto holds = [&](EdgeId edge) { return known.holding.contains(edge); };
+      return !known.requested.contains(group) &&
+             (group == winner || std::none_of(holders.begin(), holders.end(), holds));
+    };
+    if (has_no_side(facts)) return proven(why_nothing_runs(model, facts, group, has_no_side));
   }
   return {};
 }

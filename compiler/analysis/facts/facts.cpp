@@ -22,10 +22,11 @@ namespace {
 
 class FactFinder {
 public:
-  FactFinder(const Model& model, const Graph& graph, Reported reported)
+  FactFinder(const Model& model, const Graph& graph, Reported reported, Enabled enabled)
       : model_(model),
         graph_(graph),
         reported_(reported),
+        enabled_(enabled),
         sources_(find_sources(model)),
         causers_(find_causers(model)),
         rivals_(model, facts_.holding, facts_.active),
@@ -280,6 +281,7 @@ private:
 
   /// Whether its `when` may hold while each of its rivals lacks something. Rivals that exclude it lack it then.
   bool may_come_first(ProviderId id) {
+    if (enabled_ == Enabled::some) return true;
     const GroupId group = model_.providers[id].group;
     Region own = contexts_.own(id);
     own.meet(facts_.grants[group]);
@@ -355,6 +357,7 @@ private:
   const Model& model_;
   const Graph& graph_;
   Reported reported_;
+  Enabled enabled_;
   IdTable<StateId, std::vector<Source>> sources_;
   Causers causers_;
   Rivals rivals_;
@@ -404,8 +407,8 @@ bool Facts::holds_always(const Model& model, ConditionId id, const Region& regio
   return values[condition.state].intersected(at->second).subset_of(condition.accepts);
 }
 
-Facts find_facts(const Model& model, const Graph& graph, Reported reported) {
-  return FactFinder(model, graph, reported).run();
+Facts find_facts(const Model& model, const Graph& graph, Reported reported, Enabled enabled) {
+  return FactFinder(model, graph, reported, enabled).run();
 }
 
 } // namespace director::analysis

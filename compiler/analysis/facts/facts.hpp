@@ -76,6 +76,14 @@ enum class Reported {
   as_is   ///< as it is: it never happens, nor anything that depends on it
 };
 
-Facts find_facts(const Model& model, const Graph& graph, Reported reported = Reported::mended);
+/// Which providers may run, as far as the program decides it.
+enum class Enabled {
+  all, ///< as at the start
+  some ///< those that the program has not disabled: whatever is preferred to a provider, it may be the first that can
+       ///< run
+};
+
+Facts find_facts(const Model& model, const Graph& graph, Reported reported = Reported::mended,
+                 Enabled enabled = Enabled::all);
 
 } // namespace director::analysis

@@ -144,6 +144,28 @@ TEST_CASE("what can never run is granted together with nothing") {
   CHECK(verdict_of(unmet, "{never_together: [A, B]}", 1) == "proven: no provider of `B` can ever run");
 }
 
+TEST_CASE("what never runs only because the program disables nothing is said with this reservation") {
+  const std::string spare = "roots: [Shine, Cook, Rest]\ngroups:\n"
+                            "  Shine: {providers: [{name: brightly}, {name: dimly, tasks: [Plug]}]}\n"
+                            "  Cook: {tasks: [Oven]}\n  Rest: {}\n  Plug: {needs: [Wire], tasks: [Wire]}\n"
+                            "  Wire: {}\n  Oven: {}\n  Lone: {tasks: [Rest]}\n";
+  const std::string why = "nothing that runs requests `Plug`, unless a provider is disabled";
+  CHECK(verdict_of(spare, "{can_run: Plug}", 1) == "refuted: " + why);
+  CHECK(verdict_of(spare, "{never_together: [Plug, Oven]}", 1) == "proven: " + why);
+  CHECK(verdict_of(spare, "{never_together: [Lone, Oven, Plug]}", 1) ==
+        "proven: nothing that runs requests `Lone`, and " + why);
+  CHECK(verdict_of(spare, "{beats: {Rest: Plug}}", 1) == "proven: " + why);
+  CHECK(verdict_of(spare, "{soft: {from: Plug, to: Wire}}", 1) ==
+        "proven: " + why + ", and nothing that runs requests `Wire`, unless a provider is disabled");
+  CHECK(verdict_of(spare, "{can_run: Lone}", 1) == "refuted: nothing that runs requests `Lone`");
+
+  const std::string door = "states: {Door: {values: [shut, open], initial: shut}}\nroots: [Enter, Watch]\ngroups:\n"
+                           "  Enter: {providers: [{name: softly}, {name: loudly, sets: [Door == open]}]}\n"
+                           "  Watch: {when: [Door == open]}\n";
+  CHECK(verdict_of(door, "{can_run: Watch}", 1) ==
+        "refuted: no provider of `Watch` can ever run, unless a provider is disabled");
+}
+
 TEST_CASE("what can run is shown by how it comes to run") {
   CHECK(verdict_of(two, "{can_run: B}") == "proven: it runs after: request B; set {S: y}");
   CHECK(verdict_of("states: {S: {values: [x, y], initial: x}}\nroots: [A]\n"
