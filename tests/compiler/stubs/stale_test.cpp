@@ -61,6 +61,26 @@ TEST_CASE("an outdated line is reported, with the present one") {
              "standing`; `- tasks: Arm` is `- tasks: LeftLeg` now"});
 }
 
+TEST_CASE("what the user has added to the comment of a stub is not out of date") {
+  const std::string stub = "/// Walks. (b.yaml:12)\n/// - needs: LeftLeg, RightLeg\n/// - tasks: LeftLeg\n";
+  CHECK(said(stub + "///\n/// Tuned on the robot in May.\n/// - needs: care\n") == Said{});
+  CHECK(said(stub + "/// Tuned on the robot in May.\n") == Said{});
+  CHECK(said(stub + "/// - idea: tune the gains\n/// - see the wiki\n/// - seen: by Ann, Bob\n") == Said{});
+  CHECK(said("/// Kicks (see b.yaml:11)\n", "/// Stops (as of b.yaml:19)\n/// - sets: nothing\n") == Said{});
+}
+
+TEST_CASE("a pack that the behaviour has no more is reported") {
+  CHECK(said("/// (b.yaml:12)\n/// - go: LeftLeg (optional), Arm (apart); the usual way\n/// - rest: nothing\n") ==
+        Said{"6: the comment above `provide(b::Walk::Default&)` is not true any more: there is no `- go: LeftLeg "
+             "(optional), Arm (apart); the usual way`; there is no `- rest: nothing`"});
+}
+
+TEST_CASE("a line is out of date also if the user has written something behind it") {
+  CHECK(said("/// (b.yaml:12)\n/// - needs: LeftLeg\n/// Tuned.\n") ==
+        Said{"6: the comment above `provide(b::Walk::Default&)` is not true any more: `- needs: LeftLeg Tuned.` is `- "
+             "needs: LeftLeg, RightLeg` now"});
+}
+
 TEST_CASE("what the user has left out, written before it or instead of it is ignored") {
   CHECK(said("/// Goes on foot, as said below. (b.yaml:12)\n/// - tasks: LeftLeg\n") == Said{});
   CHECK(said("/// - needs: nobody\n") == Said{});
