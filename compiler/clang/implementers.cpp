@@ -88,24 +88,31 @@ private:
 
   void read(const clang::CXXRecordDecl& type) {
     if (!type.isThisDeclarationADefinition()) return;
+    // The text of an explicit instantiation is that of its template, whose functions are read there.
+    const clang::CXXRecordDecl* const pattern = type.getTemplateInstantiationPattern();
+    read(type, pattern == nullptr ? type : *pattern);
+    if (pattern == nullptr) walk(type);
+  }
+
+  /// `written`: the class, or the template that it is an instance of.
+  void read(const clang::CXXRecordDecl& type, const clang::CXXRecordDecl& written) {
     std::set<std::string> interfaces, bases;
     look_up(type, interfaces, bases);
     if (type.isInvalidDecl()) look_up_words(type, interfaces, bases);
-    const SourceLocation end = type.getBraceRange().getEnd();
-    if (!interfaces.empty() && end.isValid()) {
-      Json row = row_at(sources_, type.getLocation());
-      row.add("name", Json::text(type.getQualifiedNameAsString()));
+    const SourceLocation end = written.getBraceRange().getEnd();
+    if (!interfaces.empty() && end.isValid() && is_users(written.getLocation())) {
+      Json row = row_at(sources_, written.getLocation());
+      row.add("name", Json::text(written.getQualifiedNameAsString()));
       row.add("interfaces", Json::texts({interfaces.begin(), interfaces.end()}));
       row.add("bases", Json::texts({bases.begin(), bases.end()}));
       row.add("end", Json::count(place(end).second));
       row.add("inside", Json::number(inside(end)));
-      row.add("public", Json::boolean(access_at_end(type) == clang::AS_public));
+      row.add("public", Json::boolean(access_at_end(written) == clang::AS_public));
       row.add("macro", Json::boolean(end.isMacroID()));
       row.add("given", Json::texts(given_by_templates(type)));
-      row.add("only_inline", Json::boolean(type.isDependentContext() || type.isLocalClass() != nullptr));
-      out_.classes.try_emplace(place(type.getLocation()), std::move(row));
+      row.add("only_inline", Json::boolean(written.isDependentContext() || written.isLocalClass() != nullptr));
+      out_.classes.try_emplace(place(written.getLocation()), std::move(row));
     }
-    walk(type);
   }
 
   void look_up(const clang::CXXRecordDecl& type, std::set<std::string>& interfaces, std::set<std::string>& bases) {

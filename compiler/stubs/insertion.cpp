@@ -47,6 +47,16 @@ Applied insert_into(std::string_view text, const std::vector<Insertion>& inserti
   return out;
 }
 
+Origin origin_of(const Applied& applied, std::size_t offset) {
+  std::size_t inserted = 0;
+  for (const Range& range : applied.ranges) {
+    if (offset < range.begin) break;
+    if (offset < range.end) return {range.begin - inserted, true};
+    inserted += range.end - range.begin;
+  }
+  return {offset - inserted, false};
+}
+
 std::string without(const Applied& applied) {
   std::string out;
   std::size_t done = 0;

@@ -43,6 +43,14 @@ Applied insert_into(std::string_view text, const std::vector<Insertion>& inserti
 /// The input of insert_into().
 std::string without(const Applied& applied);
 
+/// Where a byte of the new text comes from.
+struct Origin {
+  std::size_t offset = 0; ///< in the text as it was; of an inserted byte: where that is inserted
+  bool is_inserted = false;
+  bool operator==(const Origin&) const = default;
+};
+Origin origin_of(const Applied& applied, std::size_t offset);
+
 /// A replacement of bytes of the new text, from a formatter.
 struct Replacement {
   std::size_t offset = 0, length = 0;

@@ -13,6 +13,7 @@
 #include "compiler/stubs/merge.hpp"
 #include "compiler/stubs/scan.hpp"
 #include "compiler/stubs/stale.hpp"
+#include "dsl/lexical/characters.hpp"
 #include "dsl/lexical/cpp_type.hpp"
 #include "dsl/source/harmless.hpp"
 #include "dsl/source/load_file.hpp"
@@ -43,6 +44,22 @@ struct Refusal {
   int status = misused;
   std::string text;
 };
+
+/// In bytes, as Clang counts columns; the size of the text if it has no such place.
+std::size_t offset_at(std::string_view text, const SourcePlace& place) {
+  std::size_t begin = 0;
+  for (std::uint32_t line = 1; line < place.line; ++line) {
+    const std::size_t end = text.find('\n', begin);
+    if (end == std::string_view::npos) return text.size();
+    begin = end + 1;
+  }
+  return std::min(begin + place.column - 1, text.size());
+}
+
+SourcePlace place_at(const std::string& path, std::string_view text, std::size_t offset) {
+  const auto lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n');
+  return {path, static_cast<std::uint32_t>(1 + lines), static_cast<std::uint32_t>(1 + dsl::column_of(text, offset))};
+}
 
 std::string shown(const SourcePlace& place) {
   return fmt::format("{}:{}:{}", shown_path(place.path), place.line, place.column);
@@ -131,6 +148,21 @@ private:
     return out;
   }
 
+  /// Problems in texts with these insertions, at their places in the files as they are.
+  std::vector<Problem> in_users_text(std::vector<Problem> problems, const std::vector<Insertion>& insertions) const {
+    for (const std::vector<Insertion>& each : stubs::by_file(insertions)) {
+      const std::string& text = program_.texts.at(each[0].path);
+      const Applied applied = insert_into(text, each);
+      for (Problem& problem : problems) {
+        if (problem.place.path != each[0].path) continue;
+        const Origin origin = origin_of(applied, offset_at(applied.text, problem.place));
+        problem.place = place_at(each[0].path, text, origin.offset);
+        if (origin.is_inserted) problem.message = "in what would be added here: " + problem.message;
+      }
+    }
+    return problems;
+  }
+
   Merge merged() {
     if (program_.units.empty()) return merge(wanted_, {}, program_.texts);
     if (const Scan version = scanner_.version(); !version) {
@@ -148,7 +180,7 @@ private:
 
     const Found then = found_with(out);
     const std::string_view consequence = "nothing is written, because with what is missing this could not be read";
-    if (!then.problems.empty()) throw not_understood(then.problems, consequence);
+    if (!then.problems.empty()) throw not_understood(in_users_text(then.problems, out.insertions), consequence);
     Texts texts = program_.texts;
     for (const Artefact& file : out.sources) texts[file.path] = file.text;
     const Merge again = merge(wanted_, then, texts);

@@ -15,6 +15,14 @@ TEST_CASE("what is inserted can be taken out again") {
   CHECK(without(applied) == "abc");
 }
 
+TEST_CASE("a place in the new text is one in the old text, or one where something is inserted") {
+  const Applied applied = insert_into("abc", {{"a", 0, "<1>"}, {"a", 2, "<2>"}});
+  REQUIRE(applied.text == "<1>ab<2>c");
+  const std::vector<Origin> expected{{0, true}, {0, true}, {0, true}, {0, false}, {1, false},
+                                     {2, true}, {2, true}, {2, true}, {2, false}, {3, false}};
+  for (std::size_t at = 0; at < expected.size(); ++at) CHECK(origin_of(applied, at) == expected[at]);
+}
+
 TEST_CASE("a formatter is obeyed only within what was inserted") {
   const std::vector<Insertion> one{{"a", 3, "\n int  b ;"}};
   const Applied applied = insert_into("ab;  c", one);

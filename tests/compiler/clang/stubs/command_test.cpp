@@ -258,6 +258,53 @@ TEST_CASE("a template whose base is a parameter has bodies of every module that 
   CHECK(shop.stubs("--check").empty());
 }
 
+TEST_CASE("a template that is instantiated explicitly gets what is missing where its text is") {
+  const std::string head = "#include \"cart.hpp\"\ntemplate <int N> class WheelsT : public cart::Wheels {\npublic:\n"
+                           "  void stop(cart::Drive::Stop& run) override;\n"
+                           "  director::Outcome provide(cart::Drive::Rolling& run) override;\n",
+                    tail = "  int x[N];\n};\n",
+                    bodies = "template <int N> void WheelsT<N>::stop(cart::Drive::Stop&) {}\n"
+                             "template <int N> director::Outcome WheelsT<N>::provide(cart::Drive::Rolling& run) {\n"
+                             "  return run.keep();\n}\n";
+  const std::string added = braking("director::Outcome provide(cart::Drive::Braking& run) override", "  ") + "\n";
+  for (const std::string instance : {"template class WheelsT<3>;\n", "extern template class WheelsT<3>;\n"}) {
+    for (const bool is_first : {false, true}) {
+      const Workshop shop;
+      const std::string rest = is_first ? instance + bodies : bodies + instance;
+      shop.write("src/wheels.cpp", head + tail + rest);
+      CHECK(shop.stubs("--check") == "to be added to: src/wheels.cpp\nstatus 1\n");
+      CHECK(shop.stubs() == "added to: src/wheels.cpp\n");
+      CHECK(shop.text("src/wheels.cpp") == head + added + tail + rest);
+    }
+  }
+}
+
+TEST_CASE("a template whose base is a parameter and that is instantiated explicitly gets what is missing") {
+  const Workshop shop;
+  const std::string head = "#pragma once\n#include \"cart.hpp\"\ntemplate <class I> struct WheelsT : I {\n"
+                           "  void stop(cart::Drive::Stop&) override {}\n"
+                           "  director::Outcome provide(cart::Drive::Rolling& run) override { return run.keep(); }\n",
+                    tail = "};\ntemplate struct WheelsT<cart::Wheels>;\n";
+  shop.write("src/wheels.hpp", head + tail);
+  CHECK(shop.stubs() == "added to: src/wheels.hpp\n");
+  CHECK(shop.text("src/wheels.hpp") ==
+        head + braking("director::Outcome provide(cart::Drive::Braking& run) override", "  ") + "\n" + tail);
+  CHECK(shop.stubs("--check") == "");
+}
+
+TEST_CASE("what cannot be read with what is missing is named at the places that the files have") {
+  const Workshop shop;
+  const std::string wheels = "#include \"cart.hpp\"\nstruct Wheels : cart::Wheels {\n  " + decl_stop + "\n  " +
+                             decl_rolling +
+                             "\n#define run 3\n  int speed = 0;\n};\nvoid Wheels::stop(cart::Drive::Stop&) {}\n";
+  shop.write("src/wheels.cpp", wheels);
+  const std::string fault = "src/wheels.cpp:8:41: error: in what would be added here: expected ')'\n";
+  CHECK(shop.stubs() ==
+        fault + fault +
+            "directorc: nothing is written, because with what is missing this could not be read\nstatus 1\n");
+  CHECK(shop.text("src/wheels.cpp") == wheels);
+}
+
 TEST_CASE("a template with a body whose provider is gone is still a base of classes derived from it") {
   const Workshop shop;
   shop.write("src/wheels.hpp",
