@@ -89,14 +89,34 @@ private:
   void read(const clang::CXXRecordDecl& type) {
     if (!type.isThisDeclarationADefinition()) return;
     // The text of an explicit instantiation is that of its template, whose functions are read there.
-    const clang::CXXRecordDecl* const pattern = type.getTemplateInstantiationPattern();
-    read(type, pattern == nullptr ? type : *pattern);
-    if (pattern == nullptr) walk(type);
+    const clang::CXXRecordDecl& written = as_written(type);
+    read(type, written);
+    if (&written == &type) walk(type);
   }
 
-  /// `written`: the class, or the template that it is an instance of.
+  using Bases = std::set<const clang::CXXRecordDecl*>; ///< as they are written
+
+  /// The template that a class is an instance of; otherwise the class.
+  static const clang::CXXRecordDecl& as_written(const clang::CXXRecordDecl& type) {
+    const clang::CXXRecordDecl* const pattern = type.getTemplateInstantiationPattern();
+    return pattern == nullptr ? type : *pattern;
+  }
+
+  /// Each once, in order of path and place.
+  Json places_of(const Bases& bases) const {
+    std::map<Findings::Place, Json> rows;
+    for (const clang::CXXRecordDecl* base : bases) {
+      const SourceLocation at = base->getLocation();
+      rows.try_emplace(place(at), row_at(sources_, at));
+    }
+    Json out = Json::list({});
+    for (const auto& [place, row] : rows) out.add(row);
+    return out;
+  }
+
   void read(const clang::CXXRecordDecl& type, const clang::CXXRecordDecl& written) {
-    std::set<std::string> interfaces, bases;
+    std::set<std::string> interfaces;
+    Bases bases;
     look_up(type, interfaces, bases);
     if (type.isInvalidDecl()) look_up_words(type, interfaces, bases);
     const SourceLocation end = written.getBraceRange().getEnd();
@@ -104,7 +124,7 @@ private:
       Json row = row_at(sources_, written.getLocation());
       row.add("name", Json::text(written.getQualifiedNameAsString()));
       row.add("interfaces", Json::texts({interfaces.begin(), interfaces.end()}));
-      row.add("bases", Json::texts({bases.begin(), bases.end()}));
+      row.add("bases", places_of(bases));
       row.add("end", Json::count(place(end).second));
       row.add("inside", Json::number(inside(end)));
       row.add("public", Json::boolean(access_at_end(written) == clang::AS_public));
@@ -115,7 +135,7 @@ private:
     }
   }
 
-  void look_up(const clang::CXXRecordDecl& type, std::set<std::string>& interfaces, std::set<std::string>& bases) {
+  void look_up(const clang::CXXRecordDecl& type, std::set<std::string>& interfaces, Bases& bases) {
     if (!type.hasDefinition()) return; // with errors in it
     for (const clang::CXXBaseSpecifier& specifier : type.bases()) {
       const clang::CXXRecordDecl* base = specifier.getType()->getAsCXXRecordDecl();
@@ -125,7 +145,7 @@ private:
       if (interfaces_.count(name) > 0) {
         interfaces.insert(name);
       } else if (is_users(base->getLocation())) {
-        bases.insert(name); // a template may be there again, with other arguments
+        bases.insert(&as_written(*base)); // a template may be there again, with other arguments
         look_up(*base, interfaces, bases);
       }
     }
@@ -133,8 +153,7 @@ private:
 
   /// Clang makes no base of a template with an error in it, as with a body whose provider is gone: then the interfaces
   /// and templates count that the text names behind the colon.
-  void look_up_words(const clang::CXXRecordDecl& type, std::set<std::string>& interfaces,
-                     std::set<std::string>& bases) {
+  void look_up_words(const clang::CXXRecordDecl& type, std::set<std::string>& interfaces, Bases& bases) {
     const auto is_last_part = [](const std::string& name, llvm::StringRef word) {
       return llvm::StringRef(name).rsplit("::").second == word;
     };
@@ -148,8 +167,7 @@ private:
           if (is_last_part(name, word)) interfaces.insert(name);
         }
         const auto found = templates_.find(word.str());
-        if (found != templates_.end() && bases.insert(found->second->getQualifiedNameAsString()).second)
-          look_up(*found->second, interfaces, bases);
+        if (found != templates_.end() && bases.insert(found->second).second) look_up(*found->second, interfaces, bases);
       }
       next = clang::Lexer::findNextToken(next->getLocation(), sources_, compiler_.getLangOpts());
     }
@@ -193,7 +211,9 @@ private:
     if (known && !may_override(function)) return;
 
     Json row = row_at(sources_, at);
+    const clang::CXXRecordDecl* const type_of = function.getParent()->getDefinition();
     row.add("class", Json::text(function.getParent()->getQualifiedNameAsString()));
+    row.add("class_at", row_at(sources_, (type_of == nullptr ? function.getParent() : type_of)->getLocation()));
     row.add("name", Json::text(function.getNameAsString()));
     row.add("context", Json::text(known ? context_of(parameter) : written(type)));
     row.add("begin", Json::count(place(begin).second));

@@ -23,7 +23,7 @@ inline constexpr Conditional unconditional = -1;
 struct FoundClass {
   std::string name;                    ///< `player::Locomotion`
   std::vector<std::string> interfaces; ///< `soccer::Locomotion`: of the behaviour, however far above
-  std::vector<std::string> bases;      ///< the user's own classes above it
+  std::vector<SourcePlace> bases;      ///< the user's own classes above it
   SourcePlace place;                   ///< of its name
   std::size_t end = 0;                 ///< of the brace that closes it
   Conditional inside = unconditional;  ///< there
@@ -53,6 +53,7 @@ struct FoundFunction {
   std::string qualifier;              ///< `player::Locomotion::`, as it is written outside of the class
   bool for_any = false;               ///< a base of its class is a parameter: it may implement any module
   bool pure = false;                  ///< a class below must have a body
+  SourcePlace class_place;            ///< of the name of its class, of which there may be others elsewhere
   bool operator==(const FoundFunction&) const = default;
 };
 

@@ -21,7 +21,7 @@ const WantedModule* module_of(const Wanted& wanted, const FoundFunction& row) {
 /// Interfaces of the behaviour that the class of a function implements. None if its interface is gone too.
 std::vector<std::string> interfaces_of(const Found& found, const FoundFunction& row) {
   const auto at = std::find_if(found.classes.begin(), found.classes.end(),
-                               [&](const FoundClass& type) { return type.name == row.of; });
+                               [&](const FoundClass& type) { return type.place == row.class_place; });
   return at == found.classes.end() ? std::vector<std::string>{} : at->interfaces;
 }
 

@@ -42,9 +42,7 @@ public:
         type_(type),
         found_(found),
         texts_(texts),
-        out_(out),
-        has_namesake_(std::any_of(found.classes.begin(), found.classes.end(),
-                                  [&](const FoundClass& other) { return is_namesake(other); })) {}
+        out_(out) {}
 
   void run(bool is_last) {
     for (std::size_t i = 0; i < module_.functions.size(); ++i) {
@@ -59,20 +57,10 @@ public:
   }
 
 private:
-  bool is_namesake(const FoundClass& other) const { return other.name == type_.name && other.place != type_.place; }
-
-  /// Whether the function is of this class, and not of another one with its name, such as a test double.
   bool is_own(const FoundFunction& row) const {
-    if (row.of != type_.name || !has_namesake_) return row.of == type_.name;
-    if (row.within) {
-      return row.place.path == type_.place.path && row.end <= type_.end &&
-             std::tie(type_.place.line, type_.place.column) < std::tie(row.place.line, row.place.column);
-    }
-    // Its definition may be anywhere but in the file of a namesake.
-    return row.place.path == type_.place.path ||
-           std::none_of(found_.classes.begin(), found_.classes.end(), [&](const FoundClass& other) {
-             return is_namesake(other) && other.place.path == row.place.path;
-           });
+    if (row.within) return row.class_place == type_.place;
+    // Definitions are those of each class of this name in the file: of one under an `#if`, and one under its `#else`.
+    return row.of == type_.name && row.class_place.path == type_.place.path;
   }
 
   template <class Fits>
@@ -92,9 +80,9 @@ private:
 
   bool inherited(const WantedFunction& function) const {
     if (contains(type_.given, fmt::format("{} {}", name_of(function.kind), function.context))) return true;
-    return std::any_of(type_.bases.begin(), type_.bases.end(), [&](const std::string& base) {
-      const FoundFunction* found =
-          first([&](const FoundFunction& row) { return row.within && row.of == base && serves(row, function); });
+    return std::any_of(type_.bases.begin(), type_.bases.end(), [&](const SourcePlace& base) {
+      const FoundFunction* found = first(
+          [&](const FoundFunction& row) { return row.within && row.class_place == base && serves(row, function); });
       return found != nullptr && !found->pure;
     });
   }
@@ -131,8 +119,10 @@ private:
   /// Inserts text behind the line on which a user's function ends, indented like the line on which it begins.
   void insert_behind(const FoundFunction& row, const Code& code) {
     const std::string& text = texts_.at(row.place.path);
-    out_.insertions.push_back({row.place.path, behind(text, row.end),
-                               as_insertion(code, line_break(text), indentation(text, row.begin), step_of(text))});
+    Insertion added{row.place.path, behind(text, row.end),
+                    as_insertion(code, line_break(text), indentation(text, row.begin), step_of(text))};
+    const bool is_there = std::find(out_.insertions.begin(), out_.insertions.end(), added) != out_.insertions.end();
+    if (!is_there) out_.insertions.push_back(std::move(added)); // for a class under an #else
   }
 
   void add_declaration(std::size_t index) {
@@ -229,8 +219,7 @@ private:
   const Found& found_;
   const Texts& texts_;
   Merge& out_;
-  bool has_namesake_; ///< another class of this name is somewhere else
-  Code at_end_;       ///< of the class
+  Code at_end_; ///< of the class
 };
 
 void sort(std::vector<Remark>& remarks) {
@@ -251,8 +240,9 @@ bool is_header(const std::string& path) {
 Merge merge(const Wanted& wanted, const Found& found, const Texts& texts) {
   Merge out;
   const auto is_base = [&](const FoundClass& type) {
-    return std::any_of(found.classes.begin(), found.classes.end(),
-                       [&](const FoundClass& other) { return contains(other.bases, type.name); });
+    return std::any_of(found.classes.begin(), found.classes.end(), [&](const FoundClass& other) {
+      return std::find(other.bases.begin(), other.bases.end(), type.place) != other.bases.end();
+    });
   };
   for (std::size_t i = 0; i < wanted.modules.size(); ++i) {
     const WantedModule& module = wanted.modules[i];

@@ -32,7 +32,7 @@ FoundClass class_in(const Json& row) {
   FoundClass out;
   out.name = row["name"].as_text();
   out.interfaces = row["interfaces"].as_texts();
-  out.bases = row["bases"].as_texts();
+  for (const Json& base : row["bases"].items()) out.bases.push_back(place_in(base));
   out.given = row["given"].as_texts();
   out.place = place_in(row);
   out.end = size_in(row["end"]);
@@ -62,6 +62,7 @@ FoundFunction function_in(const Json& row) {
   out.for_any = row["for_any"].as_boolean();
   out.result = row["result"].as_text();
   out.qualifier = row["qualifier"].as_text();
+  out.class_place = place_in(row["class_at"]);
   return out;
 }
 

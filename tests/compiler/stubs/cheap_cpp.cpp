@@ -3,6 +3,7 @@
 #include "tests/compiler/stubs/cheap_cpp.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace director::tests {
@@ -110,12 +111,14 @@ private:
   std::vector<std::size_t> open_;
 };
 
+using Classes = std::map<std::string, std::vector<SourcePlace>>; ///< by name
+
 struct FileReader {
   const std::string& path;
   std::string_view text;
   const Wanted& wanted;
   const std::set<std::string>& contexts;
-  std::set<std::string>& types; ///< every class, also those that implement nothing any more
+  Classes& types; ///< every class, also those that implement nothing any more
   Found& out;
   Tokens tokens = Lexer(text).run();
   std::size_t i = 0;
@@ -208,7 +211,7 @@ struct FileReader {
       if (is(at, "public") && is(at + 1, ":")) type.is_public = true;
       if ((is(at, "private") || is(at, "protected")) && is(at + 1, ":")) type.is_public = false;
     }
-    types.insert(type.name);
+    types[type.name].push_back(type.place);
     ++i;
     scope(type.name, &type);
     if (!type.interfaces.empty()) out.classes.push_back(type);
@@ -234,6 +237,7 @@ struct FileReader {
     if (row.name == "provide")
       row.result = std::string(text.substr(tokens.all[result].at, tokens.all[name - 1].end() - tokens.all[result].at));
     row.of = row.within ? type->name : class_of(scope_name, row.qualifier);
+    row.class_place = row.within ? type->place : place_of(row.of);
     for (std::size_t at = i + 2; !is(at, "&") && !is(at, ")"); ++at) row.context += tokens.all[at].text;
     row.known = contexts.count(row.context) > 0;
     for (i = closed(i + 1); !is(i, ";") && !is(i, "{"); ++i) row.overrides |= is(i, "override");
@@ -256,6 +260,15 @@ struct FileReader {
       scope_name = cut == scope_name.npos ? "" : scope_name.substr(0, cut);
     }
   }
+
+  /// Of a class with this name in this file, otherwise in a header.
+  SourcePlace place_of(const std::string& name) const {
+    const auto all = types.find(name);
+    if (all == types.end()) return {};
+    const auto here = std::find_if(all->second.begin(), all->second.end(),
+                                   [&](const SourcePlace& each) { return each.path == path; });
+    return here == all->second.end() ? all->second.front() : *here;
+  }
 };
 
 } // namespace
@@ -265,7 +278,7 @@ Found read_cheaply(const Texts& texts, const Wanted& wanted) {
   for (const WantedModule& module : wanted.modules)
     for (const WantedFunction& function : module.functions) contexts.insert(function.context);
   Found out;
-  std::set<std::string> types;
+  Classes types;
   for (const bool headers : {true, false}) { // classes first
     for (const auto& [path, text] : texts)
       if (path.ends_with(".hpp") == headers) FileReader{path, text, wanted, contexts, types, out}.scope("", nullptr);

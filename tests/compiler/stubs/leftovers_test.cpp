@@ -26,13 +26,14 @@ FoundFunction function(const std::string& of, const std::string& name, const std
   out.place = {"/p/legs.hpp", 7, 9};
   out.known = known;
   out.within = true;
+  out.class_place = {"/p/legs.hpp", of == "Legs" ? 3U : 5U, 7};
   return out;
 }
 
 /// Beside a class Legs, which implements b::Legs.
 Said said(const FoundFunction& row) {
   Found found;
-  found.classes = {{"Legs", {"b::Legs"}, {}, {}, 0, unconditional, true, false, false, {}}};
+  found.classes = {{"Legs", {"b::Legs"}, {}, {"/p/legs.hpp", 3, 7}, 0, unconditional, true, false, false, {}}};
   found.functions = {row};
   Said out;
   for (const Remark& each : leftovers(two_modules, found)) {

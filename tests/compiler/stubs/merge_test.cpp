@@ -191,8 +191,16 @@ TEST_CASE("of classes below one another only the last gets what none of them has
   const Merge merge = merged(wanted_with({walk, jump}), texts, [&](Found& found) {
     found.functions.front().defines = true;
     const std::size_t end = text.rfind("};");
-    found.classes.push_back(
-        {"Rest", {"b::Legs"}, {"Some"}, {"/p/legs.hpp", 4, 8}, end, unconditional, true, false, false, {}});
+    found.classes.push_back({"Rest",
+                             {"b::Legs"},
+                             {{"/p/legs.hpp", 1, 8}},
+                             {"/p/legs.hpp", 4, 8},
+                             end,
+                             unconditional,
+                             true,
+                             false,
+                             false,
+                             {}});
   });
   REQUIRE(merge.insertions.size() == 1);
   CHECK(merge.insertions[0].offset == text.rfind("};"));

@@ -27,17 +27,17 @@ TEST_CASE("a question names the generated header, the files with their flags, an
 TEST_CASE("an answer has classes, functions and problems with their places") {
   const auto answer = parse_json(R"({
     "classes": [{"path": "/p/l.hpp", "line": 4, "column": 7, "name": "my::Legs", "interfaces": ["b::Legs"],
-                 "bases": ["my::Base"], "end": 90, "inside": 12, "public": true, "macro": true, "only_inline": true,
+                 "bases": [{"path": "/p/b.hpp", "line": 3, "column": 8}], "end": 90, "inside": 12, "public": true, "macro": true, "only_inline": true,
                  "given": ["provide b::Run::Default"]}],
     "functions": [{"path": "/p/l.cpp", "line": 2, "column": 15, "class": "my::Legs", "name": "provide",
                    "context": "b::Walk::Default", "begin": 20, "end": 60, "inside": -1, "known": false, "within": true,
                    "defines": true, "overrides": true, "macro": true, "inline": true, "result": "Outcome",
-                   "qualifier": "Legs::", "pure": true}],
+                   "qualifier": "Legs::", "pure": true, "class_at": {"path": "/p/l.hpp", "line": 4, "column": 7}}],
     "problems": [{"path": "/p/l.cpp", "line": 9, "column": 1, "message": "expected ';'"}]})");
   REQUIRE(answer);
   const Found expected{{{"my::Legs",
                          {"b::Legs"},
-                         {"my::Base"},
+                         {{"/p/b.hpp", 3, 8}},
                          {"/p/l.hpp", 4, 7},
                          90,
                          12,
@@ -61,7 +61,8 @@ TEST_CASE("an answer has classes, functions and problems with their places") {
                          "Outcome",
                          "Legs::",
                          false,
-                         true}},
+                         true,
+                         {"/p/l.hpp", 4, 7}}},
                        {{{"/p/l.cpp", 9, 1}, "expected ';'"}}};
   CHECK(found_in(*answer) == expected);
 }

@@ -258,6 +258,55 @@ TEST_CASE("a template whose base is a parameter has bodies of every module that 
   CHECK(shop.stubs("--check").empty());
 }
 
+TEST_CASE("base classes of one name are told apart") {
+  const Workshop shop;
+  const std::string all = "  void stop(cart::Drive::Stop&) override {}\n"
+                          "  director::Outcome provide(cart::Drive::Rolling& run) override { return run.keep(); }\n"
+                          "  director::Outcome provide(cart::Drive::Braking& run) override { return run.keep(); }\n",
+                    some = all.substr(0, all.rfind("  director")), open = "#include \"cart.hpp\"\nnamespace {\n",
+                    base = "struct Base : cart::Wheels {\n", last = "};\nstruct ", close = " final : Base {\n};\n}\n";
+  shop.write("src/fake.cpp", open + base + all + last + "Fake" + close);
+  shop.write("src/wheels.cpp", open + base + some + last + "Wheels" + close);
+  CHECK(shop.stubs() == "added to: src/wheels.cpp\n");
+  std::string expected = open + base + some + last + "Wheels" + close;
+  expected.insert(expected.rfind("};"),
+                  braking("director::Outcome provide(cart::Drive::Braking& run) override", "  ") + "\n");
+  CHECK(shop.text("src/wheels.cpp") == expected);
+}
+
+TEST_CASE("classes of one name under an #if and its #else have the same definitions") {
+  const Workshop shop;
+  const std::string declared =
+      "class Wheels : public cart::Wheels {\npublic:\n  " + decl_stop + "\n  " + decl_rolling + "\n";
+  const std::string header = "#pragma once\n#include \"cart.hpp\"\n#ifdef SIM\n" + declared +
+                             "  int sim;\n};\n#else\n" + declared + "  int real;\n};\n#endif\n";
+  const std::string source = "#include \"wheels.hpp\"\nvoid Wheels::stop(cart::Drive::Stop&) {}\n"
+                             "director::Outcome Wheels::provide(cart::Drive::Rolling& run) { return run.keep(); }\n";
+  shop.write("src/wheels.hpp", header);
+  shop.write("src/wheels.cpp", source);
+  shop.write("src/main.cpp", "#define SIM\n#include \"wheels.hpp\"\nint main() { cart::Behaviour* run; }\n");
+  CHECK(shop.stubs() == "added to: src/wheels.cpp\nadded to: src/wheels.hpp\n");
+  CHECK(shop.text("src/wheels.cpp") ==
+        source + "\n" + braking("director::Outcome Wheels::provide(cart::Drive::Braking& run)") + "\n");
+  std::string expected = header;
+  for (const char* const member : {"\n  int sim", "\n  int real"})
+    expected.insert(expected.find(member), "\n  " + decl_braking);
+  CHECK(shop.text("src/wheels.hpp") == expected);
+  CHECK(shop.stubs("--check") == "");
+}
+
+TEST_CASE("a class that another one of its name is derived from elsewhere gets what is missing") {
+  const Workshop shop;
+  const std::string wheels = "#include \"cart.hpp\"\nnamespace {\nstruct Wheels : cart::Wheels {\n"
+                             "  void stop(cart::Drive::Stop&) override {}\n"
+                             "  director::Outcome provide(cart::Drive::Rolling& run) override { return run.keep(); }\n";
+  const std::string body = braking("director::Outcome provide(cart::Drive::Braking& run) override", "  ") + "\n";
+  shop.write("src/fake.cpp", wheels + body + "};\nstruct Fake final : Wheels {};\n}\n");
+  shop.write("src/wheels.cpp", wheels + "};\n}\n");
+  CHECK(shop.stubs() == "added to: src/wheels.cpp\n");
+  CHECK(shop.text("src/wheels.cpp") == wheels + body + "};\n}\n");
+}
+
 TEST_CASE("a template that is instantiated explicitly gets what is missing where its text is") {
   const std::string head = "#include \"cart.hpp\"\ntemplate <int N> class WheelsT : public cart::Wheels {\npublic:\n"
                            "  void stop(cart::Drive::Stop& run) override;\n"

@@ -62,7 +62,10 @@ public:
       place.path = std::string(of_orders) + fs::path(place.path).lexically_relative(folder_).string();
     };
     for (FoundClass& each : out.classes) rename(each.place);
-    for (FoundFunction& each : out.functions) rename(each.place);
+    for (FoundFunction& each : out.functions) {
+      rename(each.place);
+      rename(each.class_place);
+    }
     for (Problem& each : out.problems) rename(each.place);
     return out;
   }
