@@ -131,6 +131,7 @@ private:
       row.add("macro", Json::boolean(end.isMacroID()));
       row.add("given", Json::texts(given_by_templates(type)));
       row.add("only_inline", Json::boolean(written.isDependentContext() || written.isLocalClass() != nullptr));
+      row.add("hides", Json::boolean(hides_behaviour(written)));
       out_.classes.try_emplace(place(written.getLocation()), std::move(row));
     }
   }
@@ -188,6 +189,16 @@ private:
       }
     }
     return out;
+  }
+
+  /// Whether the class, or a namespace around it, has a name of its own that is that of the behaviour's namespace.
+  bool hides_behaviour(const clang::CXXRecordDecl& type) const {
+    const llvm::StringRef outermost = llvm::StringRef(*interfaces_.begin()).split("::").first;
+    const clang::DeclarationName name(&compiler_.getASTContext().Idents.get(outermost));
+    for (const clang::DeclContext* scope = &type; !scope->isTranslationUnit(); scope = scope->getParent()) {
+      if (!scope->isTransparentContext() && !scope->lookup(name).empty()) return true;
+    }
+    return false;
   }
 
   static clang::AccessSpecifier access_at_end(const clang::CXXRecordDecl& type) {

@@ -31,6 +31,7 @@ struct FoundClass {
   bool in_macro = false;               ///< the brace comes out of a macro
   bool only_inline = false;            ///< a template, or local: its functions are defined within it
   std::vector<std::string> given;      ///< `provide soccer::Walk::Halting`: bodies from templates above it
+  bool hides = false;                  ///< within it, the name of the behaviour's namespace means something else
   bool operator==(const FoundClass&) const = default;
 };
 

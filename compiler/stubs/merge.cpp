@@ -42,7 +42,9 @@ public:
         type_(type),
         found_(found),
         texts_(texts),
-        out_(out) {}
+        out_(out) {
+    for (WantedFunction& function : module_.functions) function.from_outside |= type.hides;
+  }
 
   void run(bool is_last) {
     for (std::size_t i = 0; i < module_.functions.size(); ++i) {
@@ -214,7 +216,7 @@ private:
     return fs::path(path).replace_extension(".cpp").string();
   }
 
-  const WantedModule& module_;
+  WantedModule module_;
   const FoundClass& type_;
   const Found& found_;
   const Texts& texts_;

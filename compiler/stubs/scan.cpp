@@ -40,6 +40,7 @@ FoundClass class_in(const Json& row) {
   out.is_public = row["public"].as_boolean();
   out.in_macro = row["macro"].as_boolean();
   out.only_inline = row["only_inline"].as_boolean();
+  out.hides = row["hides"].as_boolean();
   return out;
 }
 

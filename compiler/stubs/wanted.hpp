@@ -16,7 +16,7 @@ struct WantedFunction {
   Kind kind = Kind::provide;
   std::string context;            ///< `soccer::Walk::Halting`: its parameter
   std::vector<std::string> words; ///< the provider's declarations, paragraphs for a comment
-  bool from_outside = false;      ///< written with `::` in front: an interface has the name of the outermost namespace
+  bool from_outside = false;      ///< written with `::` in front: the outermost namespace is hidden there
   bool operator==(const WantedFunction&) const = default;
 };
 

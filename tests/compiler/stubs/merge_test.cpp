@@ -129,6 +129,21 @@ TEST_CASE("the result is called as the user calls it") {
         "    return run.keep(); // does nothing yet\n  }\n};\n");
 }
 
+TEST_CASE("where the behaviour's namespace is hidden, names are written from outside") {
+  const Texts texts{{"/p/legs.hpp", "struct Legs : public b::Legs {\n" + decl_walk + "};\n"},
+                    {"/p/legs.cpp", "director::Outcome Legs::provide(::b::Walk::Default& run) { return {}; }\n"}};
+  const auto hidden = [](Found& found) {
+    found.classes.front().hides = true;
+    for (FoundFunction& each : found.functions) each.context = walk.context, each.known = true;
+  };
+  const Texts changed = after(merged(wanted_with({walk, jump}), texts, hidden), texts);
+  CHECK(changed.at("/p/legs.hpp") == "struct Legs : public b::Legs {\n" + decl_walk +
+                                         "  director::Outcome provide(::b::Jump::Default& run) override;\n};\n");
+  CHECK(changed.at("/p/legs.cpp") ==
+        texts.at("/p/legs.cpp") + "\n/// (b.yaml:3)\ndirector::Outcome Legs::provide(::b::Jump::Default& run) {\n"
+                                  "  return run.keep(); // does nothing yet\n}\n");
+}
+
 TEST_CASE("what is declared and nowhere defined goes to the source beside the header, with the line breaks it has") {
   Texts texts{{"/p/legs.hpp", "struct Legs : public b::Legs {\n" + decl_jump + "};\n"},
               {"/p/legs.cc", "#include \"legs.hpp\"\r\nint legs;\r\n"},

@@ -28,7 +28,7 @@ TEST_CASE("an answer has classes, functions and problems with their places") {
   const auto answer = parse_json(R"({
     "classes": [{"path": "/p/l.hpp", "line": 4, "column": 7, "name": "my::Legs", "interfaces": ["b::Legs"],
                  "bases": [{"path": "/p/b.hpp", "line": 3, "column": 8}], "end": 90, "inside": 12, "public": true, "macro": true, "only_inline": true,
-                 "given": ["provide b::Run::Default"]}],
+                 "given": ["provide b::Run::Default"], "hides": true}],
     "functions": [{"path": "/p/l.cpp", "line": 2, "column": 15, "class": "my::Legs", "name": "provide",
                    "context": "b::Walk::Default", "begin": 20, "end": 60, "inside": -1, "known": false, "within": true,
                    "defines": true, "overrides": true, "macro": true, "inline": true, "result": "Outcome",
@@ -44,7 +44,8 @@ TEST_CASE("an answer has classes, functions and problems with their places") {
                          true,
                          true,
                          true,
-                         {"provide b::Run::Default"}}},
+                         {"provide b::Run::Default"},
+                         true}},
                        {{"my::Legs",
                          "provide",
                          "b::Walk::Default",

@@ -258,6 +258,20 @@ TEST_CASE("a template whose base is a parameter has bodies of every module that 
   CHECK(shop.stubs("--check").empty());
 }
 
+TEST_CASE("a class with the name of the behaviour's namespace around it gets names from outside of all namespaces") {
+  const Workshop shop;
+  const std::string head = "#include \"cart.hpp\"\nnamespace robot::cart { struct Part {}; }\nnamespace robot {\n"
+                           "extern \"C++\" {\nstruct Wheels : ::cart::Wheels {\n"
+                           "  void stop(::cart::Drive::Stop&) override {}\n"
+                           "  director::Outcome provide(::cart::Drive::Rolling& run) override { return run.keep(); }\n",
+                    tail = "};\n}\n}\n";
+  shop.write("src/wheels.cpp", head + tail);
+  CHECK(shop.stubs() == "added to: src/wheels.cpp\n");
+  CHECK(shop.text("src/wheels.cpp") ==
+        head + braking("director::Outcome provide(::cart::Drive::Braking& run) override", "  ") + "\n" + tail);
+  CHECK(shop.stubs("--check") == "");
+}
+
 TEST_CASE("base classes of one name are told apart") {
   const Workshop shop;
   const std::string all = "  void stop(cart::Drive::Stop&) override {}\n"
