@@ -93,6 +93,19 @@ bool is_complete(clang::QualType type) {
   return !some.empty() || special->getSpecializedTemplate()->getTemplatedDecl()->hasDefinition();
 }
 
+/// `a reference`, if it is a type that is not stored by value; otherwise empty. What runtime/core/api/task.hpp refuses,
+/// as far as it is part of the type itself.
+std::string form_of(clang::QualType type) {
+  if (type->isReferenceType()) return "a reference";
+  if (type->isArrayType()) return "an array";
+  if (type->isFunctionType()) return "a function type";
+  if (type->isVoidType()) return "`void`";
+  if (type.isConstQualified()) return "`const`";
+  if (type.isVolatileQualified()) return "`volatile`";
+  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
+  return record != nullptr && record->hasDefinition() && record->isAbstract() ? "an abstract class" : "";
+}
+
 } // namespace
 
 Json report_types(const Json& request) {
@@ -122,6 +135,7 @@ Json report_types(const Json& request) {
       // With its size an enum is complete before its values are known.
       const bool complete = is_complete(type) && (named == nullptr || named->getDefinition() != nullptr);
       Json answer = Json::object({{"complete", Json::boolean(complete)}});
+      if (const std::string form = form_of(type); !form.empty()) answer.add("form", Json::text(form));
       if (tag != nullptr) {
         if (named != nullptr) answer.add("enum", describe(complete ? *named->getDefinition() : *named, places));
         answer.add("at", places.of(tag->getLocation(), tag->getLocation()));

@@ -21,6 +21,7 @@ CppType type_of(const Json& from, const Json& paths) {
   CppType out;
   out.wrong = from["wrong"].as_text();
   out.complete = from["complete"].as_boolean();
+  out.form = from["form"].as_text();
   const Json& values = from["enum"];
   out.is_enum = values.is_object();
   out.place = place_in(out.is_enum ? values["at"] : from["at"], paths);

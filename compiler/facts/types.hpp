@@ -15,6 +15,7 @@ namespace director::compiler {
 struct CppType {
   std::string wrong;    ///< Clang's message if there is no such type; otherwise empty
   bool complete = true; ///< false: declared and not defined
+  std::string form;     ///< `a reference`: a form of type that no task can carry; otherwise empty
   bool is_enum = false;
   struct Enumerator {
     std::string name, value;

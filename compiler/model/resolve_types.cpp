@@ -156,11 +156,19 @@ void check_data_types(Resolver& r) {
     const Group& group = r.model.groups[id];
     if (group.data.empty()) continue;
     const CppType* type = r.options.types->find(group.data);
-    if (type == nullptr || (type->wrong.empty() && type->complete)) continue;
+    if (type == nullptr || (type->wrong.empty() && type->complete && type->form.empty())) continue;
     if (!type->wrong.empty()) {
       r.error("unknown_type", group.data_span,
               fmt::format("there is no type `{}` in the C++: {}", group.data, type->wrong),
               "name the header that declares it under `cpp: {headers: [...]}`, and the type with its namespace");
+      continue;
+    }
+    if (!type->form.empty()) {
+      Diagnostic& finding =
+          r.error("unknown_type", group.data_span,
+                  fmt::format("`{}` is {}, which no task can carry: data are stored by value", group.data, type->form),
+                  "name a class, an enum, a number or a pointer, or leave out `data`");
+      note_place(r, finding, type->place, "it is here");
       continue;
     }
     Diagnostic& finding = r.error("unknown_type", group.data_span,

@@ -91,6 +91,34 @@ TEST_CASE("a type whose template is only defined for some arguments is a type") 
   CHECK(checked("way::Call<int>").find("`way::Call<int>` is declared and not defined") != std::string::npos);
 }
 
+TEST_CASE("a type that cannot be stored by value is no type of data, whatever it is called") {
+  const Workshop work("types-forms");
+  work.write("flags", "g++\n-std=c++20\n-I" + source_folder() + "\n-I" + work.path() + "\n");
+  work.write("way.hpp", "#pragma once\nnamespace way {\nusing Ref = int&; using Moved = int&&; using Array = int[3]; "
+                        "using Call = int(int); using None = void; using Fixed = const int; using Port = volatile int; "
+                        "struct Base { virtual void act() = 0; }; using Pointer = Base*; using Entry = int (*)(int);\n"
+                        "template <class T> struct Some { virtual void act() = 0; }; using Open = Some<int>;\n}\n");
+  const auto checked = [&](const std::string& data) {
+    work.write("cart.yaml", "behaviour: cart\nlanguage: 1\ncpp: {headers: [way.hpp]}\nroots: [Drive]\ngroups:\n"
+                            "  Drive: {data: 'way::" +
+                                data + "'}\n");
+    const std::string out = work.directorc({"check", work.path("cart.yaml"), "--flags", work.path("flags")}).out;
+    const std::size_t begin = out.find("` is "), end = out.find(", which no task can carry");
+    return begin == std::string::npos || end == std::string::npos ? out : out.substr(begin + 5, end - begin - 5);
+  };
+  CHECK(checked("Ref") == "a reference");
+  CHECK(checked("Moved") == "a reference");
+  CHECK(checked("Array") == "an array");
+  CHECK(checked("Call") == "a function type");
+  CHECK(checked("None") == "`void`");
+  CHECK(checked("Fixed") == "`const`");
+  CHECK(checked("Port") == "`volatile`");
+  CHECK(checked("Base") == "an abstract class");
+  CHECK(checked("Pointer") == "");
+  CHECK(checked("Entry") == "");
+  CHECK(checked("Open") == ""); // not instantiated
+}
+
 TEST_CASE("an enum without values, or one that two states name, is no type of a state") {
   const Workshop work("types-odd");
   work.write("flags", "g++\n-std=c++20\n-I" + work.path("include") + "\n");
