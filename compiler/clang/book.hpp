@@ -56,7 +56,8 @@ private:
 /// files.
 std::string key_of(const clang::NamedDecl& decl);
 
-/// instantiate.cpp: the bodies that a class inherits from a template, also if no file makes an object of it.
+/// instantiate.cpp: the bodies that a class inherits from a template, also if no file makes an object of it, and
+/// deleters that are templates, which only the library's code calls.
 void instantiate_bodies(clang::Sema& sema);
 /// classes.cpp: the classes of the unit that implement modules. Queues the functions to begin with.
 void find_classes(Book& book);

@@ -141,6 +141,12 @@ const Shape promises[] = {
     {"InheritedDeleter",
      "struct Deletes { void operator()(Run* run) const { run->set(S::on); } }; struct Last : Deletes {};",
      "const std::unique_ptr<Run, Last> last(&run); return ask(run);"},
+    {"OneOfManyDeleters", "template <class T> struct Last { void operator()(T* run) const { run->set(S::on); } };",
+     "const std::unique_ptr<Run, Last<Run>> last(&run); return ask(run);"},
+    {"InheritedOneOfMany",
+     "template <class T> struct Deletes { void operator()(T* run) const { run->set(S::on); } }; "
+     "struct Last : Deletes<Run> {};",
+     "const std::unique_ptr<Run, Last> last(&run); return ask(run);"},
     {"HeldDerived",
      "struct Way { virtual ~Way() = default; }; struct Last : Way { Run& run; explicit Last(Run& r) : run(r) {} "
      "~Last() override { run.set(S::on); } };",
