@@ -90,16 +90,13 @@ std::optional<Microseconds> bound_of(const std::vector<Transition::Push>& pushes
 
 void Judge::judge(const Beginning& row, const Beginning& column, const Play& now, const Values& change, Transition& out,
                   CellContext& context) const {
-  const std::vector<GroupId> all = player_.lost(row, now.trial.rest);
-  for (const GroupId id : all) (now.trial.rest.groups[id.value].granted ? out.taken : out.stops).push_back(id);
-  for (const GroupId id : out.taken) {
-    if (!now.trial.rest.is_for(model_, id, row.way.target)) context.left.push_back(id);
-  }
+  const std::vector<GroupId> lost = find_losses(row, column, now.trial, out, context);
+  std::vector<GroupId> all = lost;
+  all.insert(all.end(), out.again.begin(), out.again.end());
   out.pushes = pushes_of(now.trial, row);
-  add_further(row, column, now.trial, change, all, out.pushes);
+  add_further(row, column, now.trial, change, lost, out.pushes);
   const Parting parting = part(model_, row.way, column.way);
-  const bool ended = !runs(now.trial.rest, row.way);
-  find_above(row, parting, now.trial.rest, out, context);
+  const bool ended = !runs(now.trial.rest, row.way) || contains(out.again, row.way.target);
   context.withdrawer = parting.link ? model_.groups[row.way.group(*parting.link)].name.value : "The program";
   if ((ended || !all.empty()) && player_.ends_by(row, column, change, all)) {
     out.kind = Kind::condition_lost;
@@ -110,40 +107,17 @@ void Judge::judge(const Beginning& row, const Beginning& column, const Play& now
     context.replacement = column.way.links[*parting.link].next->target;
   } else if (all.empty()) {
     out.kind = Kind::both;
-  } else if ((context.ender = find_ender(row, now.trial, all, out, context))) {
+  } else if ((context.ender = find_ender(row, column, now.trial, lost, out, context))) {
     out.kind = Kind::condition_lost;
     context.row_runs_on = !ended;
   } else {
     out.kind = pushed_first(row, column, now.trial) ? Kind::soft : Kind::hard;
-    find_takers(column, now.trial.rest, all, context);
-    if (out.kind == Kind::hard) find_pushed_takers(row, column, now.trial, all, context);
+    context.takes_over = !lost.empty() && takes_from_side(row, column, now.trial);
+    if (context.takes_over) find_all_takers(row, column, now.trial, lost, out, context);
     context.runs_at_once = runs_before(now.trial, row, column);
   }
   if (out.kind != Kind::soft) return;
   out.bound = bound_of(out.pushes);
-}
-
-std::optional<Assignment> Judge::find_ender(const Beginning& row, const Trial& trial, const std::vector<GroupId>& lost,
-                                            const Transition& out, const CellContext& context) const {
-  const bool is_any_held =
-      std::any_of(lost.begin(), lost.end(), [&](GroupId id) { return trial.rest.groups[id.value].by.has_value(); });
-  if (is_any_held || context.holder || !out.pushes.empty()) return {};
-  const auto ends = [&](const Assignment& set, const ConditionUse& use) {
-    const Condition& condition = model_.conditions[use.id];
-    if (condition.state != set.state || condition.accepts.contains(set.value)) return false;
-    const auto before = row.rest.values.find(set.state), after = trial.rest.values.find(set.state);
-    return before != row.rest.values.end() && condition.accepts.contains(before->second) &&
-           after != trial.rest.values.end() && after->second == set.value;
-  };
-  for (const Assignment& set : assignments_of(trial)) {
-    for (const GroupId id : model_.groups.ids()) {
-      const std::optional<ProviderId> ran = row.rest.groups[id.value].active;
-      if (!ran || !(row.way.passes(id) || row.rest.is_under(model_, id, row.way.last().edge))) continue;
-      const std::vector<ConditionUse>& when = model_.providers[*ran].when;
-      if (std::any_of(when.begin(), when.end(), [&](const ConditionUse& use) { return ends(set, use); })) return set;
-    }
-  }
-  return {};
 }
 
 /// Whether it is a push, and not for a task that ran on the row's own side and is requested there.
@@ -196,33 +170,10 @@ bool Judge::runs_before(const Trial& trial, const Beginning& row, const Beginnin
   return granted <= first_pushes(row, trial).micro_step;
 }
 
-void Judge::find_above(const Beginning& row, const Parting& parting, const Rest& rest, Transition& out,
-                       CellContext& context) const {
-  const std::size_t first = parting.link ? *parting.link + 1 : 0;
-  std::vector<GroupId> chain;
-  for (std::size_t i = first; i < row.way.links.size(); ++i) chain.push_back(row.way.group(i));
-  for (const GroupId id : chain) {
-    const bool has_stopped = row.rest.groups[id.value].granted && !rest.groups[id.value].granted;
-    if (has_stopped && std::find(out.stops.begin(), out.stops.end(), id) == out.stops.end())
-      context.above.push_back(id);
-  }
-  out.stops.insert(out.stops.end(), context.above.begin(), context.above.end());
-  std::sort(out.stops.begin(), out.stops.end());
-  if (context.above.empty()) return;
-  const EdgeId side = parting.link ? row.way.links[*parting.link].next->edge : row.way.root->edge;
-  std::optional<std::size_t> deepest;
-  for (const GroupId id : model_.groups.ids()) {
-    const bool is_taken =
-        row.rest.is_under(model_, id, side) && rest.groups[id.value].by && !rest.is_under(model_, id, side);
-    if (!is_taken) continue;
-    if (row.rest.is_under(model_, id, row.way.last().edge)) return;
-    for (std::size_t i = chain.size(); i-- > deepest.value_or(0);) {
-      if (!row.rest.is_for(model_, id, chain[i])) continue;
-      deepest = i;
-      break;
-    }
-  }
-  if (deepest) context.holder = chain[*deepest];
+void Judge::find_all_takers(const Beginning& row, const Beginning& column, const Trial& trial,
+                            const std::vector<GroupId>& lost, const Transition& out, CellContext& context) const {
+  find_takers(column, trial.rest, lost, context);
+  if (out.kind == Kind::hard) find_pushed_takers(row, column, trial, lost, context);
 }
 
 void Judge::find_takers(const Beginning& column, const Rest& rest, const std::vector<GroupId>& lost,

@@ -23,6 +23,10 @@ public:
   void judge(const Beginning& row, const Beginning& column, const Play& now, const Values& change, Transition& out,
              CellContext& context) const;
 
+  /// Finds what stops on the row's side, and what runs on for others. Returns what no longer runs for the row's task.
+  std::vector<GroupId> find_losses(const Beginning& row, const Beginning& column, const Trial& trial, Transition& out,
+                                   CellContext& context) const;
+
   /// The pushes that were not made for the row's side.
   std::vector<Transition::Push> pushes_of(const Trial& trial, const Beginning& row) const;
 
@@ -44,8 +48,12 @@ private:
 
   /// Adds the groups on the row's chain, below where the chains part, that have stopped; and finds which of them held
   /// what was taken, if that was nothing of the row's.
-  void find_above(const Beginning& row, const Parting& parting, const Rest& rest, Transition& out,
+  void find_above(const Beginning& row, const Parting& parting, const Trial& trial, Transition& out,
                   CellContext& context) const;
+
+  /// Finds what took from the row in place of the column; nothing if that was the column.
+  void find_all_takers(const Beginning& row, const Beginning& column, const Trial& trial,
+                       const std::vector<GroupId>& lost, const Transition& out, CellContext& context) const;
 
   /// Finds what was requested with the column and has what the row lost; nothing if the column has some of it.
   void find_takers(const Beginning& column, const Rest& rest, const std::vector<GroupId>& lost,
@@ -55,9 +63,21 @@ private:
   void find_pushed_takers(const Beginning& row, const Beginning& column, const Trial& trial,
                           const std::vector<GroupId>& lost, CellContext& context) const;
 
-  /// If nothing that the row lost has another holder: what a body set that contradicts a condition of the row's side.
-  std::optional<Assignment> find_ender(const Beginning& row, const Trial& trial, const std::vector<GroupId>& lost,
-                                       const Transition& out, const CellContext& context) const;
+  /// The first moment when some of these groups, which run for the row's task, have a holder elsewhere.
+  struct Taken {
+    Rest when;              ///< with the holders of that moment
+    std::vector<EdgeId> by; ///< the requests that hold them; empty: never
+  };
+  Taken first_taken(const Beginning& row, const Beginning& column, const Trial& trial,
+                    const std::vector<GroupId>& groups) const;
+  /// Whether anything of the row, or of what leads to it alone, had a holder elsewhere.
+  bool takes_from_side(const Beginning& row, const Beginning& column, const Trial& trial) const;
+
+  /// If nothing that the row lost, or that was interrupted, had another holder: what a body set that contradicts a
+  /// condition of the row's side.
+  std::optional<Assignment> find_ender(const Beginning& row, const Beginning& column, const Trial& trial,
+                                       const std::vector<GroupId>& lost, const Transition& out,
+                                       const CellContext& context) const;
 
   const Model& model_;
   const Lowered& lowered_;

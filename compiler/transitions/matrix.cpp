@@ -304,7 +304,7 @@ private:
 
   /// Its scenario is without the bodies that did not run.
   void keep_play(const Play& play, CellContext& context, Transition& out) {
-    context.assignments = assignments_of(play.trial);
+    context.assignments = assignments_of(play.trial.events);
     out.scenario = {piece("scenario: from "), piece(model_.groups[context.row.group].name.value), piece(" to "),
                     piece(model_.groups[context.column.group].name.value),
                     piece(fmt::format("\nbehaviour: {}\n", behaviour_))};

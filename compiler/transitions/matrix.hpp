@@ -40,7 +40,8 @@ struct Transition {
   std::optional<Microseconds> bound; ///< soft: the sum of the longest promised time of each push; empty: a condition
                                      ///< has no time
   std::vector<GroupId> stops;        ///< what ran for the first, or leads to it, and no longer runs
-  std::vector<GroupId> taken;        ///< what ran for the first and now runs for another requester
+  std::vector<GroupId> taken;        ///< what ran for the first and now runs for another requester, without a stop
+  std::vector<GroupId> again;        ///< what ran for the first, or leads to it, stops, and then runs again
   std::vector<std::string> states;   ///< `Ball == near`: set from outside for the second
   std::string asserted;              ///< the verdict of the assertion that it is soft; empty: there is none
   std::vector<std::size_t> scenario; ///< of TransitionMatrix::pieces, one after another; empty: nothing was played

@@ -8,9 +8,18 @@
 
 namespace director::compiler::transitions {
 
+namespace {
+
+Lowered with_stops(Lowered lowered) {
+  for (director::Group& group : lowered.groups) group.stop = true;
+  return lowered;
+}
+
+} // namespace
+
 Player::Player(const Model& model, const Lowered& lowered, const std::string& behaviour)
     : model_(model),
-      lowered_(lowered),
+      lowered_(with_stops(lowered)),
       head_(fmt::format("scenario: transition\nbehaviour: {}\n", behaviour)) {}
 
 Play Player::play(Script script, std::string steps, std::uint32_t from, const Way& way) const {
@@ -33,6 +42,17 @@ std::vector<GroupId> Player::lost(const Beginning& row, const Rest& rest) const 
     if (!before.active || !row.rest.is_under(model_, id, edge)) continue;
     // What has stopped may be held for a need, and by the same edge.
     if (!rest.is_under(model_, id, edge) || (before.granted && !rest.groups[id.value].granted)) out.push_back(id);
+  }
+  return out;
+}
+
+std::vector<GroupId> Player::interrupted(const Beginning& row, const Trial& trial) const {
+  const EdgeId edge = row.way.last().edge;
+  std::vector<GroupId> out;
+  for (const GroupId id : model_.groups.ids()) {
+    if (row.rest.groups[id.value].granted && row.rest.is_under(model_, id, edge) && has_stopped(trial, id) &&
+        trial.rest.groups[id.value].granted)
+      out.push_back(id);
   }
   return out;
 }
@@ -84,7 +104,9 @@ bool Player::ends_with(const Beginning& row, const Beginning& column, const Way&
       is_blocked(row, alone.trial.rest, all))
     return false;
   if (!runs(alone.trial.rest, row.way)) return true;
-  const std::vector<GroupId> ended = lost(row, alone.trial.rest);
+  std::vector<GroupId> ended = lost(row, alone.trial.rest);
+  const std::vector<GroupId> again = interrupted(row, alone.trial);
+  ended.insert(ended.end(), again.begin(), again.end());
   return !all.empty() && std::all_of(all.begin(), all.end(), [&](GroupId id) {
     return std::find(ended.begin(), ended.end(), id) != ended.end();
   });

@@ -41,8 +41,10 @@ public:
 
   /// What ran for the row's task and no longer runs for it.
   std::vector<GroupId> lost(const Beginning& row, const Rest& rest) const;
+  /// What ran for the row's task, has stopped since, and runs again, for whichever requester.
+  std::vector<GroupId> interrupted(const Beginning& row, const Trial& trial) const;
 
-  /// Whether the values alone end the row's task, or take everything from it that it lost.
+  /// Whether the values alone end the row's task, or all of these groups stop by them or are lost.
   bool ends_by(const Beginning& row, const Beginning& column, const Values& change,
                const std::vector<GroupId>& all) const;
 
@@ -62,7 +64,7 @@ private:
   bool is_blocked(const Beginning& row, const Rest& rest, const std::vector<GroupId>& all) const;
 
   const Model& model_;
-  const Lowered& lowered_;
+  const Lowered lowered_; ///< each group has a stop handler: all stops are reported
   std::string head_;
   mutable std::size_t work_ = 0;
 };

@@ -30,6 +30,7 @@ Json cell_json(const Transition& cell, const Model& model) {
   if (cell.bound) out.add("within_us", Json::number(*cell.bound));
   if (!cell.stops.empty()) out.add("stops", group_names(cell.stops, model));
   if (!cell.taken.empty()) out.add("taken", group_names(cell.taken, model));
+  if (!cell.again.empty()) out.add("again", group_names(cell.again, model));
   if (!cell.states.empty()) out.add("states", Json::texts(cell.states));
   if (!cell.asserted.empty()) out.add("asserted", Json::text(cell.asserted));
   if (!cell.scenario.empty()) {

@@ -108,13 +108,18 @@ bool Rest::is_for(const Model& model, GroupId group, GroupId above) const {
   return false;
 }
 
-std::vector<Assignment> assignments_of(const Trial& trial) {
+std::vector<Assignment> assignments_of(std::span<const Event> events) {
   std::vector<Assignment> out;
-  for (const Event& event : trial.events) {
+  for (const Event& event : events) {
     if (event.kind == Event::Kind::assign && event.provider != nil)
       out.push_back({ProviderId{event.provider}, StateId{event.state}, event.value});
   }
   return out;
+}
+
+bool has_stopped(const Trial& trial, GroupId group) {
+  return std::any_of(trial.events.begin(), trial.events.end(),
+                     [&](const Event& event) { return event.kind == Event::Kind::stop && event.group == group.value; });
 }
 
 Trial play_trial(const std::string& text, const Model& model, const Lowered& lowered, std::uint32_t from,

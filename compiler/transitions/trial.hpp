@@ -8,6 +8,7 @@
 #include "runtime/core/observer.hpp"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,8 +51,11 @@ struct Trial {
   bool is_requested = true;  ///< then: something requests the last group of the chain
 };
 
-/// Those of its events, in order.
-std::vector<Assignment> assignments_of(const Trial& trial);
+/// Those of the events, in order.
+std::vector<Assignment> assignments_of(std::span<const Event> events);
+
+/// Whether the group stopped in one of its events.
+bool has_stopped(const Trial& trial, GroupId group);
 
 /// `way`: the chain whose groups are examined at the end.
 Trial play_trial(const std::string& text, const Model& model, const Lowered& lowered, std::uint32_t from,

@@ -51,14 +51,23 @@ std::string names_of(const std::vector<GroupId>& groups, const Model& model) {
   return and_list(names);
 }
 
-bool contains(const std::vector<GroupId>& groups, GroupId id) {
-  return std::find(groups.begin(), groups.end(), id) != groups.end();
+/// Nothing for no groups.
+std::string happens(const std::vector<GroupId>& groups, std::string_view one, std::string_view several,
+                    const Model& model) {
+  return groups.empty() ? std::string{}
+                        : fmt::format(" {} {}.", names_of(groups, model), groups.size() == 1 ? one : several);
 }
 
-/// The taken groups, which ran for that one.
-std::string runs_on(const std::vector<GroupId>& taken, std::string_view former, const Model& model) {
-  return fmt::format(" {} {} on, but not for {} any more.", names_of(taken, model), taken.size() == 1 ? "runs" : "run",
-                     former);
+/// What ran for that one, and does so no longer.
+std::string goes_to_others(const std::vector<GroupId>& groups, std::string_view former, const Transition& cell,
+                           const Model& model) {
+  std::vector<GroupId> on, again;
+  for (const GroupId id : groups) (contains(cell.again, id) ? again : on).push_back(id);
+  const auto with = [&](std::string_view verb, std::string_view not_for) {
+    return fmt::format("{}, but not for {}{}", verb, former, not_for);
+  };
+  return happens(on, with("runs on", " any more"), with("run on", " any more"), model) +
+         happens(again, with("stops, and begins again", ""), with("stop, and begin again", ""), model);
 }
 
 std::string stops(const Transition& cell, const CellContext& context) {
@@ -66,17 +75,19 @@ std::string stops(const Transition& cell, const CellContext& context) {
   std::vector<GroupId> stopped = context.above; // first: a long list is cut off
   std::copy_if(cell.stops.begin(), cell.stops.end(), std::back_inserter(stopped),
                [&](GroupId id) { return !contains(context.above, id); });
-  if (!stopped.empty())
-    out += fmt::format(" {} {}.", names_of(stopped, context.model), stopped.size() == 1 ? "stops" : "stop");
+  out += happens(stopped, "stops", "stop", context.model);
+  std::vector<GroupId> again;
+  std::copy_if(cell.again.begin(), cell.again.end(), std::back_inserter(again),
+               [&](GroupId id) { return !contains(context.others, id); });
+  out += happens(again, "stops, and begins again", "stop, and begin again", context.model);
   // The first one itself ran for its requester, and what still runs for the first one did so too.
   const TransitionMatrix::Row& row = context.row;
   const auto name = [&](GroupId id) { return std::string_view(context.model.groups[id].name.value); };
   std::vector<GroupId> with_row, others;
-  const bool itself = contains(cell.taken, row.group);
-  for (const GroupId id : cell.taken) (itself && !contains(context.left, id) ? with_row : others).push_back(id);
-  if (itself) out += runs_on(with_row, row.chain.empty() ? "the program" : name(row.chain.back()), context.model);
-  if (!others.empty()) out += runs_on(others, name(row.group), context.model);
-  return out;
+  const bool itself = contains(context.others, row.group);
+  for (const GroupId id : context.others) (itself && !contains(context.left, id) ? with_row : others).push_back(id);
+  out += goes_to_others(with_row, row.chain.empty() ? "the program" : name(row.chain.back()), cell, context.model);
+  return out + goes_to_others(others, name(row.group), cell, context.model);
 }
 
 /// `Stand, which is requested with Grab,`
@@ -146,8 +157,8 @@ std::string ends(const Transition& cell, const CellContext& context) {
   if (context.row_runs_on)
     return fmt::format("W{} ends groups below {}, which runs on.{}", wants, first, stops(cell, context));
   if (contains(cell.taken, context.row.group)) return fmt::format("By w{},{}", wants, stops(cell, context));
-  return fmt::format("W{} ends {}.{}", wants, first,
-                     cell.taken.empty() && context.above.empty() ? "" : stops(cell, context));
+  const bool is_all = cell.taken.empty() && cell.again.empty() && context.above.empty();
+  return fmt::format("W{} ends {}.{}", wants, first, is_all ? "" : stops(cell, context));
 }
 
 std::string endless(const CellContext& context) {
@@ -162,6 +173,10 @@ std::string endless(const CellContext& context) {
 }
 
 } // namespace
+
+bool contains(const std::vector<GroupId>& groups, GroupId id) {
+  return std::find(groups.begin(), groups.end(), id) != groups.end();
+}
 
 std::vector<std::string> words_of(const Values& values, const Model& model) {
   std::vector<std::string> out;
@@ -199,10 +214,14 @@ std::string words_of(const Transition& cell, const CellContext& context) {
     const std::string bound = cell.bound   ? all
                               : any_within ? " No time is promised for all of that."
                                            : " No time is promised for that.";
-    return fmt::format("{} waits.{}{} Then {} over.{}{}", waiting(context), pushes(cell, context.model), bound,
-                       taking(context), stops(cell, context), outside(cell.states));
+    return fmt::format("{} waits.{}{} Then {}.{}{}", waiting(context), pushes(cell, context.model), bound,
+                       context.takes_over ? taking(context) + " over" : second + " runs", stops(cell, context),
+                       outside(cell.states));
   }
   case Kind::hard:
+    if (!context.takes_over)
+      return fmt::format("When {} is requested, {} loses groups at once.{}{}", second, first, stops(cell, context),
+                         outside(cell.states));
     return fmt::format("{} at once what {} holds.{}{}", taking(context),
                        leading(context.holder.value_or(context.row.group), context.row.group, context.model),
                        stops(cell, context), outside(cell.states));

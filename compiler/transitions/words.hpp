@@ -16,13 +16,15 @@ struct CellContext {
   std::string withdrawer{};        ///< the requester of both; empty: the program
   GroupId withdrawn{};             ///< replaced: what that one no longer requests, and leads to the first
   GroupId replacement{};           ///< likewise what it requests instead, and leads to the second
-  std::vector<GroupId> left{};     ///< of the taken groups, those that do not run for the first one any more
+  std::vector<GroupId> others{};   ///< what was taken, and of what runs again that which does so for another requester
+  std::vector<GroupId> left{};     ///< of these, those that do not run for the first one any more
   std::vector<GroupId> above{};    ///< of what stops, that which leads to the first one
   std::optional<GroupId> holder{}; ///< of the groups that lead to the first one, the lowest whose groups were taken;
                                    ///< empty: groups of the first one
   bool row_runs_on = false;        ///< condition lost: only groups below the first one are lost
+  bool takes_over = true;          ///< soft, hard: false: what stops runs again, or is not taken by anything
   bool is_requested = true;        ///< the second, while the first one runs
-  std::vector<GroupId> takers{};   ///< soft, hard: what is requested with the second and takes over in its place
+  std::vector<GroupId> takers{};   ///< soft, hard: what takes over in place of the second, and is requested with it
   std::optional<GroupId> leader{}; ///< else: on the chain to the second, of which neither it nor what it requests takes
   bool runs_at_once = false;       ///< with takers: the second does not wait
   std::vector<GroupId> round{};    ///< endless: what runs again and again
@@ -30,6 +32,8 @@ struct CellContext {
   std::optional<Assignment> ender{};     ///< condition lost: what a body set; empty: the values from outside
   std::vector<Assignment> assignments{}; ///< from the second one's request on
 };
+
+bool contains(const std::vector<GroupId>& groups, GroupId id);
 
 std::string words_of(const Transition& cell, const CellContext& context);
 

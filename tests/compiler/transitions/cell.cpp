@@ -47,6 +47,7 @@ std::string cell(const std::string& behaviour, const std::string& from, const st
   if (found.bound) out += fmt::format("bound {}\n", *found.bound);
   if (!found.stops.empty()) out += "stops" + names(model, found.stops) + "\n";
   if (!found.taken.empty()) out += "taken" + names(model, found.taken) + "\n";
+  if (!found.again.empty()) out += "again" + names(model, found.again) + "\n";
   for (const std::size_t piece : found.scenario) out += matrix.pieces[piece];
   return out;
 }

@@ -31,8 +31,8 @@ groups:
   Legs: {}
 )",
                    "Walk", "Go") ==
-        "condition lost: By what Go wants from outside, Stay stops. Walk runs on, but not for Stay any more. "
-        "The outside says Person == none.");
+        "condition lost: What Go wants from outside ends Walk. Stay stops. Walk stops, and begins again, but not for "
+        "Stay. The outside says Person == none.");
 }
 
 TEST_CASE("condition lost: what the second wants from outside ends the first one") {
@@ -99,7 +99,8 @@ groups:
 }
 
 TEST_CASE("condition lost: a promise that would undo the values from outside does not hide that") {
-  CHECK(cell_words(R"(states: {Stability: {values: [fallen, moving, standing], initial: standing, external: true}}
+  CHECK(
+      cell_words(R"(states: {Stability: {values: [fallen, moving, standing], initial: standing, external: true}}
 roots: {Recover: {priority: 90}, Play: {priority: 10}}
 groups:
   Recover:
@@ -115,9 +116,9 @@ groups:
       - {name: halting, needs: [Legs], causing: [Stability == standing], tasks: [Legs]}
   Legs: {}
 )",
-                   "Kick", "GetUp") ==
-        "condition lost: What GetUp wants from outside ends Kick. Kick stops. Legs runs on, "
-        "but not for Kick any more. The outside says Stability == fallen.");
+                 "Kick", "GetUp") ==
+      "condition lost: What GetUp wants from outside ends Kick. Kick stops. Legs stops, and begins again, but not for "
+      "Kick. The outside says Stability == fallen.");
 }
 
 TEST_CASE("condition lost: the outside ends the provider that is preferred to the one that leads to the second one") {

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Cells where something of the first task stops when the second is requested, although the first one runs at the end,
+// or the second one does not.
+#include "tests/compiler/transitions/cell.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+namespace director::tests {
+
+TEST_CASE("condition lost: what a body sets ends the first one, and a push for the first one lets it begin again") {
+  for (const char* const stop : {"stop: true, ", ""}) {
+    CHECK(cell(fmt::format(R"(states:
+  Gate: {{values: [shut, open, locked], initial: open}}
+  Night: {{values: [day, night], initial: day, external: true}}
+roots: {{Work: {{priority: 20}}, Tune: {{priority: 10}}}}
+groups:
+  Work: {{{0}when: [Gate == open], needs: [Arm], tasks: [Arm]}}
+  Tune:
+    providers:
+      - {{name: locking, when: [Night == night], causing: [Gate == locked]}}
+      - {{name: airing, sets: [Gate == shut], causing: [Gate == open within 2 s], tasks: [Probe]}}
+  Arm: {{}}
+  Probe: {{}}
+)",
+                           stop),
+               "Work", "Tune")
+              .starts_with("condition lost: What Tune.airing sets (Gate == shut) ends Work. Work and Arm stop, and "
+                           "begin again.\nagain Work Arm\nscenario:"));
+  }
+}
+
+TEST_CASE("hard: what stops and begins again for another requester is not said to run on") {
+  CHECK(cell(R"(roots: {Guard: {priority: 20}, Work: {priority: 10}}
+groups:
+  Guard: {needs: [Legs], tasks: {Brake: {}, Legs: {optional: true}}}
+  Brake: {packs: {free: {Mind: {}}, firm: {Legs: {}}}}
+  Work: {needs: [Legs], tasks: [Legs]}
+  Mind: {}
+  Legs: {stop: true}
+)",
+             "Work", "Guard")
+            .starts_with("hard: Guard takes at once what Work holds. Work stops. Legs stops, and begins again, but not "
+                         "for Work.\nstops Work\nagain Legs\nscenario:"));
+}
+
+TEST_CASE("hard: nothing of the first one is taken for good, but something stops for another one of its tasks") {
+  CHECK(cell_words(R"(states: {Box: {values: [away, there], initial: away, external: true}}
+roots: {Carry: {priority: 20}, Tidy: {priority: 10}}
+groups:
+  Tidy: {tasks: {Carry: {}, Sort: {}, Sweep: {optional: true}}}
+  Carry: {when: [Box == there], needs: [Hand]}
+  Sort: {needs: [Arm]}
+  Sweep: {needs: [Arm]}
+  Hand: {}
+  Arm: {}
+)",
+                   "Tidy", "Carry") == "hard: When Carry is requested, Tidy loses groups at once. Sweep stops, and "
+                                       "begins again. The outside says Box == "
+                                       "there.");
+}
+
+TEST_CASE("soft: the first one is pushed, and something of it stops meanwhile") {
+  CHECK(cell(R"(states: {Pose: {values: [moving, still], initial: still}}
+roots: {Film: {priority: 20}, Walk: {priority: 10}}
+groups:
+  Film: {when: [Pose == still], stay: [Pose >= moving], needs: [Eye]}
+  Walk:
+    providers:
+      - {name: walking, needs: [Legs, Arms], sets: [Pose == moving], tasks: [Legs, Arms]}
+      - {name: halting, needs: [Legs], causing: [Pose == still within 2 s], tasks: [Legs]}
+  Legs: {}
+  Arms: {}
+  Eye: {}
+)",
+             "Walk", "Film")
+            .starts_with("soft: Film waits. Walk is pushed to halting for Pose == still, within 2 s. Then Film runs. "
+                         "Arms stops.\n"));
+}
+
+} // namespace director::tests
