@@ -255,6 +255,8 @@ private:
       out.kind = ends ? Kind::condition_lost : runs_later ? Kind::waits : Kind::never;
       out.states = words_of(change, model_);
       out.pushes = judge_.pushes_of(now.trial, row);
+      judge_.find_losses(row, column, now.trial, out, context);
+      context.row_ended = !runs(now.trial.rest, row.way);
       context.why = runs_later ? now.trial.why : later.trial.why;
       context.is_requested = now.trial.is_requested;
       decided = later;

@@ -161,6 +161,12 @@ std::string ends(const Transition& cell, const CellContext& context) {
   return fmt::format("W{} ends {}.{}", wants, first, is_all ? "" : stops(cell, context));
 }
 
+/// With the pushes, and with what stops before that.
+std::string with_losses(const std::string& outcome, const Transition& cell, const CellContext& context) {
+  const std::string losses = stops(cell, context), pushed = pushes(cell, context.model);
+  return losses.empty() ? outcome + pushed : (pushed + losses).substr(1) + " " + outcome;
+}
+
 std::string endless(const CellContext& context) {
   const std::string when =
       context.when_done ? fmt::format("When {} is done", context.model.groups[context.row.group].name.value)
@@ -226,12 +232,16 @@ std::string words_of(const Transition& cell, const CellContext& context) {
                        leading(context.holder.value_or(context.row.group), context.row.group, context.model),
                        stops(cell, context), outside(cell.states));
   case Kind::waits:
-    return fmt::format("{} {} when {} is done.{}{}{}", second,
-                       context.is_requested ? "is queued, and runs" : "is not requested yet, and runs", first,
-                       pushes(cell, context.model), outside(cell.states), sentence(context.why));
+    return with_losses(fmt::format("{} {} {}.", second,
+                                   context.is_requested ? "is queued, and runs" : "is not requested yet, and runs",
+                                   context.row_ended ? "later" : fmt::format("when {} is done", first)),
+                       cell, context) +
+           outside(cell.states) + sentence(context.why);
   case Kind::never:
-    return fmt::format("{} does not run, nor when {} is done.{}{}", second, first, outside(cell.states),
-                       sentence(context.why));
+    return with_losses(fmt::format("{} does not run{}.", second,
+                                   context.row_ended ? "" : fmt::format(", nor when {} is done", first)),
+                       cell, context) +
+           outside(cell.states) + sentence(context.why);
   case Kind::endless: return endless(context) + outside(cell.states);
   case Kind::same_chain:
     return context.row.group == context.column.group

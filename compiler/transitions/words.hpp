@@ -22,6 +22,7 @@ struct CellContext {
   std::optional<GroupId> holder{}; ///< of the groups that lead to the first one, the lowest whose groups were taken;
                                    ///< empty: groups of the first one
   bool row_runs_on = false;        ///< condition lost: only groups below the first one are lost
+  bool row_ended = false;          ///< waits, never: the first one stops when the second is requested
   bool takes_over = true;          ///< soft, hard: false: what stops runs again, or is not taken by anything
   bool is_requested = true;        ///< the second, while the first one runs
   std::vector<GroupId> takers{};   ///< soft, hard: what takes over in place of the second, and is requested with it

@@ -78,4 +78,38 @@ groups:
                          "Arms stops.\n"));
 }
 
+TEST_CASE("never: the first one stops too where a unit of both waits") {
+  CHECK(cell(R"(states: {Link: {values: [down, up], initial: down}}
+roots: {Plan: {priority: 10}, Connect: {priority: 20}}
+groups:
+  Plan: {tasks: [Lift, Send]}
+  Connect: {sets: [Link]}
+  Lift: {needs: [Arm], tasks: [Arm]}
+  Send: {when: [Link == up], needs: [Radio], tasks: [Radio]}
+  Arm: {}
+  Radio: {}
+)",
+             "Lift", "Send")
+            .starts_with("never: Lift and Arm stop. Send does not run. Send waits (Plan>Send): until Link == up, which "
+                         "no enabled provider promises.\nstops Lift Arm\nscenario:"));
+}
+
+TEST_CASE("waits: what stops when the second is requested is named before") {
+  CHECK(cell_words(R"(states: {Load: {values: [none, box], initial: none, external: true}}
+roots: {Lift: {priority: 20}, Send: {priority: 10}}
+groups:
+  Lift:
+    providers:
+      - {name: free, when: [Load == none], needs: [Arm, Leg], tasks: [Arm, Leg]}
+      - {name: firm, needs: [Arm], tasks: [Arm]}
+  Send: {when: [Load == box], needs: [Arm], tasks: [Arm]}
+  Arm: {}
+  Leg: {}
+)",
+                   "Lift", "Send") ==
+        "waits: Leg stops. Send is queued, and runs when Lift is done. The outside says Load == box. Send waits "
+        "(root>Send): Arm, which it needs, is held by Lift>Arm, and root>Lift (priority 20) goes before root>Send "
+        "(priority 10).");
+}
+
 } // namespace director::tests
