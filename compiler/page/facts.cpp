@@ -106,7 +106,9 @@ void add_verdicts(const std::vector<Verdict>& verdicts, const Model& model, Tran
     Transition& cell = matrix.rows[from].cells[to];
     if (!cell.asserted.empty()) continue; // asserted twice
     cell.asserted = name_of(verdicts[i].kind);
-    cell.words += fmt::format(" It is asserted that this is always soft: {}.", cell.asserted);
+    cell.words += fmt::format(" It is asserted that granting {} is soft for {}: {}.",
+                              model.groups[assertion.groups[1].id].name.value,
+                              model.groups[assertion.groups[0].id].name.value, cell.asserted);
   }
 }
 

@@ -22,7 +22,7 @@ bool is_refuted(const Json& cell);
 /// Whether some cell is.
 bool has_refuted(const Json& rows);
 inline constexpr const char* refuted_meaning =
-    "an assertion says that it is always soft, and is refuted: it can happen otherwise";
+    "an assertion says that granting the second is always soft for the first, and is refuted: it can happen otherwise";
 inline constexpr const char* one_course =
     "Each cell is one course of events, and others are possible. What must always hold is an assertion.";
 

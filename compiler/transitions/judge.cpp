@@ -174,6 +174,7 @@ void Judge::find_all_takers(const Beginning& row, const Beginning& column, const
                             const std::vector<GroupId>& lost, const Transition& out, CellContext& context) const {
   find_takers(column, trial.rest, lost, context);
   if (out.kind == Kind::hard) find_pushed_takers(row, column, trial, lost, context);
+  if (context.takers.empty() && !context.leader) find_takers_below(row, column, trial, lost, context);
 }
 
 void Judge::find_takers(const Beginning& column, const Rest& rest, const std::vector<GroupId>& lost,
@@ -202,6 +203,21 @@ void Judge::find_takers(const Beginning& column, const Rest& rest, const std::ve
   }
   // What the chain needs, it takes for the column.
   if (takers.empty() && !leader_needs) context.leader = leader;
+  context.takers = std::move(takers);
+}
+
+void Judge::find_takers_below(const Beginning& row, const Beginning& column, const Trial& trial,
+                              const std::vector<GroupId>& lost, CellContext& context) const {
+  const auto [when, by] = first_taken(row, column, trial, lost);
+  std::vector<GroupId> takers;
+  for (const EdgeId edge : by) {
+    const std::optional<GroupId> taker = model_.edges[edge].requester;
+    const bool is_below = taker && *taker != column.way.target && when.is_under(model_, *taker, column.way.last().edge);
+    if (!is_below) return;
+    if (!contains(takers, *taker)) takers.push_back(*taker);
+  }
+  std::sort(takers.begin(), takers.end());
+  context.is_below = !takers.empty();
   context.takers = std::move(takers);
 }
 

@@ -59,6 +59,10 @@ private:
   void find_takers(const Beginning& column, const Rest& rest, const std::vector<GroupId>& lost,
                    CellContext& context) const;
 
+  /// Finds what ran for the column when it took something first; nothing if the column itself did so.
+  void find_takers_below(const Beginning& row, const Beginning& column, const Trial& trial,
+                         const std::vector<GroupId>& lost, CellContext& context) const;
+
   /// Finds what was requested with the column and pushed, and got with the push what the row has.
   void find_pushed_takers(const Beginning& row, const Beginning& column, const Trial& trial,
                           const std::vector<GroupId>& lost, CellContext& context) const;

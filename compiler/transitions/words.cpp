@@ -90,10 +90,14 @@ std::string stops(const Transition& cell, const CellContext& context) {
   return out + goes_to_others(others, name(row.group), cell, context.model);
 }
 
-/// `Stand, which is requested with Grab,`
+/// `Stand, which is requested with Grab,`, `Brake, which runs for Guard,`
 std::string others(const CellContext& context) {
-  return fmt::format("{}, which {} requested with {},", names_of(context.takers, context.model),
-                     context.takers.size() == 1 ? "is" : "are", context.model.groups[context.column.group].name.value);
+  const bool one = context.takers.size() == 1;
+  const std::string_view how = context.is_below ? (one ? "runs for" : "run for")
+                               : one            ? "is requested with"
+                                                : "are requested with";
+  return fmt::format("{}, which {} {},", names_of(context.takers, context.model), how,
+                     context.model.groups[context.column.group].name.value);
 }
 
 /// Who takes over, with the verb.
@@ -109,7 +113,8 @@ std::string taking(const CellContext& context) {
 std::string waiting(const CellContext& context) {
   const std::string& second = context.model.groups[context.column.group].name.value;
   return context.runs_at_once && !context.takers.empty()
-             ? fmt::format("{} runs at once. What is requested with it", second)
+             ? fmt::format("{} runs at once. What {}", second,
+                           context.is_below ? "it requests" : "is requested with it")
              : second;
 }
 

@@ -26,6 +26,7 @@ struct CellContext {
   bool takes_over = true;          ///< soft, hard: false: what stops runs again, or is not taken by anything
   bool is_requested = true;        ///< the second, while the first one runs
   std::vector<GroupId> takers{};   ///< soft, hard: what takes over in place of the second, and is requested with it
+  bool is_below = false;           ///< the takers run for the second instead
   std::optional<GroupId> leader{}; ///< else: on the chain to the second, of which neither it nor what it requests takes
   bool runs_at_once = false;       ///< with takers: the second does not wait
   std::vector<GroupId> round{};    ///< endless: what runs again and again

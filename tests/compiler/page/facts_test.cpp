@@ -173,7 +173,7 @@ assertions: [soft: {from: Walk, to: GetUp}]
   const std::vector<compiler::Json>& rows = transitions["rows"].items();
   REQUIRE(rows.size() == 2);
   CHECK(rows[1]["cells"].items()[0]["words"].as_text() ==
-        "GetUp takes at once what Walk holds. Walk stops. It is asserted that this is always soft: refuted.");
+        "GetUp takes at once what Walk holds. Walk stops. It is asserted that granting GetUp is soft for Walk: refuted.");
   CHECK(rows[1]["cells"].items()[0]["asserted"].as_text() == "refuted");
   CHECK(rows[0]["cells"].items()[1]["asserted"].is_null());
 }

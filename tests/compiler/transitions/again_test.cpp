@@ -112,4 +112,28 @@ groups:
         "(priority 10).");
 }
 
+TEST_CASE("hard, soft: what runs for the second is named where it takes over") {
+  const auto guard = [](const std::string& when) {
+    return cell_words(fmt::format(R"(states: {{Pose: {{values: [moving, still], initial: still}}}}
+roots: {{Guard: {{priority: 20}}, Work: {{priority: 10}}}}
+groups:
+  Guard: {{tasks: [Brake]}}
+  Brake: {{{}needs: [Wheels], tasks: [Wheels]}}
+  Work:
+    providers:
+      - {{name: going, needs: [Wheels], sets: [Pose == moving], tasks: [Wheels]}}
+      - {{name: halting, needs: [Wheels], causing: [Pose == still within 2 s], tasks: [Wheels]}}
+  Wheels: {{}}
+)",
+                                  when),
+                      "Work", "Guard");
+  };
+  const std::string over = " Work stops. Wheels runs on, but not for Work any more.";
+  CHECK(guard("") == "hard: Brake, which runs for Guard, takes at once what Work holds." + over);
+  CHECK(guard("when: [Pose == still], ") ==
+        "soft: Guard runs at once. What it requests waits. Work is pushed to halting for Pose == still, within 2 s. "
+        "Then Brake, which runs for Guard, takes over." +
+            over);
+}
+
 } // namespace director::tests

@@ -152,8 +152,10 @@ groups:
   CHECK(cell_words(down, "TakeOff", "Land") ==
         "hard: Fly, which is requested with Land, takes at once what TakeOff holds. TakeOff stops. Rotors runs on, but "
         "not for TakeOff any more.");
-  CHECK(cell_words(down, "TakeOff", "Safety") ==
-        "hard: Safety takes at once what TakeOff holds. TakeOff stops. Rotors runs on, but not for TakeOff any more.");
+  CHECK(
+      cell_words(down, "TakeOff", "Safety") ==
+      "hard: Fly, which runs for Safety, takes at once what TakeOff holds. TakeOff stops. Rotors runs on, but not for "
+      "TakeOff any more.");
 }
 
 } // namespace director::tests

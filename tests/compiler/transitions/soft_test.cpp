@@ -141,7 +141,8 @@ groups:
   const std::string pushed =
       " waits. Walk is pushed to halting for Pose == still, within 1 s, and for Arm == down, within 10 s";
   CHECK(cell_words(chain, "Walk", "Strike") ==
-        "soft: Strike" + pushed + ". All of that is promised within 10 s. Then Strike takes over. Walk and Legs stop.");
+        "soft: Strike" + pushed +
+            ". All of that is promised within 10 s. Then Kick, which runs for Strike, takes over. Walk and Legs stop.");
   CHECK(cell_words(chain, "Walk", "Kick") ==
         "soft: Kick" + pushed + ". All of that is promised within 10 s. Then Kick takes over. Walk and Legs stop.");
   CHECK(cell_words(chain, "Walk", "Look") ==
