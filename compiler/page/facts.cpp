@@ -147,9 +147,9 @@ void add_page_facts(Json& data, const Model& model, const Graph& graph, const st
   const Lowered lowered = lower(model);
   Json pushes = Json::list({});
   for (const Graph::Causing& row : with_possible_pushes(model, graph).causing) {
-    pushes.add(Json::object({{"waiter", Json::text(model.full_name(row.waiter))},
+    pushes.add(Json::object({{"waiter", Json::text(model.distinct_name(row.waiter))},
                              {"condition", Json::text(model.conditions[row.condition.id].text)},
-                             {"causer", Json::text(model.full_name(row.causer))}}));
+                             {"causer", Json::text(model.distinct_name(row.causer))}}));
   }
   data.add("pushes", std::move(pushes));
   Json takes = Json::list({});

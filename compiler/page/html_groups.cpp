@@ -60,7 +60,7 @@ std::string provider_html(const Json& group, const Json& provider, const HtmlInp
   if (!provider["tasks"].items().empty()) add_fact(facts, "requests", tasks_html(provider["tasks"]));
   for (const Json& pack : provider["packs"].items())
     add_fact(facts, "requests in pack " + html(pack["name"].as_text()), tasks_html(pack["tasks"]));
-  const bool named = provider["name"].as_text() != "default";
+  const bool named = has_own_name(group, provider);
   std::string out;
   if (named) out += fmt::format("<h4>{} {}</h4>\n", html(provider_name(group, provider)), place_html(provider, input));
   out += doc_html(provider);

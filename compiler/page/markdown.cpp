@@ -166,13 +166,13 @@ private:
   }
 
   void add_provider(const Json& group, const Json& provider) {
-    const std::string& name = provider["name"].as_text();
     const std::string doc = provider["doc"].as_text();
-    if (name != "default" || !doc.empty())
+    const bool named = has_own_name(group, provider) || !doc.empty();
+    if (named)
       out_ += fmt::format("- **{}**{}\n", escaped(provider_name(group, provider)),
                           doc.empty() ? "" : ": " + escaped(without_trailing_blanks(doc)));
     // Python-Markdown, used by MkDocs, treats less than four as the same list.
-    const std::string indent = name != "default" || !doc.empty() ? "    " : "";
+    const std::string indent = named ? "    " : "";
     const auto line = [&](std::string_view title, const std::string& text) {
       if (!text.empty()) out_ += fmt::format("{}- {}: {}\n", indent, title, text);
     };

@@ -126,9 +126,13 @@ std::string manner_of(const Json& task) {
   return out;
 }
 
+bool has_own_name(const Json& group, const Json& provider) {
+  return provider["name"].as_text() != "default" || group["providers"].items().size() > 1;
+}
+
 std::string provider_name(const Json& group, const Json& provider) {
-  const std::string& name = provider["name"].as_text();
-  return name == "default" ? group["name"].as_text() : group["name"].as_text() + "." + name;
+  const std::string& name = group["name"].as_text();
+  return has_own_name(group, provider) ? name + "." + provider["name"].as_text() : name;
 }
 
 std::string time_text(const Json& microseconds) { return dsl::time_text(microseconds.as_number()); }

@@ -42,7 +42,10 @@ bool requested_by_nobody(const Relations& relations, const std::string& group);
 /// `priority 20`, `priority normal 10, urgent 80`, `priority 10, optional`, and its `doc`: `priority 20: At times.`
 std::string manner_of(const Json& task);
 
-/// `Walk.halting`, `Kick`
+/// Not the only provider of a group that has its keys directly: that is called like the group.
+bool has_own_name(const Json& group, const Json& provider);
+
+/// `Walk.halting`, `Kick`; `Kick.default` if `extend` adds others.
 std::string provider_name(const Json& group, const Json& provider);
 
 /// `2 s`

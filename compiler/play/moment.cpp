@@ -67,7 +67,7 @@ Moment moment_of(const View& view, const Model& model, const Lowered& lowered) {
     const std::string condition = condition_text(model, lowered, push.condition);
     out.pushes.push_back({waits, group, to, condition,
                           fmt::format("{} waits for {} and has pushed {} to it", model.groups[waits].name.value,
-                                      condition, model.full_name(to))});
+                                      condition, model.distinct_name(to))});
   }
   for (const EdgeId edge : model.edges.ids()) {
     const Index target = static_cast<Index>(model.edges[edge].target.value);

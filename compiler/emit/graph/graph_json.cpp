@@ -159,9 +159,9 @@ private:
   }
 
   Json causing(const Graph::Causing& row) const {
-    return Json::object({{"causer", Json::text(model_.full_name(row.causer))},
+    return Json::object({{"causer", Json::text(model_.distinct_name(row.causer))},
                          {"promise", condition_text(row.promise)},
-                         {"waiter", Json::text(model_.full_name(row.waiter))},
+                         {"waiter", Json::text(model_.distinct_name(row.waiter))},
                          {"condition", condition_text(row.condition)}});
   }
 
@@ -209,7 +209,7 @@ private:
     }
     Json pushes = each(of.pushes, [&](const Moment::Push& push) {
       return Json::object({{"waits", group_name(push.waits)},
-                           {"pushed", Json::text(model_.full_name(push.to))},
+                           {"pushed", Json::text(model_.distinct_name(push.to))},
                            {"condition", Json::text(push.condition)}});
     });
     return Json::object({{"title", Json::text(of.title)},

@@ -182,7 +182,7 @@ bool has_priorities(const Model& model, const std::vector<Task>& tasks) {
 }
 
 std::string requester_name(const Model& model, ProviderId provider, const Pack* pack) {
-  const std::string name = model.full_name(provider);
+  const std::string name = model.distinct_name(provider);
   return pack == nullptr || pack->name.empty() ? name : fmt::format("{}, pack {},", name, pack->name);
 }
 
@@ -234,8 +234,8 @@ std::vector<GroupArrow> find_pushes(const Model& model, const Graph& graph) {
     const std::string& condition = model.conditions[causing.condition.id].text;
     join(arrow.label, condition, "\n");
     join(arrow.words,
-         fmt::format("{} waits for {} and may push {} to it", model.full_name(causing.waiter), condition,
-                     model.full_name(causing.causer)),
+         fmt::format("{} waits for {} and may push {} to it", model.distinct_name(causing.waiter), condition,
+                     model.distinct_name(causing.causer)),
          "\n");
   }
   std::vector<GroupArrow> out;

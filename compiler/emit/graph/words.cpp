@@ -43,7 +43,9 @@ PictureText PictureWords::group(GroupId id) const {
 PictureRow PictureWords::row(ProviderId id) const {
   const Provider& provider = model_.providers[id];
   PictureRow out;
-  out.name = provider.direct ? std::string{} : provider.name;
+  // `extend` adds providers to a group with the keys of one, which then needs its name as well.
+  const bool alone = provider.direct && model_.groups[provider.group].providers.size() == 1;
+  out.name = alone ? std::string{} : provider.name;
   add_conditions(out.lines, LineKind::when, "when", model_, provider.when);
   add_conditions(out.lines, LineKind::stay, "stay", model_, provider.stay);
   add_conditions(out.lines, LineKind::causing, "causing", model_, provider.causing);
@@ -55,11 +57,11 @@ PictureRow PictureWords::row(ProviderId id) const {
   if (provider.every) out.lines.push_back({LineKind::runs, "every", dsl::time_text(*provider.every)});
   if (provider.packs.size() > 1) {
     for (const Pack& pack : provider.packs) {
-      const std::string name = fmt::format("{}, pack {}", model_.full_name(id), pack.name);
+      const std::string name = fmt::format("{}, pack {}", model_.distinct_name(id), pack.name);
       out.packs.push_back({pack.name, at(with_doc(name, pack.doc), pack.span)});
     }
   }
-  std::string words = with_doc(model_.full_name(id), provider.doc);
+  std::string words = with_doc(model_.distinct_name(id), provider.direct ? std::string{} : provider.doc);
   for (const PictureLine& line : out.lines) words += fmt::format("\n{} {}", line.key, line.text);
   out.about = at(std::move(words), provider.span);
   return out;

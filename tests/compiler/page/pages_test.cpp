@@ -135,6 +135,25 @@ TEST_CASE("where a group has several providers, it is said which of them may be 
         "<a href=\"#group-Kick\">Kick</a> (Pose == still, to halting)");
 }
 
+TEST_CASE("a provider without a name is called `default` on both pages where `extend` adds others") {
+  const Pages pages = pages_of("states:\n  Pose: {values: [moving, still], initial: still}\n"
+                               "  Charge: {values: [low, high], initial: high, external: true}\n"
+                               "roots: {Kick: {priority: 20}, Walk: {priority: 10}}\n"
+                               "groups:\n  Kick: {when: [Pose == still], needs: [Legs], tasks: [Legs]}\n"
+                               "  Walk: {needs: [Legs], causing: [Pose == still], sets: [Pose == moving], tasks: "
+                               "[Legs]}\n  Legs: {}\n"
+                               "extend:\n  Walk: {before: default, providers: [{name: slow, when: [Charge == low]}]}\n",
+                               "");
+  CHECK(pages.markdown.find("- **Walk.slow**\n    - runs when: `Charge == low`\n"
+                            "- **Walk.default**\n    - needs: [Legs](#legs)\n") != std::string::npos);
+  CHECK(pages.markdown.find("- may be pushed by: [Kick](#kick) (Pose == still, to default)\n") != std::string::npos);
+  CHECK(pages.markdown.find("- needed by: [Kick](#kick); [Walk.default](#walk)\n") != std::string::npos);
+  CHECK(pages.html.find("<h4>Walk.slow <") != std::string::npos);
+  CHECK(pages.html.find("<h4>Walk.default <") != std::string::npos);
+  CHECK(between(pages.html, "<dt>may be pushed by</dt><dd>", "</dd>") ==
+        "<a href=\"#group-Kick\">Kick</a> (Pose == still, to default)");
+}
+
 TEST_CASE("both pages have what states and groups declare besides conditions and requests") {
   const Pages pages =
       pages_of("states: {Ball: {values: [lost, far, near], unordered: [lost], external: true}}\nroots: [Kick]\n"

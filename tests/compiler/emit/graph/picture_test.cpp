@@ -166,6 +166,38 @@ TEST_CASE("a box shows what its group, its providers and its handlers declare") 
         PictureText{"Walk.halting\ncausing Pose == standing within 2 s\non Sensors", "test.yaml", 32});
 }
 
+TEST_CASE("a provider without a name has a row called `default` where `extend` adds others") {
+  const Picture picture = picture_of(R"(behaviour: rover
+language: 1
+states:
+  Charge: {values: [low, high], initial: high, external: true}
+  Mode: {values: [a, b], initial: a}
+roots: {Work: {priority: 20}, Rest: {priority: 10}}
+groups:
+  Work: {when: [Mode == b], tasks: [Look]}
+  Rest: {doc: Waits., causing: [Mode == b], sets: [Mode == a], needs: [Legs], packs: {one: {Legs: {}}, two: {Look: {}}}}
+  Look: {}
+  Legs: {}
+extend:
+  Rest: {before: default, providers: [{name: deep, when: [Charge == low], needs: [Legs]}]}
+)");
+  CHECK(arrows_of(picture) == "Work -> Look task\n"
+                              "Rest.default.two -> Look task\n"
+                              "Rest.deep -> Legs need\n"
+                              "Rest.default -> Legs both\n"
+                              "Work -> Rest.default push (Mode == b) up\n");
+  const PictureBox& rest = picture.boxes[1];
+  REQUIRE(rest.rows.size() == 2);
+  CHECK(rest.rows[1].name == "default");
+  CHECK(rest.about.words == "Rest: Waits.");
+  CHECK(rest.rows[1].about.words == "Rest.default\ncausing Mode == b\nsets Mode == a");
+  CHECK(rest.rows[1].packs[0].about.words == "Rest.default, pack one");
+  CHECK(picture.arrows.back().about.words == "Work waits for Mode == b and may push Rest.default to it");
+  const std::string text = mermaid(picture);
+  for (const char* const piece : {"g1p0[\"1 deep<br/>", "g1p1[\"2 default<br/>", "g1p1k1([\"default, two\"])"})
+    CHECK(text.find(piece) != std::string::npos);
+}
+
 TEST_CASE("a view shows its own arrows only, and a focus what has to do with some groups") {
   const tests::Compiled from = tests::compile(std::string(walker));
   PictureOptions options;
