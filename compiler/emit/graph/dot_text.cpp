@@ -11,6 +11,20 @@
 
 namespace director::compiler {
 
+namespace {
+
+/// No address contains these (RFC 3986, appendix C), and in every format they would end it.
+std::string without_delimiters(std::string_view address) {
+  std::string out;
+  for (const char letter : address) {
+    const bool ends = letter == '"' || letter == '<' || letter == '>' || letter == ' ';
+    out += ends ? percent_encoded({&letter, 1}, {}) : std::string(1, letter);
+  }
+  return out;
+}
+
+} // namespace
+
 std::string PictureLinks::to(const PictureText& text) const {
   if (pattern.empty() || text.file.empty()) return {};
   std::string out = pattern;
@@ -20,7 +34,7 @@ std::string PictureLinks::to(const PictureText& text) const {
   };
   put("{line}", std::to_string(text.line));
   put("{file}", percent_encoded(text.file, "-._~/")); // in Markdown too nothing of it has a meaning
-  return out;
+  return without_delimiters(out);
 }
 
 namespace {

@@ -89,6 +89,29 @@ void replace_all(std::string& text, std::string_view old, std::string_view with)
     text.replace(at, old.size(), with);
 }
 
+/// Whether XML reads these letters as a character: `&amp;`, `&#38;`.
+bool is_entity(std::string_view text) {
+  const std::string_view name = text.substr(0, text.find(';'));
+  return name.size() < text.size() && (name.starts_with("&#") || name == "&amp" || name == "&lt" || name == "&gt" ||
+                                       name == "&quot" || name == "&apos");
+}
+
+/// Graphviz, up to some version, writes the `&` of an address as it is.
+void escape_addresses(std::string& svg) {
+  constexpr std::string_view open = "xlink:href=\"";
+  std::string out;
+  std::size_t from = 0;
+  for (std::size_t at = svg.find(open); at != nowhere; at = svg.find(open, from)) {
+    const std::size_t begin = at + open.size(), end = svg.find('"', begin);
+    if (end == nowhere) break;
+    out.append(svg, from, begin - from);
+    for (std::string_view rest(svg.data() + begin, end - begin); !rest.empty(); rest.remove_prefix(1))
+      out += rest.front() == '&' && !is_entity(rest) ? "&amp;" : std::string(1, rest.front());
+    from = end;
+  }
+  svg = out.append(svg, from);
+}
+
 /// Puts an arrow between the names of both ends: `Walk:halting` is `Walk.halting` in findings.
 void name_arrows(std::string& svg) {
   constexpr std::string_view open = "<title>", close = "</title>";
@@ -214,6 +237,7 @@ std::string finish_svg(const Picture& picture, const std::string& drawn) {
   bring_labels_to_front(out);
   replace_all(out, target_in_svg, "");
   name_arrows(out);
+  escape_addresses(out);
   add_words(picture, out);
   return out;
 }

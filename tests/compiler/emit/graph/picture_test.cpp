@@ -440,6 +440,13 @@ TEST_CASE("a link has what is no letter or digit of the path in hexadecimal digi
         "https://example.org/my%20%281%29%20%C3%A4%23b%25/a-b_c.yaml#L5");
 }
 
+TEST_CASE("an address is whole in XML, whatever letters it has") {
+  CHECK(PictureLinks{"https://example.org/x?q=\"a b\"&f={file}&l={line}"}.to({{}, "a.yaml", 5}) ==
+        "https://example.org/x?q=%22a%20b%22&f=a.yaml&l=5");
+  CHECK(finish_svg({}, "<a xlink:href=\"x?f=1&l=2&amp;lt=3&#38;c\" xlink:title=\"a\"></a><a xlink:href=\"&\"></a>") ==
+        "<a xlink:href=\"x?f=1&amp;l=2&amp;lt=3&#38;c\" xlink:title=\"a\"></a><a xlink:href=\"&amp;\"></a>");
+}
+
 TEST_CASE("groups that share a box have one type of data, which is in it") {
   const Picture picture =
       picture_of("behaviour: arms\nlanguage: 1\nroots: [Wave]\ngroups:\n  Wave: {tasks: [A, B, C]}\n"

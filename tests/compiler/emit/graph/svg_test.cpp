@@ -362,4 +362,15 @@ TEST_CASE("each box and arrow leads to its line") {
   }
 }
 
+TEST_CASE("a picture with addresses of several parts is XML") {
+  if (!has_graphviz()) return;
+  const Drawn picture = drawn({behaviour("tests/docs/rover/rover.yaml"), "--link=https://x/?q=\"&f={file}&l={line}"});
+  REQUIRE(picture.status == 0);
+  std::size_t count = 0;
+  for (std::size_t at = picture.out.find('&'); at != std::string::npos; at = picture.out.find('&', at + 1), ++count)
+    CHECK(std::regex_search(picture.out.substr(at, 10), std::regex("^&(amp|lt|gt|quot|#[0-9]+);")));
+  CHECK(picture.out.find("<a xlink:href=\"https://x/?q=%22&amp;f=") != std::string::npos);
+  CHECK(count > 20);
+}
+
 } // namespace
