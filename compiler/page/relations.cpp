@@ -119,8 +119,11 @@ std::string manner_of(const Json& task) {
     const std::string& name = level["name"].as_text();
     out += fmt::format("{}{}{}{}", out.empty() ? "priority " : ", ", name, name.empty() ? "" : " ",
                        level["priority"].as_number());
-    if (level["optional"].as_boolean()) out += ", optional";
-    if (level["apart"].as_boolean()) out += ", apart";
+    // A comma is between levels where there are several.
+    const std::string_view before = name.empty() ? ", " : " ";
+    for (const std::string_view flag : {"optional", "apart"}) {
+      if (level[flag].as_boolean()) out += fmt::format("{}{}", before, flag);
+    }
   }
   if (!task["doc"].is_null()) out += ": " + without_trailing_blanks(task["doc"].as_text());
   return out;

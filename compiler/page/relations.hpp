@@ -39,7 +39,8 @@ Relations find_relations(const Json& data);
 /// Nor needed by anybody.
 bool requested_by_nobody(const Relations& relations, const std::string& group);
 
-/// `priority 20`, `priority normal 10, urgent 80`, `priority 10, optional`, and its `doc`: `priority 20: At times.`
+/// `priority 20`, `priority 10, optional`, `priority normal 10, urgent 80 optional`, and its `doc`:
+/// `priority 20: At times.`
 std::string manner_of(const Json& task);
 
 /// Not the only provider of a group that has its keys directly: that is called like the group.

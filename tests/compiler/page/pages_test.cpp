@@ -154,6 +154,18 @@ TEST_CASE("a provider without a name is called `default` on both pages where `ex
         "<a href=\"#group-Kick\">Kick</a> (Pose == still, to default)");
 }
 
+TEST_CASE("both pages say of which level of a request something is true") {
+  const Pages pages =
+      pages_of("roots: [Head]\ngroups:\n  Head:\n    tasks:\n      Move: {levels: {firm: {priority: 50, "
+               "optional: true}, spare: {priority: 60}, lone: {priority: 5, apart: true}}}\n"
+               "      Look: {priority: 3, optional: true}\n  Move: {}\n  Look: {}\n",
+               "");
+  for (const std::string text : {"(priority firm 50 optional, spare 60, lone 5 apart)", "(priority 3, optional)"}) {
+    CHECK(pages.markdown.find(text) != std::string::npos);
+    CHECK(pages.html.find(text) != std::string::npos);
+  }
+}
+
 TEST_CASE("both pages have what states and groups declare besides conditions and requests") {
   const Pages pages =
       pages_of("states: {Ball: {values: [lost, far, near], unordered: [lost], external: true}}\nroots: [Kick]\n"
