@@ -86,8 +86,7 @@ std::optional<std::string> drawn(const Subject& subject, const dsl::Sources& sou
   case Format::json: {
     Json data = graph_json({subject.model, subject.graph, sources, options.flaws,
                             options.moment ? &*options.moment : nullptr, subject.findings});
-    const std::optional<std::vector<GroupId>> transitions =
-        named_groups(request.transitions, "--transitions", subject.model, console);
+    const std::optional<std::vector<GroupId>> transitions = named_rows(request.transitions, subject.model, console);
     if (!transitions) return {};
     if (request.page) add_page_facts(data, subject.model, subject.graph, name, *transitions, subject.verdicts);
     return to_lines(data);

@@ -52,8 +52,7 @@ std::optional<std::vector<PagePicture>> pictures_of(const Checked& checked, cons
 std::optional<std::string> make_page(const std::string& file, const Checked& checked, const dsl::Sources& sources,
                                      const PageWish& wish, Console& console) {
   const std::string name = std::filesystem::path(file).filename().string();
-  const std::optional<std::vector<GroupId>> transitions =
-      named_groups(wish.transitions, "--transitions", checked.model, console);
+  const std::optional<std::vector<GroupId>> transitions = named_rows(wish.transitions, checked.model, console);
   if (!transitions) return {};
   const PictureFlaws none;
   Json data = graph_json({checked.model, checked.graph, sources, none, nullptr, &checked.findings});

@@ -26,4 +26,18 @@ std::optional<std::vector<GroupId>> named_groups(const std::vector<std::string>&
   return out;
 }
 
+std::optional<std::vector<GroupId>> named_rows(const std::vector<std::string>& names, const Model& model,
+                                               Console& console) {
+  std::optional<std::vector<GroupId>> out = named_groups(names, "--transitions", model, console);
+  if (!out) return {};
+  for (const GroupId id : *out) {
+    if (!model.groups[id].edges.empty()) continue;
+    print_message(console, fmt::format("directorc: --transitions: `{}` requests and needs nothing, so it has no row or "
+                                       "column in the matrix; name a group that requests or needs it\n",
+                                       model.groups[id].name.value));
+    return {};
+  }
+  return out;
+}
+
 } // namespace director::compiler::cli

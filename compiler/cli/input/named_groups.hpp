@@ -16,4 +16,8 @@ namespace director::compiler::cli {
 std::optional<std::vector<GroupId>> named_groups(const std::vector<std::string>& names, std::string_view option,
                                                  const Model& model, Console& console);
 
+/// Of `--transitions`. Likewise if one cannot be a row of the matrix.
+std::optional<std::vector<GroupId>> named_rows(const std::vector<std::string>& names, const Model& model,
+                                               Console& console);
+
 } // namespace director::compiler::cli

@@ -160,6 +160,17 @@ TEST_CASE("docs: an unknown group for the matrix is reported with the known ones
   CHECK(w.outputs.written.empty());
 }
 
+TEST_CASE("docs: a group that can have no row is refused for the matrix") {
+  World w = docs_world();
+  const std::string told = "directorc: --transitions: `Legs` requests and needs nothing, so it has no row or column in "
+                           "the matrix; name a group that requests or needs it\n";
+  CHECK(w.directorc({"docs", "walker.yaml", "-o", "pages", "--transitions=Walk,Legs"}) == 2);
+  CHECK(w.err == told);
+  CHECK(w.outputs.written.empty());
+  CHECK(w.directorc({"graph", "walker.yaml", "--format=json", "--page", "--transitions=Legs"}) == 2);
+  CHECK(w.err == told);
+}
+
 TEST_CASE("graph: --page is for JSON, and for behaviours that can run") {
   World w = docs_world();
   w.files.add("module.yaml", "behaviour: module\nlanguage: 1\ngroups: {Walk: {}}\n");
