@@ -197,10 +197,13 @@ std::string summary(const Picture& picture) {
                                                 : counted(groups, "group");
   out += folds(picture);
   std::string layers;
+  std::size_t named = 0;
   for (const PictureLayer& layer : picture.layers) {
-    if (!layer.name.empty()) layers += (layers.empty() ? "" : ", ") + layer.name;
+    if (layer.name.empty()) continue;
+    layers += (layers.empty() ? "" : ", ") + layer.name;
+    ++named;
   }
-  if (!layers.empty()) out += ", in the layers " + layers;
+  if (!layers.empty()) out += fmt::format(", in the {} {}", named == 1 ? "layer" : "layers", layers);
   std::string arrows;
   for (const Kind kind : picture.kinds) {
     const bool may_be_both = kind == Kind::task || kind == Kind::need;
@@ -209,7 +212,8 @@ std::string summary(const Picture& picture) {
   }
   if (!arrows.empty()) out += fmt::format("; arrows: {}", arrows);
   out += ".";
-  if (!roots.empty()) out += fmt::format(" The program requests {}.", roots);
+  if (!roots.empty())
+    out += fmt::format(" {} program requests {}.", groups < picture.all_groups ? "Of these, the" : "The", roots);
   if (!picture.moment.empty()) {
     const auto marked = [&](Moment::Mark mark, std::string_view word) {
       std::string names;
@@ -233,11 +237,11 @@ std::string summary(const Picture& picture) {
 
 std::string finish_svg(const Picture& picture, const std::string& drawn) {
   std::string out = drawn;
+  escape_addresses(out);
   add_bands(picture, out);
   bring_labels_to_front(out);
   replace_all(out, target_in_svg, "");
   name_arrows(out);
-  escape_addresses(out);
   add_words(picture, out);
   return out;
 }

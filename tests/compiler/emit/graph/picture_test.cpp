@@ -607,7 +607,13 @@ TEST_CASE("a picture as text has its purpose and the number of things of each ki
         "requests Player, Cheer.");
   PictureOptions options;
   options.view = PictureOptions::View::pushes;
-  CHECK(summary(picture_of(walker, options)) == "2 of 9 groups, in the layers skill; arrows: 1 for pushes.");
+  CHECK(summary(picture_of(walker, options)) == "2 of 9 groups, in the layer skill; arrows: 1 for pushes.");
+  options = {};
+  options.focus = {GroupId{0}};
+  options.depth = 0;
+  CHECK(summary(picture_of(walker, options)) ==
+        "1 of 9 groups, in the layer purpose; arrows: 0 for requests, 0 for needs, 0 for pushes. "
+        "Of these, the program requests Player.");
   options = {};
   options.fold = PictureOptions::Fold::layers;
   CHECK(summary(picture_of(walker, options)) ==
@@ -616,7 +622,7 @@ TEST_CASE("a picture as text has its purpose and the number of things of each ki
   options.fold = PictureOptions::Fold::modules;
   CHECK(summary(picture_of("behaviour: bot\nlanguage: 1\nlayers: [a]\nroots: [A]\ngroups: {A: {layer: a, tasks: [B]}, "
                            "B: {module: other}}\n",
-                           options)) == "2 groups in 2 modules, in the layers a; arrows: 1 for requests, 0 for needs, "
+                           options)) == "2 groups in 2 modules, in the layer a; arrows: 1 for requests, 0 for needs, "
                                         "0 for pushes. The program requests A.");
   options.fold = PictureOptions::Fold::layers;
   CHECK(summary(picture_of(
