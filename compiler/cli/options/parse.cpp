@@ -95,13 +95,34 @@ std::string unexpected(const CLI::App& subcommand, std::vector<std::string> word
   return fmt::format("there is no option `{}`{}", name, near ? fmt::format("; did you mean `{}`?", *near) : "");
 }
 
+Message empty_message(const CLI::App& subcommand, const CLI::Option& option) {
+  const std::string with = "directorc " + subcommand.get_name();
+  return {fmt::format("{}: {} is empty\nTry `{} --help`.\n", with, option.get_name(), with), true};
+}
+
+/// An error for `--build=`, as of --build="$BUILD" if BUILD is not set: CLI11 would take the next word as the value.
+std::optional<Message> nothing_behind_equals(const std::array<CLI::App*, subcommands.size()>& apps,
+                                             const std::vector<std::string>& arguments) {
+  const auto subcommand = std::find_if(apps.begin(), apps.end(), [&](const CLI::App* each) {
+    return !arguments.empty() && each->get_name() == arguments.front();
+  });
+  if (subcommand == apps.end()) return {};
+  const auto options_end = std::find(arguments.begin(), arguments.end(), "--");
+  const auto found = std::find_if(arguments.begin(), options_end, [&](const std::string& word) {
+    return word.starts_with("--") && word.find('=') + 1 == word.size();
+  });
+  if (found == options_end) return {};
+  const CLI::App& at = **subcommand;
+  const CLI::Option* option = at.get_option_no_throw(found->substr(0, found->size() - 1));
+  return option == nullptr ? std::nullopt : std::optional(empty_message(at, *option));
+}
+
 /// An error for an empty value, as of "$BUILD" if BUILD is not set.
 std::optional<Message> empty_value(const CLI::App& subcommand) {
   for (const CLI::Option* option : subcommand.get_options()) {
     const std::vector<std::string>& values = option->results();
     if (std::find(values.begin(), values.end(), "") == values.end()) continue;
-    const std::string with = "directorc " + subcommand.get_name();
-    return Message{fmt::format("{}: {} is empty\nTry `{} --help`.\n", with, option->get_name(), with), true};
+    return empty_message(subcommand, *option);
   }
   return {};
 }
@@ -151,6 +172,7 @@ Request parse(const std::vector<std::string>& arguments, const std::string& sche
     make[i] = subcommands[i].options(*apps[i]);
   }
   app.footer(last_words(schemas));
+  if (const std::optional<Message> wrong = nothing_behind_equals(apps, arguments)) return *wrong;
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend())); // CLI11 expects the last word first
   } catch (const CLI::CallForHelp&) {

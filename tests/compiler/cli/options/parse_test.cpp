@@ -149,6 +149,13 @@ TEST_CASE("an empty value is reported") {
   CHECK(told({"test", "a", ""}) == "directorc test: FILE is empty\nTry `directorc test --help`.\n");
   CHECK(told({"check", "x.yaml", "--explain-reachable", ""}) ==
         "directorc check: --explain-reachable is empty\nTry `directorc check --help`.\n");
+  CHECK(told({"check", "--build=", "x.yaml"}) == "directorc check: --build is empty\nTry `directorc check --help`.\n");
+  CHECK(told({"diff", "--breaking=", "x.yaml", "x.yaml"}) ==
+        "directorc diff: --breaking is empty\nTry `directorc diff --help`.\n");
+  CHECK(told({"graph", "--focus=", "x.yaml"}) == "directorc graph: --focus is empty\nTry `directorc graph --help`.\n");
+  CHECK(told({"check", "--allow=", "x.yaml"}) == "directorc check: --allow is empty\nTry `directorc check --help`.\n");
+  CHECK(told({"check", "--biuld=", "x.yaml"}) ==
+        "directorc check: there is no option `--biuld`; did you mean `--build`?\nTry `directorc check --help`.\n");
 }
 
 TEST_CASE("a flag without a value does not take the next argument") {
