@@ -5,6 +5,7 @@
 #include "compiler/emit/artefact/notice.hpp"
 #include "compiler/page/relations.hpp"
 #include "compiler/page/words.hpp"
+#include "dsl/lexical/characters.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,6 +21,19 @@ namespace {
 using namespace page;
 
 bool is_letter(char letter) { return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z'); }
+
+/// `:smile:`
+bool begins_emoji(std::string_view text) {
+  const std::size_t end = std::min(text.find(':', 1), text.size());
+  return end > 1 && end < text.size() &&
+         std::all_of(text.begin() + 1, text.begin() + static_cast<std::ptrdiff_t>(end), [](char letter) {
+           return dsl::is_alphanumeric(letter) || letter == '_' || letter == '+' || letter == '-';
+         });
+}
+
+/// Viewers replace emojis and formulas in the source, or in the text of a paragraph: in an element of its own, neither
+/// begins one.
+std::string in_an_element(std::string_view character) { return fmt::format("<span>{}</span>", character); }
 
 /// Text between tags and in cells of tables.
 std::string escaped(std::string_view text) {
@@ -40,6 +54,8 @@ std::string escaped(std::string_view text) {
     case '\\':
     case '~':
     case '#': out += std::string("\\") + letter; break;
+    case '$': out += in_an_element("&#36;"); break;
+    case ':': out += begins_emoji(text.substr(at)) ? in_an_element(":") : ":"; break;
     case '\n': out += ' '; break;
     default: out += letter;
     }

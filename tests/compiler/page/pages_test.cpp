@@ -116,6 +116,15 @@ TEST_CASE("a text keeps its lists on both pages, and no letter of it becomes a m
             "<p class=\"doc\">-&gt; a \\* b ~~c~~ &amp;lt; d &amp; e</p>\n") != std::string::npos);
 }
 
+TEST_CASE("in Markdown, no text becomes a formula or an emoji") {
+  const std::string markdown = pages_of("roots: [Walk]\ngroups:\n  Walk: {doc: \"From $a$ to $b$ :+1: a: b, "
+                                        "c::d http://e:80/ 12:30:45\"}\n",
+                                        "")
+                                   .markdown;
+  CHECK(markdown.find("\n\nFrom <span>&#36;</span>a<span>&#36;</span> to <span>&#36;</span>b<span>&#36;</span> "
+                      "<span>:</span>+1: a: b, c::d http://e:80/ 12<span>:</span>30:45\n\n") != std::string::npos);
+}
+
 TEST_CASE("a condition of `stay` is none that anything waits for") {
   const Pages pages = pages_of("states: {Ball: {values: [far, near], initial: near, external: true}}\nroots: [Kick]\n"
                                "groups: {Kick: {when: [Ball == near], stay: [Ball == far]}}\n",
