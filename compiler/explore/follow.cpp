@@ -55,7 +55,9 @@ std::vector<Taken> Follower::follow(const Way& way) {
   return out;
 }
 
-bool Follower::shows(const Way& way, std::size_t assertion) {
+/// Calls after(machine, watch, is_seen) after each micro-step.
+template <class After>
+void Follower::watch(const Way& way, std::size_t assertion, After&& after) {
   Watch watch(ground_, {assertion});
   std::uint64_t remembered = 0;
   std::vector<std::size_t> seen;
@@ -64,8 +66,25 @@ bool Follower::shows(const Way& way, std::size_t assertion) {
       [&](const Machine& machine, const Happens&, Phase) {
         seen.clear();
         remembered = watch.after(machine, seen);
+        after(machine, watch, !seen.empty());
       });
-  return !seen.empty();
+}
+
+bool Follower::shows(const Way& way, std::size_t assertion) {
+  bool out = false;
+  watch(way, assertion, [&](const Machine&, const Watch&, bool is_seen) { out = is_seen; });
+  return out;
+}
+
+std::optional<Blocked> Follower::blocked(const Way& way, std::size_t assertion) {
+  const Assertion& beats = ground_.model.assertions[assertion];
+  std::optional<Blocked> out;
+  watch(way, assertion, [&](const Machine& machine, const Watch& watch, bool is_seen) {
+    out.reset();
+    if (is_seen)
+      out = blocked_by(machine.engine(), watch.blocked_request, static_cast<Index>(beats.groups.back().id.value));
+  });
+  return out;
 }
 
 } // namespace director::compiler

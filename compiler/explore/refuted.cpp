@@ -16,6 +16,7 @@ std::vector<dsl::Diagnostic> refuted_assertions(const Model& model, const std::v
     finding.level = dsl::Level::error;
     finding.span = assertion.span;
     finding.message = fmt::format("`{}` is not true: {}", words_of(assertion, model), verdicts[i].why);
+    finding.notes = verdicts[i].notes;
     if (verdicts[i].scenario) {
       finding.help = "`directorc explore FILE --output FOLDER` writes a scenario that shows it";
     } else {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Breadth-first search through all states, on all cores. Result and order depend only on the behaviour and the bound.
 
+#include "compiler/explore/blocked.hpp"
 #include "compiler/explore/watch.hpp"
 
 #include <cstdint>
@@ -84,12 +85,16 @@ public:
   std::vector<Taken> follow(const Way& way);
   /// Whether the last micro-step of a way shows what Watch searches.
   bool shows(const Way& way, std::size_t assertion);
+  /// What blocks a task there: of a `beats` that is refuted.
+  std::optional<Blocked> blocked(const Way& way, std::size_t assertion);
   /// Micro-steps so far.
   std::size_t micro_steps() const { return micro_steps_; }
 
 private:
   template <class Before, class After>
   void replay(const Way& way, Before&& before, After&& after);
+  template <class After>
+  void watch(const Way& way, std::size_t assertion, After&& after);
 
   const Ground& ground_;
   Breadth breadth_;

@@ -56,9 +56,12 @@ Verdict by_search(const Ground& ground, std::size_t at, const Searched& searched
     return out;
   }
   out.way = follower.follow(*searched.seen[at]);
+  const std::optional<Blocked> blocked =
+      assertion.kind == Assertion::Kind::beats ? follower.blocked(*searched.seen[at], at) : std::nullopt;
+  const std::string event = blocked ? words_of(*blocked, assertion, ground.model) : refuted_by(assertion, ground.model);
   ScenarioHead head;
   head.title = fmt::format("{}: {}", wanted ? "it runs" : "refuted", words_of(assertion, ground.model));
-  head.doc = wanted ? "How it comes to run." : "In the last step " + refuted_by(assertion, ground.model) + ".";
+  head.doc = wanted ? "How it comes to run." : "In the last step " + event + ".";
   head.behaviour = behaviour;
   if (!follower.shows(*searched.seen[at], at)) {
     out.why = fmt::format("after {}, it was seen only in a state that had been put away", in_words(ground, out.way));
@@ -73,7 +76,8 @@ Verdict by_search(const Ground& ground, std::size_t at, const Searched& searched
   }
   out.kind = wanted ? Verdict::Kind::proven : Verdict::Kind::refuted;
   out.why = wanted ? "it runs after: " + in_words(ground, out.way)
-                   : fmt::format("after {}, {}", in_words(ground, out.way), refuted_by(assertion, ground.model));
+                   : fmt::format("after {}, {}", in_words(ground, out.way), event);
+  if (blocked) out.notes = notes_of(*blocked, ground.model);
   return out;
 }
 

@@ -22,6 +22,7 @@ struct Verdict {
   bool more_states = false;            ///< undecided: there are states beyond the bound
   bool explored = false;               ///< it depends on an exploration, so on what that leaves out
   std::vector<Taken> way;              ///< refuted: how it happens; can_run, proven: likewise. Otherwise empty
+  std::vector<dsl::Note> notes;        ///< refuted: what leads to it in the specification
   std::optional<std::string> scenario; ///< of that way; its `behaviour` is the given path
 };
 

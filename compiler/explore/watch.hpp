@@ -47,6 +47,8 @@ public:
   /// Of the Model's assertions: a task of the winner's side was blocked while the loser's side held what it may take,
   /// but others blocked it as well.
   std::vector<bool> doubted;
+  /// Of a refuted `beats`, the last one seen: the request that is blocked.
+  Index blocked_request = nil;
 
 private:
   struct One {

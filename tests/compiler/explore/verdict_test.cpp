@@ -81,6 +81,37 @@ TEST_CASE("the winner at root is never blocked by the other side") {
   CHECK(verdict_of(posing_walker, "{beats: {Walk: Kick}}").find("refuted: after ") == 0);
 }
 
+TEST_CASE("a refuted `beats` names the task that is blocked, the group, its holder, and what puts that one first") {
+  const auto told = [](const std::string& groups, const std::string& assertion) {
+    const auto compiled =
+        director::tests::compile("behaviour: b\nlanguage: 1\n" + groups + "assertions: [" + assertion + "]\n");
+    const Verdict verdict = explore_all(Ground(compiled.model), 100'000).verdicts.front();
+    std::string out = verdict.why + "\n";
+    for (const director::dsl::Note& note : verdict.notes) out += note.message + "\n";
+    return out;
+  };
+  CHECK(told("roots: {Return: {priority: 60}, Survey: {priority: 20}}\ngroups:\n  Return: {tasks: [Alert]}\n"
+             "  Alert: {tasks: {Sonar: {optional: true}}}\n  Survey: {tasks: [Scan]}\n"
+             "  Scan: {needs: [Sonar], tasks: [Sonar]}\n  Sonar: {}\n",
+             "{beats: {Return: Survey}}") ==
+        "after request Survey; request Return, `Alert`, below `Return`, does not get `Sonar`, which `Scan`, below "
+        "`Survey`, holds\n"
+        "`Scan` holds `Sonar`\n"
+        "`Sonar` is optional here, so it goes after all that is mandatory, whatever the priorities are\n");
+  CHECK(told(posing_walker, "{beats: {Walk: Kick}}") ==
+        "after request Kick; request Walk, `Walk` does not get `Legs`, which `Kick` holds\n"
+        "`Kick` holds `Legs`\n"
+        "`Kick`, with priority 20, goes before `Walk`, with priority 10\n");
+  CHECK(told("roots: [A, B]\ngroups:\n  A: {tasks: [C]}\n  B: {tasks: [C]}\n  C: {}\n", "{beats: {A: B}}") ==
+        "after request B; request A, `A` does not get `C`, which `B` holds\n"
+        "`B` holds `C`\n"
+        "`B` and `A` are equal, so neither takes anything from the other\n");
+  CHECK(told("roots: {A: {priority: 1}, B: {priority: 2}}\ngroups:\n  A: {}\n  B: {tasks: [A]}\n", "{beats: {A: B}}") ==
+        "after request B; request A, the program does not get `A`, which `B` holds\n"
+        "`B` holds `A`\n"
+        "`B`, with priority 2, goes before `A`, with priority 1\n");
+}
+
 TEST_CASE("the members of a pack are blocked by what holds what one of them wants, and by nothing else") {
   const std::string pair = "roots: {A: {priority: 10}, B: {priority: 10}}\ngroups:\n  L: {}\n  R: {}\n  M: {}\n"
                            "  A: {packs: {go: {X: {}, Y: {}}}}\n  X: {needs: [L], tasks: [L]}\n  Y: {needs: [R]}\n";
