@@ -126,9 +126,10 @@ public:
   /// Why it is called; there may be several reasons.
   Reasons reasons() const { return core_.reasons(); }
 
-  /// Sets a constant value of a state that the specification declares here; anything else does not compile. The last
-  /// call for a state counts. It takes effect when the body returns, together with its answer, and not at all if the
-  /// body throws. What handlers set is one input, taken next, also if a handler throws afterwards.
+  /// Sets a constant value of a state that the specification declares here; anything else does not compile. A helper
+  /// takes the value as an argument of its template: `template <auto next> void finish(auto& run) { run.set(next); }`.
+  /// The last call for a state counts. It takes effect when the body returns, together with its answer, and not at all
+  /// if the body throws. What handlers set is one input, taken next, also if a handler throws afterwards.
   void set(DeclaredValue<Facts> value) { core_.set(value.setting().state, value.setting().value); }
 
   /// The same for a computed value. False: it is not declared here, nothing is set, and the observer is called.
