@@ -64,7 +64,7 @@ private:
     GroupId group{};
     std::vector<std::string> gaps; ///< in words
     bool all = true;               ///< false: there are more than could be listed
-    std::set<StateId> states;
+    std::vector<Box> boxes;        ///< of each gap
     const Request* where = nullptr;
   };
 
@@ -158,10 +158,13 @@ private:
            });
   }
 
+  Ways ways_for(GroupId task) const {
+    return {model_, facts_, true,
+            [this, task](ProviderId provider, const ConditionUse& use) { return counts(task, provider, use); }};
+  }
+
   void look_at(GroupId group) {
-    Ways ways(model_, facts_, true,
-              [&](ProviderId provider, const ConditionUse& use) { return counts(group, provider, use); });
-    const std::vector<Region> open = ways.of(group);
+    const std::vector<Region> open = ways_for(group).of(group);
     if (never_runs(group)) {
       const Request& first = shared_.requests().of(group).front();
       found_.push_back({group, {std::string(everywhere)}, true, {}, &first});
@@ -200,7 +203,7 @@ private:
     Uncoveredness out{group, {}, all, {}, gaps.front().where};
     for (const Gap& gap : gaps) {
       out.gaps.push_back(gap.words);
-      for (const auto& [state, possible] : gap.box) out.states.insert(state);
+      out.boxes.push_back(gap.box);
     }
     return out;
   }
@@ -313,10 +316,12 @@ private:
 
   void add_notes(const Uncoveredness& one, bool another, dsl::Diagnostic& finding) const {
     add_request(one, another, finding);
-    std::map<GroupId, bool> seen;
-    std::vector<dsl::Note> conditions;
-    add_conditions(one.group, one.group, one.states, seen, conditions);
-    add(std::move(conditions), finding);
+    Evidence evidence{one.group, one.boxes, ways_for(one.group), {}, {}, {}};
+    for (const Box& box : one.boxes) {
+      for (const auto& [state, possible] : box) evidence.states.insert(state);
+    }
+    add_conditions(one.group, evidence);
+    add(std::move(evidence.notes), finding);
   }
 
   /// Few of one group, to leave room for the next one.
@@ -335,25 +340,43 @@ private:
              : fmt::format("{} may be requested at any time", name)});
   }
 
+  struct Evidence {
+    GroupId task{};
+    const std::vector<Box>& gaps;
+    Ways ways;
+    std::set<StateId> states; ///< of the gaps
+    std::map<GroupId, bool> seen;
+    std::vector<dsl::Note> notes;
+  };
+
+  /// Whether the group can run everywhere in the gaps: then it prevents nothing.
+  bool runs_there(GroupId group, Evidence& evidence) const {
+    const std::vector<Region>& ways = evidence.ways.of(group);
+    return std::all_of(evidence.gaps.begin(), evidence.gaps.end(), [&](const Box& gap) {
+      return find_covering(model_, facts_.values, gap, ways, shared_.budget()) == Covering::covered;
+    });
+  }
+
   /// True if there is one in the group or below; each is noted once.
-  bool add_conditions(GroupId task, GroupId group, const std::set<StateId>& states, std::map<GroupId, bool>& seen,
-                      std::vector<dsl::Note>& notes) const {
-    const auto [at, is_new] = seen.try_emplace(group, false);
+  bool add_conditions(GroupId group, Evidence& evidence) const {
+    const auto [at, is_new] = evidence.seen.try_emplace(group, false);
     if (!is_new) return at->second;
+    if (runs_there(group, evidence)) return false;
     bool any = false;
     for (const ProviderId id : model_.groups[group].providers) {
       for (const ConditionUse& use : model_.providers[id].when) {
-        if (states.count(model_.conditions[use.id].state) == 0 || !counts(task, id, use)) continue;
+        if (evidence.states.count(model_.conditions[use.id].state) == 0 || !counts(evidence.task, id, use)) continue;
         any = true;
-        notes.push_back(runs_only_while(model_, id, use));
+        evidence.notes.push_back(runs_only_while(model_, id, use));
       }
       for (const Use<GroupId>& need : model_.providers[id].needs) {
-        if (!add_conditions(task, need.id, states, seen, notes)) continue;
+        if (!add_conditions(need.id, evidence)) continue;
         any = true;
-        notes.push_back({need.span, fmt::format("{} needs {}", name_of(model_, id), name_of(model_, need.id))});
+        evidence.notes.push_back(
+            {need.span, fmt::format("{} needs {}", name_of(model_, id), name_of(model_, need.id))});
       }
     }
-    return seen[group] = any;
+    return evidence.seen[group] = any;
   }
 
   const Model& model_;
