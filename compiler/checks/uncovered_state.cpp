@@ -6,6 +6,7 @@
 #include "compiler/analysis/chains/sparse_set.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/needs/units.hpp"
+#include "compiler/analysis/requests/earlier.hpp"
 #include "compiler/analysis/requests/gaps.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
@@ -35,6 +36,7 @@ public:
         facts_(input.facts),
         shared_(input.shared),
         grants_(input.conflicts.grants()),
+        earlier_(model_, facts_, shared_.requests(), shared_.rivals(), shared_.budget()),
         findings_(findings),
         explained_(input.shared.promises().explained) {
     for (const Imprecise& fault : shared_.imprecise()) explained_.add(fault.waiter);
@@ -163,6 +165,28 @@ private:
             [this, task](ProviderId provider, const ConditionUse& use) { return counts(task, provider, use); }};
   }
 
+  /// The parts of a gap in which the request may exist, although earlier providers of its requester go first where they
+  /// can run. One of these that looks at no state of the gap is left out of the words: it matters only if nothing
+  /// remains.
+  std::vector<Box> open_parts(const Request& request, const Box& gap) const {
+    if (!request.requester) return {gap};
+    std::vector<Region> near;
+    for (Region& each : earlier_.before(*request.requester, gap)) {
+      const auto is_in_gap = [&](const auto& entry) {
+        const auto at = gap.find(entry.first);
+        return at != gap.end() &&
+               at->second != Possible{facts_.values[entry.first], model_.states[entry.first].may_be_unset()};
+      };
+      if (std::any_of(each.states.begin(), each.states.end(), is_in_gap)) near.push_back(std::move(each));
+    }
+    Gaps parts{{gap}};
+    if (!near.empty()) parts = find_gaps(model_, facts_, gap, near, shared_.budget());
+    if (!parts.decided) parts.boxes = {gap};
+    const auto is_closed = [&](const Box& part) { return !earlier_.may_exist(request, part); };
+    parts.boxes.erase(std::remove_if(parts.boxes.begin(), parts.boxes.end(), is_closed), parts.boxes.end());
+    return std::move(parts.boxes);
+  }
+
   void look_at(GroupId group) {
     const std::vector<Region> open = ways_for(group).of(group);
     if (never_runs(group)) {
@@ -182,8 +206,10 @@ private:
                                     fmt::format("whether some provider of {} can always run", name_of(model_, group)));
       all = all && found.all;
       for (const Box& box : found.boxes) {
-        std::string words = gap_in_words(model_, facts_, box);
-        if (seen.insert(words).second) add({box, std::move(words), &request}, gaps);
+        for (const Box& part : open_parts(request, box)) {
+          std::string words = gap_in_words(model_, facts_, part);
+          if (seen.insert(words).second) add({part, std::move(words), &request}, gaps);
+        }
       }
     };
     const std::vector<Request>& requests = shared_.requests().of(group);
@@ -383,6 +409,7 @@ private:
   const Facts& facts_;
   const Shared& shared_;
   const Grants& grants_;
+  const Earlier earlier_;
   Findings& findings_;
   IdSet<ProviderId> explained_;
   std::set<std::pair<GroupId, ConditionId>> pushed_;
