@@ -4,6 +4,7 @@
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
+#include "compiler/graph/dominators.hpp"
 
 #include <fmt/format.h>
 
@@ -139,7 +140,7 @@ private:
     shared_.chains().visit(task, {holder.group}, [&](const Meeting& found, GroupId) {
       if (out || !found.first_goes_before() || (holder.root != nullptr && found.second != holder.root)) return;
       if (found.one_unit() && found.first->target == task) return;
-      if (leads_to(*found.second, holder.group, task, pushed)) out = found;
+      if (leads_to(*found.second, holder.group, task, pushed) && !join(found, task, holder.group)) out = found;
     });
     return out;
   }
@@ -149,7 +150,8 @@ private:
     std::optional<Meeting> out;
     shared_.chains().visit(holder.group, {pushed}, [&](const Meeting& found, GroupId) {
       if (out || !found.first_goes_before() || (holder.root != nullptr && found.first != holder.root)) return;
-      if (is_near(found) && leads_to(*found.first, holder.group, task, pushed)) out = found;
+      if (!is_near(found) || !leads_to(*found.first, holder.group, task, pushed)) return;
+      if (!join(found, holder.group, pushed)) out = found;
     });
     return out;
   }
@@ -162,6 +164,33 @@ private:
     if (!all.contains(task) && !all.contains(pushed)) return true;
     const std::vector<GroupId> without{task, pushed};
     return below_.try_emplace(entry.target, shared_.branches(), entry.target, without).first->second.contains(group);
+  }
+
+  /// Whether all chains from the two entries to these groups pass one and the same group. Only one requester holds
+  /// that, so the two tasks never meet at these entries.
+  bool join(const Meeting& meeting, GroupId first, GroupId second) const {
+    const std::vector<GroupId>& a = gates(meeting.first->target, first);
+    const std::vector<GroupId>& b = gates(meeting.second->target, second);
+    return std::any_of(a.begin(), a.end(), [&](GroupId each) { return std::binary_search(b.begin(), b.end(), each); });
+  }
+
+  /// The groups that every chain from the one to the other passes, both included; sorted.
+  const std::vector<GroupId>& gates(GroupId from, GroupId to) const {
+    const auto [at, fresh] = gates_.try_emplace({from, to});
+    std::vector<GroupId>& out = at->second;
+    if (!fresh) return out;
+    if (from == to) return out = {from};
+    if (arrows_.empty()) {
+      arrows_.resize(model_.groups.size());
+      for (const GroupId group : model_.groups.ids()) {
+        for (const Branch& branch : shared_.branches().from(group)) arrows_[group.value].push_back(branch.to.value);
+      }
+    }
+    const DominatorTree tree(arrows_, from.value);
+    for (const GroupId each : shared_.claims(from).groups()) {
+      if (tree.is_below(to.value, each.value)) out.push_back(each);
+    }
+    return out;
   }
 
   const std::vector<Holder>& holders_of(GroupId group) const {
@@ -302,7 +331,9 @@ private:
   std::set<GroupId> own_;                   ///< of the provider that is pushed
   /// What a group leads to without the waiting task and the pushed one.
   mutable std::map<GroupId, Claims> below_;
-  Region when_; ///< with which the pushed provider may begin
+  mutable std::map<std::pair<GroupId, GroupId>, std::vector<GroupId>> gates_;
+  mutable Arrows arrows_; ///< of requests and needs; empty: not found yet
+  Region when_;           ///< with which the pushed provider may begin
   mutable std::map<GroupId, std::vector<Holder>> holders_;
   mutable std::map<ProviderId, Region> active_; ///< where these may run
   mutable std::optional<GroupId> pushing_;
