@@ -102,14 +102,25 @@ std::optional<std::uint32_t> Names::level(const Task& task, const std::optional<
 }
 
 const Task* Names::task(const std::vector<Task>& tasks, std::string_view owner, const Word& name) {
-  const std::optional<GroupId> target = group(name);
-  if (!target) return nullptr;
+  const std::optional<GroupId> target = model.find_group(name.value);
   std::vector<std::string> known;
   for (const Task& each : tasks) {
-    if (each.target == *target) return &each;
+    if (target == each.target) return &each;
     known.push_back(model.groups[each.target].name.value);
   }
-  undefined(name.span, fmt::format("{} no task called `{}`", owner, name.value), name.value, known);
+  Diagnostic& fault = undefined(name.span,
+                                target ? fmt::format("{} no task called `{}`", owner, name.value)
+                                       : fmt::format("there is no group called `{}`", name.value),
+                                name.value, known);
+  // `Walk(3)` and `Walk.halting`.
+  const std::size_t end = std::min(name.value.find_first_of("(."), name.value.size());
+  const std::string task = name.value.substr(0, end);
+  if (end == name.value.size() || std::find(known.begin(), known.end(), task) == known.end()) return nullptr;
+  if (name.value[end] == '.')
+    fault.help = fmt::format("a request names the group, `{}`: its provider is chosen by `when` and `needs`", task);
+  else if (name.value.ends_with(')'))
+    fault.help = fmt::format("data stands in `data`: `{{{}: {{data: {}}}}}`", task,
+                             name.value.substr(end + 1, name.value.size() - end - 2));
   return nullptr;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsl/reading/read_scenario.hpp"
 
+#include "dsl/lexical/characters.hpp"
 #include "dsl/reading/read_data.hpp"
 #include "dsl/reading/read_script.hpp"
 #include "dsl/source/load_file.hpp"
@@ -167,8 +168,13 @@ void read_top(Reader& reader, const YamlNode& root, const std::string& path, Fil
     for (const YamlPair& pair : script->pairs) out.script.push_back(read_script_entry(reader, pair));
   const YamlNode* steps = root.find("steps");
   if (!reader.is_list(steps, "steps", "a list of steps", "write `- ` before each step: `- request: Walk`")) return;
+  const auto help = [](const YamlNode& item) {
+    const bool is_name =
+        item.kind == YamlNode::Kind::scalar && std::all_of(item.text.begin(), item.text.end(), is_word);
+    return is_name && !item.text.empty() ? fmt::format("to request it, write `request: {}`", item.text) : "";
+  };
   for (const YamlNode& item : steps->items)
-    if (reader.is_mapping(&item, "steps", "a mapping such as {request: Walk}"))
+    if (reader.is_mapping(&item, "steps", "a mapping such as {request: Walk}", help(item)))
       out.steps.push_back(read_step(reader, item));
 }
 

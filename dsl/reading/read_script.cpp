@@ -81,7 +81,9 @@ CaseSpec read_case(Reader& reader, const YamlNode& mapping, const Word& entry, b
                          "with",   "without", "set",  "done", "failed", "continue", "wait"};
   CaseSpec out;
   out.span = mapping.span;
-  reader.know_keys(mapping, fmt::format("a case of `{}`", entry.value), handler ? handler_keys : keys);
+  static const Slips no_slips;
+  reader.know_keys(mapping, fmt::format("a case of `{}`", entry.value), handler ? handler_keys : keys,
+                   handler ? no_slips : slips_of_case());
   out.run = reader.number(mapping.find("run"), "run", {1});
   if (const YamlNode* data = mapping.find("data")) out.data = {read_data(reader, *data, "data"), data->span};
   out.set = read_settings(reader, mapping.find("set"), "set");
@@ -95,11 +97,22 @@ CaseSpec read_case(Reader& reader, const YamlNode& mapping, const Word& entry, b
   return out;
 }
 
+/// For `Legs: 3`, `Legs: [1, 2]` and `Legs: urgent`.
+std::string help_for_short_request(const YamlPair& pair) {
+  const YamlNode& value = pair.value;
+  if (value.kind != YamlNode::Kind::list && value.kind != YamlNode::Kind::scalar) return "";
+  const std::string& name = pair.key.value;
+  const std::string with_data = fmt::format("`{}: {{data: {}}}`", name, to_text(data_of(value)));
+  const bool may_be_level = value.kind == YamlNode::Kind::scalar && is_letter(value.text.empty() ? '0' : value.text[0]);
+  return may_be_level ? fmt::format("write {}, or, if it is a level, `{}: {{level: {}}}`", with_data, name, value.text)
+                      : "write " + with_data;
+}
+
 RequestSpec read_request(Reader& reader, const YamlPair& pair, const Keys& keys) {
   RequestSpec out;
   out.group = reader.name(pair);
   out.keep.span = pair.key.span;
-  if (!reader.is_mapping(&pair.value, pair.key.value)) return out;
+  if (!reader.is_mapping(&pair.value, pair.key.value, "a mapping", help_for_short_request(pair))) return out;
   reader.know_keys(pair.value, fmt::format("a request of `{}`", pair.key.value), keys);
   out.level = reader.word(pair.value.find("level"), "level", "the name of a level");
   if (const YamlNode* data = pair.value.find("data")) out.data = {read_data(reader, *data, "data"), data->span};
@@ -153,6 +166,30 @@ std::string help_for_settings(const YamlNode* node) {
   return good ? fmt::format("write `{{{}}}`", fmt::join(settings, ", ")) : "each state gets one value: `{Ball: near}`";
 }
 
+/// For `tasks: {Legs: {}, Kick: {data: 3}}`, as `tasks` are written in a behaviour file.
+std::string help_for_requests(const YamlNode* node) {
+  if (!node || node->kind != YamlNode::Kind::mapping || node->pairs.empty()) return "";
+  std::vector<std::string> entries;
+  for (const YamlPair& pair : node->pairs) {
+    const bool is_bare = pair.value.pairs.empty() && pair.value.kind != YamlNode::Kind::list &&
+                         pair.value.kind != YamlNode::Kind::scalar;
+    entries.push_back(is_bare ? pair.key.value : fmt::format("{}: {}", pair.key.value, to_text(data_of(pair.value))));
+  }
+  return fmt::format("write `[{}]`", fmt::join(entries, ", "));
+}
+
+/// For an answer that is written as a word.
+std::string help_for_case(const YamlNode& node, bool handler) {
+  if (node.kind != YamlNode::Kind::scalar) return "";
+  if (handler) return "a handler gives no answer: it may set states, `{set: {Ball: near}}`";
+  for (const std::string_view word : {"done", "failed", "continue"})
+    if (node.text == word) return fmt::format("write `{{{}: true}}`", word);
+  if (const std::string* help = help_for(slips_of_case(), node.text)) return *help;
+  if (node.text == "wait") return "write `{wait: 100 ms}`";
+  if (!can_be_name(node.text) || is_digit(node.text.front())) return "";
+  return fmt::format("write `{{tasks: [{0}]}}` if it is a task, `{{pack: {0}}}` if it is a pack", node.text);
+}
+
 } // namespace
 
 std::vector<SettingSpec> read_settings(Reader& reader, const YamlNode* node, std::string_view subject) {
@@ -173,7 +210,7 @@ std::vector<RequestSpec> read_request_mapping(Reader& reader, const YamlNode& no
 std::vector<RequestSpec> read_requests(Reader& reader, const YamlNode* node, std::string_view subject,
                                        const Keys& keys) {
   std::vector<RequestSpec> out;
-  if (!reader.is_list(node, subject)) return out;
+  if (!reader.is_list(node, subject, "a list", help_for_requests(node))) return out;
   for (const YamlNode& item : node->items) {
     if (item.kind == YamlNode::Kind::mapping)
       for (RequestSpec& request : read_request_mapping(reader, item, keys)) out.push_back(std::move(request));
@@ -204,9 +241,10 @@ ScriptEntrySpec read_script_entry(Reader& reader, const YamlPair& pair) {
   const bool handler = out.part && (out.part->value == "start" || out.part->value == "stop");
   if (pair.value.kind == YamlNode::Kind::mapping) {
     out.cases.push_back(read_case(reader, pair.value, name, handler));
-  } else if (reader.is_list(&pair.value, name.value, "a case or a list of cases")) {
+  } else if (reader.is_list(&pair.value, name.value, "a case or a list of cases", help_for_case(pair.value, handler))) {
     for (const YamlNode& item : pair.value.items)
-      if (reader.is_mapping(&item, name.value, "a case")) out.cases.push_back(read_case(reader, item, name, handler));
+      if (reader.is_mapping(&item, name.value, "a case", help_for_case(item, handler)))
+        out.cases.push_back(read_case(reader, item, name, handler));
   }
   return out;
 }

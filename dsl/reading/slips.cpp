@@ -131,6 +131,20 @@ const Slips& slips_of_step() {
   return slips;
 }
 
+const Slips& slips_of_case() {
+  static const Slips slips{
+      {{"keep", "nothing"}, "that everything goes on is said by `continue: true`"},
+      {{"fail", "failure"}, "that a task failed is said by `failed: true`"},
+      {{"success", "succeeded", "finished"}, "that a task is finished is said by `done: true`"},
+      {{"request", "requests"}, "what is requested stands in `tasks` or `pack`: `tasks: [Legs]`"},
+      {{"packs"}, "one of them is requested with `pack: attack`"},
+      {{"sets"}, "states are set with `set: {Ball: near}`"},
+      {{"when", "if"}, "a case may look at `reason`, `trigger`, `data`, `run` and `uses`"},
+      {{"name", "doc", "description", "comment"}, "a text for people stands in a comment, behind `#`"},
+  };
+  return slips;
+}
+
 const std::string* help_for_type(std::string_view type) {
   static const Slips slips{
       {{"bool", "boolean"},

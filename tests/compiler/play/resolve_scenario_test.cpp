@@ -125,6 +125,24 @@ test.scenario.yaml:2:29: error: the group `Walk` has no provider or handler call
 )");
 }
 
+TEST_CASE("a request that says more than its task is refused with what is to be written") {
+  CHECK(findings("steps: [{request: Walk(3)}, {cancel: Walk.halting}, {cancel: all}]\n") ==
+        R"(test.scenario.yaml:2:19: error: there is no group called `Walk(3)` [undefined_name]
+    2 | steps: [{request: Walk(3)}, {cancel: Walk.halting}, {cancel: all}]
+      |                   ^~~~~~~
+  help: data stands in `data`: `{Walk: {data: 3}}`
+test.scenario.yaml:2:38: error: there is no group called `Walk.halting` [undefined_name]
+    2 | steps: [{request: Walk(3)}, {cancel: Walk.halting}, {cancel: all}]
+      |                                      ^~~~~~~~~~~~
+  help: a request names the group, `Walk`: its provider is chosen by `when` and `needs`
+test.scenario.yaml:2:62: error: there is no group called `all` [undefined_name]
+    2 | steps: [{request: Walk(3)}, {cancel: Walk.halting}, {cancel: all}]
+      |                                                              ^~~
+  help: one of Walk, Kick
+3 errors
+)");
+}
+
 TEST_CASE("the trigger of a broken promise is fired by the engine, for those that listen to it") {
   const char* const brakes = R"(behaviour: brakes
 language: 1

@@ -188,7 +188,23 @@ TEST_CASE("What is wrong in a script is reported at its place") {
            Case{"{Kick: }",
                 "2:10 `Kick` wrong_node_kind: `Kick`: expected a case or a list of cases, found nothing (an empty "
                 "one is `[]`)\n"},
-           Case{"{Kick: [done]}", "2:17 `done` wrong_node_kind: `Kick`: expected a case, found `done`\n"},
+           Case{"{Kick: [done]}",
+                "2:17 `done` wrong_node_kind: `Kick`: expected a case, found `done` (write `{done: true}`)\n"},
+           Case{"{Kick: done}", "2:16 `done` wrong_node_kind: `Kick`: expected a case or a list of cases, found "
+                                "`done` (write `{done: true}`)\n"},
+           Case{"{Kick: [keep, wait, Legs, 3, ~]}",
+                "2:17 `keep` wrong_node_kind: `Kick`: expected a case, found `keep` (that everything goes on is said "
+                "by `continue: true`)\n"
+                "2:23 `wait` wrong_node_kind: `Kick`: expected a case, found `wait` (write `{wait: 100 ms}`)\n"
+                "2:29 `Legs` wrong_node_kind: `Kick`: expected a case, found `Legs` (write `{tasks: [Legs]}` if it is "
+                "a task, `{pack: Legs}` if it is a pack)\n"
+                "2:35 `3` wrong_node_kind: `Kick`: expected a case, found `3`\n"
+                "2:38 `~` wrong_node_kind: `Kick`: expected a case, found nothing (an empty one is `{}`)\n"},
+           Case{"{Kick: {keep: true}}", "2:17 `keep` unknown_key: a case of `Kick` has no key `keep` (that everything "
+                                        "goes on is said by `continue: true`)\n"},
+           Case{"{Kick.stop: done}", "2:21 `done` wrong_node_kind: `Kick.stop`: expected a case or a list of cases, "
+                                     "found `done` (a handler gives no answer: it may set states, `{set: {Ball: "
+                                     "near}}`)\n"},
            Case{"{Kick: {task: [A], reasn: x}}",
                 "2:17 `task` unknown_key: a case of `Kick` has no key `task` (did you mean `tasks`?)\n"
                 "2:28 `reasn` unknown_key: a case of `Kick` has no key `reasn` (did you mean `reason`?)\n"},
@@ -218,7 +234,14 @@ TEST_CASE("What is wrong in a script is reported at its place") {
            Case{"{Kick: {pack: a, without: A}}",
                 "2:35 `A` wrong_node_kind: `without`: expected a list, found `A` (write `[A]`)\n"},
            Case{"{Kick: {tasks: {A: {}}}}",
-                "2:24 `{A: {}}` wrong_node_kind: `tasks`: expected a list, found a mapping\n"},
+                "2:24 `{A: {}}` wrong_node_kind: `tasks`: expected a list, found a mapping (write `[A]`)\n"},
+           Case{"{Kick: {tasks: {A: {data: 3}, B: {}}}}",
+                "2:24 `{A: {data: 3}, B: {}}` wrong_node_kind: `tasks`: expected a list, found a mapping (write `[A: "
+                "{data: 3}, B]`)\n"},
+           Case{"{Kick: {tasks: [A: 3, B: urgent]}}",
+                "2:28 `3` wrong_node_kind: `A`: expected a mapping, found `3` (write `A: {data: 3}`)\n"
+                "2:34 `urgent` wrong_node_kind: `B`: expected a mapping, found `urgent` (write `B: {data: urgent}`, "
+                "or, if it is a level, `B: {level: urgent}`)\n"},
            Case{"{Kick: {tasks: [[A], B: {dta: 3}]}}",
                 "2:25 `[A]` wrong_node_kind: `tasks`: expected the name of a group, or {Group: {data: 1}}, found a "
                 "list\n"
@@ -238,7 +261,8 @@ TEST_CASE("What is wrong in a script is reported at its place") {
 TEST_CASE("What is wrong in a step is reported at its place") {
   for (const Case& c : {
            Case{"[Walk]",
-                "2:9 `Walk` wrong_node_kind: `steps`: expected a mapping such as {request: Walk}, found `Walk`\n"},
+                "2:9 `Walk` wrong_node_kind: `steps`: expected a mapping such as {request: Walk}, found `Walk` (to "
+                "request it, write `request: Walk`)\n"},
            Case{"[{}]",
                 "2:9 `{}` missing_key: a step needs one of request, cancel, set, trigger, enable, disable, advance, "
                 "inputs (for example `request: Walk`)\n"},
@@ -254,6 +278,8 @@ TEST_CASE("What is wrong in a step is reported at its place") {
                 "found nothing\n"},
            Case{"[{request: {A: {keep: true}}}]",
                 "2:24 `keep` unknown_key: a request of `A` has no key `keep` (it may have level, data)\n"},
+           Case{"[{request: {A: [1, x]}}]",
+                "2:23 `[1, x]` wrong_node_kind: `A`: expected a mapping, found a list (write `A: {data: [1, x]}`)\n"},
            Case{"[{enable: Walk}]",
                 "2:18 `Walk` wrong_node_kind: `enable`: expected a provider such as Walk.halting, found "
                 "`Walk` (if it has no `providers`, the only one is called `Walk.default`)\n"},
