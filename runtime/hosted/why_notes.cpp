@@ -15,6 +15,9 @@ namespace {
 
 using About = WhyNote::About;
 
+/// Limit for the preferred providers with a note each.
+constexpr std::size_t most_preferred = 8;
+
 class Noting {
 public:
   Noting(const View& view, const Names& names) : v_(view), t_(*view.tables), n_(names) {}
@@ -25,7 +28,10 @@ public:
     case Because::Kind::lost:
     case Because::Kind::need_held:
     case Because::Kind::reserved: chain(because.holder, "it is held for"); break;
-    case Because::Kind::running: chain(because.edge, "it runs for"); break;
+    case Because::Kind::running:
+      chain(because.edge, "it runs for");
+      passed_over(because);
+      break;
     case Because::Kind::no_provider: disabled(because.group); break;
     case Because::Kind::together:
       if (because.group == nil) {
@@ -81,6 +87,45 @@ private:
     for (const Index row : all) causer(row, because, pushed == all.end() ? nil : *pushed);
     if (t_.states[state].external) add("the outside may set " + name, About::state, state);
     if (because.provider != nil) others(because);
+  }
+
+  /// Why the group does not run in a provider that is preferred to the active one.
+  void passed_over(const Because& because) {
+    const GroupAssignment& row = v_.assignment[because.asked];
+    if (row.active == nil) return;
+    if (is_pushed(row.active) && (row.flags & flag::in_force) != 0) {
+      add(provider(row.active) + " is pushed for " + edge(row.push.edge), About::provider, row.active);
+      return;
+    }
+    std::size_t count = 0;
+    for (Index each = t_.groups[because.asked].providers.begin; each != row.active && count < most_preferred; ++each) {
+      const std::string reason = hindrance(each, because.edge);
+      if (reason.empty()) continue;
+      add(provider(each) + " is preferred, but " + reason, About::provider, each);
+      ++count;
+    }
+  }
+
+  /// What keeps the provider from running: it is disabled, or the first thing that it lacks. Empty: nothing that can be
+  /// seen at the provider itself.
+  std::string hindrance(Index row, Index request) const {
+    if (v_.enabled[row] == 0) return "is disabled";
+    for (const Index each : t_.list(t_.providers[row].when)) {
+      const Index state = t_.conditions[each].state;
+      if (t_.accepts(t_.conditions[each], v_.values[state].value)) continue;
+      return std::string(n_.condition(n_.self, each)) + " is false: " + n_.state(n_.self, state) + " is " +
+             value(state);
+    }
+    for (const Index need : t_.list(t_.providers[row].needs)) {
+      const Index target = t_.edges[need].target, holder = v_.holder(target);
+      if (is_in_the_way(holder, need, request)) return group(target) + " is held by " + edge(holder);
+    }
+    return "";
+  }
+
+  bool is_in_the_way(Index holder, Index need, Index request) const {
+    return holder != nil && holder != need && request != nil && !v_.is_limbo(holder) &&
+           stands_in_the_way(v_, holder, request);
   }
 
   /// The other conditions of the provider that are false: pushes have to cause all of them.

@@ -124,6 +124,40 @@ groups:
                      "(lift.yaml:11)\n");
 }
 
+TEST_CASE("why a group runs in a provider that is not preferred") {
+  World world;
+  world.files.add("walk.yaml", R"(behaviour: walk
+language: 1
+states:
+  Floor: {values: [dry, wet], initial: wet, external: true}
+  Motion: {values: [moving, still], initial: moving}
+roots: {Walk: {priority: 10}, Kick: {priority: 20}, Wave: {priority: 30}}
+groups:
+  Walk:
+    providers:
+      - {name: leaping}
+      - {name: running, when: [Floor == dry]}
+      - {name: swinging, needs: [Arms]}
+      - {name: creeping}
+      - {name: halting, causing: [Motion == still]}
+  Kick: {when: [Motion == still]}
+  Wave: {needs: [Arms], tasks: [Arms]}
+  Arms: {}
+)");
+  world.files.add("s.yaml", "behaviour: walk.yaml\nsteps: [{disable: Walk.leaping}, {request: [Wave, Walk]}, {request: "
+                            "Kick}]\n");
+  CHECK(world.directorc({"why", "s.yaml", "Walk", "--step=2"}) == 0);
+  CHECK(world.out == "Walk runs (root>Walk) in creeping\n"
+                     "  it runs for the program, priority 10 (walk.yaml:6)\n"
+                     "  Walk.leaping is preferred, but is disabled (walk.yaml:10)\n"
+                     "  Walk.running is preferred, but Floor == dry is false: Floor is wet (walk.yaml:11)\n"
+                     "  Walk.swinging is preferred, but Arms is held by Wave>Arms (walk.yaml:12)\n");
+  CHECK(world.directorc({"why", "s.yaml", "Walk", "--step=3"}) == 0);
+  CHECK(world.out == "Walk runs (root>Walk) in halting\n"
+                     "  it runs for the program, priority 10 (walk.yaml:6)\n"
+                     "  Walk.halting is pushed for root>Kick (walk.yaml:14)\n");
+}
+
 TEST_CASE("why a group waits: a push that stands keeps others from being pushed, also while its provider cannot run") {
   World world;
   world.files.add("lift.yaml", R"(behaviour: lift
