@@ -128,16 +128,61 @@ private:
            stands_in_the_way(v_, holder, request);
   }
 
-  /// The other conditions of the provider that are false: pushes have to cause all of them.
+  /// The other conditions that are false of the provider, and of those that its needs lead to first: pushes have to
+  /// cause all of them.
   void others(const Because& because) {
+    const auto lacks = [&](Index row) {
+      return row != because.condition && !t_.accepts(t_.conditions[row], v_.values[t_.conditions[row].state].value);
+    };
+    const auto is_caused = [&](Index row) {
+      return any(causers(t_, row), [&](Index provider) { return v_.enabled[provider] != 0; });
+    };
+    const std::string_view unpromised = ", and no enabled provider promises it, so nothing is pushed";
     for (const Index row : t_.list(t_.providers[because.provider].when)) {
-      const Condition& other = t_.conditions[row];
-      if (row == because.condition || t_.accepts(other, v_.values[other.state].value)) continue;
-      const bool caused = any(causers(t_, row), [&](Index provider) { return v_.enabled[provider] != 0; });
-      add(std::string(n_.condition(n_.self, row)) + " is false too" +
-              (caused ? "" : ", and no enabled provider promises it, so nothing is pushed"),
+      if (!lacks(row)) continue;
+      add(std::string(n_.condition(n_.self, row)) + " is false too" + std::string(is_caused(row) ? "" : unpromised),
           About::condition, row);
     }
+    if (t_.providers[because.provider].group != because.group || pushes(because.member)) return;
+    std::vector<Index> plan{because.provider};
+    if (!find_plan(because.provider, because.member, plan)) return;
+    for (std::size_t i = 1; i < plan.size(); ++i) {
+      for (const Index row : t_.list(t_.providers[plan[i]].when)) {
+        if (!lacks(row) || is_caused(row)) continue;
+        add(std::string(n_.condition(n_.self, row)) + " of " + provider(plan[i]) + ", which " + group(because.group) +
+                " needs, is false too" + std::string(unpromised),
+            About::condition, row);
+      }
+    }
+  }
+
+  /// Whether something is pushed for the request.
+  bool pushes(Index request) const {
+    for (Index row = 0; row < t_.groups.size(); ++row) {
+      if (v_.assignment[row].push.edge == request) return true;
+    }
+    return false;
+  }
+
+  /// Adds, for each need, the first enabled provider for which all groups are free for the request.
+  bool find_plan(Index row, Index request, std::vector<Index>& plan) const {
+    for (const Index need : t_.list(t_.providers[row].needs)) {
+      const Index target = t_.edges[need].target;
+      const bool is_taken =
+          std::any_of(plan.begin(), plan.end(), [&](Index each) { return t_.providers[each].group == target; });
+      if (is_taken || is_in_the_way(v_.holder(target), need, request)) return false;
+      bool found = false;
+      for (const Index each : t_.groups[target].providers.rows()) {
+        if (v_.enabled[each] == 0) continue;
+        const std::size_t before = plan.size();
+        plan.push_back(each);
+        found = find_plan(each, request, plan);
+        if (found) break;
+        plan.resize(before);
+      }
+      if (!found) return false;
+    }
+    return true;
   }
 
   /// Whether its group is to change to it, if it can run.

@@ -124,6 +124,34 @@ groups:
                      "(lift.yaml:11)\n");
 }
 
+TEST_CASE("why a group waits: a condition of what it needs that prevents a push") {
+  World world;
+  world.files.add("near.yaml", R"(behaviour: near
+language: 1
+states:
+  Arm: {values: [tucked, out], initial: out}
+  Human: {values: [near, far], initial: near, external: true}
+roots: {Travel: {priority: 20}, MoveArm: {priority: 5}}
+groups:
+  Travel: {when: [Arm == tucked], needs: [Drive]}
+  Drive:
+    providers: [{name: rolling, when: [Human == far], needs: [Wheels]}, {name: creeping, needs: [Wheels]}]
+  MoveArm: {providers: [{name: reaching}, {name: tucking, causing: [Arm == tucked]}]}
+  Wheels: {}
+)");
+  world.files.add("s.yaml", "behaviour: near.yaml\nsteps: [{request: [MoveArm, Travel]}, {set: {Human: far}}]\n");
+  CHECK(world.directorc({"why", "s.yaml", "Travel", "--step=1"}) == 0);
+  CHECK(world.out == "Travel waits (root>Travel): until Arm == tucked, which MoveArm.tucking could cause\n"
+                     "  Arm is out (near.yaml:8)\n"
+                     "  MoveArm.tucking could cause it, and is not pushed for root>Travel (near.yaml:11)\n"
+                     "  Human == far of Drive.rolling, which Travel needs, is false too, and no enabled provider "
+                     "promises it, so nothing is pushed (near.yaml:5)\n");
+  CHECK(world.directorc({"why", "s.yaml", "Travel", "--step=2"}) == 0);
+  CHECK(world.out == "Travel waits (root>Travel): until Arm == tucked, which MoveArm.tucking could cause\n"
+                     "  Arm is out (near.yaml:8)\n"
+                     "  MoveArm.tucking is to cause it: pushed for root>Travel (near.yaml:11)\n");
+}
+
 TEST_CASE("why a group runs in a provider that is not preferred") {
   World world;
   world.files.add("walk.yaml", R"(behaviour: walk
