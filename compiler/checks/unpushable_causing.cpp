@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <vector>
 
 namespace director::checks {
@@ -110,7 +111,34 @@ std::string in_packs(const Obstacle& obstacle, const std::string& help) {
   return "say with `packs` that both are requested, and " + help;
 }
 
-std::string propose(const Model& model, ProviderId causer, const Obstacles& obstacles) {
+/// A provider before the waiting one, and a condition of it that nothing promises: while that is false, the group waits
+/// for it, and pushes nothing.
+struct Outside {
+  ProviderId waiter{}, earlier{};
+  ConditionUse condition;
+};
+
+std::optional<Outside> find_outside(const Input& input, ProviderId waiter) {
+  const Model& model = input.model;
+  for (const ProviderId earlier : model.groups[model.providers[waiter].group].providers) {
+    if (earlier == waiter) break;
+    if (!input.facts.capable.contains(earlier) || !needs_no_more(model.providers[earlier], model.providers[waiter]))
+      continue;
+    for (const ConditionUse& use : model.providers[earlier].when) {
+      if (input.shared.causers()[use.id].empty() && !input.facts.holds_always(model, use.id, Region{}))
+        return Outside{waiter, earlier, use};
+    }
+  }
+  return std::nullopt;
+}
+
+std::string propose(const Model& model, ProviderId causer, const Obstacles& obstacles,
+                    const std::optional<Outside>& outside) {
+  if (obstacles.meet && obstacles.all.empty() && outside)
+    return fmt::format(
+        "put {0} before {1}, or choose between the two in a group above, so that {0} waits in a group of "
+        "its own",
+        name_of(model, outside->waiter), name_of(model, outside->earlier));
   if (obstacles.meet && (obstacles.none_waits || obstacles.all.empty()))
     return fmt::format("leave out either the other ways of those that wait for it, or {} and what waits for it",
                        name_of(model, causer));
@@ -150,6 +178,7 @@ void report(const Input& input, const Chains& chains, Waiting& waits, const Neve
                                name_of(model, promise.causer), name_of(model, promise.promise.id),
                                name_of(model, group), promise.at_first ? ": once lost, it never comes back" : ""));
   Obstacles obstacles;
+  std::optional<Outside> outside;
   obstacles.none_waits = std::none_of(promise.waiting.begin(), promise.waiting.end(), [&](const auto& each) {
     return waits.may_wait(model.providers[each.provider].group);
   });
@@ -159,13 +188,22 @@ void report(const Input& input, const Chains& chains, Waiting& waits, const Neve
     finding.notes.push_back({waiting.condition.span, fmt::format("{} waits for {}", name_of(model, waiting.provider),
                                                                  name_of(model, waiting.condition.id))});
     if (!model.satisfies(promise.promise.id, waiting.condition.id)) continue;
+    if (const std::optional<Outside> found = find_outside(input, waiting.provider)) {
+      finding.notes.push_back(
+          {found->condition.span,
+           fmt::format("{} comes first: where that cannot run either, {} waits for {}, which nothing promises, and "
+                       "pushes nothing",
+                       name_of(model, found->earlier), name_of(model, model.providers[found->earlier].group),
+                       name_of(model, found->condition.id))});
+      if (!outside) outside = found;
+    }
     const GroupId waiter = model.providers[waiting.provider].group;
     const std::size_t before = obstacles.all.size();
     find_obstacles(model, chains, waiter, group, obstacles);
     for (std::size_t i = before; i < obstacles.all.size() && !obstacles.none_waits; ++i)
       explain(model, obstacles.all[i], waiter, group, finding);
   }
-  finding.help = propose(model, promise.causer, obstacles);
+  finding.help = propose(model, promise.causer, obstacles, outside);
 }
 
 } // namespace
