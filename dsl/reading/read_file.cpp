@@ -95,7 +95,7 @@ std::optional<AssertionSpec> read_assertion(Reader& reader, const YamlNode& node
   using Kind = AssertionSpec::Kind;
   static const Keys kinds{"never_together", "beats", "can_run", "soft"}; // in the order of Kind
   if (!reader.is_mapping(&node, "assertions", "a mapping such as {can_run: Kick}")) return std::nullopt;
-  reader.know_keys(node, "an assertion", kinds);
+  reader.know_keys(node, "an assertion", kinds, slips_of_assertion());
   for (std::size_t i = 0; i < kinds.size(); ++i)
     for (std::size_t j = i + 1; j < kinds.size(); ++j)
       reader.exclude(node, kinds[i], kinds[j], "write each as an entry of its own, with a `-`");

@@ -145,6 +145,18 @@ const Slips& slips_of_case() {
   return slips;
 }
 
+const Slips& slips_of_assertion() {
+  static const Slips slips{
+      {{"never", "always", "forbidden", "invariant", "not"},
+       "assertions are about groups, `never_together: [Walk, Kick]`; a group that runs only with some values of "
+       "states, "
+       "`Rolls: {when: [Base == rolling]}`, stands for these"},
+      {{"reachable", "possible", "eventually"}, "that a group runs at some time is said by `can_run: Kick`"},
+      {{"doc", "name", "description", "comment"}, "a text for people stands in a comment, behind `#`"},
+  };
+  return slips;
+}
+
 const std::string* help_for_type(std::string_view type) {
   static const Slips slips{
       {{"bool", "boolean"},

@@ -25,6 +25,7 @@ const Slips& slips_of_group(); ///< and of a provider
 const Slips& slips_of_task();
 const Slips& slips_of_step();
 const Slips& slips_of_case();
+const Slips& slips_of_assertion();
 
 /// Help for a type of C++ or another language in place of an enum; null if the type is in no such language.
 const std::string* help_for_type(std::string_view type);

@@ -127,6 +127,10 @@ TEST_CASE("What is wrong in an assertion is reported at its place") {
            Case{"[{}]",
                 "3:14 `{}` wrong_node_kind: `assertions`: expected one of never_together, beats, can_run, soft, found "
                 "none (for example `- can_run: Kick`)\n"},
+           Case{"[{never: [A, B]}]",
+                "3:15 `never` unknown_key: an assertion has no key `never` (assertions are about groups, "
+                "`never_together: [Walk, Kick]`; a group that runs only with some values of states, `Rolls: {when: "
+                "[Base == rolling]}`, stands for these)\n"},
            Case{"[{canrun: Kick}]",
                 "3:15 `canrun` unknown_key: an assertion has no key `canrun` (did you mean `can_run`?)\n"},
            Case{"[{can_run: Kick, beats: {A: B}}]", "3:30 `beats` exclusive_keys: `can_run` and `beats` exclude each "
