@@ -57,6 +57,8 @@ public:
   }
 
   Replayed play() {
+    out_.begins_later =
+        ahead(0) != nullptr && ahead(0)->dropped == 0 && ahead(0)->problem.empty() && !is(ahead(0), Kind::begin);
     give();
     std::uint32_t silent = 0;
     while (!over_) {

@@ -32,6 +32,7 @@ struct Replayed {
   std::uint64_t dropped = 0;    ///< not 0: so many events are missing from the trace, and the replay ended there
   std::string problem;          ///< why a line cannot be read, where the replay ended; empty: all could
   std::size_t problem_line = 0; ///< which line; counts from 1
+  bool begins_later = false;    ///< the trace does not begin with the first step
 };
 
 /// Callbacks of a replay.

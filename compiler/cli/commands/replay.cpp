@@ -20,7 +20,13 @@ namespace {
 std::string to_text(const Replayed& replayed, const std::string& trace, const std::string& behaviour, bool other) {
   std::string out;
   const std::string version = other ? fmt::format(" by `{}`, another version than the one recorded", behaviour) : "";
-  if (replayed.difference) {
+  if (replayed.difference && replayed.begins_later) {
+    out += fmt::format("{}:{}: the trace begins in the middle, at {} s: its first event is not `begin`, so the state "
+                       "before it is not known, and it cannot be replayed\n",
+                       trace, replayed.difference->line, in_seconds(replayed.difference->time));
+    out += "  its recorder was made later than the first step, the program loaded a saved state before that, or lines "
+           "at the beginning of the trace are missing\n";
+  } else if (replayed.difference) {
     const Replayed::Difference& it = *replayed.difference;
     out += fmt::format("{}:{}: event {}, at {} s, {}{}\n", trace, it.line, it.event, in_seconds(it.time),
                        it.is_untold ? "cannot be replayed" : "is decided otherwise", version);

@@ -533,6 +533,21 @@ TEST_CASE("a trace with events missing is played up to there") {
   CHECK(world.out.find("... 3 events are missing\n") != std::string::npos);
 }
 
+TEST_CASE("a trace that begins in the middle cannot be replayed, and this is the reason that is told") {
+  World world = with_trace();
+  std::string some = traced_line(trace_in(world), 1) + "\n";
+  for (std::size_t i = 34; i <= 38; ++i) some += traced_line(trace_in(world), i) + "\n";
+  world.files.add("late.jsonl", some);
+  CHECK(world.directorc({"replay", "late.jsonl"}) == 1);
+  CHECK(world.err.empty());
+  CHECK(
+      world.out ==
+      R"(late.jsonl:2: the trace begins in the middle, at 1.000000 s: its first event is not `begin`, so the state before it is not known, and it cannot be replayed
+  its recorder was made later than the first step, the program loaded a saved state before that, or lines at the beginning of the trace are missing
+)");
+  CHECK(world.directorc({"trace", "late.jsonl"}) == 0);
+}
+
 TEST_CASE("where the behaviour is found that a trace names") {
   World world = with_trace();
   world.files.add("runs/run.jsonl", trace_in(world));
