@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # cmake -D NODE=<program> -D NPM=<program> -D CHROMIUM=<program> -D DIRECTORC=<program> -D SOCCER=<program> -D FROM=<this folder> -D ROOT=<the project> -D WORK=<folder> -P timeline.cmake
-# Writes nine recordings as pages and tests them in a browser (timeline.mjs): a minute of soccer, the same with missing events, the rover, two tasks
+# Writes ten recordings as pages and tests them in a browser (timeline.mjs): a minute of soccer, the same with missing events and without its beginning, the rover, two tasks
 # that are blocked, a request for a task that runs for another, a task with many others below it, a task with a long name that waits for another one
 # with a long name, tasks with names of one letter, and a robot in a warehouse.
 include(${CMAKE_CURRENT_LIST_DIR}/../support/npm_packages.cmake)
@@ -84,8 +84,8 @@ steps:
 execute_process(COMMAND ${DIRECTORC} simulate ${into}/wide.scenario.yaml --trace ${into}/wide.jsonl OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${DIRECTORC} simulate behaviours/warehouse/scenarios/a_low_battery.scenario.yaml --trace ${into}/warehouse.jsonl
                 WORKING_DIRECTORY ${ROOT} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${NODE} gap.mjs minute.jsonl gap.jsonl WORKING_DIRECTORY ${into} COMMAND_ERROR_IS_FATAL ANY)
-foreach(page minute:behaviours/soccer/soccer.yaml gap:behaviours/soccer/soccer.yaml rover:tests/docs/rover/rover.yaml
+execute_process(COMMAND ${NODE} gap.mjs minute.jsonl gap.jsonl late.jsonl WORKING_DIRECTORY ${into} COMMAND_ERROR_IS_FATAL ANY)
+foreach(page minute:behaviours/soccer/soccer.yaml gap:behaviours/soccer/soccer.yaml late:behaviours/soccer/soccer.yaml rover:tests/docs/rover/rover.yaml
              blocked:${into}/blocked.yaml eyes:${into}/eyes.yaml tall:${into}/tall.yaml letters:${into}/letters.yaml wide:${into}/wide.yaml warehouse:behaviours/warehouse/warehouse.yaml)
   string(REPLACE ":" ";" page ${page})
   list(POP_FRONT page name)

@@ -404,6 +404,16 @@ await situation('behind a gap nothing is known until it is told, and why not', '
   assert.deepEqual((await lines(page, 'Waits')).filter((line) => line.startsWith('Kick')), ['Kick queued: until Stability == standingNot more is known: 2000 events are missing before: why something waits is not known from there on.']);
 });
 
+await situation('in a recording that begins in the middle nothing is known until it is told', 'late', {}, async (page) => {
+  await press(page, 'Home');
+  assert.match(await page.locator('#timeline .about').textContent(), /The trace begins in the middle/);
+  assert.ok((await lines(page, 'Not known, as events are missing')).includes('FallRecovery'));
+  assert.deepEqual(await lines(page, 'Not requested'), []);
+  assert.ok((await lines(page, 'States')).includes('Phase is not known'));
+  await press(page, 'End');
+  assert.ok((await lines(page, 'Runs')).length > 2);
+});
+
 await situation('a request for a task that runs for another is in the words too', 'eyes', {}, async (page) => {
   await press(page, 'End');
   assert.deepEqual([await lines(page, 'Waits'), await lines(page, 'Runs')], [[], ['Boss: for the program', 'Guard: for the program', 'Look: for Guard; queued for Boss: blocked, as it runs for Guard']]);

@@ -39,6 +39,8 @@ std::string end_of(const Waits& waits) {
   if (!replayed.problem.empty())
     return fmt::format("line {} of the trace cannot be read: why something waits is not known from there on",
                        replayed.problem_line);
+  if (replayed.difference && replayed.begins_later)
+    return "the trace begins in the middle, so that it cannot be played again: why something waits is not known";
   if (replayed.difference)
     return fmt::format(
         "from {} s on it is decided otherwise when it is played again, so why something waits is not known",
@@ -125,9 +127,12 @@ std::pair<std::string, int> trace_page(const Trace& request, const LoadedTrace& 
     print_unreadable(request.file, waits.replayed.problem_line, waits.replayed.problem, console);
     whole = false;
   }
-  page.about = fmt::format("{} in {}, from {}{}.", many_counted(recording.events(), "event"),
+  page.about = fmt::format("{} in {}, from {}{}.{}", many_counted(recording.events(), "event"),
                            as_duration(between(recording.begins(), recording.ends())), shown_path(request.file),
-                           lines.cut_off() ? ", whose last line is cut off" : "");
+                           lines.cut_off() ? ", whose last line is cut off" : "",
+                           waits.replayed.begins_later ? " The trace begins in the middle: what runs, and the value of "
+                                                         "a state, is not known before an event tells it."
+                                                       : "");
   page.data = base64(packed(recording.bytes(header->json)));
   PageWish wish;
   wish.link = request.link;

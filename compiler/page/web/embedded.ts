@@ -67,12 +67,13 @@ class Embedded implements Source {
   }
 }
 
-/** `initial`: the values of the states before the first event. */
+/** `initial`: the values of the states before the first event, if the trace has it. */
 export async function decodeRecording(base64: string, initial: Map<string, Value>): Promise<Source> {
   const raw = await inflate(base64);
   const length = new DataView(raw.buffer, raw.byteOffset).getUint32(0, true);
   const head = JSON.parse(new TextDecoder().decode(raw.subarray(4, 4 + length))) as Head;
-  const recording = new Recording(head.header, initial);
+  const isWhole = head.events === 0 || head.shapes[0].event === 'begin'; // shapes are in the order in which they come first
+  const recording = new Recording(head.header, isWhole ? initial : undefined);
   const shapes = head.shapes.map((line) => recording.addShape(line));
   const bytes = new Bytes(raw, 4 + length);
   const column = (count: number): number[] | Uint32Array => Uint32Array.from({ length: count }, () => bytes.next());

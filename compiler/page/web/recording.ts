@@ -4,7 +4,7 @@
 //
 // A source fills the recording, and answers why a group waits:
 // - embedded.ts decodes the recording that `directorc trace --to=html` wrote into the page; it is complete at once;
-// - a live source calls `new Recording(header)` with the first line of a trace, `append(text)` with each further block of complete lines, and
+// - a live source calls `new Recording(header, initial)` with the first line of a trace, `append(text)` with each further block of complete lines, and
 //   `pass(time)` if time passed without an event. `limit` is the number of events above which the oldest are removed. A source that begins in the
 //   middle first sends the current state as events, such as `given`, `grant`, `queue` and `push` (runtime/live/moment_lines.hpp). `why(group, event)`
 //   may answer later, by a promise. `new Timeline(source, pictures, data)` shows it; if it `grows`, the end is followed until the user goes elsewhere.
@@ -71,14 +71,17 @@ export class Recording {
   private passed = 0;
   private microStep: number | undefined; // of the last line
 
-  /** `initial`: the values of the states before the first event. `limit`: if more events are kept, the oldest are removed. */
-  constructor(header: Header, initial: Map<string, Value> = new Map(), private readonly limit = Infinity) {
+  /**
+   * `initial`: the values of the states before the first event; undefined: the recording begins in the middle, so nothing is known before an event
+   * tells it. `limit`: if more events are kept, the oldest are removed.
+   */
+  constructor(header: Header, initial?: Map<string, Value>, private readonly limit = Infinity) {
     this.names = new Names(header);
-    this.now = new Standings(this.names);
+    this.now = new Standings(this.names, initial !== undefined);
     this.groups = header.groups.map(newTrack);
     this.states = header.states.map(newTrack);
     this.groups.forEach((track, group) => this.put(track, 0, this.standing(group)));
-    this.states.forEach((track, i) => this.put(track, 0, this.value(initial.get(header.states[i].name))));
+    this.states.forEach((track, i) => this.put(track, 0, this.value(initial?.get(header.states[i].name))));
   }
 
   /** The number of the last event, plus 1. */

@@ -55,8 +55,9 @@ export class Standings {
   private readonly touched = new Set<number>();
   private readonly lapsing = new Map<number, boolean>(); // groups whose request ended, if this micro-step may hand them over; value: were they granted
 
-  constructor(private readonly names: Names) {
-    this.groups = names.header.groups.map(() => ({ known: true, holder: nobody, provider: nobody, granted: false, stays: false }));
+  /** `known`: nothing runs at first; otherwise it is not known what does. */
+  constructor(private readonly names: Names, known: boolean) {
+    this.groups = names.header.groups.map(() => ({ known, holder: nobody, provider: nobody, granted: false, stays: false }));
     this.waits = names.header.edges.map(() => undefined);
     this.told = names.header.edges.map(() => undefined);
     this.asked = names.header.edges.map(() => false);

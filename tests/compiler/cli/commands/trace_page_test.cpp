@@ -152,6 +152,20 @@ TEST_CASE("if a replay differs the page reports it, and is written") {
         "something waits is not known\n");
 }
 
+TEST_CASE("the page of a trace that begins in the middle says so, also beside the timeline") {
+  World world = with_recording();
+  const std::string whole = trace_of(world);
+  world.files.add("runs/late.jsonl",
+                  whole.substr(0, whole.find('\n') + 1) + whole.substr(whole.find("{\"t\":1000000")));
+  CHECK(world.directorc({"trace", "runs/late.jsonl", "--to=html", "-o", "late.html"}) == 0);
+  CHECK(world.err == "runs/late.jsonl:2: note: the trace begins in the middle, so that it cannot be played again: why "
+                     "something waits is not known\n");
+  CHECK(
+      section(world.outputs.files.at("late.html"))
+          .starts_with("<p class=\"about\">3 events in 0 s, from runs/late.jsonl. The trace begins in the middle: what "
+                       "runs, and the value of a state, is not known before an event tells it.</p>\n"));
+}
+
 TEST_CASE("what is for pages only is refused for the others, and Graphviz is requested") {
   World world = with_recording();
   CHECK(world.directorc({"trace", "runs/run.jsonl", "--behaviour=lamp.yaml"}) == 2);
