@@ -6,8 +6,9 @@
 // merge tracks of one name below one parent, so those of the states have a parent of their own, and the names of other
 // tracks have a space, which names of groups have not; and they sort by name unless a rank is given. Flows lead from a
 // waiting task to the group that is pushed for it, and from the requester that loses a group to the one that takes it
-// over. Numbers of fields: protos/perfetto/trace of https://github.com/google/perfetto; those used are in
-// tests/support/perfetto.proto.
+// over. No event says that a group is only held as a need from now on: it is found as the page of a trace finds it
+// (compiler/page/web/standing.ts), except for what only a replay knows. Numbers of fields: protos/perfetto/trace of
+// https://github.com/google/perfetto; those used are in tests/support/perfetto.proto.
 #include "runtime/core/api/event_names.hpp"
 #include "runtime/hosted/trace/event_text.hpp"
 #include "runtime/hosted/trace/protobuf.hpp"
@@ -63,8 +64,11 @@ public:
       : n_(names),
         t_(*names.tables),
         active_(t_.groups.size(), nil),
+        holds_(t_.groups.size()),
         values_(t_.states.size()),
-        queued_at_(t_.edges.size(), 0) {}
+        asked_(t_.edges.size(), false),
+        queued_at_(t_.edges.size(), 0),
+        outdated_(t_.edges.size(), false) {}
 
   void begin(std::string& out) override {
     const char* const behaviour = n_.behaviour == nullptr ? "behaviour" : n_.behaviour;
@@ -88,25 +92,23 @@ public:
   void event(const Event& e, std::string& out) override {
     if (!begun_ && e.time < 0) begin_ = now_ = e.time;
     begun_ = true;
+    if (e.kind == Event::Kind::run || e.kind == Event::Kind::input) lapse(out); // the next micro-step
     now_ = std::max(now_, e.time); // timers due earlier than an input are served after it
     switch (e.kind) {
     case Event::Kind::input: input(e, out); break;
     case Event::Kind::run:
-      set_active(e.group, e.provider, out);
+      run(e, out);
       instant(first_group + e.group, "run", reasons(e), out);
       break;
     case Event::Kind::grant: grant(e, out); break;
-    case Event::Kind::lose:
-      set_active(e.group, nil, out);
-      forget_requests(e.group, out);
-      break;
+    case Event::Kind::lose: lose(e, out); break;
     case Event::Kind::queue:
       instant(first_group + e.group, to_text(e, n_), {}, out);
       queued(e, out);
       break;
-    case Event::Kind::withdraw: forget(e.edge, out); break;
+    case Event::Kind::withdraw: withdraw(e.edge, out); break;
     case Event::Kind::push: push(e, out); break;
-    case Event::Kind::stop: forget_requests(e.group, out); [[fallthrough]];
+    case Event::Kind::stop: stop(e.group, out); [[fallthrough]];
     case Event::Kind::start:
     case Event::Kind::done:
     case Event::Kind::failed:
@@ -125,7 +127,7 @@ public:
       count(lost_inputs, lost_, out);
       break;
     case Event::Kind::ask:
-    case Event::Kind::keep:
+    case Event::Kind::keep: ask(e.edge); break;
     case Event::Kind::wait:
     case Event::Kind::answer:
     case Event::Kind::assign: break; // their consequences are in the trace
@@ -135,6 +137,8 @@ public:
   /// From here on, active providers, queued requests and values are unknown until the next event about each.
   void dropped(std::uint64_t count, std::string& out) override {
     end(out);
+    std::fill(holds_.begin(), holds_.end(), Hold{});
+    std::fill(asked_.begin(), asked_.end(), false);
     for (Index edge = 0; edge < t_.edges.size(); ++edge) forget(edge, out);
     instant(outside, std::to_string(count) + " events are missing", {}, out);
   }
@@ -232,7 +236,89 @@ private:
     return group == nil ? outside : first_group + group;
   }
 
+  // Which groups run: those that are granted. Others may be held as a need, and may continue with their own requests.
+
+  struct Hold {
+    Index holder = nil;  ///< edge
+    bool stays = false;  ///< it is not granted any more but continues: its own requests remain
+    bool lapses = false; ///< its request ended, and this micro-step may repeat it
+  };
+
+  bool is_edge(Index edge) const { return edge < t_.edges.size(); }
+  bool is_granted(Index group) const { return active_[group] != nil && !holds_[group].lapses; }
+  bool is_alive(Index group) const { return is_granted(group) || holds_[group].stays; }
+
+  /// A group that this one holds without having requested it stops, unless this run requests it.
+  void run(const Event& e, std::string& out) {
+    for (Index edge = 0; edge < t_.edges.size(); ++edge) {
+      if (t_.edges[edge].requester == e.group && !asked_[edge] && holds_[t_.edges[edge].target].holder == edge)
+        lapse_unless_repeated(t_.edges[edge].target);
+    }
+    Hold& hold = holds_[e.group];
+    if (is_edge(hold.holder)) {
+      if (e.reasons.has(Reason::new_task)) asked_[hold.holder] = true;
+      forget(hold.holder, out);
+    }
+    hold.lapses = hold.stays = false;
+    set_active(e.group, e.provider, out);
+  }
+
+  void ask(Index edge) {
+    if (!is_edge(edge)) return;
+    asked_[edge] = true;
+    Hold& hold = holds_[t_.edges[edge].target];
+    if (hold.holder != edge || !hold.lapses) return;
+    hold.lapses = false;
+    hold.stays = active_[t_.edges[edge].target] == nil;
+  }
+
+  /// If the request by which the group was held is neither queued nor withdrawn, its requester has stopped.
+  void lose(const Event& e, std::string& out) {
+    if (is_edge(e.other) && asked_[e.other] && queued_at_[e.other] == 0 && t_.edges[e.other].requester != nil)
+      lapse_unless_repeated(t_.edges[e.other].requester);
+    end(e.group, out);
+    holds_[e.group] = {};
+  }
+
+  void withdraw(Index edge, std::string& out) {
+    if (!is_edge(edge)) return;
+    const Index group = t_.edges[edge].target, holder = holds_[group].holder;
+    const bool was_kept_for_it = outdated_[edge] && is_edge(holder) && !asked_[holder];
+    forget(edge, out);
+    asked_[edge] = false;
+    if (holder == edge || was_kept_for_it) lapse_unless_repeated(group);
+  }
+
+  void stop(Index group, std::string& out) {
+    if (is_alive(group) || holds_[group].lapses)
+      end(group, out);
+    else
+      forget_requests(group, out);
+  }
+
+  void lapse_unless_repeated(Index group) {
+    if (!is_alive(group)) return;
+    holds_[group].lapses = true;
+    holds_[group].stays = false;
+    is_lapsing_ = true;
+  }
+
+  void lapse(std::string& out) {
+    if (!is_lapsing_) return;
+    is_lapsing_ = false;
+    for (Index group = 0; group < holds_.size(); ++group) {
+      if (holds_[group].lapses) end(group, out);
+    }
+  }
+
+  void end(Index group, std::string& out) {
+    holds_[group].lapses = holds_[group].stays = false;
+    set_active(group, nil, out);
+    forget_requests(group, out);
+  }
+
   void grant(const Event& e, std::string& out) {
+    holds_[e.group] = {.holder = e.edge};
     set_active(e.group, e.provider, out);
     if (e.provider == nil) forget_requests(e.group, out);
     if (e.edge < t_.edges.size() && queued_at_[e.edge] != e.micro_step) forget(e.edge, out);
@@ -250,23 +336,35 @@ private:
   void queued(const Event& e, std::string& out) {
     if (queued_at_[e.edge] == 0) count(queued_tasks, ++queued_, out);
     queued_at_[e.edge] = e.micro_step;
+    outdated_[e.edge] = e.why == Why::outdated;
+    asked_[e.edge] = true;
+    if (holds_[e.group].holder == e.edge) lapse_unless_repeated(e.group);
+    const Index asker = t_.edges[e.edge].requester;
+    if (asker == nil || !holds_[asker].lapses) return;
+    holds_[asker].lapses = false; // only a group that continues has requests
+    holds_[asker].stays = true;
+    set_active(asker, nil, out);
   }
 
   /// Removes the requests of a group that does not run.
   void forget_requests(Index group, std::string& out) {
     for (Index edge = 0; edge < t_.edges.size(); ++edge) {
-      if (t_.edges[edge].requester == group) forget(edge, out);
+      if (t_.edges[edge].requester != group) continue;
+      forget(edge, out);
+      asked_[edge] = false;
     }
   }
 
   void forget(Index edge, std::string& out) {
+    outdated_[edge] = false;
     if (queued_at_[edge] == 0) return;
     queued_at_[edge] = 0;
     count(queued_tasks, --queued_, out);
   }
 
   void input(const Event& e, std::string& out) {
-    if (e.input == Event::Input::cancel && e.edge != nil) forget(e.edge, out);
+    if (e.input == Event::Input::request && is_edge(e.edge)) asked_[e.edge] = true;
+    if (e.input == Event::Input::cancel) withdraw(e.edge, out);
     if (e.input == Event::Input::set) take_value(e.state, e.value, out);
     const std::string text = to_text(e, n_);
     if (!text.empty()) instant(outside, std::string_view(text).substr(2), {}, out); // without `> `
@@ -283,10 +381,13 @@ private:
   const Names n_;
   const Tables& t_;
   std::vector<Index> active_;                       ///< by group: provider
+  std::vector<Hold> holds_;                         ///< by group
   std::vector<std::optional<std::int32_t>> values_; ///< by state; nothing: unknown
+  std::vector<bool> asked_;                         ///< by edge: whether it is requested
   std::vector<std::uint64_t> queued_at_; ///< by edge: the micro-step in which it was queued last; 0: not queued
+  std::vector<bool> outdated_;           ///< by edge: it was queued because its requester may withdraw it
   std::uint64_t queued_ = 0, lost_ = 0, flows_ = 0;
-  bool begun_ = false;
+  bool begun_ = false, is_lapsing_ = false;
   Time begin_ = 0; ///< the first time if it is negative: Perfetto has no times before 0
   Time now_ = 0;
 };

@@ -304,6 +304,67 @@ TEST_CASE("in a trace for Perfetto slices nest, flows have both ends, and time d
   }
 }
 
+namespace {
+
+/// Slices of groups and the counter of queued tasks, a line each, of this behaviour and scenario.
+std::string shown_of(const std::string& behaviour, const std::string& scenario) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "b.yaml") << behaviour;
+  std::ofstream(folder.path() / "s.yaml") << scenario;
+  std::string of, out;
+  std::map<std::string, std::string> names;
+  for (const Packet& packet : packets_of(decoded((folder.path() / "s.yaml").string(), of))) {
+    if (!packet["uuid"].empty()) names[packet["uuid"]] = packet["name"];
+    const std::string type = packet["type"];
+    if (type == "TYPE_SLICE_BEGIN" || type == "TYPE_SLICE_END" || type == "TYPE_COUNTER")
+      out += packet["timestamp"] + " " + names[packet["track_uuid"]] + " " + type.substr(5) + packet["counter_value"] +
+             "\n";
+  }
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("in a trace for Perfetto a group that is only held as a need does not run") {
+  CHECK(shown_of("language: 1\nbehaviour: b\nroots: [Kick]\n"
+                 "groups: {Kick: {needs: [Leg], packs: {work: [Leg], rest: []}}, Leg: {}}\n",
+                 R"(scenario: the need stays, the request does not
+behaviour: b.yaml
+script:
+  Kick:
+    - {reason: new_task, pack: work, wait: 1 s}
+    - {reason: wait, pack: rest}
+steps:
+  - request: Kick
+  - advance: 10 s
+  - cancel: Kick
+)") == R"(0 "Kick" SLICE_BEGIN
+0 "Leg" SLICE_BEGIN
+1000000000 "Leg" SLICE_END
+10000000000 "Kick" SLICE_END
+)");
+}
+
+TEST_CASE("in a trace for Perfetto a request that runs without a grant is not queued any more") {
+  CHECK(shown_of("language: 1\nbehaviour: b\nroots: {Kick: {priority: 10}, Guard: {priority: 20}}\n"
+                 "groups: {Kick: {needs: [Leg], tasks: [Leg]}, Guard: {packs: {quiet: [], take: [Leg]}}, Leg: {}}\n",
+                 R"(scenario: the guard might take the leg
+behaviour: b.yaml
+steps:
+  - inputs: [{request: Kick}, {request: Guard}]
+  - advance: 10 s
+  - cancel: Guard
+)") == R"(0 "Kick" SLICE_BEGIN
+0 "Guard" SLICE_BEGIN
+0 "queued tasks" COUNTER1
+0 "queued tasks" COUNTER0
+0 "Leg" SLICE_BEGIN
+10000000000 "Guard" SLICE_END
+10000000000 "Kick" SLICE_END
+10000000000 "Leg" SLICE_END
+)");
+}
+
 TEST_CASE("a run of the rover, as Perfetto reads it", "[golden]") {
   std::string of;
   const std::vector<Packet> packets = packets_of(decoded("tests/docs/rover/rover.scenario.yaml", of));
