@@ -48,7 +48,11 @@ Decision decision_of(const Event& event, const Plug& plug) {
     out.reason = name_of(event.why);
     if (!condition.empty()) out.reason += ": " + condition;
     break;
-  case Event::Kind::push: out.reason = condition; break;
+  case Event::Kind::push: // `edge` is of the task that waits, and says nothing about who requests `group`
+    out.requester.clear();
+    if (event.edge < t.edges.size()) out.reason = "for " + std::string(plug.names.edge(event.edge)) + ": ";
+    out.reason += condition;
+    break;
   case Event::Kind::lost: out.reason = std::to_string(event.count); break;
   case Event::Kind::grant:
   case Event::Kind::lose:

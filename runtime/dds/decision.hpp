@@ -14,8 +14,8 @@ struct Decision {
   std::string kind; ///< name of the Event::Kind
   std::string group;
   std::string provider;
-  std::string requester; ///< root, or a group
-  std::string reason;
+  std::string requester; ///< root, or a group; of a run and a push empty
+  std::string reason;    ///< of a push: the edge of the task that waits, and its condition
   bool operator==(const Decision&) const = default;
 };
 

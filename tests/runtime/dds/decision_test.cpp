@@ -57,6 +57,17 @@ TEST_CASE("a decision is published with names") {
                                  "grant Sing.default for Rest: ", "run Sing.default for : new_task"});
 }
 
+TEST_CASE("a push names the request that waits, and nobody as the requester of what is pushed") {
+  KeeperModule module;
+  keeper::Behaviour behaviour{module};
+  const dds::Plug plugged = plug(behaviour);
+  const Tables& t = plugged.tables();
+  const dds::Decision push = dds::decision_of(
+      {.kind = Event::Kind::push, .group = t.providers[0].group, .provider = 0, .edge = 0, .condition = 0}, plugged);
+  CHECK(push.requester.empty());
+  CHECK(push.reason == "for " + std::string(keeper::names::edge(0)) + ": " + std::string(keeper::names::condition(0)));
+}
+
 TEST_CASE("a promise is kept by the run of its provider, and broken when its time is over") {
   Observed observed;
   const auto observe = [&](Event event) {
