@@ -195,6 +195,13 @@ await situation('events that are missing are counted, and then it is the present
   await sees(page, '.live-state', /^(Connected|Behind)/);
 });
 
+await situation('of a program that shows no moment, what is not kept any more is not known', [live, 'unshown'], {}, async ({ page }) => {
+  await sees(page, '#moment', /Not known, as events are missing\n/);
+  const shown = await text(page, '#moment');
+  assert.match(shown, /Door is not known/);
+  assert.doesNotMatch(shown, /Not requested/);
+});
+
 for (const colorScheme of ['light', 'dark']) {
   await situation(`axe finds nothing, ${colorScheme}`, [live], { colorScheme, bypassCSP: true }, async ({ page }) => {
     await sees(page, '#moment', /Door is shut/);

@@ -1,8 +1,9 @@
 // Header: tests/browser/CMakeLists.txt. Test: tests/browser/live.mjs.
 // SPDX-License-Identifier: MIT
 //
-// live_program [flood]: a courier that never gets through the door, so that it waits as long as somebody looks.
-// `flood`: more happens than its queue has place for. Ends with its standard input.
+// live_program [flood | unshown]: a courier that never gets through the door, so that it waits as long as somebody
+// looks. `flood`: more happens than its queue has place for. `unshown`: the program shows no moment, and its first
+// events are not kept. Ends with its standard input.
 #include "courier_page.hpp"
 #include "runtime/live/live_view.hpp"
 #include "tests/system/api/office.hpp"
@@ -20,7 +21,10 @@ int main(int count, char** values) {
   using namespace director::tests;
   using namespace std::chrono_literals;
   const bool flood = count > 1 && std::string_view(values[1]) == "flood";
-  director::LiveView view{courier::names::all(), {.html = director::pages::courier(), .queue = flood ? 256U : 65'536U}};
+  const bool unshown = count > 1 && std::string_view(values[1]) == "unshown";
+  director::LiveView::Options options{.html = director::pages::courier(), .queue = flood ? 256U : 65'536U};
+  if (unshown) options.memory = 1;
+  director::LiveView view{courier::names::all(), options};
   if (!view.good()) {
     std::fprintf(stderr, "live_program: %s\n", view.error().c_str());
     return EXIT_FAILURE;
@@ -34,17 +38,19 @@ int main(int count, char** values) {
   behaviour.request<courier::Rest>();
   behaviour.request(courier::Deliver{{}});
   (void)behaviour.enable<courier::Open::Unlocking>(false);
-  std::printf("%s\n", view.url().c_str());
-  std::fflush(stdout);
   pollfd end{STDIN_FILENO, POLLIN, 0};
   const auto begin = std::chrono::steady_clock::now();
   for (int turn = 0; poll(&end, 1, 10) == 0; ++turn) {
+    if (turn == (unshown ? 50 : 0)) {
+      std::printf("%s\n", view.url().c_str());
+      std::fflush(stdout);
+    }
     const int bells = flood && turn % 200 == 199 ? 5000 : turn % 10 == 0 ? 1 : 0;
     for (int i = 0; i < bells; ++i) {
       (void)behaviour.fire<courier::Bell>();
       behaviour.step(std::chrono::steady_clock::now() - begin);
     }
     behaviour.step(std::chrono::steady_clock::now() - begin);
-    view.show(behaviour);
+    if (!unshown) view.show(behaviour);
   }
 }

@@ -94,8 +94,8 @@ export class Live implements Source {
     const initial = new Map(this.data.states.map((state) => [state.name, state.initial ?? null]));
     this.record = new Recording(header, initial, most);
     this.answers = new Answers(this.record);
-    // Events before the connection are not missing: the recording begins here.
-    if (lines[0]?.startsWith('{"event":"dropped"')) lines.shift();
+    // Events before the connection are not missing if the current state follows: the recording begins with it. A program that shows none has none.
+    if (lines[0]?.startsWith('{"event":"dropped"') && lines.length > 1) lines.shift();
     if (lines.length > 0) this.record.append(lines.splice(0).join('\n'));
     this.makeTimeline();
   }
