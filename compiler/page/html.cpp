@@ -111,7 +111,9 @@ std::string html_page(const PageInput& input) {
         section.id, section.title, html);
   }
   // The script makes links of the places in answers to `why`.
-  const std::string links = input.link.empty() ? "" : fmt::format(" data-link=\"{}\"", html(input.link));
+  std::string about = input.link.empty() ? "" : fmt::format(" data-link=\"{}\"", html(input.link));
+  // The script compares it with that of the running program.
+  if (!input.fingerprint.empty()) about += fmt::format(" data-fingerprint=\"{}\"", html(input.fingerprint));
   return fmt::format(
       "<!DOCTYPE html>\n{}\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src '{}'; style-src '{}'; "
@@ -122,7 +124,7 @@ std::string html_page(const PageInput& input) {
       "<div id=\"finder\" hidden></div>\n</header>\n<nav aria-label=\"On this page\">\n<ul>\n{}</ul>\n</nav>\n"
       "<main id=\"main\">\n{}</main>\n<script type=\"application/json\" id=\"data\">{}</script>\n<script>{}</script>\n"
       "</body>\n</html>\n",
-      html_notice(input.file), check_sum(page_script()), check_sum(page_style()), name, page_style(), links, name,
+      html_notice(input.file), check_sum(page_script()), check_sum(page_style()), name, page_style(), about, name,
       doc_html(input.data), nav, body, in_script(script_data(input.data)), page_script());
 }
 

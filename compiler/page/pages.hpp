@@ -32,6 +32,7 @@ struct PageInput {
   std::string link;                  ///< address of a line, with {file} and {line} in it; empty: nothing is a link
   std::string file;                  ///< the behaviour's file name in the notice
   const PageRecording* recording = nullptr; ///< null: none, and the page has no timeline
+  std::string fingerprint = {};             ///< of the behaviour, as in traces; empty: it cannot be lowered
 };
 
 /// One file that needs no other file and no network.

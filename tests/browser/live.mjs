@@ -189,6 +189,17 @@ await situation('a program that has ended is called lost, and what was seen stay
   for (const each of said.splice(0)) assert.match(each, /^console: Failed to load resource: net::ERR_(CONNECTION_REFUSED|INCOMPLETE_CHUNKED_ENCODING|CONTENT_LENGTH_MISMATCH|EMPTY_RESPONSE|CONNECTION_RESET)/);
 });
 
+await situation('a page of another version of the behaviour says so, and the own one does not', [live], {}, async ({ page, url }) => {
+  const warning = /This page is of another version of the behaviour than the one that runs/;
+  assert.doesNotMatch(await text(page, '#live'), warning);
+  await page.route(url, async (route) => {
+    const answer = await route.fetch();
+    await route.fulfill({ response: answer, body: (await answer.text()).replace(/data-fingerprint="\w{16}"/, 'data-fingerprint="0123456789abcdef"') });
+  });
+  await page.reload();
+  await sees(page, '#live', warning);
+});
+
 await situation('events that are missing are counted, and then it is the present again', [live, 'flood'], {}, async ({ page }) => {
   await sees(page, '.live-state', /^Behind: [\d,]+ events came faster than they could be shown, and are missing; from here on it is the present again$/);
   await sees(page, '#moment', /Rest/);

@@ -4,7 +4,10 @@
 
 #include "compiler/cli/input/named_groups.hpp"
 #include "compiler/cli/system/draw_svg.hpp"
+#include "compiler/lower/lower.hpp"
+#include "compiler/lower/row_names.hpp"
 #include "compiler/page/facts.hpp"
+#include "runtime/hosted/trace/fingerprint.hpp"
 
 #include <filesystem>
 #include <utility>
@@ -47,6 +50,12 @@ std::optional<std::vector<PagePicture>> pictures_of(const Checked& checked, cons
   return out;
 }
 
+std::string fingerprint_of(const Checked& checked) {
+  if (!checked.lowerable) return {};
+  const Lowered lowered = lower(checked.model);
+  return fingerprint_text(RowNames(checked.model, lowered).names());
+}
+
 } // namespace
 
 std::optional<std::string> make_page(const std::string& file, const Checked& checked, const dsl::Sources& sources,
@@ -59,7 +68,7 @@ std::optional<std::string> make_page(const std::string& file, const Checked& che
   if (checked.lowerable) add_page_facts(data, checked.model, checked.graph, name, *transitions, checked.verdicts.get());
   std::optional<std::vector<PagePicture>> pictures = pictures_of(checked, sources, wish, console);
   if (!pictures) return {};
-  const PageInput input{data, std::move(*pictures), wish.link, name, wish.recording};
+  const PageInput input{data, std::move(*pictures), wish.link, name, wish.recording, fingerprint_of(checked)};
   return wish.markdown ? markdown_page(input) : html_page(input);
 }
 

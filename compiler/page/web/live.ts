@@ -89,8 +89,9 @@ export class Live implements Source {
       return;
     }
     this.fingerprint = header.fingerprint;
-    const own = new Set(this.data.groups.map((group) => group.name));
-    if (header.groups.some((group) => !own.has(group.name))) this.bar.warn('This page is of another version of the behaviour than the one that runs.');
+    if ((document.body.dataset.fingerprint ?? header.fingerprint) !== header.fingerprint) {
+      this.bar.warn('This page is of another version of the behaviour than the one that runs: its pictures and texts may be wrong. `directorc docs` writes the page of the other one.');
+    }
     const initial = new Map(this.data.states.map((state) => [state.name, state.initial ?? null]));
     this.record = new Recording(header, initial, most);
     this.answers = new Answers(this.record);
