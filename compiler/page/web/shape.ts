@@ -89,6 +89,9 @@ export class Shape {
   }
 }
 
+/** As `directorc replay` has it. */
+const levelText = ({ level }: EventLine): string => (level === undefined ? '' : typeof level === 'number' ? `, level ${level + 1} of its list` : `, level ${level}`);
+
 const valueText = (line: EventLine): string => String(line.value ?? 'no value');
 
 /** The text that `directorc trace` prints; events that it leaves out have similar texts. */
@@ -113,7 +116,7 @@ function textOf(shape: Shape, names: Names): string {
       if (shape.edge === limbo) return `hold ${groupName} for what comes after it`;
       return shape.from === nobody || shape.from === limbo ? `grant ${line.edge}` : `take over ${groupName}: ${line.edge} from ${line.from}`;
     case 'lose': return `lose ${groupName}`;
-    case 'withdraw': case 'ask': case 'keep': return `${line.event} ${line.edge}${line.level === undefined ? '' : `, level ${line.level}`}`;
+    case 'withdraw': case 'ask': case 'keep': return `${line.event} ${line.edge}${levelText(line)}`;
     case 'dequeue': return `dequeue ${line.edge}`;
     case 'begin': return 'begin';
     default: return `${line.event} ${groupName}`;
