@@ -58,4 +58,13 @@ const shown = (recording, answers, time) => answers.at(walk, recording.eventAt(t
   answers.add(walk, 550, { text: 'Walk waits: until Motions' });
   assert.deepEqual([499, 500, 600].map((time) => shown(recording, answers, time)), ['Walk waits: until Motion == off\nMotion is on', 'Walk waits: until Motions', 'Walk waits: until Motions']);
 }
+{ // An answer that names a group is of what that group did then, and of which of its providers were enabled.
+  const recording = recorded();
+  const answers = new Answers(recording);
+  answers.add(walk, 200, { text: 'Walk waits: GetUp could cause it, but nothing requests GetUp' });
+  assert.deepEqual([100, 250, 300, 450].map((time) => shown(recording, answers, time) !== undefined), [true, true, false, false]);
+  recording.append(JSON.stringify({ t: 700, n: 7, event: 'input', input: 'disable', group: 'GetUp', provider: 'default' }));
+  answers.add(walk, 650, { text: 'Walk waits: GetUp.default could cause it, and runs' });
+  assert.deepEqual([650, 699, 700].map((time) => shown(recording, answers, time)?.endsWith('runs')), [true, true, undefined]);
+}
 console.log('ok');

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The answers of a running program to why groups wait. Each is of the time at which it was given, and is shown for another moment only if all that it
-// tells was the same then: since when the group waits, who holds the group that blocks it, and the values of the states that it names.
+// tells was the same then: since when the group waits, who holds the group that blocks it, the values of the states that it names, what the groups that
+// it names do, and which of their providers are enabled.
 
 import { type Column, times } from './columns';
 import { limbo, nobody } from './names';
@@ -55,7 +56,12 @@ export class Answers {
     const { recording } = this;
     if (then < recording.first || recording.sinceOf(group, then) !== recording.sinceOf(group, event)) return false;
     if (because.held !== undefined && !this.isHeld(recording.names.group(because.held.group), recording.names.edge(because.held.by), event)) return false;
-    return recording.names.header.states.every(({ name }, i) => recording.valueAt(i, then) === recording.valueAt(i, event) || !isNamed(name, because.text));
+    const { groups, states } = recording.names.header;
+    const isNamedGroup = (i: number): boolean => isNamed(groups[i].name, because.text);
+    if (groups.some((_, i) => recording.standingAt(i, then) !== recording.standingAt(i, event) && isNamedGroup(i))) return false;
+    const [from, to] = [Math.min(then, event), Math.max(then, event)];
+    for (let i = recording.switches.upTo(from); i < recording.switches.upTo(to); ++i) if (isNamedGroup(recording.shapeAt(recording.switches.at[i]).group)) return false;
+    return states.every(({ name }, i) => recording.valueAt(i, then) === recording.valueAt(i, event) || !isNamed(name, because.text));
   }
 
   private isHeld(group: number, by: number, event: number): boolean {

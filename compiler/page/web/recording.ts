@@ -58,6 +58,7 @@ export class Recording {
   readonly groups: Track[];
   readonly states: Track[];
   readonly flows: Column<Uint32Array> = counts(); // events that are pushes or take-overs
+  readonly switches: Column<Uint32Array> = counts(); // events that enable or disable a provider
   readonly gaps: Column<Uint32Array> = counts(); // events `dropped`: other events are missing before them
   readonly standings: Standing[] = [];
   readonly values: Value[] = [undefined, null];
@@ -173,6 +174,7 @@ export class Recording {
     if (shape.isGap) for (const track of this.states) this.put(track, event, 0);
     if (shape.isFlow) this.flows.push(event);
     if (shape.isGap) this.gaps.push(event);
+    if (shape.line.input === 'enable' || shape.line.input === 'disable') this.switches.push(event);
   }
 
   private takeLine(line: EventLine & { t?: number; n?: number; told?: EventLine[] }): void {
@@ -236,7 +238,7 @@ export class Recording {
       track.event.drop(gone);
       track.value.drop(gone);
     }
-    for (const column of [this.flows, this.gaps]) column.drop(column.upTo(this.first - 1));
+    for (const column of [this.flows, this.switches, this.gaps]) column.drop(column.upTo(this.first - 1));
   }
 
   private tell(): void {
