@@ -16,14 +16,23 @@ namespace director::compiler::cli {
 
 namespace {
 constexpr std::size_t most_bytes = std::numeric_limits<std::int32_t>::max(); ///< that are held in memory
+
+/// As a word of a command.
+std::string for_shell(const std::string& file) {
+  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._/-+,:=@%";
+  if (!file.empty() && file.find_first_not_of(plain) == std::string::npos) return file;
+  std::string out = "'";
+  for (const char letter : file) out += letter == '\'' ? "'\\''" : std::string(1, letter);
+  return out + "'";
+}
 } // namespace
 
 void print_unreadable(const std::string& file, std::size_t line, const std::string& problem, Console& console) {
   print_message(console,
                 fmt::format("{0}:{1}: error: this line cannot be read: {2}\n"
                             "  help: expected is one JSON object a line, an event each, as a recorder writes them; the "
-                            "lines before are good: `head -n {3} {0}` prints them\n",
-                            shown_path(file), line, problem, line - 1));
+                            "lines before are good: `head -n {3} {4}` prints them\n",
+                            shown_path(file), line, problem, line - 1, for_shell(shown_path(file))));
 }
 
 LoadedTrace load_trace(const std::string& file, Console& console) {
@@ -35,7 +44,7 @@ LoadedTrace load_trace(const std::string& file, Console& console) {
     if (read.error().kind == dsl::FileError::Kind::too_large)
       console.err << fmt::format("  help: a trace has at most 2 GB; `(head -n 1 {0}; tail -n 1000000 {0}) > end.jsonl` "
                                  "writes its end with the header, which `directorc trace` reads\n",
-                                 shown_path(file));
+                                 for_shell(shown_path(file)));
     out.status = misused;
     return out;
   }

@@ -224,6 +224,13 @@ TEST_CASE("a line that is not of a trace is reported with its number") {
   CHECK(world.directorc({"trace", "none.jsonl"}) == 2);
 }
 
+TEST_CASE("the command that prints the good lines is right also for a file name that a shell would read otherwise") {
+  World world = with_trace();
+  world.files.add("a b'c $x.jsonl", traced_line(trace_in(world), 1) + "\ngarbage\n");
+  CHECK(world.directorc({"trace", "a b'c $x.jsonl"}) == 1);
+  CHECK(world.err.find("`head -n 1 'a b'\\''c $x.jsonl'` prints them\n") != std::string::npos);
+}
+
 TEST_CASE("a line that names an event, and that no recorder would have written, is not shown as if it had happened") {
   World world = with_trace();
   const std::string header = traced_line(trace_in(world), 1) + "\n";
