@@ -40,10 +40,8 @@ public:
   }
 
   void stepped(const View& view) override {
-    for (Index group = 0; group < groups_.size(); ++group) {
-      note_held(view, group);
-      look(view, group);
-    }
+    for (Index group = 0; group < groups_.size(); ++group) note_held(view, group);
+    for (Index group = 0; group < groups_.size(); ++group) look(view, group);
     anew_ = false;
     decision_line_ = 0;
     ran_ = nil;
@@ -87,6 +85,8 @@ private:
   void note_held(const View& view, Index group) {
     Standing& standing = groups_[group];
     const bool is_live = view.assignment[group].active != nil;
+    anew_ =
+        anew_ || is_live != standing.is_live; // an answer says of a group that could cause something whether it runs
     if (standing.is_live && !is_live && !standing.is_told) out_.held.push_back({last_line_, group});
     const bool is_doubtful = standing.is_doubtful || is_requested_by(view, view.holder(group), ran_);
     if (standing.is_live && is_live && is_doubtful && !view.granted(group)) out_.stays.push_back({last_line_, group});

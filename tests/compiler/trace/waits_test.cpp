@@ -140,3 +140,39 @@ steps:
   CHECK(waits.stays == std::vector<Waits::Stays>{{line, 1}});
   CHECK(waits.held.empty());
 }
+
+TEST_CASE("an answer changes where a group that could cause the condition stops without an event") {
+  World world;
+  world.files.add("s.yaml", R"(behaviour: s
+language: 1
+states: {Pose: {values: [moving, standing], initial: moving}}
+roots: {Keeper: {priority: 10}, Chief: {priority: 50}, Photo: {priority: 5}}
+groups:
+  Keeper: {needs: [Base], tasks: [Base]}
+  Chief: {needs: [Base], packs: {idle: [], work: [Base]}}
+  Photo: {when: [Pose == standing]}
+  Base: {causing: [Pose == standing]}
+)");
+  world.files.add("s.scenario.yaml", R"(scenario: the chief takes the base, and does not request it
+behaviour: s.yaml
+script:
+  Chief: [{pack: idle}]
+steps:
+  - request: [Photo, Keeper]
+  - advance: 1 s
+  - request: Chief
+)");
+  REQUIRE(world.directorc({"simulate", "s.scenario.yaml", "--trace", "run.jsonl"}) == 0);
+  director::dsl::Sources sources;
+  const Checked checked = check("s.yaml", world.files, sources);
+  REQUIRE(checked.lowerable);
+  TraceLines lines(world.outputs.files.at("run.jsonl"));
+  lines.next();
+  const Waits waits = find_waits(lines, checked.model, lower(checked.model), sources);
+  std::string last;
+  for (const Waits::Change& change : waits.changes) {
+    if (checked.model.groups[GroupId{change.group}].name.value == "Photo") last = waits.texts.at(change.text - 1);
+  }
+  CHECK(waits.held.size() == 1);
+  CHECK(last.find("Base could cause it, but nothing requests Base") != std::string::npos);
+}
