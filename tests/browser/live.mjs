@@ -206,6 +206,42 @@ await situation('events that are missing are counted, and then it is the present
   await sees(page, '.live-state', /^(Connected|Behind)/);
 });
 
+await situation('a moment that is not kept any more is not shown as another one, and what runs all the time keeps its track', [live], {}, async ({ page, url, said }) => {
+  const reader = (await fetch(`${url}events`)).body.getReader();
+  let begin = '';
+  while (!begin.includes('\n')) begin += new TextDecoder().decode((await reader.read()).value);
+  await reader.cancel();
+  const line = (time, number, rest) => `data: ${JSON.stringify({ t: time, n: number, ...rest })}\n`;
+  const bells = (from, to) => Array.from({ length: to - from }, (_, i) => line((from + i) * 1000, from + i, { event: 'input', input: 'trigger', trigger: 'Bell' })).join('');
+  const requests = [{ event: 'input', input: 'request', edge: 'root>Rest' }, { event: 'grant', edge: 'root>Rest', provider: 'default' }].map((rest) => line(0, 1, rest)).join('');
+  const bodies = [`${begin.split('\n')[0]}\n${line(0, 0, { event: 'begin' })}${requests}${bells(2, 40)}id: 1\n\n`, `${bells(40, 420_000)}id: 2\n\n`];
+  let more;
+  const wanted = new Promise((resolve) => (more = resolve));
+  await page.route('**/events', async (route) => {
+    const body = bodies.shift();
+    if (body === undefined) return; // no answer
+    if (bodies.length === 0) await wanted;
+    await route.fulfill({ headers: { 'content-type': 'text/event-stream' }, body });
+  });
+  await page.reload();
+  await page.waitForSelector('#moment');
+  await page.locator('#at').fill('0.01');
+  await page.keyboard.press('Enter');
+  await sees(page, '.where', /^0\.010 s/);
+  assert.deepEqual(await tracks(page), ['Rest']);
+  more();
+  await sees(page, '.where', /; the moment before, which was shown, is not kept any more$/);
+  assert.ok((await time(page)) > 100);
+  assert.deepEqual(await tracks(page), ['Rest']);
+  const there = await text(page, '.where');
+  await page.locator('.filter').evaluate((filter) => (filter.open = true));
+  await page.getByLabel('other inputs', { exact: true }).check();
+  await page.locator('#scrub').focus();
+  await page.keyboard.press('ArrowRight');
+  await until(page, (before) => document.querySelector('.where').innerText !== before && !/not kept/.test(document.querySelector('.where').innerText), there);
+  said.length = 0; // the connection that was never answered
+});
+
 await situation('of a program that shows no moment, what is not kept any more is not known', [live, 'unshown'], {}, async ({ page }) => {
   await sees(page, '#moment', /Not known, as events are missing\n/);
   const shown = await text(page, '#moment');

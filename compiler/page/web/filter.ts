@@ -54,6 +54,8 @@ export class Filter {
   /** The events that are shown, in order. */
   events(): Column<Uint32Array> {
     const { recording } = this;
+    const gone = this.shown.upTo(recording.first - 1);
+    if (gone > 0) this.shown.drop(gone);
     for (; this.looked < recording.end; ++this.looked) if (this.looked >= recording.first && this.lets(recording.shape.at[this.looked - recording.first])) this.shown.push(this.looked);
     return this.shown;
   }
@@ -62,7 +64,7 @@ export class Filter {
   from(event: number, step: 1 | -1): number | undefined {
     const shown = this.events();
     const place = step === 1 ? shown.upTo(event) : shown.upTo(event - 1) - 1;
-    return place >= 0 && place < shown.length && shown.at[place] >= this.recording.first ? shown.at[place] : undefined;
+    return place >= 0 && place < shown.length ? shown.at[place] : undefined;
   }
 
   /** Whether events of this shape are shown. */
@@ -87,8 +89,10 @@ export class Filter {
     return this.chosenGroups.get(group) ?? this.happens(group);
   }
 
+  /** What has run or waited all the time that is kept counts too. */
   private happens(group: number): boolean {
-    return this.recording.groups[group].event.length > 1;
+    const { recording } = this;
+    return recording.groups[group].event.length > 1 || !['inactive', 'unknown'].includes(recording.standingAt(group, recording.end - 1).mark);
   }
 
   private choose(group: number, on: boolean): void {

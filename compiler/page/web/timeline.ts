@@ -31,6 +31,8 @@ const rowsOnPaper = 30;
 const widthOnPaper = 600; // pixels
 const scaleOnPaper = 3;
 
+const highestCanvas = 32_767; // pixels: some browsers show nothing of a higher one
+
 export class Timeline {
   private readonly cursor: Cursor;
   private readonly view: View;
@@ -55,6 +57,7 @@ export class Timeline {
   private readonly follow = make('input', { type: 'checkbox', id: 'follow', checked: '' });
   private look: Look;
   private width = 0;
+  private isGone = false; // the moment that the user looked at is not kept any more, and the oldest one is shown instead
   private drawn = false; // whether the tracks are drawn since the last change
   private waiting = false; // whether a frame is requested
 
@@ -65,7 +68,7 @@ export class Timeline {
     this.view = new View(recording);
     this.tracks = new Tracks(recording, this.view, (group, event) => this.why(group, event));
     this.filter = new Filter(recording, order, () => this.change());
-    this.player = new Player(recording, this.cursor, () => (this.follow.checked = false));
+    this.player = new Player(recording, this.cursor, () => (this.follow.checked = this.isGone = false));
     this.moment = new Moment(source, this.cursor, order);
     this.list = new EventList(recording, this.cursor, this.filter, () => this.leaveEnd());
     this.overview = new Overview(recording, this.view, this.cursor, () => this.leaveEnd(), () => this.change());
@@ -153,7 +156,7 @@ export class Timeline {
   }
 
   private leaveEnd(): void {
-    this.follow.checked = false;
+    this.follow.checked = this.isGone = false;
     this.player.stop();
   }
 
@@ -226,6 +229,10 @@ export class Timeline {
     if (this.follow.checked && this.source.grows) {
       this.cursor.goToTime(this.source.recording.ends);
       this.view.toEnd();
+      this.isGone = false;
+    } else if (this.cursor.event < this.source.recording.first && this.source.recording.first > 0) {
+      this.cursor.goToTime(this.source.recording.begins);
+      this.isGone = true;
     }
     this.change();
   }
@@ -258,7 +265,7 @@ export class Timeline {
     this.line.style.transform = `translateX(${this.view.xOf(time, this.width)}px)`;
     const text = event < recording.first ? 'nothing has happened' : recording.shapeAt(event).text;
     const number = (each: number): string => (each + 1).toLocaleString('en');
-    this.where.textContent = `${seconds(time)}, after event ${number(event)} of ${recording.end.toLocaleString('en')}: ${text}${settled > event ? `, and what was decided with it, up to event ${number(settled)}` : ''}`;
+    this.where.textContent = `${seconds(time)}, after event ${number(event)} of ${recording.end.toLocaleString('en')}: ${text}${settled > event ? `, and what was decided with it, up to event ${number(settled)}` : ''}${this.isGone ? '; the moment before, which was shown, is not kept any more' : ''}`;
     for (const [name, value] of Object.entries({ valuemin: recording.begins / 1e6, valuemax: recording.ends / 1e6, valuenow: time / 1e6, valuetext: `${seconds(time)}, ${text}` })) {
       this.area.setAttribute(`aria-${name}`, String(value));
     }
@@ -276,7 +283,7 @@ export class Timeline {
       ...this.tracks.rows.map((row) => (row.group !== undefined ? label('group', names.header.groups[row.group].name) : label('state', names.header.states[row.state ?? 0].name))),
     );
     this.width = Math.max(1, Math.floor(this.area.clientWidth));
-    const scale = devicePixelRatio;
+    const scale = Math.min(devicePixelRatio, highestCanvas / this.tracks.height);
     this.canvas.width = this.width * scale;
     this.canvas.height = this.tracks.height * scale;
     this.canvas.style.height = this.line.style.height = `${this.tracks.height}px`;
