@@ -179,6 +179,11 @@ await situation('a program that stands still is called silent, and then connecte
   await sees(page, '.live-state', /^Connected: this is what happens now$/);
 });
 
+await situation('of a program that takes no steps, the page says so, although the connection is there', [live, 'hang'], {}, async ({ page }) => {
+  await sees(page, '.live-state', /^Connected: this is what happens now$/);
+  await sees(page, '.live-state', /^Connected, but at \d\d:\d\d:\d\d the program had taken no step for some seconds: what is shown is from its last one$/);
+});
+
 await situation('a program that has ended is called lost, and what was seen stays', [live], {}, async ({ page, said, child }) => {
   child.kill('SIGKILL');
   await sees(page, '.live-state', /^Lost since \d\d:\d\d:\d\d: the program has ended, or cannot be reached; it is tried again$/);

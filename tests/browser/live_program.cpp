@@ -1,9 +1,9 @@
 // Header: tests/browser/CMakeLists.txt. Test: tests/browser/live.mjs.
 // SPDX-License-Identifier: MIT
 //
-// live_program [flood | unshown]: a courier that never gets through the door, so that it waits as long as somebody
-// looks. `flood`: more happens than its queue has place for. `unshown`: the program shows no moment, and its first
-// events are not kept. Ends with its standard input.
+// live_program [flood | unshown | hang]: a courier that never gets through the door, so that it waits as long as
+// somebody looks. `flood`: more happens than its queue has place for. `unshown`: the program shows no moment, and its
+// first events are not kept. `hang`: it soon takes no step any more. Ends with its standard input.
 #include "courier_page.hpp"
 #include "runtime/live/live_view.hpp"
 #include "tests/system/api/office.hpp"
@@ -23,6 +23,7 @@ int main(int count, char** values) {
   const bool flood = count > 1 && std::string_view(values[1]) == "flood";
   const bool unshown = count > 1 && std::string_view(values[1]) == "unshown";
   director::LiveView::Options options{.html = director::pages::courier(), .queue = flood ? 256U : 65'536U};
+  const bool hangs = count > 1 && std::string_view(values[1]) == "hang";
   if (unshown) options.memory = 1;
   director::LiveView view{courier::names::all(), options};
   if (!view.good()) {
@@ -45,6 +46,7 @@ int main(int count, char** values) {
       std::printf("%s\n", view.url().c_str());
       std::fflush(stdout);
     }
+    if (hangs && turn > 200) continue;
     const int bells = flood && turn % 200 == 199 ? 5000 : turn % 10 == 0 ? 1 : 0;
     for (int i = 0; i < bells; ++i) {
       (void)behaviour.fire<courier::Bell>();

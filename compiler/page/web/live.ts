@@ -30,8 +30,10 @@ export class Live implements Source {
   private fingerprint = '';
   private readonly waiting: string[] = []; // data of messages that are not processed yet
   private time: number | undefined;
+  private shown: number | undefined; // the engine's time in the last `alive` message
   private held = false; // a pointer is pressed: until it is released, the page does not change
   private heard = performance.now();
+  private stepped = performance.now(); // a thread of its own sends `alive`, also while the thread that steps waits or hangs
   private answers: Answers | undefined; // of the recording
   private asking = false;
   private asked = 0;
@@ -44,13 +46,15 @@ export class Live implements Source {
     events.addEventListener('open', () => this.bar.connected());
     events.addEventListener('error', () => this.bar.lost(events.readyState === EventSource.CLOSED));
     events.addEventListener('message', (message: MessageEvent<string>) => {
-      this.heard = performance.now();
+      this.heard = this.stepped = performance.now();
       this.waiting.push(message.data);
     });
     events.addEventListener('standing', (message: MessageEvent<string>) => this.waiting.push(lineOf(message.data)));
     events.addEventListener('alive', (message: MessageEvent<string>) => {
       this.heard = performance.now();
-      this.time = Number(message.data);
+      const time = Number(message.data);
+      if (time === 0 || time !== this.shown) this.stepped = this.heard; // 0: the program shows no moment
+      this.time = this.shown = time;
     });
     for (const kind of ['pointerdown', 'pointerup', 'pointercancel']) addEventListener(kind, () => (this.held = kind === 'pointerdown'), true);
     setInterval(() => this.look(), pause);
@@ -63,7 +67,7 @@ export class Live implements Source {
 
   private look(): void {
     if (performance.now() - this.heard > silence) this.bar.silent();
-    else this.bar.heard();
+    else this.bar.heard(performance.now() - this.stepped <= silence);
     if (this.held || (this.waiting.length === 0 && this.time === undefined)) return;
     const lines = this.waiting.splice(0).map((data) => this.withoutHeader(data)).join('\n');
     const { record, time } = this;

@@ -32,6 +32,7 @@ export class LiveBar {
   private readonly answer = make('div', { id: 'why-answer', role: 'status' }, make('p', { class: 'hint' }, 'Click a box in the picture, or choose a group here: the program says why it runs, or what it waits for.'));
   private state: State = 'connecting';
   private behindUntil = 0;
+  private isIdle = false; // the program takes no steps
   private asked = 0;
 
   constructor(data: Data, private readonly reasonOf: (group: string) => Promise<Reason>) {
@@ -46,12 +47,17 @@ export class LiveBar {
   }
 
   connected(): void {
+    this.isIdle = false;
     this.show('connected', ': this is what happens now');
   }
 
-  /** Messages are coming: ends the state `silent`, and `behind` after its time. */
-  heard(): void {
+  /** Messages are coming: ends the state `silent`, and `behind` after its time. `steps`: the program has also taken steps lately. */
+  heard(steps: boolean): void {
     if (this.state === 'silent' || (this.state === 'behind' && performance.now() > this.behindUntil)) this.connected();
+    if (this.state !== 'connected' || this.isIdle === !steps) return;
+    this.connected();
+    this.isIdle = !steps;
+    if (this.isIdle) this.show('connected', `, but at ${clock()} the program had taken no step for some seconds: what is shown is from its last one`);
   }
 
   silent(): void {
