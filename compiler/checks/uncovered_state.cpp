@@ -51,6 +51,7 @@ public:
       for (const Want& want : wanting.wants) pushed_.insert({wanting.task, want.condition.id});
     }
     for (const Outranked& one : input.conflicts.outranked()) pushed_.insert({one.request->target, one.condition.id});
+    for (const HeldPush& held : input.conflicts.held_pushes()) pushed_.insert({held.waits->target, held.wanted.id});
   }
 
   void run() {

@@ -55,6 +55,11 @@ const std::vector<Outranked>& Conflicts::outranked() const {
   return *outranked_;
 }
 
+const std::vector<HeldPush>& Conflicts::held_pushes() const {
+  if (!held_pushes_) held_pushes_ = find_held_pushes(input_);
+  return *held_pushes_;
+}
+
 const std::vector<StarvingTask>& Conflicts::starving_tasks() const {
   if (!starving_tasks_) starving_tasks_ = find_starving_tasks(input_);
   return *starving_tasks_;

@@ -5,6 +5,7 @@
 
 #include "compiler/analysis/clashes/clashes.hpp"
 #include "compiler/analysis/conflicts/grants.hpp"
+#include "compiler/analysis/conflicts/held_pushes.hpp"
 #include "compiler/analysis/conflicts/losers.hpp"
 #include "compiler/analysis/conflicts/outranked.hpp"
 #include "compiler/analysis/conflicts/pack_conflicts.hpp"
@@ -40,6 +41,7 @@ public:
   const std::vector<Loser>& losers() const;
   const std::vector<StarvingTask>& starving_tasks() const;
   const std::vector<Outranked>& outranked() const;
+  const std::vector<HeldPush>& held_pushes() const;
 
 private:
   Input input_;
@@ -54,6 +56,7 @@ private:
   mutable std::optional<std::vector<Loser>> losers_;
   mutable std::optional<std::vector<StarvingTask>> starving_tasks_;
   mutable std::optional<std::vector<Outranked>> outranked_;
+  mutable std::optional<std::vector<HeldPush>> held_pushes_;
 };
 
 } // namespace director::analysis
