@@ -87,6 +87,51 @@ void siblings_of_one_pack(Robot& robot, bool defect) {
             {walk, waits});
 }
 
+// push_held_by_outside
+
+std::string make_sight(Robot& robot) {
+  const std::string name = robot.name("Sight");
+  robot.add_state(name, "{values: [dark, bright], initial: dark, external: true}");
+  return name;
+}
+
+void the_skill_chooses(Robot& robot, bool defect) {
+  const std::string state = make_state(robot, "moving", "standing"), sight = make_sight(robot);
+  const std::string skill =
+      make(robot, "{providers: [{name: looking, when: [$0 == bright]}, {name: feeling}]}", {sight});
+  const std::string waits = make(
+      robot, defect ? "{when: [@$0 == standing], needs: [$1], tasks: [$1]}" : "{when: [$0 == standing], tasks: [$1]}",
+      {state, skill});
+  ask_for_both(robot, waits, causer(robot, state, "standing", "moving"));
+}
+void the_task_chooses(Robot& robot, bool defect) {
+  const std::string state = make_state(robot, "moving", "standing"), sight = make_sight(robot);
+  const std::string waits =
+      defect ? make(robot,
+                    "{providers: [{name: seeing, when: [$0 == standing, $1 == bright]}, {name: seeking, when: [@$0 == "
+                    "standing]}]}",
+                    {state, sight})
+             : make(robot, "{when: [$0 == standing]}", {state});
+  ask_for_both(robot, waits, causer(robot, state, "standing", "moving"));
+}
+void the_company_chooses(Robot& robot, bool defect) {
+  const std::string state = make_state(robot, "moving", "standing"), sight = make_sight(robot),
+                    lamp = make(robot, "{}");
+  const std::string looks =
+      make(robot, "{providers: [{name: tracking, when: [$0 == bright]}, {name: lit, tasks: {$1: {optional: true}}}]}",
+           {sight, lamp});
+  const std::string waits = make(robot,
+                                 defect ? "{when: [@$0 == standing], tasks: {$1: {optional: true}}}"
+                                        : "{when: [$0 == standing], tasks: {$1: {optional: true}}}",
+                                 {state, lamp});
+  const std::string walks = causer(robot, state, "standing", "moving");
+  make_root(robot,
+            defect ? "{packs: {pick: {$0: {priority: 1}, $1: {}}}}"
+                   : "{packs: {pick: {$0: {priority: 1}, $1: {apart: true}}}}",
+            {waits, looks});
+  robot.add_root(walks, robot.below());
+}
+
 // causer_not_running
 
 /// Of its own: a root that leads to the causing group makes it the program's affair.
@@ -352,6 +397,9 @@ constexpr Planter of_pushes[]{
     {"unpushable_causing", "one unit", one_unit},
     {"unpushable_causing", "below the task", below_the_task},
     {"unpushable_causing", "siblings", siblings_of_one_pack},
+    {"push_held_by_outside", "the skill chooses", the_skill_chooses},
+    {"push_held_by_outside", "the task chooses", the_task_chooses},
+    {"push_held_by_outside", "the company chooses", the_company_chooses},
     {"causer_not_running", "alone in a pack", alone_in_a_pack},
     {"causer_not_running", "further down", alone_further_down},
     {"causer_not_running", "a flat list", in_a_flat_list},
