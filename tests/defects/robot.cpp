@@ -84,7 +84,8 @@ Node& Robot::add_state(const std::string& name, std::string_view text, const std
 }
 
 void Robot::add_root(const std::string& name, int priority) {
-  section(0, "roots").add(name, flow("{priority: $0}", {std::to_string(priority)}));
+  Node& roots = section(0, "roots"); // two near misses may make a root of one skill
+  if (roots.find(name) == nullptr) roots.add(name, flow("{priority: $0}", {std::to_string(priority)}));
 }
 
 std::vector<Node*> Robot::providers(const std::string& name) {
