@@ -190,10 +190,10 @@ TEST_CASE("what never runs only because the program disables nothing is said wit
         "proven: " + why + ", and nothing that runs requests `Wire`, unless a provider is disabled");
   CHECK(verdict_of(spare, "{can_run: Lone}", 1) == "refuted: nothing that runs requests `Lone`");
 
-  const std::string door = "states: {Door: {values: [shut, open], initial: shut}}\nroots: [Enter, Watch]\ngroups:\n"
+  const std::string gate = "states: {Door: {values: [shut, open], initial: shut}}\nroots: [Enter, Watch]\ngroups:\n"
                            "  Enter: {providers: [{name: softly}, {name: loudly, sets: [Door == open]}]}\n"
                            "  Watch: {when: [Door == open]}\n";
-  CHECK(verdict_of(door, "{can_run: Watch}", 1) ==
+  CHECK(verdict_of(gate, "{can_run: Watch}", 1) ==
         "refuted: no provider of `Watch` can ever run, unless a provider is disabled");
 }
 
