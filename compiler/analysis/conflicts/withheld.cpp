@@ -40,10 +40,11 @@ public:
 private:
   void look_at(GroupId group) {
     std::vector<Preferred> wanting;
-    for (const ProviderId id : model_.groups[group].providers) {
+    const std::vector<ProviderId>& providers = model_.groups[group].providers;
+    for (const ProviderId id : providers) {
       if (!input_.facts.active.contains(id)) continue;
       if (!wanting.empty()) look_at_tasks(id, wanting);
-      add_wanting(id, wanting);
+      if (id != providers.back()) add_wanting(id, wanting); // none is preferred to anything behind the last one
     }
   }
 
