@@ -70,7 +70,7 @@ bool stands_in_the_way(const View& view, Index holder, Index edge);
 
 /// A task of a pack, or of root, at one of its levels: how a body or the program names that level.
 struct LevelUse {
-  Index edge = nil;
+  Index edge = nil;           ///< to the task
   Index level = nil;          ///< of Tables::levels
   Index provider = nil;       ///< that requests it; nil: the program
   std::uint16_t pack = 0;     ///< its place among those of `provider`
