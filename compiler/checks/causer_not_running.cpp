@@ -25,7 +25,6 @@ public:
         shared_(input.shared),
         outranked_(input.conflicts.outranked()),
         findings_(findings) {
-    for (const NeverKept& promise : shared_.promises().never_kept) explained_.insert(promise.causer);
     for (const Clash& clash : input.conflicts.clashes()) {
       if (clash.kind == Clash::Kind::vain) in_vain_.insert({clash.second_waiter, clash.second.id});
     }
@@ -48,7 +47,7 @@ private:
       const GroupId group = model_.providers[id].group;
       // What never runs for another reason is reported by another check.
       if (group == task || !facts_.capable.contains(id)) continue;
-      if (explained_.count(id) != 0 || shared_.promises().explained.contains(id)) return;
+      if (shared_.promises().explained.contains(id)) return;
       causers.push_back(id);
       groups.push_back(group);
     }
@@ -143,7 +142,6 @@ private:
   const Shared& shared_;
   const std::vector<Outranked>& outranked_;
   Findings& findings_;
-  std::set<ProviderId> explained_;
   std::set<std::pair<ProviderId, ConditionId>> in_vain_;
 };
 

@@ -37,7 +37,6 @@ public:
         facts_(input.facts),
         shared_(input.shared),
         causers_(input.shared.causers()) {
-    for (const NeverKept& promise : shared_.promises().never_kept) explained_.insert(promise.causer);
     for (const Clash& clash : input.conflicts.clashes()) {
       clashing_.insert({model_.providers[clash.first_waiter].group, clash.first.id});
       clashing_.insert({model_.providers[clash.second_waiter].group, clash.second.id});
@@ -207,7 +206,7 @@ private:
 
   bool may_be_pushed(ProviderId causer, const Choice& later, const HeldPush& held) {
     const GroupId group = model_.providers[causer].group;
-    if (!facts_.capable.contains(causer) || !facts_.requested.contains(group) || explained_.count(causer) != 0 ||
+    if (!facts_.capable.contains(causer) || !facts_.requested.contains(group) ||
         shared_.promises().explained.contains(causer))
       return false;
     if (std::any_of(later.picks.begin(), later.picks.end(),
@@ -229,12 +228,12 @@ private:
         const Condition& condition = model_.conditions[use.id];
         if (facts_.is_impossible(id, condition.state)) continue;
         if (condition.state == pushed && !causers_[use.id].empty()) continue; // it is pushed for too
-        Possible& here = possible(condition.state, out);
+        Possible& here = possible_in(model_, facts_, condition.state, out);
         here = {here.values.intersected(condition.accepts), false};
       }
     }
     for (const ConditionId id : {held.wanted.id, held.outside.id}) {
-      Possible& here = possible(model_.conditions[id].state, out);
+      Possible& here = possible_in(model_, facts_, model_.conditions[id].state, out);
       here.values = here.values.without(model_.conditions[id].accepts);
     }
     const bool is_empty = std::any_of(out.begin(), out.end(), [](const auto& entry) { return entry.second.empty(); });
@@ -249,17 +248,10 @@ private:
       if (earlier == causer) break;
       if (!facts_.capable.contains(earlier)) continue;
       Box here = box;
-      for (const auto& [state, accepted] : region_of(model_, model_.providers[earlier].when).states) {
-        Possible& possible_here = possible(state, here);
-        possible_here = {possible_here.values.intersected(accepted), false};
-      }
+      if (!meet(facts_, here, region_of(model_, model_.providers[earlier].when))) continue;
       if (find_covering(model_, facts_.values, here, ways, shared_.budget()) == Covering::open) return true;
     }
     return false;
-  }
-
-  Possible& possible(StateId state, Box& box) const {
-    return box.try_emplace(state, Possible{facts_.values[state], model_.states[state].may_be_unset()}).first->second;
   }
 
   const Task* member_of(const Choice& choice, ProviderId wanted, const std::vector<const Task*>& members) const {
@@ -277,7 +269,6 @@ private:
   const Facts& facts_;
   const Shared& shared_;
   const Causers& causers_;
-  std::set<ProviderId> explained_;
   std::set<std::pair<GroupId, ConditionId>> clashing_; ///< what a group waits for, according to other findings
   std::optional<Pushes> pushes_;
   std::map<GroupId, PushSearch> searches_;

@@ -45,7 +45,7 @@ bool Earlier::may_exist(const Request& request, const Box& box, Search& search) 
   const std::vector<Request>& above = requests_.of(group);
   for (const Region& region : requests_.regions(request)) {
     Box here = box;
-    if (!meet(here, region)) continue;
+    if (!meet(facts_, here, region)) continue;
     const std::size_t taken = search.taken.size();
     for (Region& each : before(*request.requester, here)) search.taken.push_back(std::move(each));
     bool found =
@@ -60,16 +60,6 @@ bool Earlier::may_exist(const Request& request, const Box& box, Search& search) 
     if (found) return true;
   }
   return false;
-}
-
-/// False: nothing of the box is in the region.
-bool Earlier::meet(Box& box, const Region& region) const {
-  for (const auto& [state, accepted] : region.states) {
-    Possible& here = box.try_emplace(state, Possible{facts_.values[state], false}).first->second;
-    here = {here.values.intersected(accepted), false};
-    if (here.empty()) return false;
-  }
-  return true;
 }
 
 } // namespace director::analysis

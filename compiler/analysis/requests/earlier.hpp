@@ -34,7 +34,6 @@ private:
     std::size_t steps = 0;
   };
   bool may_exist(const Request& request, const Box& box, Search& search) const;
-  bool meet(Box& box, const Region& region) const;
 
   const Model& model_;
   const Facts& facts_;

@@ -101,12 +101,24 @@ Box box_of(const Facts& facts, const Region& region) {
   return out;
 }
 
+Possible& possible_in(const Model& model, const Facts& facts, StateId state, Box& box) {
+  return box.try_emplace(state, Possible{facts.values[state], model.states[state].may_be_unset()}).first->second;
+}
+
+bool meet(const Facts& facts, Box& box, const Region& region) {
+  for (const auto& [state, accepted] : region.states) {
+    Possible& here = box.try_emplace(state, Possible{facts.values[state], false}).first->second;
+    here = {here.values.intersected(accepted), false};
+    if (here.empty()) return false;
+  }
+  return true;
+}
+
 Gaps find_gaps(const Model& model, const Facts& facts, const Box& start, const std::vector<Region>& ways,
                Budget& budget) {
   Box whole = start;
   for (const Region& way : ways) {
-    for (const auto& [state, accepted] : way.states)
-      whole.try_emplace(state, Possible{facts.values[state], model.states[state].may_be_unset()});
+    for (const auto& [state, accepted] : way.states) possible_in(model, facts, state, whole);
   }
   if (std::any_of(whole.begin(), whole.end(), [](const auto& entry) { return entry.second.empty(); })) return {};
   std::vector<Box> boxes{std::move(whole)};

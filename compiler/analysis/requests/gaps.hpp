@@ -16,6 +16,12 @@ namespace director::analysis {
 /// The states of the region with the values that they may have.
 Box box_of(const Facts& facts, const Region& region);
 
+/// What is possible for the state in the box; added, with all that it may be, if it is not there.
+Possible& possible_in(const Model& model, const Facts& facts, StateId state, Box& box);
+
+/// Leaves of the box what is in the region. False: nothing.
+bool meet(const Facts& facts, Box& box, const Region& region);
+
 /// Disjoint boxes in which none of the ways can be used.
 struct Gaps {
   std::vector<Box> boxes;

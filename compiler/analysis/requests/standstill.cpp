@@ -13,7 +13,7 @@ bool Standstill::may_wait(const Request& request, ProviderId waiter, const Condi
   const Condition& condition = model_.conditions[use.id];
   for (const Region& region : requests_.regions(request)) {
     Box start = box_of(facts_, region);
-    Possible& here = possible(condition.state, start);
+    Possible& here = possible_in(model_, facts_, condition.state, start);
     const State& state = model_.states[condition.state];
     if (state.of && std::find(absent.begin(), absent.end(), state.of->id) != absent.end()) {
       const Possible at_rest = values_at_rest(model_, state);
@@ -23,7 +23,7 @@ bool Standstill::may_wait(const Request& request, ProviderId waiter, const Condi
     for (const ConditionUse& other : model_.providers[waiter].when) {
       const Condition& besides = model_.conditions[other.id];
       if (besides.state == condition.state || is_servable(waiter, other.id)) continue;
-      Possible& left = possible(besides.state, start);
+      Possible& left = possible_in(model_, facts_, besides.state, start);
       left = {left.values.intersected(besides.accepts), false};
     }
     if (find_covering(model_, facts_.values, start, ways_.of(request.task->target), budget_) == Covering::open)
@@ -36,10 +36,6 @@ bool Standstill::is_servable(ProviderId waiter, ConditionId id) const {
   return std::any_of(causers_[id].begin(), causers_[id].end(), [&](ProviderId causer) {
     return model_.providers[causer].group != model_.providers[waiter].group && facts_.capable.contains(causer);
   });
-}
-
-Possible& Standstill::possible(StateId state, Box& box) const {
-  return box.try_emplace(state, Possible{facts_.values[state], model_.states[state].may_be_unset()}).first->second;
 }
 
 } // namespace director::analysis

@@ -28,7 +28,6 @@ public:
 private:
   /// Whether what the waiter lacks besides could be caused too. Otherwise it pushes nothing.
   bool is_servable(ProviderId waiter, ConditionId id) const;
-  Possible& possible(StateId state, Box& box) const;
 
   const Model& model_;
   const Facts& facts_;
