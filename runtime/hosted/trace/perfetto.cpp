@@ -68,7 +68,12 @@ public:
         values_(t_.states.size()),
         asked_(t_.edges.size(), false),
         queued_at_(t_.edges.size(), 0),
-        outdated_(t_.edges.size(), false) {}
+        outdated_(t_.edges.size(), false),
+        edges_of_(t_.groups.size()) {
+    for (Index edge = 0; edge < t_.edges.size(); ++edge) {
+      if (t_.edges[edge].requester != nil) edges_of_[t_.edges[edge].requester].push_back(edge);
+    }
+  }
 
   void begin(std::string& out) override {
     const char* const behaviour = n_.behaviour == nullptr ? "behaviour" : n_.behaviour;
@@ -250,9 +255,8 @@ private:
 
   /// A group that this one holds without having requested it stops, unless this run requests it.
   void run(const Event& e, std::string& out) {
-    for (Index edge = 0; edge < t_.edges.size(); ++edge) {
-      if (t_.edges[edge].requester == e.group && !asked_[edge] && holds_[t_.edges[edge].target].holder == edge)
-        lapse_unless_repeated(t_.edges[edge].target);
+    for (const Index edge : edges_of_[e.group]) {
+      if (!asked_[edge] && holds_[t_.edges[edge].target].holder == edge) lapse_unless_repeated(t_.edges[edge].target);
     }
     Hold& hold = holds_[e.group];
     if (is_edge(hold.holder)) {
@@ -348,8 +352,7 @@ private:
 
   /// Removes the requests of a group that does not run.
   void forget_requests(Index group, std::string& out) {
-    for (Index edge = 0; edge < t_.edges.size(); ++edge) {
-      if (t_.edges[edge].requester != group) continue;
+    for (const Index edge : edges_of_[group]) {
       forget(edge, out);
       asked_[edge] = false;
     }
@@ -384,8 +387,9 @@ private:
   std::vector<Hold> holds_;                         ///< by group
   std::vector<std::optional<std::int32_t>> values_; ///< by state; nothing: unknown
   std::vector<bool> asked_;                         ///< by edge: whether it is requested
-  std::vector<std::uint64_t> queued_at_; ///< by edge: the micro-step in which it was queued last; 0: not queued
-  std::vector<bool> outdated_;           ///< by edge: it was queued because its requester may withdraw it
+  std::vector<std::uint64_t> queued_at_;     ///< by edge: the micro-step in which it was queued last; 0: not queued
+  std::vector<bool> outdated_;               ///< by edge: it was queued because its requester may withdraw it
+  std::vector<std::vector<Index>> edges_of_; ///< by group that requests; the tables of a trace that is read have none
   std::uint64_t queued_ = 0, lost_ = 0, flows_ = 0;
   bool begun_ = false, is_lapsing_ = false;
   Time begin_ = 0; ///< the first time if it is negative: Perfetto has no times before 0
