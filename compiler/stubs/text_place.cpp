@@ -65,4 +65,19 @@ std::size_t before(std::string_view text, std::size_t offset) {
   return text.substr(begin, offset - begin).find_first_not_of(" \t") == std::string_view::npos ? begin : offset;
 }
 
+std::size_t offset_at(std::string_view text, std::uint32_t line, std::uint32_t column) {
+  std::size_t begin = 0;
+  for (std::uint32_t next = 1; next < line; ++next) {
+    const std::size_t end = text.find('\n', begin);
+    if (end == std::string_view::npos) return text.size();
+    begin = end + 1;
+  }
+  return std::min(begin + column - 1, text.size());
+}
+
+std::uint32_t line_of(std::string_view text, std::size_t offset) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(offset);
+  return static_cast<std::uint32_t>(1 + std::count(text.begin(), end, '\n'));
+}
+
 } // namespace director::compiler::stubs

@@ -13,6 +13,7 @@
 #include "compiler/stubs/merge.hpp"
 #include "compiler/stubs/scan.hpp"
 #include "compiler/stubs/stale.hpp"
+#include "compiler/stubs/text_place.hpp"
 #include "dsl/lexical/characters.hpp"
 #include "dsl/lexical/cpp_type.hpp"
 #include "dsl/source/harmless.hpp"
@@ -44,22 +45,6 @@ struct Refusal {
   int status = misused;
   std::string text;
 };
-
-/// In bytes, as Clang counts columns; the size of the text if it has no such place.
-std::size_t offset_at(std::string_view text, const SourcePlace& place) {
-  std::size_t begin = 0;
-  for (std::uint32_t line = 1; line < place.line; ++line) {
-    const std::size_t end = text.find('\n', begin);
-    if (end == std::string_view::npos) return text.size();
-    begin = end + 1;
-  }
-  return std::min(begin + place.column - 1, text.size());
-}
-
-SourcePlace place_at(const std::string& path, std::string_view text, std::size_t offset) {
-  const auto lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n');
-  return {path, static_cast<std::uint32_t>(1 + lines), static_cast<std::uint32_t>(1 + dsl::column_of(text, offset))};
-}
 
 std::string shown(const SourcePlace& place) {
   return fmt::format("{}:{}:{}", shown_path(place.path), place.line, place.column);
@@ -155,8 +140,10 @@ private:
       const Applied applied = insert_into(text, each);
       for (Problem& problem : problems) {
         if (problem.place.path != each[0].path) continue;
-        const Origin origin = origin_of(applied, offset_at(applied.text, problem.place));
-        problem.place = place_at(each[0].path, text, origin.offset);
+        const std::size_t offset = offset_at(applied.text, problem.place.line, problem.place.column);
+        const Origin origin = origin_of(applied, offset);
+        problem.place.line = line_of(text, origin.offset);
+        problem.place.column = static_cast<std::uint32_t>(1 + dsl::column_of(text, origin.offset));
         if (origin.is_inserted) problem.message = "in what would be added here: " + problem.message;
       }
     }

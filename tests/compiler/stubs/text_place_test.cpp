@@ -43,3 +43,14 @@ TEST_CASE("line breaks and indentation are the file's own") {
   CHECK(before("x {\n  }", 6) == 4);
   CHECK(before("x { }", 4) == 4);
 }
+
+TEST_CASE("a line and a column are an offset, and an offset has a line") {
+  const std::string_view text = "ab\r\nc\n";
+  CHECK(offset_at(text, 1, 2) == 1);
+  CHECK(offset_at(text, 2, 1) == 4);
+  CHECK(offset_at(text, 2, 9) == 6);
+  CHECK(offset_at(text, 4, 1) == 6);
+  CHECK(line_of(text, 3) == 1);
+  CHECK(line_of(text, 4) == 2);
+  CHECK(line_of(text, 6) == 3);
+}
