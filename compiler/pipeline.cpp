@@ -124,8 +124,8 @@ Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sou
   out.lowerable = out.resolved && checkable && !stops_lowering(out.model, out.findings);
 
   // Decide the assertions. Errors that leave something to run do not affect them.
-  if (options.decide && out.lowerable && is_quick_to_run(out.findings) && !out.model.assertions.empty()) {
-    const std::vector<Verdict> verdicts = decide_assertions(Ground(out.model), states_of_check);
+  if (options.decide > 0 && out.lowerable && is_quick_to_run(out.findings) && !out.model.assertions.empty()) {
+    const std::vector<Verdict> verdicts = decide_assertions(Ground(out.model), options.decide);
     append(out.findings, refuted_assertions(out.model, verdicts));
     out.undecided = undecided_assertions(out.model, verdicts);
     out.verdicts = std::make_shared<const std::vector<Verdict>>(verdicts);

@@ -23,7 +23,7 @@ struct Verdict;
 
 struct CheckOptions {
   checks::Selection selection;
-  bool decide = false;                                          ///< also decide whether the assertions are true
+  std::size_t decide = 0;                                       ///< also decide the assertions, in so many states; 0: no
   std::size_t explore = 0;                                      ///< also find what never runs, in so many states; 0: no
   std::function<void(const SearchProgress& so_far)> progress{}; ///< of exploring, called now and then
   TypeReader* types = nullptr;                                  ///< the reader of C++; null: none

@@ -264,7 +264,7 @@ private:
     if (!all.front()->all) {
       gaps.push_back("in many more cases");
     } else if (more > 0) {
-      gaps.push_back(fmt::format("in {} more cases", more));
+      gaps.push_back(more == 1 ? "in one more case" : fmt::format("in {} more cases", more));
     }
     if (std::find(gaps.begin(), gaps.end(), everywhere) != gaps.end()) return report_never(all, few_of(names, "or"));
     dsl::Diagnostic& finding =

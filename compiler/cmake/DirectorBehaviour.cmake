@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# director_add_behaviour(<target> <file.yaml> [WERROR] [VERIFY [EXCLUDE <target or path>...]] [STUBS <folder>] [PAGE [LINK <address>]])
+# director_add_behaviour(<target> <file.yaml> [WERROR] [VERIFY [EXCLUDE <target or path>...]] [BOUND <states>] [STUBS <folder>] [PAGE [LINK <address>]])
 #
 # Checks the behaviour with directorc, generates its C++ into the build tree and adds it to <target>: the generated sources, the include folder of the
 # generated header (`#include "<behaviour>.hpp"`) and the runtime. The headers that the behaviour names are searched in the target's include folders,
@@ -12,6 +12,7 @@
 #   VERIFY          after <target> is compiled, `directorc verify` compares its bodies with the behaviour; errors stop the build
 #   EXCLUDE ...     what VERIFY leaves out, such as test doubles in the same build: targets that exist before this call, files, and folders with everything
 #                   below them
+#   BOUND <states>  decides the assertions within so many states instead of 100000 (directorc generate --bound)
 #   STUBS <folder>  adds the target <target>_stubs, which is built only on request and writes the missing bodies into <folder> (directorc stubs). A normal
 #                   build writes nothing outside of the build tree
 #   PAGE            compiles the page about the behaviour (directorc docs) into <target>: the header "<behaviour>_page.hpp" declares
@@ -27,8 +28,8 @@ cmake_policy(PUSH)
 cmake_policy(VERSION 3.20...3.25)
 
 function(director_add_behaviour)
-  set(usage "director_add_behaviour(<target> <file.yaml> [WERROR] [VERIFY [EXCLUDE <target or path>...]] [STUBS <folder>] [PAGE [LINK <address>]])")
-  cmake_parse_arguments(PARSE_ARGV 0 arg "WERROR;VERIFY;PAGE" "STUBS;LINK" "EXCLUDE")
+  set(usage "director_add_behaviour(<target> <file.yaml> [WERROR] [VERIFY [EXCLUDE <target or path>...]] [BOUND <states>] [STUBS <folder>] [PAGE [LINK <address>]])")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "WERROR;VERIFY;PAGE" "BOUND;STUBS;LINK" "EXCLUDE")
   list(LENGTH arg_UNPARSED_ARGUMENTS count)
   if(count LESS 2)
     message(FATAL_ERROR "director_add_behaviour: the target and the behaviour's file are needed: ${usage}")
@@ -41,6 +42,9 @@ function(director_add_behaviour)
   # A keyword with an empty value, such as a variable that is not set, is not in arg_KEYWORDS_MISSING_VALUES.
   if("STUBS" IN_LIST ARGV AND "${arg_STUBS}" STREQUAL "")
     message(FATAL_ERROR "director_add_behaviour: STUBS needs the folder that the stubs go to: ${usage}")
+  endif()
+  if("BOUND" IN_LIST ARGV AND NOT "${arg_BOUND}" MATCHES "^[1-9][0-9]*$")
+    message(FATAL_ERROR "director_add_behaviour: BOUND needs a number of states, such as 1000000: ${usage}")
   endif()
   if("LINK" IN_LIST ARGV AND "${arg_LINK}" STREQUAL "")
     message(FATAL_ERROR "director_add_behaviour: LINK needs the address of a line, with {file} and {line} in it: ${usage}")
@@ -115,6 +119,10 @@ function(director_add_behaviour)
   if(arg_WERROR)
     set(werror --werror)
   endif()
+  set(bound "")
+  if(arg_BOUND)
+    set(bound --bound=${arg_BOUND})
+  endif()
 
   # directorc does not rewrite a file whose content is the same, so a stamp file shows when it ran last.
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/director/${target}/${behaviour})
@@ -130,14 +138,14 @@ function(director_add_behaviour)
     OUTPUT ${stamp}
     BYPRODUCTS ${outputs}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
-    COMMAND Director::directorc generate ${file} -o ${folder} --depfile ${stamp}.d --depfile-target ${stamp} --flags ${flags} ${werror}
+    COMMAND Director::directorc generate ${file} -o ${folder} --depfile ${stamp}.d --depfile-target ${stamp} --flags ${flags} ${werror} ${bound}
     COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
     DEPENDS ${file} ${flags} $<TARGET_FILE:Director::directorc>
     DEPFILE ${stamp}.d
     COMMENT "Generating the behaviour ${behaviour}"
     VERBATIM)
   if(arg_PAGE)
-    director_write_page_(${behaviour} ${file} ${folder} ${stamp} ${flags} "${arg_LINK}" page page_stamp)
+    director_write_page_(${behaviour} ${file} ${folder} ${stamp} ${flags} "${arg_LINK}" "${bound}" page page_stamp)
     list(APPEND outputs ${page})
   endif()
   get_target_property(home ${target} SOURCE_DIR)
@@ -245,9 +253,9 @@ function(director_write_flags_ target file)
   file(GENERATE OUTPUT "${file}.$<COMPILE_LANGUAGE>" CONTENT "${content}" TARGET ${target})
 endfunction()
 
-# director_write_page_(<behaviour> <file> <folder> <stamp> <flags> <link> <out> <out stamp>): sets <out> to a source that contains the page about the
+# director_write_page_(<behaviour> <file> <folder> <stamp> <flags> <link> <bound> <out> <out stamp>): sets <out> to a source that contains the page about the
 # behaviour, and <out stamp> to a file that is written after it whenever the C++ is generated again. The source itself stays as it is if the page does.
-function(director_write_page_ behaviour file folder stamp flags link out out_stamp)
+function(director_write_page_ behaviour file folder stamp flags link bound out out_stamp)
   cmake_path(GET file STEM LAST_ONLY stem) # directorc calls a page like the behaviour's file
   set(page ${folder}/${stem}.html)
   set(source ${folder}/${behaviour}_page.cpp)
@@ -270,7 +278,7 @@ std::string_view @behaviour@();
   add_custom_command(
     OUTPUT ${written}
     BYPRODUCTS ${page} ${source}
-    COMMAND Director::directorc docs ${file} -o ${folder} --flags ${flags} ${linked}
+    COMMAND Director::directorc docs ${file} -o ${folder} --flags ${flags} ${linked} ${bound}
     COMMAND ${CMAKE_COMMAND} -D PAGE=${page} -D HEADER=${header} -D FUNCTION=director::pages::${behaviour} -D OUT=${source}.new
             -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/embed_page.cmake
     COMMAND ${CMAKE_COMMAND} -E copy_if_different ${source}.new ${source}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# director_add_docs(<target> <file.yaml>... [FORMAT html|markdown] [OUTPUT <folder>] [LINK <address>] [BUILD <folder>])
+# director_add_docs(<target> <file.yaml>... [FORMAT html|markdown] [OUTPUT <folder>] [LINK <address>] [BUILD <folder>] [BOUND <states>])
 #
 # Adds the target <target>, which is built only on request. It calls `directorc docs`, which writes a page about each behaviour, and does not rewrite
 # a page whose content is the same.
@@ -8,6 +8,7 @@
 #   OUTPUT    folder of the pages, relative to the current build folder; the default is <target>
 #   BUILD     folder with compile_commands.json, for states whose values are those of a C++ enum; relative to the current build folder
 #   LINK      address of a line, with {file} and {line} in it. Each place that a page names becomes a link
+#   BOUND     decides the assertions within so many states instead of 100000 (directorc docs --bound)
 #
 # HTML needs the program dot of Graphviz.
 
@@ -15,17 +16,20 @@ cmake_policy(PUSH)
 cmake_policy(VERSION 3.20...3.25)
 
 function(director_add_docs)
-  set(usage "director_add_docs(<target> <file.yaml>... [FORMAT html|markdown] [OUTPUT <folder>] [LINK <address>] [BUILD <folder>])")
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "FORMAT;OUTPUT;LINK;BUILD" "")
+  set(usage "director_add_docs(<target> <file.yaml>... [FORMAT html|markdown] [OUTPUT <folder>] [LINK <address>] [BUILD <folder>] [BOUND <states>])")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "FORMAT;OUTPUT;LINK;BUILD;BOUND" "")
   list(LENGTH arg_UNPARSED_ARGUMENTS count)
   if(count LESS 2)
     message(FATAL_ERROR "director_add_docs: the target and a behaviour's file are needed: ${usage}")
   endif()
-  foreach(keyword FORMAT OUTPUT LINK BUILD)
+  foreach(keyword FORMAT OUTPUT LINK BUILD BOUND)
     if("${keyword}" IN_LIST ARGV AND "${arg_${keyword}}" STREQUAL "") # also an empty value, such as a variable that is not set
       message(FATAL_ERROR "director_add_docs: nothing stands behind ${keyword}: ${usage}")
     endif()
   endforeach()
+  if("BOUND" IN_LIST ARGV AND NOT arg_BOUND MATCHES "^[1-9][0-9]*$")
+    message(FATAL_ERROR "director_add_docs: BOUND needs a number of states, such as 1000000: ${usage}")
+  endif()
   if(NOT arg_FORMAT)
     set(arg_FORMAT html)
   endif()
@@ -62,12 +66,16 @@ function(director_add_docs)
     cmake_path(ABSOLUTE_PATH arg_BUILD BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} NORMALIZE)
     set(build --build ${arg_BUILD})
   endif()
+  set(bound "")
+  if(arg_BOUND)
+    set(bound --bound=${arg_BOUND})
+  endif()
   if(NOT TARGET Director::directorc)
     message(FATAL_ERROR "director_add_docs: there is no directorc; find_package(Director COMPONENTS compiler REQUIRED) finds it")
   endif()
   add_custom_target(
     ${target}
-    COMMAND Director::directorc docs ${files} -o ${folder} --format=${arg_FORMAT} ${link} ${build}
+    COMMAND Director::directorc docs ${files} -o ${folder} --format=${arg_FORMAT} ${link} ${build} ${bound}
     WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
     COMMENT "Writing pages about behaviours into ${folder}"
     VERBATIM)

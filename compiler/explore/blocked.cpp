@@ -15,11 +15,12 @@ std::string target_of(Index edge, const Model& model) {
   return fmt::format("`{}`", model.groups[model.edges[EdgeId{edge}].target].name.value);
 }
 
-/// Likewise; the program requests what has no requester.
-std::string with_side(std::optional<GroupId> group, GroupId side, const Model& model) {
+/// Likewise; the program requests what has no requester. `wanted`: by the group; it is above a side that it wants.
+std::string with_side(std::optional<GroupId> group, GroupId wanted, GroupId side, const Model& model) {
   if (!group) return "the program";
   const std::string name = fmt::format("`{}`", model.groups[*group].name.value);
-  return *group == side ? name : fmt::format("{}, below `{}`,", name, model.groups[side].name.value);
+  if (*group == side || wanted == side) return name;
+  return fmt::format("{}, below `{}`,", name, model.groups[side].name.value);
 }
 
 } // namespace
@@ -45,9 +46,10 @@ std::string words_of(const Blocked& blocked, const Assertion& beats, const Model
   const Edge &wanted = model.edges[EdgeId{because.member}], &held = model.edges[EdgeId{because.holder}];
   const bool is_need = because.kind == Because::Kind::need_held;
   const GroupId group{because.group};
-  const std::string who =
-      with_side(is_need ? std::optional(wanted.target) : wanted.requester, beats.groups.front().id, model);
-  const std::string by = held.requester ? with_side(held.requester, beats.groups.back().id, model) + " holds"
+  const GroupId loser = beats.groups.front().id, winner = beats.groups.back().id;
+  const std::string who = is_need ? with_side(wanted.target, group, loser, model)
+                                  : with_side(wanted.requester, wanted.target, loser, model);
+  const std::string by = held.requester ? with_side(held.requester, held.target, winner, model) + " holds"
                                         : std::string("runs for the program");
   return fmt::format("{} does not get `{}`, which {}", who, model.groups[group].name.value, by);
 }

@@ -38,7 +38,7 @@ std::vector<std::string> undecided_assertions(const Model& model, const std::vec
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     if (verdicts[i].kind != Verdict::Kind::undecided) continue;
     out.push_back(fmt::format("{}: {}{}", words_of(model.assertions[i], model), verdicts[i].why,
-                              verdicts[i].more_states ? "; `directorc explore --bound N` tries more" : ""));
+                              verdicts[i].more_states ? "; `--bound N` of `directorc explore`, `check`, `generate` and `docs` tries more" : ""));
   }
   return out;
 }

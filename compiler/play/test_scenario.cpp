@@ -73,7 +73,7 @@ std::string render(const ScenarioResult& result, const dsl::Sources& sources, bo
                                          fmt::join(mismatch.shown, "; "));
     out += dsl::painted(dsl::harmless(head), dsl::colours::bold, has_colours) + "\n";
     if (mismatch.too_many_stops)
-      out += fmt::format("    something is due at more than {} times within it\n", stops_of_advance);
+      out += fmt::format("    something is due at more than {} times within it; advance by less\n", stops_of_advance);
     else if (mismatch.exhausted)
       out += fmt::format("    it did not come to rest within {} micro-steps{}\n", play_budget,
                          words_of_round(result.played));

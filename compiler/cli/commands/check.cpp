@@ -83,7 +83,7 @@ public:
 
   int run() {
     CheckOptions options;
-    options.decide = true;
+    options.decide = request_.bound;
     options.selection = request_.selection;
     options.explore = request_.explore;
     std::optional<Checked> checked;

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 std::pair<std::optional<std::string>, int> page_of(const std::string& file, const Docs& request, Console& console) {
   dsl::Sources sources;
   CheckOptions options;
-  options.decide = true;
+  options.decide = request.bound;
   const std::optional<Checked> checked = load(file, options, sources, console, request.cpp);
   if (!checked) return {{}, misused};
   const std::vector<dsl::Diagnostic> errors = errors_of(checked->findings);

@@ -16,7 +16,7 @@ namespace director::compiler::cli {
 int run(const Generate& request, Console& console) {
   dsl::Sources sources;
   CheckOptions options;
-  options.decide = true;
+  options.decide = request.bound;
   options.selection = request.selection;
   const std::optional<Checked> checked = load(request.file, options, sources, console, request.cpp);
   if (!checked) return misused;

@@ -196,7 +196,7 @@ int run(const DrawGraph& request, Console& console) {
   dsl::Sources sources;
   const bool wants_all = request.findings || request.page;
   CheckOptions checks = wants_all ? CheckOptions{} : only_errors();
-  checks.decide = wants_all;
+  checks.decide = wants_all ? states_of_check : 0;
   const std::optional<Checked> checked = load(request.file, checks, sources, console, request.cpp);
   if (!checked) return misused;
   const bool whole = checked->resolved;

@@ -96,7 +96,7 @@ private:
 std::pair<std::string, int> trace_page(const Trace& request, const LoadedTrace& trace, Console& console) {
   dsl::Sources sources;
   CheckOptions checks;
-  checks.decide = true;
+  checks.decide = states_of_check;
   const RecordedBehaviour of =
       load_behaviour(*trace.recorded, request.file, request.behaviour, checks, sources, console, request.cpp);
   if (of.status != clean) return {{}, of.status};

@@ -125,7 +125,9 @@ std::optional<Played> play_to(const LoadedScenario& loaded, std::uint32_t step, 
 
 void print_early_end(const Played& played, const std::string& file, Console& console) {
   const std::string why =
-      played.too_many_stops ? "too much is due" : "the engine does not come to rest" + words_of_round(played);
+      played.too_many_stops
+          ? fmt::format("something is due at more than {} times within it; advance by less", stops_of_advance)
+          : "the engine does not come to rest" + words_of_round(played);
   print_message(console, fmt::format("directorc: `{}` ends in step {}: {}\n", shown_path(file), played.last_step, why));
 }
 

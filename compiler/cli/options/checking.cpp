@@ -43,10 +43,9 @@ Make check_options(CLI::App& app) {
       ->check(CLI::Range(0.01, 1e9))
       ->needs(verbose);
   auto explore = std::make_shared<bool>(false);
-  auto bound = std::make_shared<std::size_t>(Explore{}.bound);
-  CLI::Option* exploring =
-      app.add_flag("--explore", *explore, "try everything that can happen, and report what never runs");
-  add_bound(app, *bound)->needs(exploring);
+  auto bound = std::make_shared<std::size_t>(0); // as without it
+  app.add_flag("--explore", *explore, "try everything that can happen, and report what never runs");
+  add_bound(app, *bound, "100000 for the assertions, 1000000 with --explore");
   add_watch(app, request->watch);
   return [=]() -> Request {
     if (const std::optional<Message> wrong = unknown_id(*words)) return *wrong;
@@ -57,8 +56,9 @@ Make check_options(CLI::App& app) {
     request->selection = selection_of(*words);
     if (*explore || request->selection.lints.contains(never_runs)) {
       request->selection.lints.emplace(never_runs);
-      request->explore = *bound;
+      request->explore = *bound > 0 ? *bound : Explore{}.bound;
     }
+    if (*bound > 0) request->bound = *bound;
     return *request;
   };
 }

@@ -19,6 +19,7 @@ Make generate_options(CLI::App& app) {
   app.add_option("--depfile-target", request->target, "the target of its rule; without it, all generated files")
       ->type_name("FILE")
       ->needs(depfile);
+  add_bound(app, request->bound, bound_of_assertions);
   add_cpp(app, request->cpp);
   add_selection(app, *words);
   return [=]() -> Request {

@@ -9,6 +9,7 @@
 #include "compiler/checks/run_checks.hpp"
 #include "compiler/cli/system/console.hpp"
 #include "compiler/diff/diff.hpp"
+#include "compiler/explore/verdict.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -35,6 +36,7 @@ struct Check {
   std::string reachable;                          ///< empty: none; else `Kick`, `Walk.halting`, `Pose == standing`
   bool verbose = false;                           ///< also memory and bounds
   double work_ns = analysis::nanoseconds_of_work; ///< the cost of a unit of work
+  std::size_t bound = states_of_check;            ///< states for the assertions
   std::size_t explore = 0;                        ///< states to explore for what never runs; 0: none
   bool watch = false;                             ///< again whenever a file that was read changes
   CppSource cpp{};
@@ -43,8 +45,9 @@ struct Check {
 struct Generate {
   std::string file;
   std::string folder;
-  std::string depfile; ///< empty: none
-  std::string target;  ///< target of the depfile; empty: all that is generated
+  std::string depfile;                 ///< empty: none
+  std::string target;                  ///< target of the depfile; empty: all that is generated
+  std::size_t bound = states_of_check; ///< states for the assertions
   checks::Selection selection;
   CppSource cpp{};
 };
@@ -74,8 +77,10 @@ struct Docs {
   Format format = Format::html;
   std::string link;                     ///< address of a line, with {file} and {line}; empty: nothing is a link
   std::vector<std::string> transitions; ///< groups of the matrix; empty: all
+  std::size_t bound = states_of_check;  ///< states for the assertions
   CppSource cpp{};
 };
+
 struct Explain {
   std::string id; ///< of a check, or a key of the language
 };

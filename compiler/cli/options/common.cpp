@@ -95,8 +95,9 @@ void add_cpp(CLI::App& app, CppSource& cpp) {
       ->excludes(build);
 }
 
-CLI::Option* add_bound(CLI::App& app, std::size_t& bound) {
-  return app.add_option("--bound", bound, "end after N different states, a few hundred bytes each; without it 1000000")
+void add_bound(CLI::App& app, std::size_t& bound, const std::string& without) {
+  app.add_option("--bound", bound,
+                        "end after N different states, a few hundred bytes each; without it " + without)
       ->type_name("N")
       ->check(CLI::Range(std::size_t{1}, std::size_t{4'000'000'000}));
 }

@@ -57,7 +57,9 @@ checks::Selection selection_of(const SelectionWords& words);
 std::optional<Message> unknown_id(const SelectionWords& words);
 
 void add_cpp(CLI::App& app, CppSource& cpp);
-CLI::Option* add_bound(CLI::App& app, std::size_t& bound);
+/// `without`: what it says of no such option.
+void add_bound(CLI::App& app, std::size_t& bound, const std::string& without);
+inline constexpr const char* bound_of_assertions = "100000; only for the assertions";
 
 CLI::Option* add_watch(CLI::App& app, bool& watch);
 /// Formats for programs are one document, not one after each run.

@@ -37,7 +37,7 @@ std::string footer() {
   for (const ChangeKindPage& page : change_kinds()) out += fmt::format("  {:20}{}\n", page.id, page.meaning);
   return out +
          "\nExit status: 0 no change, or none of --breaking; 1 one of --breaking, or the new one has errors in its\n"
-         "text or its names; 2 wrong usage, or a file or revision that cannot be read.\n"
+         "text or its names, and the old one has none; 2 wrong usage, or a file or revision that cannot be read.\n"
          "As a tool of git: git difftool -x 'directorc diff'";
 }
 

@@ -123,6 +123,7 @@ Make docs_options(CLI::App& app) {
   add_format(app, request->format, {"html", "markdown"});
   add_transitions(app, request->transitions);
   add_link(app, request->link);
+  add_bound(app, request->bound, bound_of_assertions);
   add_cpp(app, request->cpp);
   return [=]() -> Request {
     if (const std::optional<Message> wrong = wrong_place("-o", "a folder", request->folder)) return *wrong;

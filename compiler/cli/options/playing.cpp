@@ -122,7 +122,7 @@ Make test_options(CLI::App& app) {
 Make explore_options(CLI::App& app) {
   auto request = std::make_shared<Explore>();
   app.add_option("FILE", request->file, "the behaviour; it must have `roots`")->required();
-  add_bound(app, request->bound);
+  add_bound(app, request->bound, "1000000");
   app.add_option("-o,--output", request->output, "folder for what is found, as scenarios")->type_name("FOLDER");
   add_cpp(app, request->cpp);
   return [=]() -> Request {

@@ -110,6 +110,12 @@ TEST_CASE("a refuted `beats` names the task that is blocked, the group, its hold
         "after request B; request A, the program does not get `A`, which `B` holds\n"
         "`B` holds `A`\n"
         "`B`, with priority 2, goes before `A`, with priority 1\n");
+  // Who holds the winner itself is above it.
+  CHECK(told("roots: {A: {priority: 1}, B: {priority: 2}}\ngroups: {A: {needs: [C]}, B: {needs: [C]}, C: {}}\n",
+             "{beats: {A: C}}") ==
+        "after request B; request A, `A` does not get `C`, which `B` holds\n"
+        "`B` holds `C`\n"
+        "`B`, with priority 2, goes before `A`, with priority 1\n");
 }
 
 TEST_CASE("the members of a pack are blocked by what holds what one of them wants, and by nothing else") {

@@ -111,7 +111,7 @@ steps:
   const ScenarioResult result = test_scenario(loaded.scenario, loaded.behaviour.model, loaded.lowered, options);
   CHECK(!result.holds());
   CHECK(render(result, loaded.behaviour.sources) == R"(test.scenario.yaml:7:5: step 3: advance 100000000 min
-    something is due at more than 1000000 times within it
+    something is due at more than 1000000 times within it; advance by less
     run A trigger
     run A trigger
     run A trigger
