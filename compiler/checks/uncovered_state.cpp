@@ -220,7 +220,7 @@ private:
       if (is_root && request.requester) continue;
       for (const Region& region : shared_.requests().regions(request)) {
         all = all && gaps.size() < most_gaps;
-        if (all || gaps.empty()) look(box_of(facts_, region), request);
+        if (all || gaps.empty()) look(box_of(facts_.values, region), request);
       }
     }
     if (!gaps.empty()) found_.push_back(finding_for(group, gaps, all));

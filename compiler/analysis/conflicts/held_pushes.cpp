@@ -221,7 +221,7 @@ private:
 
   /// The states in which the outside condition and the wanted one are false, and all others of the later choice hold.
   std::optional<Box> box_of_wait(const Region& region, const Choice& later, const HeldPush& held) const {
-    Box out = box_of(facts_, region);
+    Box out = box_of(facts_.values, region);
     const StateId pushed = model_.conditions[held.wanted.id].state;
     for (const ProviderId id : later.picks) {
       for (const ConditionUse& use : model_.providers[id].when) {

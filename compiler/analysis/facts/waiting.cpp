@@ -9,18 +9,6 @@
 
 namespace director::analysis {
 
-namespace {
-
-/// The possible values in a context: of each state in the region, and unset only for other states.
-Box box_of_context(const Facts& facts, const Region& context) {
-  Box out;
-  for (const auto& [state, values] : context.states)
-    out.emplace(state, Possible{facts.values[state].intersected(values), false});
-  return out;
-}
-
-} // namespace
-
 bool needs_no_more(const Provider& first, const Provider& second) {
   return std::all_of(first.needs.begin(), first.needs.end(), [&](const Use<GroupId>& need) {
     return std::any_of(second.needs.begin(), second.needs.end(),
@@ -112,7 +100,7 @@ bool Waiting::can_do_without(GroupId group, const Region& context, std::map<Grou
   if (std::any_of(serving.begin(), serving.end(), [](const Region& region) { return region.states.empty(); }))
     return known[group] = true;
   Budget budget = facts_.budget; // a copy, so that an open question is not reported
-  return known[group] = find_covering(model_, facts_.values, box_of_context(facts_, context), serving, budget) ==
+  return known[group] = find_covering(model_, facts_.values, box_of(facts_.values, context), serving, budget) ==
                         Covering::covered;
 }
 

@@ -94,13 +94,6 @@ Gaps find_one_gap(const Model& model, const Facts& facts, const Box& start, cons
 
 } // namespace
 
-Box box_of(const Facts& facts, const Region& region) {
-  Box out;
-  for (const auto& [state, accepted] : region.states)
-    out.emplace(state, Possible{facts.values[state].intersected(accepted), false});
-  return out;
-}
-
 Possible& possible_in(const Model& model, const Facts& facts, StateId state, Box& box) {
   return box.try_emplace(state, Possible{facts.values[state], model.states[state].may_be_unset()}).first->second;
 }

@@ -13,9 +13,6 @@
 
 namespace director::analysis {
 
-/// The states of the region with the values that they may have.
-Box box_of(const Facts& facts, const Region& region);
-
 /// What is possible for the state in the box; added, with all that it may be, if it is not there.
 Possible& possible_in(const Model& model, const Facts& facts, StateId state, Box& box);
 

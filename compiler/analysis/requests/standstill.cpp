@@ -12,7 +12,7 @@ bool Standstill::may_wait(const Request& request, ProviderId waiter, const Condi
                           const std::vector<GroupId>& absent) {
   const Condition& condition = model_.conditions[use.id];
   for (const Region& region : requests_.regions(request)) {
-    Box start = box_of(facts_, region);
+    Box start = box_of(facts_.values, region);
     Possible& here = possible_in(model_, facts_, condition.state, start);
     const State& state = model_.states[condition.state];
     if (state.of && std::find(absent.begin(), absent.end(), state.of->id) != absent.end()) {

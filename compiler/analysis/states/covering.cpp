@@ -335,6 +335,13 @@ void widen(const Model& model, const IdTable<StateId, ValueSet>& values, const B
 
 } // namespace
 
+Box box_of(const IdTable<StateId, ValueSet>& values, const Region& region) {
+  Box out;
+  for (const auto& [state, accepted] : region.states)
+    out.emplace(state, Possible{values[state].intersected(accepted), false});
+  return out;
+}
+
 Covering find_covering(const Model& model, const IdTable<StateId, ValueSet>& values, const Box& start,
                        const std::vector<Region>& regions, Budget& budget, Box* opening) {
   for (const auto& [state, possible] : start) {

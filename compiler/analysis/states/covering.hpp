@@ -22,6 +22,9 @@ struct Possible {
 /// The examined states, each independent; any other state may have any of its values.
 using Box = std::map<StateId, Possible>;
 
+/// The states of the region, each with those of `values` that it accepts, and never unset.
+Box box_of(const IdTable<StateId, ValueSet>& values, const Region& region);
+
 enum class Covering { covered, open, undecided };
 
 /// Whether the regions cover all of `start`. A state that is not in `start` has one of `values` or, if it may be, is
