@@ -53,20 +53,14 @@ private:
     }
   }
 
-  Region mended(ProviderId id) const {
-    Region out = region_of(model_, model_.providers[id].when);
-    for (const Impossible& fault : facts_.impossible_of(id)) out.states.erase(fault.state);
-    return out;
-  }
-
   /// Finds the states for which two sets of conditions accept no common value; if it takes more than two sets, the
   /// states of at least two of them.
   void find_states() {
-    std::vector<std::vector<Region>> parties{{mended(id_)}};
+    std::vector<std::vector<Region>> parties{{facts_.region_to_begin(model_, id_)}};
     if (facts_.excluded.contains(id_)) parties.push_back({facts_.grants[model_.providers[id_].group]});
     for (const GroupId group : needed_) {
       std::vector<Region>& party = parties.emplace_back();
-      for (const ProviderId id : model_.groups[group].providers) party.push_back(mended(id));
+      for (const ProviderId id : model_.groups[group].providers) party.push_back(facts_.region_to_begin(model_, id));
     }
     std::set<StateId> shared;
     for (std::size_t i = 0; i < parties.size(); ++i) {

@@ -134,7 +134,7 @@ Region Takers::region_of_requests(GroupId requester) const {
   std::optional<Region> out;
   for (const ProviderId id : input_.model.groups[requester].providers) {
     if (!input_.facts.active.contains(id)) continue;
-    const Region own = input_.shared.units().region_at_best(id);
+    const Region own = input_.facts.region_to_run(input_.model, id, true);
     out = out ? hull(*out, own) : own;
   }
   return out.value_or(Region{});

@@ -35,7 +35,7 @@ public:
     before_.emplace_back();
     if (row.when.empty() && row.stay.empty()) return true;
     Region both = now_;
-    both.meet(contexts_.around(provider, facts.pushed.contains(provider)));
+    both.meet(contexts_.around(provider));
     if (!contexts_.may_be(both)) return before_.pop_back(), false;
     before_.back() = std::exchange(now_, std::move(both));
     return true;
@@ -82,7 +82,7 @@ bool Contexts::widen(GroupId group, const Requested& requested) {
 
 Region Contexts::around_requested(ProviderId id) {
   const GroupId group = model_.providers[id].group;
-  Region out = around(id, facts_.pushed.contains(id));
+  Region out = around(id);
   // While its requester is stale, a task that runs goes on without those that it was granted together with.
   const Region& granted = facts_.grants[group];
   out.meet(is_kept_adrift(group) ? after(granted) : kept_within(facts_.contexts[group], granted));
@@ -175,7 +175,7 @@ const Region& Contexts::around_needed(GroupId group) {
   if (!is_new || !facts_.may_wait.contains(group)) return at->second;
   std::optional<Region> out;
   for (const ProviderId id : model_.groups[group].providers) {
-    Region region = around(id, facts_.pushed.contains(id));
+    Region region = around(id);
     if (facts_.plans[id] == PlanVerdict::found) {
       for (const Use<GroupId>& need : model_.providers[id].needs) region.meet(around_needed(need.id));
     }
@@ -184,23 +184,7 @@ const Region& Contexts::around_needed(GroupId group) {
   return needed_[group] = out.value_or(Region{});
 }
 
-Region Contexts::own(ProviderId id) const {
-  Region out = region_of(model_, model_.providers[id].when);
-  for (const Impossible& fault : facts_.impossible_of(id)) {
-    if (!fault.stay) out.states.erase(fault.state);
-  }
-  return out;
-}
-
-Region Contexts::around(ProviderId id, bool pushed) const {
-  Region out = active_region(model_, model_.providers[id]);
-  for (const Impossible& fault : facts_.impossible_of(id)) out.states.erase(fault.state);
-  if (pushed) {
-    for (const ConditionUse& promise : model_.providers[id].causing)
-      out.states.erase(model_.conditions[promise.id].state);
-  }
-  return out;
-}
+Region Contexts::around(ProviderId id) const { return facts_.region_to_run(model_, id, facts_.pushed.contains(id)); }
 
 bool Contexts::may_be(const Region& region) const {
   return std::all_of(region.states.begin(), region.states.end(),
@@ -208,12 +192,12 @@ bool Contexts::may_be(const Region& region) const {
 }
 
 bool Contexts::can_begin(ProviderId id, Region within) {
-  within.meet(own(id));
+  within.meet(facts_.region_to_begin(model_, id));
   return has_choice(id, std::move(within));
 }
 
 bool Contexts::can_go_on(ProviderId id, Region within) {
-  within.meet(around(id, facts_.pushed.contains(id)));
+  within.meet(around(id));
   return has_choice(id, std::move(within));
 }
 

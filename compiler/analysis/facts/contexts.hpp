@@ -31,8 +31,6 @@ public:
 
   /// Forgets the results for needs and members that depend on what can be pushed; true: there were some.
   bool forget_needed();
-  /// Around the states with which it can begin: its `when`, without what is reported as impossible.
-  Region own(ProviderId id) const;
   /// Whether some choice for its needs may hold in this region.
   bool can_begin(ProviderId id, Region within);
   /// The same for a provider that may run already, for another requester.
@@ -42,8 +40,9 @@ private:
   /// Whether it may continue for a requester that cannot run any more, and is kept for an heir (semantics.md 4.4,
   /// "Hand-over"): some group requests or needs that requester.
   bool is_kept_adrift(GroupId group) const;
-  Region around(ProviderId id, bool pushed) const;
-  /// Around the states with which it runs for a request.
+  /// Around the states with which it runs, pushed or not.
+  Region around(ProviderId id) const;
+  /// ... for a request.
   Region around_requested(ProviderId id);
   /// Around all states that may follow one in the region, itself included.
   Region after(const Region& region) const;

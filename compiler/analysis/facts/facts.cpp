@@ -283,7 +283,7 @@ private:
   bool may_come_first(ProviderId id) {
     if (enabled_ == Enabled::some) return true;
     const GroupId group = model_.providers[id].group;
-    Region own = contexts_.own(id);
+    Region own = facts_.region_to_begin(model_, id);
     own.meet(facts_.grants[group]);
     std::vector<Region> others;
     bool with_needs = false; // which others may come to hold later
@@ -386,6 +386,24 @@ std::span<const Impossible> Facts::impossible_of(ProviderId provider) const {
       std::equal_range(impossible.begin(), impossible.end(), Impossible{provider, false, {}, {}, {}},
                        [](const Impossible& a, const Impossible& b) { return a.provider < b.provider; });
   return {first, last};
+}
+
+Region Facts::region_to_begin(const Model& model, ProviderId provider) const {
+  Region out = region_of(model, model.providers[provider].when);
+  for (const Impossible& fault : impossible_of(provider)) {
+    if (!fault.stay) out.states.erase(fault.state);
+  }
+  return out;
+}
+
+Region Facts::region_to_run(const Model& model, ProviderId provider, bool pushed) const {
+  Region out = active_region(model, model.providers[provider]);
+  for (const Impossible& fault : impossible_of(provider)) out.states.erase(fault.state);
+  if (pushed) {
+    for (const ConditionUse& promise : model.providers[provider].causing)
+      out.states.erase(model.conditions[promise.id].state);
+  }
+  return out;
 }
 
 bool Facts::is_impossible(ProviderId provider, StateId state) const {

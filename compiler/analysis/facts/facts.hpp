@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 // Derives what may ever happen in a deployment: the least fixed point of rules like "a provider may be active if its
 // group may be requested and its conditions may hold there". It treats every state independently and ignores order, so
-// it is an over-approximation: what is not among the facts never happens, what is among them may. Method: checks.md,
-// "When and Causing" (Dowling and Gallier 1984).
+// it is an over-approximation: what is not among the facts never happens, what is among them may. Method: unit
+// propagation on Horn clauses (Dowling and Gallier 1984).
 
 #include "compiler/analysis/effort/budget.hpp"
 #include "compiler/analysis/plans/plans.hpp"
@@ -59,6 +59,11 @@ struct Facts {
   Budget budget; ///< what the search for all this has left to the checks
 
   std::span<const Impossible> impossible_of(ProviderId provider) const;
+  /// Around the states with which it can begin: its `when`, without what is reported as impossible.
+  Region region_to_begin(const Model& model, ProviderId provider) const;
+  /// Around the states with which it can run: by its `when` or its `stay`, without what is reported as impossible, and
+  /// if it is `pushed`, without what it causes itself.
+  Region region_to_run(const Model& model, ProviderId provider, bool pushed) const;
   /// Whether conditions exclude its task for its requester, though it runs for others: uncovered_state reports that,
   /// and no other finding does, as nothing else would help.
   bool excludes(EdgeId edge) const { return std::binary_search(excluded_tasks.begin(), excluded_tasks.end(), edge); }

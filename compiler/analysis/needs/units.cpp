@@ -19,17 +19,16 @@ constexpr std::int64_t unit_step_cost = 20;
 /// The current choice, with the region of its conditions.
 class Combining {
 public:
-  Combining(const Model& model, const Facts& facts, const Units& units, bool by_groups_alone,
+  Combining(const Model& model, const Facts& facts, bool by_groups_alone,
             const std::function<bool(const Combination&)>& visitor)
       : model_(model),
         facts_(facts),
-        units_(units),
         by_groups_alone_(by_groups_alone),
         visitor_(visitor) {}
 
   bool pick(ProviderId provider) {
     Region both = now_.region;
-    both.meet(units_.region_at_best(provider));
+    both.meet(facts_.region_to_run(model_, provider, true));
     if (!by_groups_alone_ && both.empty()) return false;
     now_.picks.push_back({model_.providers[provider].group, provider});
     before_.push_back(std::exchange(now_.region, std::move(both)));
@@ -48,7 +47,6 @@ public:
 private:
   const Model& model_;
   const Facts& facts_;
-  const Units& units_;
   bool by_groups_alone_;
   const std::function<bool(const Combination&)>& visitor_;
   Combination now_;
@@ -87,20 +85,12 @@ const std::vector<GroupId>& Units::needed(GroupId group) {
   return out;
 }
 
-Region Units::region_at_best(ProviderId id) const {
-  const Provider& provider = model_.providers[id];
-  Region out = active_region(model_, provider);
-  for (const Impossible& fault : facts_.impossible_of(id)) out.states.erase(fault.state);
-  for (const ConditionUse& promise : provider.causing) out.states.erase(model_.conditions[promise.id].state);
-  return out;
-}
-
 Region Units::region_at_best(GroupId group) {
   const auto [at, is_new] = regions_.try_emplace(group); // in a cycle of needs: anywhere
   if (!is_new) return at->second;
   std::optional<Region> out;
   for (const ProviderId id : model_.groups[group].providers) {
-    Region region = region_at_best(id);
+    Region region = facts_.region_to_run(model_, id, true);
     for (const Use<GroupId>& need : model_.providers[id].needs) region.meet(region_at_best(need.id));
     out = out ? hull(*out, region) : region;
   }
@@ -115,7 +105,7 @@ bool Units::may_clash(const std::vector<GroupId>& members) {
     for (const GroupId group : needed(member)) {
       if (!groups.add(group)) return true;
       for (const ProviderId id : model_.groups[group].providers) {
-        for (const auto& [state, values] : region_at_best(id).states) own.insert(state);
+        for (const auto& [state, values] : facts_.region_to_run(model_, id, true).states) own.insert(state);
       }
     }
     for (const StateId state : own) {
@@ -139,7 +129,7 @@ bool Units::visit(const std::vector<GroupId>& members, bool by_groups_alone,
                   const std::function<bool(const Combination&)>& visitor) {
   std::vector<Use<GroupId>> needs;
   for (const GroupId member : members) needs.push_back({member, {}});
-  Combining combining(model_, facts_, *this, by_groups_alone, visitor);
+  Combining combining(model_, facts_, by_groups_alone, visitor);
   const std::int64_t granted = budget_.grant(most_steps * unit_step_cost) / unit_step_cost;
   ChoiceSearch search(model_, granted, combining);
   const bool complete = search.run(needs);

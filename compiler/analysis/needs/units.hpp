@@ -50,10 +50,6 @@ public:
   /// The group, its possible needs, and theirs; sorted.
   const std::vector<GroupId>& needed(GroupId group);
 
-  /// Where a provider may run, without what other checks report: conditions that never hold, and those that are waived
-  /// while it is pushed.
-  Region region_at_best(ProviderId provider) const;
-
   /// Where some choice for the group may run, with its needs.
   Region region_at_best(GroupId group);
 
