@@ -49,18 +49,6 @@ std::vector<std::vector<Node>> cycles(const Arrows& arrows) {
   return out;
 }
 
-std::vector<Node> connected(const Arrows& arrows) {
-  Arrows both_ways = arrows;
-  for (Node from = 0; from < arrows.size(); ++from) {
-    for (const Node to : arrows[from]) both_ways[to].push_back(from);
-  }
-  std::vector<Node> out(arrows.size());
-  for (const std::vector<Node>& nodes : components(both_ways)) {
-    for (const Node node : nodes) out[node] = nodes.front();
-  }
-  return out;
-}
-
 std::vector<Node> topological_order(const Arrows& arrows) {
   std::vector<std::vector<Node>> found = components(arrows);
   std::vector<Node> out;

@@ -16,9 +16,6 @@ using Arrows = std::vector<std::vector<Node>>;
 /// itself are left out: the rest are the parts with cycles.
 std::vector<std::vector<Node>> cycles(const Arrows& arrows);
 
-/// For each node, the smallest one that it is connected with, ignoring directions.
-std::vector<Node> connected(const Arrows& arrows);
-
 /// Nodes, each before those that it has arrows to; the nodes of a cycle are adjacent. Equal input gives equal output.
 std::vector<Node> topological_order(const Arrows& arrows);
 

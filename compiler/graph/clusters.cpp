@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/graph/clusters.hpp"
 
-#include <algorithm>
+#include "compiler/base/disjoint_sets.hpp"
+
 #include <map>
 #include <vector>
 
@@ -12,23 +13,16 @@ namespace {
 
 class Clusters {
 public:
-  explicit Clusters(const Model& model) : model_(model), first_(model.edges.size()) {
-    for (const EdgeId edge : model.edges.ids()) first_[edge] = edge;
+  explicit Clusters(const Model& model) : model_(model), sets_(model.edges.size()) {
     for (const Group& group : model.groups) look_below(group); // requests of the program are never in a unit
-    for (const EdgeId edge : model.edges.ids()) first_[edge] = find(edge);
   }
-  IdTable<EdgeId, EdgeId> take() { return std::move(first_); }
+  IdTable<EdgeId, EdgeId> first() {
+    IdTable<EdgeId, EdgeId> out(model_.edges.size());
+    for (const EdgeId edge : model_.edges.ids()) out[edge] = EdgeId{sets_.find(edge.value)};
+    return out;
+  }
 
 private:
-  EdgeId find(EdgeId at) {
-    while (first_[at] != at) at = first_[at] = first_[first_[at]];
-    return at;
-  }
-  void join(EdgeId a, EdgeId b) {
-    a = find(a), b = find(b);
-    first_[std::max(a, b)] = std::min(a, b);
-  }
-
   /// Searches down from each task that it may request. What another search has visited belongs to that one's cluster.
   void look_below(const Group& group) {
     std::vector<EdgeId> requested;
@@ -44,7 +38,7 @@ private:
         open.pop_back();
         const auto [known, is_new] = claimed.try_emplace(at, edge);
         if (!is_new) {
-          join(known->second, edge);
+          sets_.join(known->second.value, edge.value);
           continue;
         }
         for (const ProviderId provider : model_.groups[at].providers) {
@@ -55,11 +49,11 @@ private:
   }
 
   const Model& model_;
-  IdTable<EdgeId, EdgeId> first_;
+  DisjointSets sets_;
 };
 
 } // namespace
 
-IdTable<EdgeId, EdgeId> find_clusters(const Model& model) { return Clusters(model).take(); }
+IdTable<EdgeId, EdgeId> find_clusters(const Model& model) { return Clusters(model).first(); }
 
 } // namespace director::compiler

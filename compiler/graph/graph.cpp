@@ -22,41 +22,15 @@ void add_edges(Graph& graph, const Model& model) {
   }
 }
 
-/// Promises by state, so that a condition is compared with those only.
-std::vector<std::vector<std::pair<ProviderId, ConditionUse>>> promises_by_state(const Model& model) {
-  std::vector<std::vector<std::pair<ProviderId, ConditionUse>>> out(model.states.size());
-  for (const ProviderId causer : model.providers.ids()) {
-    for (const ConditionUse& promise : model.providers[causer].causing)
-      out[model.conditions[promise.id].state.value].emplace_back(causer, promise);
-  }
-  return out;
-}
-
 void add_causing(Graph& graph, const Model& model) {
   const auto promises = promises_by_state(model);
   for (const ProviderId waiter : model.providers.ids()) {
     for (const ConditionUse& condition : model.providers[waiter].when) {
-      for (const auto& [causer, promise] : promises[model.conditions[condition.id].state.value]) {
+      for (const auto& [causer, promise] : promises[model.conditions[condition.id].state]) {
         if (model.satisfies(promise.id, condition.id)) graph.causing.push_back({causer, promise, waiter, condition});
       }
     }
   }
-}
-
-/// By requests, needs, and providers that may be pushed for a condition of the other.
-std::vector<Node> find_components(const Graph& graph, const Model& model) {
-  const auto promises = promises_by_state(model);
-  Arrows joined = graph.claims;
-  for (const Provider& waiter : model.providers) {
-    for (const auto* conditions : {&waiter.when, &waiter.stay}) {
-      for (const ConditionUse& condition : *conditions) {
-        for (const auto& [causer, promise] : promises[model.conditions[condition.id].state.value]) {
-          if (model.satisfies(promise.id, condition.id)) add_arrow(joined, waiter.group, model.providers[causer].group);
-        }
-      }
-    }
-  }
-  return connected(joined);
 }
 
 /// Over the requests alone, with one more node, root, that leads to the roots.
@@ -83,6 +57,15 @@ bool Graph::Causing::operator==(const Causing& other) const {
          condition.span == other.condition.span;
 }
 
+IdTable<StateId, std::vector<std::pair<ProviderId, ConditionUse>>> promises_by_state(const Model& model) {
+  IdTable<StateId, std::vector<std::pair<ProviderId, ConditionUse>>> out(model.states.size());
+  for (const ProviderId causer : model.providers.ids()) {
+    for (const ConditionUse& promise : model.providers[causer].causing)
+      out[model.conditions[promise.id].state].emplace_back(causer, promise);
+  }
+  return out;
+}
+
 Arrows edge_arrows(const Model& model) {
   Arrows out(root_node(model) + 1);
   for (const Edge& edge : model.edges)
@@ -100,7 +83,6 @@ Graph make_graph(const Model& model) {
   add_gates(graph, model);
   graph.task_cycles = cycles(graph.tasks);
   graph.needs_cycles = cycles(graph.needs);
-  graph.component = find_components(graph, model);
   graph.order = topological_order(graph.claims);
   return graph;
 }

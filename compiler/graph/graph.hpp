@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace director::compiler {
@@ -28,13 +29,14 @@ struct Graph {
 
   std::vector<std::vector<Node>> task_cycles;  ///< components of `tasks`
   std::vector<std::vector<Node>> needs_cycles; ///< components of `needs`
-  /// Related groups have one number; groups with different numbers never affect each other's decisions.
-  std::vector<Node> component;
   std::vector<Node> order; ///< groups, requesters first, over `claims`
   /// The last group before this one that every chain of requests from a root passes; empty: there is none, or no chain.
   IdTable<GroupId, std::optional<GroupId>> gate;
   IdSet<GroupId> requestable; ///< some chain of requests from a root leads to it
 };
+
+/// Promises, with the providers that make them, by state: so that a condition is compared with those only.
+IdTable<StateId, std::vector<std::pair<ProviderId, ConditionUse>>> promises_by_state(const Model& model);
 
 Graph make_graph(const Model& model);
 

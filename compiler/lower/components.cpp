@@ -1,33 +1,13 @@
 // Header: compiler/lower/steps.hpp. Test: tests/compiler/lower/lower_test.cpp.
 // SPDX-License-Identifier: MIT
-//
-// Components: the parts of a specification that are decided independently. Union-find over everything that can join two
-// groups: a request or need, and a causing provider that satisfies a condition of the other.
-
+#include "compiler/graph/components.hpp"
 #include "compiler/lower/steps.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace director::compiler {
 
 namespace {
-
-class Joined {
-public:
-  explicit Joined(std::size_t count) : above_(count) { std::iota(above_.begin(), above_.end(), Index{0}); }
-  Index find(Index at) {
-    while (above_[at] != at) at = above_[at] = above_[above_[at]];
-    return at;
-  }
-  void join(Index a, Index b) {
-    a = find(a), b = find(b);
-    above_[std::max(a, b)] = std::min(a, b); // the representative is the group declared first
-  }
-
-private:
-  std::vector<Index> above_;
-};
 
 void sort_once(std::vector<Index>& rows) {
   std::sort(rows.begin(), rows.end());
@@ -41,37 +21,23 @@ std::vector<Index> listed(const Lowered& out, Range range) {
 
 } // namespace
 
-void lower_components(Lowered& out) {
-  Joined joined(out.groups.size());
-  for (const director::Edge& edge : out.edges) {
-    if (edge.requester != nil) joined.join(edge.requester, edge.target);
-  }
+void lower_components(const Model& model, Lowered& out) {
   const auto wanted = [&](const director::Provider& provider) {
     std::vector<Index> conditions = listed(out, provider.when);
     const std::vector<Index> stay = listed(out, provider.stay);
     conditions.insert(conditions.end(), stay.begin(), stay.end());
     return conditions;
   };
-  for (const director::Provider& provider : out.providers) {
-    for (const Index condition : wanted(provider)) {
-      for (const Index causer : listed(out, out.conditions[condition].causers))
-        joined.join(provider.group, out.providers[causer].group);
-    }
-  }
-
   struct Rows {
     std::vector<Index> groups, edges;
   };
   std::vector<Rows> rows;
-  std::vector<Index> number(out.groups.size(), nil);
-  for (Index g = 0; g < out.groups.size(); ++g) {
-    Index& component = number[joined.find(g)];
-    if (component == nil) {
-      component = static_cast<Index>(rows.size());
-      rows.emplace_back();
-    }
-    out.groups[g].component = component;
-    rows[component].groups.push_back(g);
+  const IdTable<GroupId, std::uint32_t> found = find_components(model);
+  for (const GroupId group : model.groups.ids()) {
+    const auto component = static_cast<Index>(found[group]);
+    if (component == rows.size()) rows.emplace_back();
+    out.groups[row(group)].component = component;
+    rows[component].groups.push_back(row(group));
   }
   const auto of = [&](Index group) -> Rows& { return rows[out.groups[group].component]; };
   for (Index e = 0; e < out.edges.size(); ++e) of(out.edges[e].target).edges.push_back(e);

@@ -49,7 +49,7 @@ Lowered lower(const Model& model) {
   lower_promises(model, out);
   lower_groups(model, out);
   lower_aims(model, out);
-  lower_components(out);
+  lower_components(model, out);
   lower_users(out);
   lower_traits(out);
   return out;

@@ -29,7 +29,7 @@ void lower_providers(const Model& model, Lowered& out);
 void lower_promises(const Model& model, Lowered& out);
 void lower_groups(const Model& model, Lowered& out);
 void lower_aims(const Model& model, Lowered& out);
-void lower_components(Lowered& out);
+void lower_components(const Model& model, Lowered& out);
 void lower_users(Lowered& out);
 void lower_traits(Lowered& out);
 
