@@ -8,7 +8,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
+#include <cstdint>
+#include <set>
 
 namespace director::checks {
 
@@ -17,36 +18,20 @@ namespace {
 /// Limit for counting, whatever limit was set.
 constexpr std::int64_t most_counted = 1'000'000'000;
 
-/// The trials of one pass over a component for one requester.
-struct Share {
-  std::int64_t trials = 0;
-  Span span{};
-  std::string words; ///< "the tasks of `Plan`"
-};
-
-struct InPass {
-  TrialCount sum;
-  std::vector<Share> shares;
-  bool reported = false; ///< one decision of it is too large already
-};
-
 class UnboundedChoice {
 public:
   UnboundedChoice(const Input& input, Findings& findings)
       : model_(input.model),
-        component_(input.graph.component),
         budget_(input.shared.budget()),
         trials_(model_, std::min(std::max(model_.trials.most, model_.pass.most), most_counted) + 1, budget_),
         findings_(findings) {}
 
   void check() {
-    for (const Task& root : model_.roots) {
-      look_at(trials_.alone(root));
-      add(root.target, trials_.pass(root), root.span, name_of(model_, root.target));
-    }
+    for (const Task& root : model_.roots) look_at(trials_.alone(root));
     for (const GroupId group : model_.groups.ids()) look_at(group);
-    for (const auto& [component, in_pass] : passes_) {
-      if (!in_pass.reported && in_pass.sum.count > model_.pass.most) report(in_pass);
+    const std::vector<PassTrials> passes = trials_.passes();
+    for (std::uint32_t component = 0; component < passes.size(); ++component) {
+      if (reported_.count(component) == 0 && passes[component].sum.count > model_.pass.most) report(passes[component]);
     }
   }
 
@@ -60,27 +45,17 @@ private:
         }
       }
     }
-    if (const LargestPack largest = trials_.pass(group); largest.count.count > 0)
-      add(group, largest.count, model_.providers[largest.provider].span,
-          fmt::format("the tasks of {}", name_of(model_, largest.provider)));
   }
 
   void look_at(const CountedUnit& unit) {
     const TrialCount count = trials_.decision(unit);
     if (count.count > model_.trials.most || (!count.complete && !budget_.exhausted())) {
       report(unit, count);
-      passes_[component_[unit.members.front()->target.value]].reported = true;
+      reported_.insert(trials_.component(unit.members.front()->target));
     } else if (!count.complete) {
       const Task& first = *unit.members.front();
       budget_.leave_open(first.span, fmt::format("in how many ways {} can be met", name_of(model_, first.target)));
     }
-  }
-
-  void add(GroupId group, TrialCount count, Span span, std::string words) {
-    InPass& pass = passes_[component_[group.value]];
-    pass.sum.count += std::min(count.count, most_counted);
-    pass.sum.complete = pass.sum.complete && count.complete;
-    pass.shares.push_back({count.count, span, std::move(words)});
   }
 
   static std::string amount(const TrialCount& count) {
@@ -132,26 +107,35 @@ private:
                        : "make one of them `apart`, give the groups fewer providers, or raise `limits: {trials: ...}`";
   }
 
-  void report(const InPass& pass) {
-    std::vector<Share> shares = pass.shares;
-    std::stable_sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) { return a.trials > b.trials; });
+  void report(const PassTrials& pass) {
+    std::vector<PassTrials::Share> shares = pass.shares;
+    std::stable_sort(shares.begin(), shares.end(), [](const PassTrials::Share& a, const PassTrials::Share& b) {
+      return a.count.count > b.count.count;
+    });
+    const auto span = [&](const PassTrials::Share& share) {
+      return share.root != nullptr ? share.root->span : model_.providers[share.provider].span;
+    };
+    const auto words = [&](const PassTrials::Share& share) {
+      return share.root != nullptr ? name_of(model_, share.root->target)
+                                   : fmt::format("the tasks of {}", name_of(model_, share.provider));
+    };
     dsl::Diagnostic& finding = findings_.add(
-        shares.front().span, fmt::format("one pass over all that has to do with {} may try {} combinations, and {} are "
-                                         "allowed",
-                                         shares.front().words, amount(pass.sum), model_.pass.most));
+        span(shares.front()), fmt::format("one pass over all that has to do with {} may try {} combinations, and {} "
+                                          "are allowed",
+                                          words(shares.front()), amount(pass.sum), model_.pass.most));
     constexpr std::size_t most_noted = 5;
     for (std::size_t i = 0; i < shares.size() && i < most_noted; ++i)
-      finding.notes.push_back({shares[i].span, fmt::format("up to {} for {}", shares[i].trials, shares[i].words)});
+      finding.notes.push_back(
+          {span(shares[i]), fmt::format("up to {} for {}", shares[i].count.count, words(shares[i]))});
     if (model_.pass.span != Span{}) finding.notes.push_back({model_.pass.span, "this is the limit"});
     finding.help = "make tasks `apart`, give the groups fewer providers, or raise `limits: {pass: ...}`";
   }
 
   const Model& model_;
-  const std::vector<Node>& component_;
   Budget& budget_;
   Trials trials_;
   Findings& findings_;
-  std::map<Node, InPass> passes_;
+  std::set<std::uint32_t> reported_; ///< components with one decision that is too large already
 };
 
 } // namespace

@@ -7,8 +7,6 @@
 #include "runtime/core/base/state.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <vector>
 
 namespace director::analysis {
 
@@ -27,18 +25,9 @@ public:
         for (const Task& task : pack.tasks) decide(trials_.alone(task));
       }
     }
-    std::vector<std::int64_t> passes(tables.components.size());
-    const auto add = [&](GroupId group, std::int64_t count) {
-      std::int64_t& pass = passes[tables.groups[group.value].component];
-      pass = count > std::numeric_limits<std::int64_t>::max() - pass ? std::numeric_limits<std::int64_t>::max()
-                                                                     : pass + count;
-      out_.trials_in_a_pass = std::max(out_.trials_in_a_pass, pass);
-    };
-    for (const Task& root : model_.roots) {
-      decide(trials_.alone(root));
-      add(root.target, trials_.pass(root).count);
-    }
-    for (const GroupId group : model_.groups.ids()) add(group, trials_.pass(group).count.count);
+    for (const Task& root : model_.roots) decide(trials_.alone(root));
+    for (const PassTrials& pass : trials_.passes())
+      out_.trials_in_a_pass = std::max(out_.trials_in_a_pass, pass.sum.count);
     const WorkBound work = bound_work(model_, tables, trials_);
     out_.work_in_a_pass = work.pass;
     out_.work_in_a_micro_step = work.micro_step;

@@ -3,6 +3,7 @@
 #include "compiler/analysis/plans/trials.hpp"
 
 #include "compiler/graph/clusters.hpp"
+#include "compiler/graph/components.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -37,6 +38,7 @@ Trials::Trials(const Model& model, std::int64_t most_plans, Budget& budget)
       most_plans_(most_plans),
       budget_(budget),
       clusters_(find_clusters(model)),
+      components_(find_components(model)),
       ways_(model.groups.size()) {}
 
 CountedUnit Trials::alone(const Task& task) const { return {{&task}, {{&task}}}; }
@@ -114,6 +116,22 @@ LargestPack Trials::pass(GroupId group) {
     for (const Pack& pack : model_.providers[id].packs) {
       if (const TrialCount count = pass(pack); count.count > out.count.count) out = {count, id};
     }
+  }
+  return out;
+}
+
+std::vector<PassTrials> Trials::passes() {
+  std::vector<PassTrials> out;
+  for (const GroupId group : model_.groups.ids()) out.resize(std::max<std::size_t>(out.size(), component(group) + 1));
+  const auto add_share = [&](GroupId group, const PassTrials::Share& share) {
+    PassTrials& to = out[component(group)];
+    add(to.sum, share.count);
+    to.shares.push_back(share);
+  };
+  for (const Task& root : model_.roots) add_share(root.target, {pass(root), &root, {}});
+  for (const GroupId group : model_.groups.ids()) {
+    if (const LargestPack largest = pass(group); largest.count.count > 0)
+      add_share(group, {largest.count, nullptr, largest.provider});
   }
   return out;
 }

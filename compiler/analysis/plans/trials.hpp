@@ -6,6 +6,7 @@
 
 #include "compiler/analysis/plans/plans.hpp"
 
+#include <cstdint>
 #include <vector>
 
 namespace director::analysis {
@@ -31,6 +32,17 @@ struct LargestPack {
   ProviderId provider{}; ///< the owner of the pack
 };
 
+/// What one pass over a component may try, by what requests it: roots, and groups in order, each by its largest pack.
+struct PassTrials {
+  struct Share {
+    TrialCount count;
+    const Task* root = nullptr; ///< null: the tasks of `provider`
+    ProviderId provider{};
+  };
+  TrialCount sum;
+  std::vector<Share> shares; ///< without those that request nothing
+};
+
 class Trials {
 public:
   /// `most_plans`: limit for one provider; more are not counted.
@@ -53,12 +65,16 @@ public:
   TrialCount pass(const Pack& pack);
   TrialCount pass(const Task& root);
   LargestPack pass(GroupId group);
+  /// For each component, by number: what `limits: {pass: ...}` limits, and the bound of `check --verbose`.
+  std::vector<PassTrials> passes();
+  std::uint32_t component(GroupId group) const { return components_[group]; }
 
 private:
   const Model& model_;
   std::int64_t most_plans_;
   Budget& budget_;
   IdTable<EdgeId, EdgeId> clusters_;
+  IdTable<GroupId, std::uint32_t> components_;
   IdTable<GroupId, std::optional<TrialCount>> ways_;
 };
 

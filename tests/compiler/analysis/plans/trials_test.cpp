@@ -49,4 +49,18 @@ TEST_CASE("more plans than are counted are reported as a lower bound") {
   CHECK_FALSE(count.complete);
 }
 
+TEST_CASE("the trials of a pass are summed for each component, by what requests it") {
+  const tests::Analysed test("roots: [A, C]\ngroups:\n  A: {tasks: [B]}\n  B: " + ten + "  C: {}\n");
+  Budget budget;
+  Trials trials(test.model, 1000, budget);
+  const std::vector<PassTrials> passes = trials.passes();
+  REQUIRE(passes.size() == 2);
+  const PassTrials& whole = passes[trials.component(test.group("A"))];
+  CHECK(whole.sum.count == trials.pass(test.model.roots.front()).count + trials.pass(test.group("A")).count.count);
+  REQUIRE(whole.shares.size() == 2);
+  CHECK(whole.shares[0].root == &test.model.roots.front());
+  CHECK(whole.shares[1].provider == test.provider("A"));
+  CHECK(passes[trials.component(test.group("C"))].shares.size() == 1);
+}
+
 } // namespace
