@@ -1,7 +1,7 @@
 // Header: compiler/explore/search.hpp. Test: tests/compiler/explore/search_test.cpp.
 // SPDX-License-Identifier: MIT
+#include "compiler/base/choice_sequence.hpp"
 #include "compiler/explore/search.hpp"
-#include "compiler/explore/tape.hpp"
 #include "compiler/explore/watch.hpp"
 
 namespace director::compiler {
@@ -13,7 +13,7 @@ void Follower::replay(const Way& way, Before&& before, After&& after) {
   machine.forget();
   std::vector<Happens> happens;
   Packed here;
-  Tape tape;
+  ChoiceSequence choices;
   for (std::size_t step = 0; step < way.size(); ++step) {
     here.clear();
     machine.pack(here);
@@ -29,16 +29,16 @@ void Follower::replay(const Way& way, Before&& before, After&& after) {
         continue;
       }
       const std::uint32_t first = at;
-      tape.begin();
+      choices.begin();
       do {
         found = at++ == way[step];
         if (moved) machine.again();
         moved = true;
         ++micro_steps_;
         const Phase phase = machine.phase();
-        machine.take(happens[i], tape);
+        machine.take(happens[i], choices);
         if (found) after(machine, happens[i], phase);
-      } while (!found && tape.next());
+      } while (!found && choices.next());
       if (!found) counts.push_back(at - first);
     }
     machine.forget();

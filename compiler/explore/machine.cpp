@@ -86,8 +86,8 @@ void Machine::find_answers() {
 
 Outcome Machine::run(Run& run) {
   const FreeBody& body = ground_.bodies[run.provider()];
-  Deed& deed = deeds_.emplace_back(answers_[tape_->pick(answers_.size())]);
-  deed.puts = tape_->pick(body.puts.size());
+  Deed& deed = deeds_.emplace_back(answers_[choices_->pick(answers_.size())]);
+  deed.puts = choices_->pick(body.puts.size());
   for (const Put& put : body.puts[deed.puts]) run.set(put.state, put.value);
   if (deed.answer == Deed::Answer::keep) return run.keep();
   if (deed.answer == Deed::Answer::done) return run.done();
@@ -101,7 +101,7 @@ void Machine::handle(Handling& handling, Deed::Kind kind) {
   Deed deed;
   deed.kind = kind;
   deed.group = handling.group();
-  deed.puts = tape_->pick(puts.size());
+  deed.puts = choices_->pick(puts.size());
   for (const Put& put : puts[deed.puts]) handling.set(put.state, put.value);
   deeds_.push_back(deed);
 }
@@ -201,9 +201,9 @@ void Machine::post(const Happens& happens) {
   inbox_.post(records);
 }
 
-void Machine::take(const Happens& happens, Tape& tape) {
+void Machine::take(const Happens& happens, ChoiceSequence& choices) {
   using Kind = Happens::Kind;
-  tape_ = &tape;
+  choices_ = &choices;
   deeds_.clear();
   const bool handlers = engine_.memory().counters->handlers_set != 0;
   post(happens);

@@ -1,12 +1,12 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The real engine, one micro-step at a time, with bodies that pick their answers from a tape. Its state can be saved,
-// restored and compared with others.
+// The real engine, one micro-step at a time, with bodies that pick their answers from a sequence of choices. Its state
+// can be saved, restored and compared with others.
 
+#include "compiler/base/choice_sequence.hpp"
 #include "compiler/explore/foresight.hpp"
 #include "compiler/explore/packing.hpp"
 #include "compiler/explore/print.hpp"
-#include "compiler/explore/tape.hpp"
 #include "runtime/hosted/engine_memory.hpp"
 
 #include <cstddef>
@@ -29,8 +29,8 @@ public:
 
   /// What may happen now, in a fixed order.
   void list(std::vector<Happens>& out) const;
-  /// Takes one micro-step from the restored state; its bodies pick from the tape. Their answers are in deeds().
-  void take(const Happens& happens, Tape& tape);
+  /// Takes one micro-step from the restored state; its bodies pick from `choices`. Their answers are in deeds().
+  void take(const Happens& happens, ChoiceSequence& choices);
   const std::vector<Deed>& deeds() const { return deeds_; }
 
   Print print() const { return printer_.print(phase_); }
@@ -71,7 +71,7 @@ private:
   mutable std::vector<std::uint64_t> now_;
   std::vector<std::uint64_t> loaded_;
   Phase phase_ = Phase::rest, loaded_phase_ = Phase::rest;
-  Tape* tape_ = nullptr;
+  ChoiceSequence* choices_ = nullptr;
   std::vector<Deed> answers_, deeds_;
   std::vector<Input> records_;
   std::vector<Index> scratch_;

@@ -65,18 +65,18 @@ void Worker::expand(const Waiting& from, const Known& known, const PlayedTable& 
     const bool goes = happens.kind == Happens::Kind::go;
     const std::size_t answers = goes ? machine.answers().size() : 0;
     if (!foresees_ || (answers == 0 && happens.kind != Happens::Kind::set)) {
-      tape_.begin();
+      choices_.begin();
       take_all(happens, known, out);
       continue;
     }
     if (!goes) {
-      tape_.begin();
+      choices_.begin();
       take_new(happens, false);
       continue;
     }
     const std::size_t puts = machine.ground().bodies[machine.answers().front().provider].puts.size();
     for (std::size_t i = 0; i < answers * puts; ++i) {
-      tape_.begin({i / puts, i % puts});
+      choices_.begin({i / puts, i % puts});
       take_new(happens, i == 0);
     }
   }
@@ -88,7 +88,7 @@ std::uint32_t Worker::take_all(const Happens& happens, const Known& known, Expan
   do {
     if (moved_) machine.again();
     moved_ = true;
-    machine.take(happens, tape_);
+    machine.take(happens, choices_);
     if (look_) look_(machine);
     const Print print = machine.print();
     known.fetch(key_of(print, watched_)); // a likely key
@@ -96,7 +96,7 @@ std::uint32_t Worker::take_all(const Happens& happens, const Known& known, Expan
     const std::uint64_t remembered = watch.after(machine, seen_);
     for (const std::size_t assertion : seen_) out.seen.push_back({assertion, place_});
     const std::uint64_t key = key_of(print, remembered);
-    const bool usual = happens.kind == Happens::Kind::go && tape_.usual();
+    const bool usual = happens.kind == Happens::Kind::go && choices_.usual();
     // A state that this worker found before in the slice also precedes this one there, with its data.
     const bool fresh = !mine_.has(key) && !known.has(key);
     if (fresh || usual) {
@@ -115,7 +115,7 @@ std::uint32_t Worker::take_all(const Happens& happens, const Known& known, Expan
       }
     }
     ++place_;
-  } while (tape_.next());
+  } while (choices_.next());
   return place_ - before;
 }
 

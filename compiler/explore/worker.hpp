@@ -70,7 +70,7 @@ private:
   std::vector<Happens> happens_;
   std::vector<std::uint64_t> foreseen_; ///< keys of micro-steps, in order: of an input, or of a body's answer
   std::vector<std::size_t> seen_;
-  Tape tape_;
+  ChoiceSequence choices_;
   KeyTable mine_;                     ///< found in this slice
   PlayedTable mine_played_{1U << 15}; ///< and played, in any
   std::uint64_t watched_ = 0;         ///< what is remembered beside the expanded state

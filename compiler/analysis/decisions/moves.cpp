@@ -91,8 +91,8 @@ void Moves::change_in_all_ways(const std::function<bool(Change&)>& make) {
   do {
     Change change;
     if (make(change)) decide(change);
-  } while (left_ >= 0 && ways_.again());
-  ways_.clear();
+  } while (left_ >= 0 && ways_.next());
+  ways_.begin();
 }
 
 /// Visits all outcomes of the decision, each once.
@@ -124,8 +124,8 @@ void Moves::decide(const Moment& from, Rows anew, const std::function<void(const
     if (picks_.has_picked() && !outcomes_.add(*next)) continue;
     act(from, *next);
     visit(*next);
-  } while (picks_.again());
-  picks_.clear();
+  } while (picks_.next());
+  picks_.begin();
 }
 
 /// Section 5.

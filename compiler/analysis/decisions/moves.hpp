@@ -43,7 +43,7 @@ private:
   const Component& part_;
   Gathered& gathered_;
   std::int64_t& left_;
-  Picks picks_, ways_;
+  ChoiceSequence picks_, ways_;
   Pass pass_;
   Seen<Change> decided_;
   Seen<Moment> outcomes_; ///< of the current decision

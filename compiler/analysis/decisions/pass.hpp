@@ -6,8 +6,8 @@
 
 #include "compiler/analysis/decisions/few.hpp"
 #include "compiler/analysis/decisions/moment.hpp"
-#include "compiler/analysis/decisions/picks.hpp"
 #include "compiler/analysis/decisions/seen.hpp"
+#include "compiler/base/choice_sequence.hpp"
 
 #include <optional>
 #include <vector>
@@ -44,7 +44,10 @@ struct Gathered {
 
 class Pass {
 public:
-  Pass(const Component& part, Picks& picks, Gathered& gathered) : part_(part), picks_(picks), gathered_(gathered) {}
+  Pass(const Component& part, ChoiceSequence& picks, Gathered& gathered)
+      : part_(part),
+        picks_(picks),
+        gathered_(gathered) {}
   /// Sets the input of the next passes.
   void begin(const Moment& last, Rows anew);
   /// The next assignment, with new reasons to run in `outdated`. Empty: since begin() other picks have led to the same.
@@ -151,7 +154,7 @@ private:
   void add_pushes(const Chain& member, Row unmet, const Unit& unit, std::vector<PossiblePush>& out);
 
   const Component& part_;
-  Picks& picks_;
+  ChoiceSequence& picks_;
   Gathered& gathered_;
   Moment last_, now_;
   ChainBy last_holders_{}, holders_{};

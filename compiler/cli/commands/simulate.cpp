@@ -11,17 +11,17 @@ namespace director::compiler::cli {
 namespace {
 
 /// All events, as a robot's recorder writes them.
-class Tape {
+class TraceText {
 public:
-  Tape(const LoadedScenario& loaded, const std::string& path)
+  TraceText(const LoadedScenario& loaded, const std::string& path)
       : rows_(loaded.model, loaded.lowered),
         format_(trace_format_of(path, rows_.names(), loaded.behaviour)) {
     format_->begin(text_);
   }
   Observer observer() {
     return {[](void* self, const Event& event) {
-              auto& tape = *static_cast<Tape*>(self);
-              tape.format_->event(event, tape.text_);
+              auto& trace = *static_cast<TraceText*>(self);
+              trace.format_->event(event, trace.text_);
             },
             this};
   }
@@ -50,10 +50,10 @@ int run(const Simulate& request, Console& console) {
   };
   PlayOptions options;
   options.decisions = request.decisions;
-  std::optional<Tape> tape;
-  if (!request.trace.empty()) options.events = tape.emplace(loaded, request.trace).observer();
+  std::optional<TraceText> trace;
+  if (!request.trace.empty()) options.events = trace.emplace(loaded, request.trace).observer();
   const Played played = play(loaded.scenario, loaded.model, loaded.lowered, options, sink);
-  if (tape && !write({{request.trace, tape->take(), is_trace}}, console)) return misused;
+  if (trace && !write({{request.trace, trace->take(), is_trace}}, console)) return misused;
   if (played.refused || played.budget_exhausted) console.out.flush();
   if (played.budget_exhausted) print_early_end(played, request.file, console);
   if (played.refused) {
