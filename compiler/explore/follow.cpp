@@ -50,7 +50,7 @@ std::vector<Taken> Follower::follow(const Way& way) {
   replay(
       way, [](const Machine&) {},
       [&](const Machine& machine, const Happens& happens, Phase before) {
-        out.push_back({happens, machine.deeds(), before, machine.phase()});
+        out.push_back({happens, machine.actions(), before, machine.phase()});
       });
   return out;
 }

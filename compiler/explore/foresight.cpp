@@ -15,44 +15,44 @@
 
 namespace director::compiler {
 
-Foresight::Foresight(const Ground& ground, const Engine& engine, const Printer& printer)
+Foresight::Foresight(const Ground& ground, const Engine& engine, const StateHasher& hasher)
     : ground_(ground),
       engine_(engine),
-      printer_(printer),
+      hasher_(hasher),
       request_(ground.tables.edges.size()) {
   const std::size_t most = ground.tables.most_edges;
   projection_.resize(most + most / 4 + 2 + Projection::stride);
 }
 
-void Foresight::look(std::span<const Deed> answers, bool inputs) {
-  values_ = printer_.values();
+void Foresight::look(std::span<const Action> answers, bool inputs) {
+  values_ = hasher_.values();
   before_.clear();
   for (Index v = 0; v < ground_.tables.states.size(); ++v) before_.push_back(engine_.value(v));
-  if (inputs) input_rest_ = printer_.rest_before(nil);
+  if (inputs) input_rest_ = hasher_.rest_before(nil);
   body_rest_.clear();
   body_values_.clear();
   if (answers.empty()) return;
-  const std::uint64_t rest = printer_.rest_before(answers.front().group);
-  for (const Deed& deed : answers) body_rest_.push_back(fold(rest ^ salt[6], effect_of(deed) ^ salt[0]));
+  const std::uint64_t rest = hasher_.rest_before(answers.front().group);
+  for (const Action& action : answers) body_rest_.push_back(fold(rest ^ salt[6], effect_of(action) ^ salt[0]));
   for (const Puts& puts : ground_.bodies[answers.front().provider].puts) body_values_.push_back(values_with(puts));
 }
 
 /// The requests of its group and its done flag after its answer.
-std::uint64_t Foresight::effect_of(const Deed& deed) {
+std::uint64_t Foresight::effect_of(const Action& action) {
   const Tables& t = ground_.tables;
   const director::State& s = engine_.memory();
-  const Range own = t.groups[deed.group].edges;
-  const bool pack = deed.answer == Deed::Answer::pack || deed.answer == Deed::Answer::kept;
+  const Range own = t.groups[action.group].edges;
+  const bool pack = action.answer == Action::Answer::pack || action.answer == Action::Answer::kept;
   Projection all(projection_.data());
   for (Index e = own.begin; e != own.end; ++e) {
     request_[e].level = pack ? nil : s.request[e].level;
     all.add(request_[e].level);
   }
   if (pack) {
-    for (const RequestedLevel& request : ground_.bodies[deed.provider].packs[deed.pack]) {
+    for (const RequestedLevel& request : ground_.bodies[action.provider].packs[action.pack]) {
       const Index target = t.edges[request.edge].target;
       const bool has_new_task = (s.run_queue[target].pending & static_cast<std::uint8_t>(Reason::new_task)) != 0;
-      const bool stays = deed.answer == Deed::Answer::kept && s.request[request.edge].level == request.level;
+      const bool stays = action.answer == Action::Answer::kept && s.request[request.edge].level == request.level;
       const bool is_news = !stays && s.last[target].holder == request.edge && !has_new_task;
       request_[request.edge].level = request.level;
       projection_[request.edge - own.begin] = std::uint64_t{is_news} << 32 | request.level;
@@ -60,9 +60,9 @@ std::uint64_t Foresight::effect_of(const Deed& deed) {
   }
   for (Index e = own.begin; e != own.end; ++e)
     request_[e].stamp = request_[e].level == s.request[e].level ? s.request[e].stamp : s.counters->micro_step + 1;
-  printer_.add_places(all, deed.group, request_.data());
-  const bool stays_done = deed.answer == Deed::Answer::keep && s.run_queue[deed.group].done != 0;
-  all.add(deed.answer == Deed::Answer::done ? 2U : stays_done ? 1U : 0U);
+  hasher_.add_places(all, action.group, request_.data());
+  const bool stays_done = action.answer == Action::Answer::keep && s.run_queue[action.group].done != 0;
+  all.add(action.answer == Action::Answer::done ? 2U : stays_done ? 1U : 0U);
   return all.sum();
 }
 
@@ -71,7 +71,7 @@ std::uint64_t Foresight::values_with(const Puts& puts) const {
   for (auto put = puts.begin(); put != puts.end(); ++put) {
     const bool again =
         std::any_of(std::next(put), puts.end(), [&](const Put& later) { return later.state == put->state; });
-    if (!again) out += printer_.mark_of(put->state, put->value) - printer_.mark_of(put->state, before_[put->state]);
+    if (!again) out += hasher_.mark_of(put->state, put->value) - hasher_.mark_of(put->state, before_[put->state]);
   }
   return out;
 }

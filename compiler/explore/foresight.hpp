@@ -4,7 +4,7 @@
 // arbitration.
 
 #include "compiler/explore/happens.hpp"
-#include "compiler/explore/print.hpp"
+#include "compiler/explore/state_hash.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,11 +15,11 @@ namespace director::compiler {
 
 class Foresight {
 public:
-  Foresight(const Ground& ground, const Engine& engine, const Printer& printer);
+  Foresight(const Ground& ground, const Engine& engine, const StateHasher& hasher);
 
   /// Reads the state of the engine. `answers`: the possible answers of the body that runs next, all of one provider;
   /// none if none runs next. `inputs`: inputs are possible.
-  void look(std::span<const Deed> answers, bool inputs);
+  void look(std::span<const Action> answers, bool inputs);
 
   // A number for the micro-step from that state, wherever the engine is now: the same for micro-steps with equal
   // results, equally many (and with a chance of 2^-64 for two others), wherever they begin. `watch`: what is remembered
@@ -32,12 +32,12 @@ public:
   std::uint64_t of_input(const Puts& puts, std::uint64_t watch) const;
 
 private:
-  std::uint64_t effect_of(const Deed& deed);
+  std::uint64_t effect_of(const Action& action);
   std::uint64_t values_with(const Puts& puts) const;
 
   const Ground& ground_;
   const Engine& engine_;
-  const Printer& printer_;
+  const StateHasher& hasher_;
   std::uint64_t input_rest_ = 0, values_ = 0;
   std::vector<std::uint64_t> body_rest_;   ///< answer
   std::vector<std::uint64_t> body_values_; ///< row of FreeBody::puts

@@ -26,7 +26,7 @@ struct Happens {
 };
 
 /// What a body or handler did, or may do.
-struct Deed {
+struct Action {
   enum class Kind : std::uint8_t { run, start, stop };
   enum class Answer : std::uint8_t { pack, kept, keep, done };
   Kind kind = Kind::run;

@@ -39,8 +39,8 @@ Machine::Machine(const Ground& ground, Breadth breadth)
       memory_(ground.tables),
       engine_(ground.tables, memory_.state().data(), table(), inbox_),
       block_(director::State::decision_bytes(Shape::of(ground.tables))),
-      printer_(ground, engine_),
-      foresight_(ground, engine_, printer_) {
+      hasher_(ground, engine_),
+      foresight_(ground, engine_, hasher_) {
   engine_.set_budget(1);
   engine_.step(0);
   read(now_);
@@ -51,8 +51,10 @@ Bodies Machine::table() {
   Bodies out;
   out.self = this;
   out.run = [](void* self, Run& run) { return static_cast<Machine*>(self)->run(run); };
-  out.start = [](void* self, Handling& handling) { static_cast<Machine*>(self)->handle(handling, Deed::Kind::start); };
-  out.stop = [](void* self, Handling& handling) { static_cast<Machine*>(self)->handle(handling, Deed::Kind::stop); };
+  out.start = [](void* self, Handling& handling) {
+    static_cast<Machine*>(self)->handle(handling, Action::Kind::start);
+  };
+  out.stop = [](void* self, Handling& handling) { static_cast<Machine*>(self)->handle(handling, Action::Kind::stop); };
   return out;
 }
 
@@ -66,44 +68,44 @@ bool Machine::keeps(const RequestedPack& pack) const {
 void Machine::find_answers() {
   answers_.clear();
   if (!runs_next()) return;
-  Deed deed;
-  deed.group = engine_.memory().counters->queue_first;
-  deed.provider = engine_.active(deed.group);
-  const FreeBody& body = ground_.bodies[deed.provider];
+  Action action;
+  action.group = engine_.memory().counters->queue_first;
+  action.provider = engine_.active(action.group);
+  const FreeBody& body = ground_.bodies[action.provider];
   const std::vector<RequestedPack>& packs = body.packs;
   const std::size_t tried = breadth_ == Breadth::lean ? body.usual : packs.size();
-  for (; deed.pack < tried; ++deed.pack) answers_.push_back(deed);
-  deed.answer = Deed::Answer::kept;
-  for (deed.pack = 0; breadth_ != Breadth::lean && deed.pack < packs.size(); ++deed.pack) {
-    if (keeps(packs[deed.pack])) answers_.push_back(deed);
+  for (; action.pack < tried; ++action.pack) answers_.push_back(action);
+  action.answer = Action::Answer::kept;
+  for (action.pack = 0; breadth_ != Breadth::lean && action.pack < packs.size(); ++action.pack) {
+    if (keeps(packs[action.pack])) answers_.push_back(action);
   }
-  deed.pack = 0;
-  deed.answer = Deed::Answer::keep;
-  answers_.push_back(deed);
-  deed.answer = Deed::Answer::done;
-  if (engine_.memory().run_queue[deed.group].done == 0) answers_.push_back(deed);
+  action.pack = 0;
+  action.answer = Action::Answer::keep;
+  answers_.push_back(action);
+  action.answer = Action::Answer::done;
+  if (engine_.memory().run_queue[action.group].done == 0) answers_.push_back(action);
 }
 
 Outcome Machine::run(Run& run) {
   const FreeBody& body = ground_.bodies[run.provider()];
-  Deed& deed = deeds_.emplace_back(answers_[choices_->pick(answers_.size())]);
-  deed.puts = choices_->pick(body.puts.size());
-  for (const Put& put : body.puts[deed.puts]) run.set(put.state, put.value);
-  if (deed.answer == Deed::Answer::keep) return run.keep();
-  if (deed.answer == Deed::Answer::done) return run.done();
-  for (const RequestedLevel& request : body.packs[deed.pack])
-    run.request(request.edge, request.level, deed.answer == Deed::Answer::kept);
+  Action& action = actions_.emplace_back(answers_[choices_->pick(answers_.size())]);
+  action.puts = choices_->pick(body.puts.size());
+  for (const Put& put : body.puts[action.puts]) run.set(put.state, put.value);
+  if (action.answer == Action::Answer::keep) return run.keep();
+  if (action.answer == Action::Answer::done) return run.done();
+  for (const RequestedLevel& request : body.packs[action.pack])
+    run.request(request.edge, request.level, action.answer == Action::Answer::kept);
   return run.pack();
 }
 
-void Machine::handle(Handling& handling, Deed::Kind kind) {
-  const std::vector<Puts>& puts = (kind == Deed::Kind::start ? ground_.starting : ground_.stopping)[handling.group()];
-  Deed deed;
-  deed.kind = kind;
-  deed.group = handling.group();
-  deed.puts = choices_->pick(puts.size());
-  for (const Put& put : puts[deed.puts]) handling.set(put.state, put.value);
-  deeds_.push_back(deed);
+void Machine::handle(Handling& handling, Action::Kind kind) {
+  const std::vector<Puts>& puts = (kind == Action::Kind::start ? ground_.starting : ground_.stopping)[handling.group()];
+  Action action;
+  action.kind = kind;
+  action.group = handling.group();
+  action.puts = choices_->pick(puts.size());
+  for (const Put& put : puts[action.puts]) handling.set(put.state, put.value);
+  actions_.push_back(action);
 }
 
 void Machine::list(std::vector<Happens>& out) const {
@@ -204,7 +206,7 @@ void Machine::post(const Happens& happens) {
 void Machine::take(const Happens& happens, ChoiceSequence& choices) {
   using Kind = Happens::Kind;
   choices_ = &choices;
-  deeds_.clear();
+  actions_.clear();
   const bool handlers = engine_.memory().counters->handlers_set != 0;
   post(happens);
   const bool rests = engine_.step(0) == StepResult::quiescent;

@@ -6,7 +6,7 @@
 #include "compiler/base/choice_sequence.hpp"
 #include "compiler/explore/foresight.hpp"
 #include "compiler/explore/packing.hpp"
-#include "compiler/explore/print.hpp"
+#include "compiler/explore/state_hash.hpp"
 #include "runtime/hosted/engine_memory.hpp"
 
 #include <cstddef>
@@ -29,16 +29,16 @@ public:
 
   /// What may happen now, in a fixed order.
   void list(std::vector<Happens>& out) const;
-  /// Takes one micro-step from the restored state; its bodies pick from `choices`. Their answers are in deeds().
+  /// Takes one micro-step from the restored state; its bodies pick from `choices`. Their answers are in actions().
   void take(const Happens& happens, ChoiceSequence& choices);
-  const std::vector<Deed>& deeds() const { return deeds_; }
+  const std::vector<Action>& actions() const { return actions_; }
 
-  Print print() const { return printer_.print(phase_); }
+  StateHash hash() const { return hasher_.hash(phase_); }
   /// Resets what no decision depends on: the age of requests.
   void forget();
 
   /// The possible answers of the body that runs next in the restored state; none if none runs next.
-  const std::vector<Deed>& answers() const { return answers_; }
+  const std::vector<Action>& answers() const { return answers_; }
   /// Reads the restored state, before anything else is taken.
   const Foresight& look_ahead();
 
@@ -48,7 +48,7 @@ public:
 
 private:
   Outcome run(Run& run);
-  void handle(Handling& handling, Deed::Kind kind);
+  void handle(Handling& handling, Action::Kind kind);
   void find_answers();
   bool keeps(const RequestedPack& pack) const;
   bool runs_next() const;
@@ -65,14 +65,14 @@ private:
   EngineMemory memory_;
   Engine engine_;
   std::size_t block_; ///< bytes of the decision state
-  Printer printer_;
+  StateHasher hasher_;
   Foresight foresight_;
   Packing packing_; ///< relative to the engine's first state
   mutable std::vector<std::uint64_t> now_;
   std::vector<std::uint64_t> loaded_;
   Phase phase_ = Phase::rest, loaded_phase_ = Phase::rest;
   ChoiceSequence* choices_ = nullptr;
-  std::vector<Deed> answers_, deeds_;
+  std::vector<Action> answers_, actions_;
   std::vector<Input> records_;
   std::vector<Index> scratch_;
 };

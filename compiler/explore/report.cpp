@@ -38,9 +38,9 @@ std::string file_name(const std::string& words, std::size_t number = 0) {
 std::string moving(const std::vector<Taken>& round, const Model& model) {
   std::set<std::string> names;
   for (const Taken& taken : round) {
-    for (const Deed& deed : taken.deeds)
-      names.insert(deed.kind == Deed::Kind::run ? model.full_name(ProviderId{deed.provider})
-                                                : model.groups[GroupId{deed.group}].name.value);
+    for (const Action& action : taken.actions)
+      names.insert(action.kind == Action::Kind::run ? model.full_name(ProviderId{action.provider})
+                                                    : model.groups[GroupId{action.group}].name.value);
   }
   return fmt::format("{}", fmt::join(names, ", "));
 }

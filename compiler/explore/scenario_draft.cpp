@@ -19,15 +19,15 @@ bool ScenarioDraft::fill(const std::vector<Taken>& way) {
   last_set_.resize(g_.tables.states.size(), 0);
   for (const Taken& taken : way) {
     if (taken.happens.kind != Happens::Kind::go && !input(taken)) return false;
-    for (const Deed& deed : taken.deeds) act(deed);
+    for (const Action& action : taken.actions) act(action);
   }
   return true;
 }
 
 void ScenarioDraft::repeat(const std::vector<Taken>& round) {
   for (const Taken& taken : round) {
-    for (const Deed& deed : taken.deeds) {
-      const auto [name, words] = words_.effects(deed);
+    for (const Action& action : taken.actions) {
+      const auto [name, words] = words_.effects(action);
       if (!words.empty() && repeated_.insert(name).second) script_[name].push_back(words);
     }
   }
@@ -88,20 +88,21 @@ bool ScenarioDraft::input(const Taken& taken) {
   return true;
 }
 
-void ScenarioDraft::act(const Deed& deed) {
-  auto [name, words] = words_.effects(deed);
+void ScenarioDraft::act(const Action& action) {
+  auto [name, words] = words_.effects(action);
   words.insert(words.begin(), fmt::format("run: {}", ++counts_[name]));
-  for (const Put& put : words_.puts_of(deed)) last_set_[put.state] = now_;
-  if (deed.kind != Deed::Kind::run) {
-    lines_.push_back(fmt::format("{} {}", deed.kind == Deed::Kind::start ? "start" : "stop", words_.group(deed.group)));
+  for (const Put& put : words_.puts_of(action)) last_set_[put.state] = now_;
+  if (action.kind != Action::Kind::run) {
+    lines_.push_back(
+        fmt::format("{} {}", action.kind == Action::Kind::start ? "start" : "stop", words_.group(action.group)));
     if (words.size() > 1) script_[name].push_back(std::move(words));
     return;
   }
   lines_.push_back("run " + name);
-  if (deed.answer == Deed::Answer::done) lines_.push_back("done " + words_.group(deed.group));
+  if (action.answer == Action::Answer::done) lines_.push_back("done " + words_.group(action.group));
   Cases& cases = script_[name];
   cases.push_back(std::move(words));
-  last_run_[deed.group] = {&cases, cases.size() - 1, now_};
+  last_run_[action.group] = {&cases, cases.size() - 1, now_};
 }
 
 } // namespace director::compiler

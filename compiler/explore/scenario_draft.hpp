@@ -36,7 +36,7 @@ private:
   void begin_step(const Taken& taken);
   bool advance(Time by);
   bool input(const Taken& taken);
-  void act(const Deed& deed);
+  void act(const Action& action);
 
   struct LastRun {
     Cases* cases = nullptr;

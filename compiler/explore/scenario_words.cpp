@@ -31,31 +31,33 @@ std::string ScenarioWords::set(const Puts& puts) const {
   return fmt::format("set: {{{}}}", fmt::join(out, ", "));
 }
 
-const Puts& ScenarioWords::puts_of(const Deed& deed) const {
-  switch (deed.kind) {
-  case Deed::Kind::start: return g_.starting[deed.group][deed.puts];
-  case Deed::Kind::stop: return g_.stopping[deed.group][deed.puts];
-  case Deed::Kind::run: break;
+const Puts& ScenarioWords::puts_of(const Action& action) const {
+  switch (action.kind) {
+  case Action::Kind::start: return g_.starting[action.group][action.puts];
+  case Action::Kind::stop: return g_.stopping[action.group][action.puts];
+  case Action::Kind::run: break;
   }
-  return g_.bodies[deed.provider].puts[deed.puts];
+  return g_.bodies[action.provider].puts[action.puts];
 }
 
-std::pair<std::string, std::vector<std::string>> ScenarioWords::effects(const Deed& deed) const {
-  const bool runs = deed.kind == Deed::Kind::run;
+std::pair<std::string, std::vector<std::string>> ScenarioWords::effects(const Action& action) const {
+  const bool runs = action.kind == Action::Kind::run;
   std::vector<std::string> words;
   if (runs) {
-    const FreeBody& body = g_.bodies[deed.provider];
-    const Provider& row = m_.providers[ProviderId{deed.provider}];
-    switch (deed.answer) {
-    case Deed::Answer::keep: words.emplace_back("continue: true"); break;
-    case Deed::Answer::done: words.emplace_back("done: true"); break;
-    case Deed::Answer::pack:
-    case Deed::Answer::kept: answer(row, body.packs[deed.pack], deed.answer == Deed::Answer::kept, words); break;
+    const FreeBody& body = g_.bodies[action.provider];
+    const Provider& row = m_.providers[ProviderId{action.provider}];
+    switch (action.answer) {
+    case Action::Answer::keep: words.emplace_back("continue: true"); break;
+    case Action::Answer::done: words.emplace_back("done: true"); break;
+    case Action::Answer::pack:
+    case Action::Answer::kept:
+      answer(row, body.packs[action.pack], action.answer == Action::Answer::kept, words);
+      break;
     }
   }
-  if (!puts_of(deed).empty()) words.push_back(set(puts_of(deed)));
-  const std::string name =
-      runs ? provider(deed.provider) : group(deed.group) + (deed.kind == Deed::Kind::start ? ".start" : ".stop");
+  if (!puts_of(action).empty()) words.push_back(set(puts_of(action)));
+  const std::string name = runs ? provider(action.provider)
+                                : group(action.group) + (action.kind == Action::Kind::start ? ".start" : ".stop");
   return {name, words};
 }
 

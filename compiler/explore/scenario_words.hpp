@@ -21,10 +21,10 @@ public:
   std::string request(const RequestedPack& pack) const; ///< `request: Walk`
   std::string set(const Puts& puts) const;              ///< `set: {Pose: standing}`
 
-  /// What a body or a handler sets in this deed.
-  const Puts& puts_of(const Deed& deed) const;
+  /// What a body or a handler sets in this action.
+  const Puts& puts_of(const Action& action) const;
   /// The script's entry, and the text of its case without a guard.
-  std::pair<std::string, std::vector<std::string>> effects(const Deed& deed) const;
+  std::pair<std::string, std::vector<std::string>> effects(const Action& action) const;
 
 private:
   /// With the level's name, unless it is the first of the entry.

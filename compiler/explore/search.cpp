@@ -48,7 +48,7 @@ public:
     Machine& machine = workers_.front()->machine;
     machine.start();
     Step first;
-    first.key = key_of(machine.print(), 0);
+    first.key = key_of(machine.hash(), 0);
     first.roots = requested_roots(machine);
     machine.forget();
     Packed state;

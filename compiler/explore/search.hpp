@@ -72,7 +72,7 @@ Searched search(const Ground& ground, const SearchOptions& options);
 /// One micro-step of a way, replayed.
 struct Taken {
   Happens happens;
-  std::vector<Deed> deeds;
+  std::vector<Action> actions;
   Phase before = Phase::rest, after = Phase::rest;
 };
 /// The ways of one search, each from the start without saving and restoring states in between. What can happen at a

@@ -78,8 +78,8 @@ std::uint64_t Watch::after(const Machine& machine, std::vector<std::size_t>& see
     case Assertion::Kind::never_together: is_seen = together(one, machine); break;
     case Assertion::Kind::beats: is_seen = machine.phase() == Phase::rest && blocked(one, machine); break;
     case Assertion::Kind::can_run:
-      is_seen = std::any_of(machine.deeds().begin(), machine.deeds().end(), [&](const Deed& deed) {
-        return deed.kind == Deed::Kind::run && deed.group == one.groups.front();
+      is_seen = std::any_of(machine.actions().begin(), machine.actions().end(), [&](const Action& action) {
+        return action.kind == Action::Kind::run && action.group == one.groups.front();
       });
       break;
     case Assertion::Kind::soft:
@@ -125,11 +125,11 @@ bool Watch::requested(Index group, const Machine& machine) const {
 /// Whether a causing provider of the first one ran while the second one is requested; or it set its state and has been
 /// active since.
 std::uint64_t Watch::remember(const One& one, const Machine& machine, std::uint64_t bits) const {
-  for (const Deed& deed : machine.deeds()) {
-    if (deed.kind != Deed::Kind::run || deed.group != one.groups.front() || !causes(deed.provider)) continue;
+  for (const Action& action : machine.actions()) {
+    if (action.kind != Action::Kind::run || action.group != one.groups.front() || !causes(action.provider)) continue;
     if (requested(one.groups.back(), machine)) bits |= one.ran_since;
-    for (const Put& put : ground_.bodies[deed.provider].puts[deed.puts]) {
-      if (keeps_promise(deed.provider, put)) bits |= one.active_since;
+    for (const Put& put : ground_.bodies[action.provider].puts[action.puts]) {
+      if (keeps_promise(action.provider, put)) bits |= one.active_since;
     }
   }
   return bits;
@@ -164,13 +164,13 @@ std::optional<std::int32_t> Watch::decided_by(Index state, const Machine& machin
   std::optional<std::int32_t> by_body;
   bool later = row.of && before_[row.of->id.value].active != nil &&
                machine.engine().active(static_cast<Index>(row.of->id.value)) == nil;
-  for (const Deed& deed : machine.deeds()) {
-    const Puts& puts = deed.kind == Deed::Kind::run     ? ground_.bodies[deed.provider].puts[deed.puts]
-                       : deed.kind == Deed::Kind::start ? ground_.starting[deed.group][deed.puts]
-                                                        : ground_.stopping[deed.group][deed.puts];
+  for (const Action& action : machine.actions()) {
+    const Puts& puts = action.kind == Action::Kind::run     ? ground_.bodies[action.provider].puts[action.puts]
+                       : action.kind == Action::Kind::start ? ground_.starting[action.group][action.puts]
+                                                            : ground_.stopping[action.group][action.puts];
     for (const Put& put : puts) {
       if (put.state != state) continue;
-      if (deed.kind == Deed::Kind::run)
+      if (action.kind == Action::Kind::run)
         by_body = put.value;
       else
         later = true;
@@ -277,8 +277,8 @@ bool Watch::hard_cut(const One& one, const Machine& machine) const {
 void Watch::note(const Machine& machine) {
   const Engine& engine = machine.engine();
   const Tables& t = ground_.tables;
-  for (const Deed& deed : machine.deeds()) {
-    if (deed.kind == Deed::Kind::run) happened.ran[deed.provider] = true;
+  for (const Action& action : machine.actions()) {
+    if (action.kind == Action::Kind::run) happened.ran[action.provider] = true;
   }
   const auto met = [&](Index provider) {
     const auto conditions = t.list(t.providers[provider].when);

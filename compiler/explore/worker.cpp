@@ -20,7 +20,7 @@ void Worker::foresee(const PlayedTable& played) {
   foreseen_.clear();
   if (!foresees_) return;
   const Foresight& ahead = machine.look_ahead();
-  const std::vector<Deed>& answers = machine.answers();
+  const std::vector<Action>& answers = machine.answers();
   const std::size_t puts = answers.empty() ? 0 : machine.ground().bodies[answers.front().provider].puts.size();
   for (std::size_t i = 0; i < answers.size(); ++i) {
     for (std::size_t j = 0; j < puts; ++j) foreseen_.push_back(ahead.of_body(i, j, watched_, watch.minds_puts()));
@@ -90,12 +90,12 @@ std::uint32_t Worker::take_all(const Happens& happens, const Known& known, Expan
     moved_ = true;
     machine.take(happens, choices_);
     if (look_) look_(machine);
-    const Print print = machine.print();
-    known.fetch(key_of(print, watched_)); // a likely key
+    const StateHash hash = machine.hash();
+    known.fetch(key_of(hash, watched_)); // a likely key
     seen_.clear();
     const std::uint64_t remembered = watch.after(machine, seen_);
     for (const std::size_t assertion : seen_) out.seen.push_back({assertion, place_});
-    const std::uint64_t key = key_of(print, remembered);
+    const std::uint64_t key = key_of(hash, remembered);
     const bool usual = happens.kind == Happens::Kind::go && choices_.usual();
     // A state that this worker found before in the slice also precedes this one there, with its data.
     const bool fresh = !mine_.has(key) && !known.has(key);

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Numbers that distinguish states of the engine. Equality of states: see print.cpp.
+// Numbers that distinguish states of the engine. Equality of states: see state_hash.cpp.
 
 #include "compiler/explore/happens.hpp"
 #include "compiler/explore/hash.hpp"
@@ -12,20 +12,20 @@
 namespace director::compiler {
 
 /// A state as numbers: its values, and all the rest.
-struct Print {
+struct StateHash {
   std::uint64_t rest = 0, values = 0;
 };
 
 /// One number of the state, and of what is remembered beside it. Never 0. The same for states that behave alike, and
 /// with a chance of 2^-64 for two others.
-std::uint64_t key_of(const Print& print, std::uint64_t watch);
+std::uint64_t key_of(const StateHash& hash, std::uint64_t watch);
 
-class Printer {
+class StateHasher {
 public:
   /// Of the current state of `engine` at each call.
-  Printer(const Ground& ground, const Engine& engine);
+  StateHasher(const Ground& ground, const Engine& engine);
 
-  Print print(Phase phase) const;
+  StateHash hash(Phase phase) const;
   std::uint64_t values() const;
 
   // For callers that know what the next micro-step writes before anything is decided (foresight.hpp): the rest without
@@ -52,9 +52,9 @@ private:
 
   const Ground& ground_;
   const Engine& engine_;
-  std::vector<Index> minded_;           ///< states whose values count
+  std::vector<Index> observed_;         ///< states whose values count
   std::vector<std::size_t> first_mark_; ///< state: of its classes, in marks_
-  std::vector<std::uint64_t> marks_;    ///< class of a state: its number in a Print; 0 for those that do not count
+  std::vector<std::uint64_t> marks_;    ///< class of a state: its number in a StateHash; 0 for those that do not count
   std::vector<Contested> contested_;
   mutable std::vector<std::uint64_t> projection_;
   mutable std::vector<Index> requested_;

@@ -1,4 +1,4 @@
-// Header: compiler/explore/print.hpp. Test: tests/compiler/explore/search_test.cpp.
+// Header: compiler/explore/state_hash.hpp. Test: tests/compiler/explore/search_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Defines when two states are equal: by everything in the decision state that semantics.md names as an input of the
@@ -7,7 +7,7 @@
 // is new_task, pushed or another, and of a done flag only whether it is set, because bodies may do anything in any
 // case; task data not at all. What the engine stores only for speed follows from the rest, since it must decide like a
 // pass from nothing.
-#include "compiler/explore/print.hpp"
+#include "compiler/explore/state_hash.hpp"
 
 #include <algorithm>
 #include <span>
@@ -48,12 +48,12 @@ void overwrite(std::uint64_t* rows, Index begin, Index end, int byte) {
 
 static_assert(std::has_unique_object_representations_v<GroupAssignment>, "it is hashed as the bytes that it is");
 
-std::uint64_t key_of(const Print& print, std::uint64_t watch) {
-  const std::uint64_t sum = fold(fold(print.rest ^ salt[3], print.values ^ salt[7]) ^ salt[1], watch ^ salt[4]);
+std::uint64_t key_of(const StateHash& hash, std::uint64_t watch) {
+  const std::uint64_t sum = fold(fold(hash.rest ^ salt[3], hash.values ^ salt[7]) ^ salt[1], watch ^ salt[4]);
   return sum == 0 ? 1 : sum;
 }
 
-Printer::Printer(const Ground& ground, const Engine& engine) : ground_(ground), engine_(engine) {
+StateHasher::StateHasher(const Ground& ground, const Engine& engine) : ground_(ground), engine_(engine) {
   find_marks();
   find_contested();
   const Tables& t = ground.tables;
@@ -67,12 +67,12 @@ Printer::Printer(const Ground& ground, const Engine& engine) : ground_(ground), 
                      t.groups.size() + Projection::stride);
 }
 
-void Printer::find_marks() {
+void StateHasher::find_marks() {
   marks_.push_back(0);
   for (Index v = 0; v < ground_.tables.states.size(); ++v) {
     const std::size_t classes = ground_.classes[v].count();
     const bool counts = classes > 1 || ground_.model.states[StateId{v}].may_be_unset();
-    if (counts) minded_.push_back(v);
+    if (counts) observed_.push_back(v);
     first_mark_.push_back(marks_.size());
     for (std::size_t c = 0; c <= classes; ++c) {
       const std::uint64_t name = std::uint64_t{v} << 32 | c;
@@ -81,7 +81,7 @@ void Printer::find_marks() {
   }
 }
 
-void Printer::find_contested() {
+void StateHasher::find_contested() {
   const Tables& t = ground_.tables;
   const auto look = [&](Range edges, Index group) {
     bool contested = false;
@@ -96,7 +96,7 @@ void Printer::find_contested() {
 
 /// For each requested edge, how many others of its priority were requested before. With only one, the usual case,
 /// nothing is added.
-void Printer::add_places(Projection& out, const Range& edges, const Requested* request) const {
+void StateHasher::add_places(Projection& out, const Range& edges, const Requested* request) const {
   const Tables& t = ground_.tables;
   Index* end = requested_.data();
   for (Index e = edges.begin; e != edges.end; ++e) { // without an unpredictable branch
@@ -120,19 +120,19 @@ void Printer::add_places(Projection& out, const Range& edges, const Requested* r
   if (count % 4 != 0) out.add(places);
 }
 
-void Printer::add_places(Projection& out, Index group, const Requested* request) const {
+void StateHasher::add_places(Projection& out, Index group, const Requested* request) const {
   for (const Contested& each : contested_) {
     if (each.group == group) add_places(out, each.edges, request);
   }
 }
 
-std::uint64_t* Printer::add_levels(Projection& out) const {
+std::uint64_t* StateHasher::add_levels(Projection& out) const {
   return out.add(engine_.memory().request, ground_.tables.edges.size(),
                  [](const Requested& request) { return request.level; });
 }
 
 /// Adds holders and active providers. Returns where the done flags begin; the reasons follow.
-std::uint64_t* Printer::add_holdings(Projection& out) const {
+std::uint64_t* StateHasher::add_holdings(Projection& out) const {
   const Tables& t = ground_.tables;
   const director::State& s = engine_.memory();
   out.add(s.last.group, t.groups.size());
@@ -145,12 +145,12 @@ std::uint64_t* Printer::add_holdings(Projection& out) const {
   return done;
 }
 
-void Printer::add_queue(Projection& out, Index first) const {
+void StateHasher::add_queue(Projection& out, Index first) const {
   const director::State& s = engine_.memory();
   for (Index g = first; g != nil; g = s.run_queue[g].runs_before) out.add(std::uint64_t{g} + 1);
 }
 
-Print Printer::print(Phase phase) const {
+StateHash StateHasher::hash(Phase phase) const {
   const Tables& t = ground_.tables;
   const director::State& s = engine_.memory();
   const director::Counters& c = *s.counters;
@@ -164,13 +164,13 @@ Print Printer::print(Phase phase) const {
   return {all.sum(), values()};
 }
 
-std::uint64_t Printer::values() const {
+std::uint64_t StateHasher::values() const {
   std::uint64_t out = 0;
-  for (const Index v : minded_) out += mark_of(v, engine_.value(v));
+  for (const Index v : observed_) out += mark_of(v, engine_.value(v));
   return out;
 }
 
-std::uint64_t Printer::rest_before(Index group) const {
+std::uint64_t StateHasher::rest_before(Index group) const {
   const Tables& t = ground_.tables;
   const director::State& s = engine_.memory();
   const bool runs = group != nil;
