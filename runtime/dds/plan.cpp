@@ -2,6 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/dds/plan.hpp"
 
+#include "runtime/core/saved/saved_state.hpp"
+
+#include <array>
+#include <cinttypes>
+#include <cstdio>
+
 namespace director::dds {
 
 namespace {
@@ -99,34 +105,6 @@ private:
   std::string mistakes_;
 };
 
-/// FNV-1a over numbers and texts.
-class Hash {
-public:
-  void add(std::uint64_t number) {
-    for (int i = 0; i < 8; ++i) byte(static_cast<std::uint8_t>(number >> (8 * i)));
-  }
-  void add(const char* text) {
-    for (; *text != 0; ++text) byte(static_cast<std::uint8_t>(*text));
-    byte(0);
-  }
-  void add_row(Index row) { add(row == nil ? ~std::uint64_t{0} : std::uint64_t{row}); }
-  void add(Range range) { add_row(range.begin), add_row(range.end); }
-  std::string text() const {
-    std::string out(16, '0');
-    for (std::size_t i = 0; i < 16; ++i) out[i] = "0123456789abcdef"[value_ >> (60 - 4 * i) & 15];
-    return out;
-  }
-
-private:
-  void byte(std::uint8_t value) { value_ = (value_ ^ value) * 0x100000001b3U; }
-  std::uint64_t value_ = 0xcbf29ce484222325U;
-};
-
-template <class Row>
-std::uint64_t count(const Row& rows) {
-  return rows.size();
-}
-
 } // namespace
 
 Plan resolve(const SettingsView& settings, const Plug& plug) { return Resolver(settings, plug).plan(); }
@@ -141,54 +119,12 @@ std::optional<std::int32_t> number_of(const Taken& taken, std::int32_t number) {
 }
 
 std::string specification_of(const Plug& plug) {
-  const Tables& t = plug.tables();
-  Hash hash;
-  hash.add(plug.fingerprint);
-  hash.add(count(t.groups));
-  for (Index row = 0; row < t.groups.size(); ++row) {
-    const Group& group = t.groups[row];
-    hash.add(plug.names.group(row));
-    hash.add(group.providers), hash.add(group.edges), hash.add(group.owned);
-    hash.add(std::uint64_t{group.start} + 2 * std::uint64_t{group.stop});
-  }
-  hash.add(count(t.providers));
-  for (Index row = 0; row < t.providers.size(); ++row) {
-    const Provider& provider = t.providers[row];
-    hash.add(plug.names.provider(row));
-    for (const Range range : {provider.when, provider.stay, provider.needs, provider.triggers, provider.effects,
-                              provider.causing, provider.promises})
-      hash.add(range);
-    hash.add(static_cast<std::uint64_t>(provider.every));
-  }
-  hash.add(count(t.edges));
-  for (const Edge& edge : t.edges) hash.add_row(edge.requester), hash.add_row(edge.target), hash.add(edge.levels);
-  hash.add(count(t.levels));
-  for (const Level& level : t.levels) {
-    hash.add(static_cast<std::uint64_t>(level.priority));
-    hash.add(std::uint64_t{level.optional} + 2 * std::uint64_t{level.apart});
-  }
-  hash.add(count(t.conditions));
-  for (Index row = 0; row < t.conditions.size(); ++row) hash.add(plug.names.condition(row));
-  hash.add(count(t.states));
-  for (Index row = 0; row < t.states.size(); ++row) {
-    const StateVariable& state = t.states[row];
-    const Domain& domain = plug.domains[row];
-    hash.add(plug.names.state(row));
-    for (const std::int32_t number : {domain.low, domain.high, state.initial, state.expires_to})
-      hash.add(static_cast<std::uint64_t>(number));
-    for (std::int32_t value = domain.low; value <= domain.high && *plug.names.value(row, value) != 0; ++value)
-      hash.add(plug.names.value(row, value));
-    hash.add(static_cast<std::uint64_t>(state.expires));
-    hash.add(std::uint64_t{state.external});
-  }
-  hash.add(count(t.promises));
-  for (const Promise& promise : t.promises) {
-    hash.add_row(promise.provider), hash.add_row(promise.condition);
-    hash.add(static_cast<std::uint64_t>(promise.within));
-  }
-  hash.add(count(t.lists));
-  for (const Index row : t.lists) hash.add_row(row);
-  return hash.text();
+  std::uint64_t all = plug.fingerprint;
+  for (const Domain& domain : plug.domains)
+    all = saved::mix(saved::mix(all, static_cast<std::uint32_t>(domain.low)), static_cast<std::uint32_t>(domain.high));
+  std::array<char, 20> text{};
+  std::snprintf(text.data(), text.size(), "%016" PRIx64, all);
+  return text.data();
 }
 
 } // namespace director::dds
