@@ -24,9 +24,6 @@ void Machine::write(const std::vector<std::uint64_t>& from) {
   std::memcpy(memory_.state().data(), from.data(), block_);
   const director::State& s = engine_.memory();
   if (queued != 0) std::memcpy(static_cast<void*>(s.queued), from.data() + Projection::words_of(block_), queued);
-  // Between micro-steps the last assignment is also in `now`, and an act that gives reasons in a component that was not
-  // decided again reads it there.
-  if (ground_.tables.components.size() > 1) std::copy_n(s.last.group, ground_.tables.groups.size(), s.now.group);
   engine_.forget_trail();
 }
 
