@@ -27,12 +27,6 @@ Stakes::Stakes(const Checked& checked, const Possible& possible, const Contests&
                                 analysis::Requested::by_group}),
       pushes_(possible.pushes()) {}
 
-const analysis::Claims& Stakes::claims(GroupId task) {
-  std::unique_ptr<analysis::Claims>& out = claims_[task];
-  if (!out) out = std::make_unique<analysis::Claims>(branches_, task);
-  return *out;
-}
-
 bool Stakes::has_choice(GroupId task) const {
   std::vector<bool> held = reachable(graph_.needs, task.value);
   held[task.value] = true;
@@ -45,7 +39,7 @@ const std::set<ProviderId>& Stakes::pushed_by(GroupId task, bool is_optional, bo
   const auto [at, fresh] = pushed_by_.try_emplace({task, is_optional, optional});
   std::set<ProviderId>& out = at->second;
   if (!fresh) return out;
-  const analysis::Claims& all = claims(task);
+  const analysis::Claims& all = claims_.of(task);
   for (const auto& [waiter, causers] : pushes_) {
     if (!all.contains(waiter)) continue;
     const bool counts =
@@ -73,7 +67,7 @@ Stake Stakes::between(const Edge& one, const Edge& other) {
 }
 
 void Stakes::add(const Edge& one, const Level& a, const Edge& other, const Level& b, Stake& out) {
-  const analysis::Claims &first = claims(one.target), &second = claims(other.target);
+  const analysis::Claims &first = claims_.of(one.target), &second = claims_.of(other.target);
   bool may_push = false;
   for (const bool optional : {false, true}) {
     const std::set<ProviderId>&ours = pushed_by(one.target, a.optional, optional),
@@ -124,9 +118,9 @@ void Stakes::add_led(const Edge& leader, const Level& level, const Place& place,
     if (is_mate && leads) return;
     if (is_mate) mates.push_back(&mate);
   }
-  const analysis::Claims& theirs = claims(rival.target);
+  const analysis::Claims& theirs = claims_.of(rival.target);
   for (const Edge* mate : mates) {
-    const analysis::Claims& held = claims(mate->target);
+    const analysis::Claims& held = claims_.of(mate->target);
     for (const GroupId group : held.groups()) {
       const bool wanted = theirs.find(group, Reach::own) != nullptr || theirs.find(group, Reach::mandatory) != nullptr;
       if (held.find(group, Reach::own) != nullptr && wanted) out.groups[group.value] = true;

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <map>
-#include <memory>
 #include <set>
 #include <string>
 #include <tuple>
@@ -35,7 +34,6 @@ public:
   Stake between(const Edge& one, const Edge& other);
 
 private:
-  const analysis::Claims& claims(GroupId task);
   void add(const Edge& one, const Level& a, const Edge& other, const Level& b, Stake& out);
   /// A unit is tried at the place of its first member: this one's unit, against one that is apart.
   void add_led(const Edge& leader, const Level& level, const Place& place, const Edge& rival, Stake& out);
@@ -50,7 +48,7 @@ private:
   const bool is_closed_; ///< it has roots: all requests are known
   const analysis::Facts& facts_;
   const analysis::Branches branches_;
-  std::map<GroupId, std::unique_ptr<analysis::Claims>> claims_;
+  const analysis::ClaimsCache claims_{branches_};
   const std::map<GroupId, std::set<ProviderId>>& pushes_; ///< by the group that waits
   std::map<std::tuple<GroupId, bool, bool>, std::set<ProviderId>> pushed_by_;
 };

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <map>
-#include <memory>
 #include <set>
 #include <utility>
 
@@ -162,12 +161,6 @@ private:
       add({Kind::push, waiter.value, causer.value}, model_.providers[causer].span);
   }
 
-  const analysis::Claims& claims(GroupId task) {
-    std::unique_ptr<analysis::Claims>& out = claims_[task];
-    if (!out) out = std::make_unique<analysis::Claims>(branches_, task);
-    return *out;
-  }
-
   void plan_take_overs(const analysis::Together& together) {
     for_each_pair(together, [&](const Task& taker, const Task& loser) {
       if (any_rivalry(together, taker, loser, [](const Rivalry& each) { return each.wins; }))
@@ -187,7 +180,7 @@ private:
   /// Whether some rivalry of the two was `enough`, with which the search ends.
   template <class Enough>
   bool any_rivalry(const analysis::Together& together, const Task& taker, const Task& loser, Enough enough) {
-    const analysis::Claims &of_taker = claims(taker.target), &of_loser = claims(loser.target);
+    const analysis::Claims &of_taker = claims_.of(taker.target), &of_loser = claims_.of(loser.target);
     const std::vector<GroupId>& others = of_loser.groups(); // both in order
     auto other = others.begin();
     for (const GroupId group : of_taker.groups()) {
@@ -251,7 +244,7 @@ private:
   const analysis::Branches branches_;
   const std::vector<analysis::Together> together_;
   IdTable<EdgeId, std::vector<Entry>> entries_; ///< filled on first use
-  std::map<GroupId, std::unique_ptr<analysis::Claims>> claims_;
+  const analysis::ClaimsCache claims_{branches_};
   std::set<CoveragePoint::Key> seen_;
   Coverage out_;
 };

@@ -183,4 +183,9 @@ std::vector<ChainStep> Claims::path(GroupId group) const {
   return reach == std::end(all_reaches) ? std::vector<ChainStep>{} : path(group, *reach);
 }
 
+const Claims& ClaimsCache::of(GroupId task) const {
+  const auto at = claims_.find(task);
+  return at != claims_.end() ? at->second : claims_.try_emplace(task, branches_, task).first->second;
+}
+
 } // namespace director::analysis

@@ -120,4 +120,15 @@ private:
   std::size_t effort_ = 0;
 };
 
+/// The claims of each task, found on first use.
+class ClaimsCache {
+public:
+  explicit ClaimsCache(const Branches& branches) : branches_(branches) {}
+  const Claims& of(GroupId task) const;
+
+private:
+  const Branches& branches_;
+  mutable std::map<GroupId, Claims> claims_;
+};
+
 } // namespace director::analysis

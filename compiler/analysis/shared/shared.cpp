@@ -88,9 +88,8 @@ const Branches& Shared::branches() const {
 }
 
 const Claims& Shared::claims(GroupId task) const {
-  const auto at = claims_.find(task);
-  if (at != claims_.end()) return at->second;
-  return claims_.try_emplace(task, branches(), task).first->second;
+  if (!claims_) claims_.emplace(branches());
+  return claims_->of(task);
 }
 
 const Claims& Shared::claims(GroupId task, GroupId requester) const {

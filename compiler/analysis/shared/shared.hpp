@@ -74,7 +74,7 @@ private:
   mutable std::optional<Units> units_;
   mutable std::optional<Standstill> standstill_;
   mutable std::optional<Branches> branches_;
-  mutable std::map<GroupId, Claims> claims_;
+  mutable std::optional<ClaimsCache> claims_;
   mutable std::map<std::pair<GroupId, GroupId>, Claims> claims_without_;
 };
 
