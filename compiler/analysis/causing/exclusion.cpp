@@ -91,28 +91,23 @@ private:
       for (const EdgeId edge : model_.groups[open[next]].requesters) {
         const auto requester = model_.edges[edge].requester;
         if (!requester) continue;
-        bool requests = false;
+        bool any_requests = false;
         for (const ProviderId id : model_.groups[*requester].providers) {
           if (!facts_.active.contains(id)) continue;
-          requests = explain_request(id, open[next]) || requests;
+          any_requests = explain_request(id, open[next]) || any_requests;
           explain_conditions(id);
         }
-        if (requests && seen.add(*requester)) open.push_back(*requester);
+        if (any_requests && seen.add(*requester)) open.push_back(*requester);
       }
     }
   }
 
   bool explain_request(ProviderId id, GroupId group) {
-    for (const Pack& pack : model_.providers[id].packs) {
-      for (const Task& task : pack.tasks) {
-        if (task.target != group) continue;
-        if (&task != reported_entry_)
-          notes_.push_back({task.span, fmt::format("{} requests {}", name_of(model_, id), name_of(model_, group))});
-        explain_members(pack, task);
-        return true;
-      }
-    }
-    return false;
+    const auto [pack, task] = find_entry(model_, id, group);
+    if (task == nullptr) return false;
+    if (task != reported_entry_) notes_.push_back(requests(model_, id, *task));
+    explain_members(*pack, *task);
+    return true;
   }
 
   /// Explains which tasks are granted only together with it, if their conditions use these states.

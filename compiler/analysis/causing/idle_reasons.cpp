@@ -6,6 +6,7 @@
 #include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/states/region.hpp"
 #include "compiler/analysis/states/sources.hpp"
+#include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 
 #include <fmt/format.h>
@@ -91,11 +92,11 @@ private:
     for (const EdgeId edge : model_.groups[group].requesters) {
       if (!model_.edges[edge].requester || model_.edges[edge].levels.empty()) continue;
       for (const ProviderId id : model_.groups[*model_.edges[edge].requester].providers) {
-        const Span entry = entry_of(id, group);
-        if (entry == Span{}) continue;
+        const Task* const entry = find_entry(model_, id, group).task;
+        if (entry == nullptr) continue;
         requested = true;
-        notes_.push_back(
-            {entry, fmt::format("{} requests {}, but never runs itself", name_of(model_, id), name_of(model_, group))});
+        notes_.push_back({entry->span, fmt::format("{} requests {}, but never runs itself", name_of(model_, id),
+                                                   name_of(model_, group))});
         next.push_back(id);
       }
     }
@@ -137,20 +138,10 @@ private:
     if (waiting.empty()) return;
     const Task* other = waiting.front();
     const GroupId target = other->target;
-    if (*own != reported_)
-      notes_.push_back({(*own)->span, fmt::format("{} requests {}", name_of(model_, by), name_of(model_, group))});
+    if (*own != reported_) notes_.push_back(requests(model_, by, **own));
     notes_.push_back({other->span, fmt::format("it is granted only together with {}", name_of(model_, target))});
     if (!deadlock_) deadlock_ = Deadlock{other, *own, {waiting.begin() + 1, waiting.end()}};
     others.push_back(target);
-  }
-
-  Span entry_of(ProviderId id, GroupId target) const {
-    for (const Pack& pack : model_.providers[id].packs) {
-      for (const Task& task : pack.tasks) {
-        if (task.target == target) return task.span;
-      }
-    }
-    return {};
   }
 
   void explain_condition(const ConditionUse& use) {

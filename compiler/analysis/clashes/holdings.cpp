@@ -44,15 +44,6 @@ std::vector<Holding> holdings_of(const Model& model, const Shared& shared, Provi
   return out;
 }
 
-const Task* entry_for(const Model& model, ProviderId provider, GroupId group) {
-  for (const Pack& pack : model.providers[provider].packs) {
-    for (const Task& task : pack.tasks) {
-      if (task.target == group) return &task;
-    }
-  }
-  return nullptr;
-}
-
 bool leads_to(const Model& model, const Shared& shared, ProviderId provider, GroupId group) {
   for (const Pack& pack : model.providers[provider].packs) {
     for (const Task& task : pack.tasks) {

@@ -18,9 +18,6 @@ struct Holding {
 /// By its needs and by what each of its packs requests, each with what that cannot run without.
 std::vector<Holding> holdings_of(const Model& model, const Shared& shared, ProviderId provider);
 
-/// The entry in which the provider requests the group; null: it does not.
-const Task* entry_for(const Model& model, ProviderId provider, GroupId group);
-
 /// Whether it requests the group, or a group that may lead to it.
 bool leads_to(const Model& model, const Shared& shared, ProviderId provider, GroupId group);
 

@@ -28,9 +28,9 @@ Losses::Because Losses::lost_request(ProviderId a, ProviderId b) const {
     const std::optional<GroupId> requester = model_.edges[edge].requester;
     if (!requester || model_.edges[edge].levels.empty()) continue;
     for (const ProviderId id : model_.groups[*requester].providers) {
-      const Task* task = entry_for(model_, id, to);
+      const Task* task = find_entry(model_, id, to).task;
       if (task == nullptr || !facts_.active.contains(id)) continue;
-      out.push_back({task->span, fmt::format("{} requests {}", name_of(model_, id), name_of(model_, to))});
+      out.push_back(requests(model_, id, *task));
     }
   }
   return out;
@@ -40,7 +40,7 @@ Losses::Because Losses::lost_group(ProviderId a, ProviderId b) const {
   if (row(a).group == row(b).group) return std::nullopt;
   const GroupId victim = row(b).group;
   for (const Holding& taken : holdings_of(model_, shared_, a)) {
-    if (taken.group == victim && taken.by_need && entry_for(model_, a, victim) == nullptr)
+    if (taken.group == victim && taken.by_need && find_entry(model_, a, victim).task == nullptr)
       return std::vector<Note>{taken.note};
     for (const Holding& wanted : holdings_of(model_, shared_, b)) {
       if (wanted.group != taken.group || !wanted.by_need) continue;

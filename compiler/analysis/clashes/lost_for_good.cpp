@@ -184,14 +184,10 @@ private:
   }
 
   void add_request(ProviderId by, GroupId group, const Stopping& stopping, std::vector<Note>& notes) {
-    for (const Pack& pack : model_.providers[by].packs) {
-      for (const Task& task : pack.tasks) {
-        if (task.target != group) continue;
-        add_note({task.span, fmt::format("{} requests {}", name_of(model_, by), name_of(model_, group))}, notes);
-        add_reason(by, stopping, notes);
-        return;
-      }
-    }
+    const Task* const task = find_entry(model_, by, group).task;
+    if (task == nullptr) return;
+    add_note(requests(model_, by, *task), notes);
+    add_reason(by, stopping, notes);
   }
 
   /// Explains the first source that makes it false, with preference for one that runs whether or not all this holds.

@@ -70,6 +70,19 @@ dsl::Note causes(const Model& model, ProviderId causer, ConditionId condition) {
   return {promise.span, fmt::format("{} causes {}", name_of(model, causer), name_of(model, promise.id))};
 }
 
+RequestEntry find_entry(const Model& model, ProviderId provider, GroupId group) {
+  for (const Pack& pack : model.providers[provider].packs) {
+    for (const Task& task : pack.tasks) {
+      if (task.target == group) return {&pack, &task};
+    }
+  }
+  return {};
+}
+
+dsl::Note requests(const Model& model, ProviderId provider, const Task& task) {
+  return {task.span, fmt::format("{} requests {}", name_of(model, provider), name_of(model, task.target))};
+}
+
 dsl::Note runs_only_while(const Model& model, ProviderId provider, const ConditionUse& condition) {
   return {condition.span, fmt::format("{} runs only while {}", name_of(model, provider), name_of(model, condition.id))};
 }

@@ -18,6 +18,16 @@ void add_chain(const Model& model, const std::vector<ChainStep>& chain, std::vec
 /// The place where one group requests another, preferably with a mandatory level; `Span{}`: it does not.
 dsl::Span request_span(const Model& model, GroupId from, GroupId to);
 
+/// The first entry by which a provider requests a group. `task` is null: it does not.
+struct RequestEntry {
+  const Pack* pack = nullptr;
+  const Task* task = nullptr;
+};
+RequestEntry find_entry(const Model& model, ProviderId provider, GroupId group);
+
+/// A note: the provider requests the task of this entry.
+dsl::Note requests(const Model& model, ProviderId provider, const Task& task);
+
 /// A note: the provider promises what satisfies the condition.
 dsl::Note causes(const Model& model, ProviderId causer, ConditionId condition);
 
