@@ -1,7 +1,6 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/causer_not_running.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/conflicts.hpp"
-#include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/requests/company.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
@@ -132,8 +131,8 @@ private:
   /// In a pack it would be granted only together with what waits, as the pack has no separate entry yet.
   bool must_be_apart(const Request& request, const std::vector<ProviderId>& causers) const {
     const std::vector<Task>& tasks = request.pack->tasks;
-    return shares_unit(model_, *request.task) && std::none_of(tasks.begin(), tasks.end(), [&](const Task& entry) {
-             return entry.target == model_.providers[causers.front()].group && !shares_unit(model_, entry);
+    return model_.is_always_member(*request.task) && std::none_of(tasks.begin(), tasks.end(), [&](const Task& entry) {
+             return entry.target == model_.providers[causers.front()].group && !model_.is_always_member(entry);
            });
   }
 

@@ -5,7 +5,6 @@
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/facts/waiting.hpp"
-#include "compiler/analysis/plans/trials.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/choice.hpp"
 #include "compiler/analysis/states/region.hpp"
@@ -70,7 +69,7 @@ void note_members(const Input& input, ProviderId id, const std::vector<Rival>& r
           std::find_if(pack.tasks.begin(), pack.tasks.end(), [&](const Task& task) { return task.target == group; });
       if (pack.name.empty() || at == pack.tasks.end()) continue;
       for (const Task& other : pack.tasks) {
-        if (other.target == group || !may_be_member(input.model, other) || !input.facts.may_wait.contains(other.target))
+        if (other.target == group || !input.model.may_be_member(other) || !input.facts.may_wait.contains(other.target))
           continue;
         finding.notes.push_back(
             {other.span, fmt::format("{} is granted here only together with {}, which waits for conditions of its own",

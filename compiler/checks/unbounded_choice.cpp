@@ -41,7 +41,7 @@ private:
       for (const Pack& pack : model_.providers[id].packs) {
         if (const CountedUnit unit = trials_.together(pack); !unit.members.empty()) look_at(unit);
         for (const Task& task : pack.tasks) {
-          if (!may_be_member(model_, task)) look_at(trials_.alone(task));
+          if (!model_.may_be_member(task)) look_at(trials_.alone(task));
         }
       }
     }

@@ -227,6 +227,17 @@ struct Model {
   bool each_level(const Task& task, const Test& test) const {
     return !any_level(task, [&](const Level& level) { return !test(level); });
   }
+  /// Whether it is granted together with the other mandatory tasks of its pack: at some level, at each, or at its
+  /// first.
+  bool may_be_member(const Task& task) const {
+    return any_level(task, [](const Level& level) { return level.shares_unit(); });
+  }
+  bool is_always_member(const Task& task) const {
+    return each_level(task, [](const Level& level) { return level.shares_unit(); });
+  }
+  bool is_usually_member(const Task& task) const {
+    return edges[task.edge].levels[task.levels.front().level].shares_unit();
+  }
   /// Whether a body that requests the pack of this task may leave it out: it is optional at one of its levels.
   bool may_be_left_out(const Task& task) const {
     return any_level(task, [](const Level& level) { return level.optional; });

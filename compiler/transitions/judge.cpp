@@ -49,13 +49,10 @@ private:
   }
 
   void reach_with_mates(const Link& link) {
-    const auto shares_unit = [&](const Task& task) {
-      return model_.edges[task.edge].levels[task.levels.front().level].shares_unit();
-    };
     reach(link.next->target);
-    if (!shares_unit(*link.next)) return;
+    if (!model_.is_usually_member(*link.next)) return;
     for (const Task& task : model_.providers[link.provider].packs[link.pack].tasks) {
-      if (shares_unit(task) && rest_.groups[task.target.value].by == task.edge) reach(task.target);
+      if (model_.is_usually_member(task) && rest_.groups[task.target.value].by == task.edge) reach(task.target);
     }
   }
 

@@ -163,12 +163,9 @@ private:
   /// Of plain tasks the body requests only the one on the way.
   void add_unit(const Link& link) {
     const Provider& provider = model_.providers[link.provider];
-    const auto is_member = [&](const Task& task) {
-      return model_.edges[task.edge].levels[task.levels.front().level].shares_unit();
-    };
-    if (!provider.has_packs || !is_member(*link.next)) return;
+    if (!provider.has_packs || !model_.is_usually_member(*link.next)) return;
     for (const Task& task : provider.packs[link.pack].tasks) {
-      if (task.edge != link.next->edge && is_member(task)) open(task.target);
+      if (task.edge != link.next->edge && model_.is_usually_member(task)) open(task.target);
     }
   }
 

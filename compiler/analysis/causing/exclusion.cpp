@@ -3,7 +3,6 @@
 #include "compiler/analysis/causing/exclusion.hpp"
 
 #include "compiler/analysis/chains/sparse_set.hpp"
-#include "compiler/analysis/plans/trials.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 
@@ -112,9 +111,9 @@ private:
 
   /// Explains which tasks are granted only together with it, if their conditions use these states.
   void explain_members(const Pack& pack, const Task& task) {
-    if (pack.name.empty() || !may_be_member(model_, task)) return;
+    if (pack.name.empty() || !model_.may_be_member(task)) return;
     for (const Task& other : pack.tasks) {
-      if (&other == &task || !may_be_member(model_, other) || !speaks(other.target)) continue;
+      if (&other == &task || !model_.may_be_member(other) || !speaks(other.target)) continue;
       notes_.push_back({other.span, fmt::format("it is granted only together with {}", name_of(model_, other.target))});
       for (const ProviderId id : model_.groups[other.target].providers) explain_conditions(id);
     }

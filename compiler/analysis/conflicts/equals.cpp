@@ -29,7 +29,7 @@ public:
     const std::vector<std::vector<std::int32_t>> priorities = overlaps.priorities(tasks);
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       if (priorities[i].empty()) continue;
-      const bool in_unit = together.provider && shares_unit(input.model, tasks[i]);
+      const bool in_unit = together.provider && input.model.is_always_member(tasks[i]);
       const Claims& claims = input.shared.claims(tasks[i].target);
       for (const GroupId group : claims.groups()) {
         const bool by_request =
@@ -105,8 +105,8 @@ public:
 
   /// Two members of a long unit that exclude each other: each of them is reported with another one.
   bool excludes(const Together& together, const Task& first, const Task& second) const {
-    return together.provider && together.tasks->size() > longest_with_all_pairs && shares_unit(model_, first) &&
-           shares_unit(model_, second) && units_.verdict({first.target, second.target}) == UnitVerdict::impossible;
+    return together.provider && together.tasks->size() > longest_with_all_pairs && model_.is_always_member(first) &&
+           model_.is_always_member(second) && units_.verdict({first.target, second.target}) == UnitVerdict::impossible;
   }
 
 private:

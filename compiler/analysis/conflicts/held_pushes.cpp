@@ -58,7 +58,7 @@ private:
     if (members.size() > 1) look_at({requester, &pack, members.front()}, members);
     for (const Task& task : pack.tasks) {
       // A run may request one entry of a flat list alone.
-      const bool alone = members.size() < 2 || pack.name.empty() || !shares_unit(model_, task);
+      const bool alone = members.size() < 2 || pack.name.empty() || !model_.is_always_member(task);
       if (alone) look_at({requester, &pack, &task}, {&task});
     }
   }

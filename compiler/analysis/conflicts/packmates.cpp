@@ -3,7 +3,6 @@
 #include "compiler/analysis/conflicts/packmates.hpp"
 
 #include "compiler/analysis/chains/sparse_set.hpp"
-#include "compiler/analysis/plans/trials.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 
 #include <algorithm>
@@ -30,7 +29,7 @@ const std::vector<PackEntry>& Packmates::of(const Provider& provider, const Pack
   const Unit& unit = units_.emplace_back(provider.has_packs ? unit_members(input_.model, pack) : Unit{});
   Unit& company = units_.emplace_back();
   for (const Task& task : pack.tasks) {
-    if (may_be_member(input_.model, task)) company.push_back(&task);
+    if (input_.model.may_be_member(task)) company.push_back(&task);
   }
   ByTaken by_taken;
   if (provider.has_packs && pack.tasks.size() > 1) {

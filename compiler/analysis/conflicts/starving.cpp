@@ -6,7 +6,6 @@
 #include "compiler/analysis/conflicts/ways.hpp"
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/needs/needs.hpp"
-#include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/requests/company.hpp"
 #include "compiler/analysis/requests/gaps.hpp"
 #include "compiler/analysis/shared/shared.hpp"
@@ -166,7 +165,7 @@ std::string propose(const Input& input, const Refused& refused, const Taker& tak
                   [](const Refusal& refusal) { return !refusal.others.empty(); }))
     return elsewhere;
   const bool is_own = taker.over == refused.task;
-  if (!is_own && shares_unit(model, *taker.by) && shares_unit(model, *taker.over)) return elsewhere;
+  if (!is_own && model.is_always_member(*taker.by) && model.is_always_member(*taker.over)) return elsewhere;
   if (!may_go_after(input, refused, taker)) return elsewhere;
   return is_own ? "give it a higher priority, or " + elsewhere
                 : fmt::format("give {} a higher priority than {}, or {}", name_of(model, taker.over->target),

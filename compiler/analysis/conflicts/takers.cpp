@@ -299,7 +299,7 @@ bool Takers::is_optional(const Task& task) const {
   return input_.model.each_level(task, [](const Level& level) { return level.optional; });
 }
 
-bool Takers::is_member(const Task& task) const { return shares_unit(input_.model, task); }
+bool Takers::is_member(const Task& task) const { return input_.model.is_always_member(task); }
 
 bool Takers::is_apart(const Task& task) const {
   return input_.model.each_level(task, [](const Level& level) { return level.apart; });

@@ -138,7 +138,7 @@ Region Contexts::kept_within(const Region& within, const Region& region) const {
 }
 
 bool Contexts::is_always_member(const Pack& pack, const Task& task) const {
-  return !pack.name.empty() && model_.each_level(task, [](const Level& level) { return level.shares_unit(); });
+  return !pack.name.empty() && model_.is_always_member(task);
 }
 
 const Region& Contexts::around_members(const Pack& pack) {

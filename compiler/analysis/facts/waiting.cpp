@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/facts/waiting.hpp"
 
-#include "compiler/analysis/plans/trials.hpp"
 #include "compiler/analysis/states/covering.hpp"
 
 #include <algorithm>
@@ -38,7 +37,7 @@ bool Waiting::may_be_first(ProviderId id) const {
 Waiting::Waiting(const Model& model, const Facts& facts) : model_(model), facts_(facts) {
   for (const ProviderId id : model.providers.ids()) {
     for (const Pack& pack : model.providers[id].packs) {
-      for (const Task& task : pack.tasks) entries_[task.edge].push_back({id, &pack, may_be_member(model, task)});
+      for (const Task& task : pack.tasks) entries_[task.edge].push_back({id, &pack, model.may_be_member(task)});
     }
   }
 }
@@ -62,7 +61,7 @@ bool Waiting::unit_waits(const Pack& pack) {
   const auto [at, is_new] = unit_waits_.try_emplace(&pack, false);
   if (!is_new) return at->second;
   const bool out = std::any_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& task) {
-    return may_be_member(model_, task) && !is_carefree(task.target, facts_.contexts[task.target]);
+    return model_.may_be_member(task) && !is_carefree(task.target, facts_.contexts[task.target]);
   });
   return unit_waits_[&pack] = out;
 }
@@ -100,8 +99,8 @@ bool Waiting::can_do_without(GroupId group, const Region& context, std::map<Grou
   if (std::any_of(serving.begin(), serving.end(), [](const Region& region) { return region.states.empty(); }))
     return known[group] = true;
   Budget budget = facts_.budget; // a copy, so that an open question is not reported
-  return known[group] = find_covering(model_, facts_.values, box_of(facts_.values, context), serving, budget) ==
-                        Covering::covered;
+  return known[group] =
+             find_covering(model_, facts_.values, box_of(facts_.values, context), serving, budget) == Covering::covered;
 }
 
 /// Whether every condition of it, and of its possible needs, holds.

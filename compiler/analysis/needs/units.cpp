@@ -55,14 +55,10 @@ private:
 
 } // namespace
 
-bool shares_unit(const Model& model, const Task& task) {
-  return model.each_level(task, [](const Level& level) { return level.shares_unit(); });
-}
-
 std::vector<const Task*> unit_members(const Model& model, const Pack& pack) {
   std::vector<const Task*> out;
   for (const Task& task : pack.tasks) {
-    if (shares_unit(model, task)) out.push_back(&task);
+    if (model.is_always_member(task)) out.push_back(&task);
   }
   return out;
 }

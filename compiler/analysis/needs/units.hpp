@@ -13,9 +13,6 @@
 
 namespace director::analysis {
 
-/// Whether it is mandatory and not `apart` at each of its levels.
-bool shares_unit(const Model& model, const Task& task);
-
 /// The tasks that are granted together in this pack: those that share its unit.
 std::vector<const Task*> unit_members(const Model& model, const Pack& pack);
 

@@ -29,10 +29,6 @@ void multiply(TrialCount& to, const TrialCount& factor) {
 
 } // namespace
 
-bool may_be_member(const Model& model, const Task& task) {
-  return model.any_level(task, [](const Level& level) { return level.shares_unit(); });
-}
-
 Trials::Trials(const Model& model, std::int64_t most_plans, Budget& budget)
     : model_(model),
       most_plans_(most_plans),
@@ -46,7 +42,7 @@ CountedUnit Trials::alone(const Task& task) const { return {{&task}, {{&task}}};
 CountedUnit Trials::together(const Pack& pack) const {
   CountedUnit out;
   for (const Task& task : pack.tasks) {
-    if (may_be_member(model_, task)) out.members.push_back(&task);
+    if (model_.may_be_member(task)) out.members.push_back(&task);
   }
   std::map<EdgeId, std::size_t> place;
   for (const Task* member : out.members) {

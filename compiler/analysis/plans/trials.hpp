@@ -11,9 +11,6 @@
 
 namespace director::analysis {
 
-/// Whether at some level the task is granted together with the other mandatory ones of its pack.
-bool may_be_member(const Model& model, const Task& task);
-
 /// The unit of one decision: a task alone, or the tasks of a pack that are granted together.
 struct CountedUnit {
   std::vector<const Task*> members;

@@ -38,7 +38,7 @@ std::optional<Company::Rank> Company::find_outranking(const Request& request, bo
   const Task* first = nullptr;
   for (const Task& entry : entries) {
     if (request.pack->name.empty() || entry.target == request.task->target || !brings(entry)) continue;
-    const bool together = waits && is_member(*request.task) && is_member(entry);
+    const bool together = waits && model_.is_usually_member(*request.task) && model_.is_usually_member(entry);
     if (together || !brings_firmly(entry) || !goes_first(model_, entry, *request.task)) return std::nullopt;
     if (first == nullptr) first = &entry;
   }
@@ -74,10 +74,6 @@ void Company::find_leading() {
   }
 }
 
-bool Company::is_member(const Task& entry) const {
-  return model_.edges[entry.edge].levels[entry.levels.front().level].shares_unit();
-}
-
 bool Company::is_wanted(GroupId group) const {
   return std::find(wanted_.begin(), wanted_.end(), group) != wanted_.end();
 }
@@ -86,10 +82,10 @@ bool Company::is_covered(const Request& request, bool waits) {
   if (request.requester && request.pack->name.empty()) return false;
   const std::vector<Task>& entries = request.requester ? request.pack->tasks : model_.roots;
   // Members of one unit are granted together: none of them requests anything while one waits.
-  const bool in_unit = waits && request.requester && is_member(*request.task);
+  const bool in_unit = waits && request.requester && model_.is_usually_member(*request.task);
   const bool out = std::any_of(entries.begin(), entries.end(), [&](const Task& entry) {
     if (entry.target == request.task->target) return false;
-    if (!in_unit || is_wanted(entry.target) || !is_member(entry)) return brings(entry);
+    if (!in_unit || is_wanted(entry.target) || !model_.is_usually_member(entry)) return brings(entry);
     if (brings(entry)) held_back_.insert(&entry);
     return false;
   });

@@ -50,7 +50,6 @@ public:
 private:
   void find_leading();
   bool is_wanted(GroupId group) const;
-  bool is_member(const Task& entry) const;
   std::vector<const Task*> find_bare_chain(const Request& request, bool waits);
   bool is_covered(const Request& request, bool waits);
   std::optional<Rank> find_outranking(const Request& request, bool waits);

@@ -171,7 +171,7 @@ std::vector<EdgeId> members_of(const Model& model, ProviderId provider, std::siz
   std::vector<EdgeId> out;
   if (!model.providers[provider].has_packs) return out;
   for (const Task& task : model.providers[provider].packs[pack].tasks) {
-    if (model.edges[task.edge].levels[task.levels.front().level].shares_unit()) out.push_back(task.edge);
+    if (model.is_usually_member(task)) out.push_back(task.edge);
   }
   if (out.size() < 2) out.clear();
   return out;
