@@ -33,7 +33,8 @@ void report(const Model& model, const std::vector<ChainStep>& cycle, Findings& f
 } // namespace
 
 void needs_cycle(const Input& input, Findings& findings) {
-  for (const std::vector<ChainStep>& cycle : find_need_cycles(input.model, input.facts, input.shared.budget()))
+  for (const std::vector<ChainStep>& cycle :
+       find_need_cycles(input.model, input.graph, input.facts, input.shared.budget()))
     report(input.model, cycle, findings);
 }
 

@@ -5,6 +5,7 @@
 #include "compiler/analysis/states/sources.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
+#include "compiler/model/closure.hpp"
 
 #include <fmt/format.h>
 
@@ -19,16 +20,8 @@ namespace {
 /// Every group that the task may come to hold; and what it, and these, may wait for: also needs that it can never have.
 std::vector<GroupId> groups_of(const Input& input, GroupId task) {
   std::vector<GroupId> out = input.shared.claims(task).groups();
-  SparseSet<GroupId> seen;
-  for (const GroupId group : out) seen.add(group);
-  if (seen.add(task)) out.push_back(task);
-  for (std::size_t next = 0; next < out.size(); ++next) {
-    for (const ProviderId id : input.model.groups[out[next]].providers) {
-      for (const Use<GroupId>& need : input.model.providers[id].needs) {
-        if (seen.add(need.id)) out.push_back(need.id);
-      }
-    }
-  }
+  out.push_back(task);
+  add_needed(input.model, out);
   return out;
 }
 

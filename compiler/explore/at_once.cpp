@@ -35,6 +35,7 @@
 #include "compiler/explore/verdict.hpp"
 #include "compiler/graph/graph.hpp"
 #include "compiler/lower/plans.hpp"
+#include "compiler/model/closure.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -128,11 +129,7 @@ std::optional<Verdict> never_together(const Assertion& assertion, const Model& m
 /// All groups to which edges lead from this one, itself included.
 std::vector<GroupId> below(const Model& model, GroupId group) {
   std::vector<GroupId> out{group};
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    for (const EdgeId edge : model.groups[out[i]].edges) {
-      if (!has(out, model.edges[edge].target)) out.push_back(model.edges[edge].target);
-    }
-  }
+  add_led_to(model, out);
   return out;
 }
 

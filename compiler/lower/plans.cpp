@@ -7,6 +7,8 @@
 
 #include "compiler/lower/plans.hpp"
 
+#include "compiler/model/closure.hpp"
+
 #include <algorithm>
 #include <set>
 
@@ -14,30 +16,16 @@ namespace director::compiler {
 
 namespace {
 
-void add_needs(const Model& model, ProviderId provider, std::vector<GroupId>& to_visit) {
-  for (const Use<GroupId>& need : model.providers[provider].needs) to_visit.push_back(need.id);
-}
-
-std::set<GroupId> reach(const Model& model, std::vector<GroupId> to_visit) {
-  std::set<GroupId> seen;
-  while (!to_visit.empty()) {
-    const GroupId group = to_visit.back();
-    to_visit.pop_back();
-    if (!seen.insert(group).second) continue;
-    for (const ProviderId provider : model.groups[group].providers) add_needs(model, provider, to_visit);
-  }
-  return seen;
-}
-
 class PlanSearch {
 public:
   PlanSearch(const Model& model, ProviderId provider, std::size_t most_steps)
       : model_(model),
         steps_left_(most_steps),
         used_(model.groups.size(), false) {
-    std::vector<GroupId> needs;
-    add_needs(model, provider, needs);
-    for (const GroupId group : reach(model, needs)) {
+    std::vector<GroupId> needed;
+    for (const Use<GroupId>& need : model.providers[provider].needs) needed.push_back(need.id);
+    add_needed(model, needed);
+    for (const GroupId group : needed) {
       if (group == model.providers[provider].group) continue;
       for (const ProviderId each : model.groups[group].providers) possible_.insert(each);
     }
@@ -96,11 +84,11 @@ private:
 } // namespace
 
 std::vector<GroupId> needed_by(const Model& model, GroupId group) {
-  std::vector<GroupId> needs;
-  for (const ProviderId provider : model.groups[group].providers) add_needs(model, provider, needs);
-  std::set<GroupId> reached = reach(model, needs);
-  reached.erase(group);
-  return {reached.begin(), reached.end()};
+  std::vector<GroupId> out{group};
+  add_needed(model, out);
+  out.erase(out.begin());
+  std::sort(out.begin(), out.end());
+  return out;
 }
 
 PlanProviders providers_in_plans(const Model& model, ProviderId provider, std::size_t most_steps) {

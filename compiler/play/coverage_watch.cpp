@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/play/coverage_watch.hpp"
 
+#include "compiler/model/closure.hpp"
+
 #include <algorithm>
 
 namespace director::compiler {
@@ -9,20 +11,6 @@ namespace director::compiler {
 namespace {
 
 using Kind = CoveragePoint::Kind;
-
-std::vector<GroupId> needed_from(const Model& model, GroupId group) {
-  IdSet<GroupId> seen(model.groups.size());
-  std::vector<GroupId> out{group};
-  seen.add(group);
-  for (std::size_t next = 0; next < out.size(); ++next) {
-    for (const ProviderId id : model.groups[out[next]].providers) {
-      for (const Use<GroupId>& need : model.providers[id].needs) {
-        if (seen.add(need.id)) out.push_back(need.id);
-      }
-    }
-  }
-  return out;
-}
 
 } // namespace
 
@@ -33,7 +21,11 @@ CoverageWatch::CoverageWatch(const Model& model, const Lowered& lowered, Coverag
       before_{std::vector<Index>(model.groups.size(), nil), std::vector<Index>(model.groups.size(), nil),
               std::vector<bool>(model.groups.size()), std::vector<Index>(model.edges.size(), nil)} {
   for (std::size_t i = 0; i < coverage.points.size(); ++i) places_.emplace(coverage.points[i].key, i);
-  for (const GroupId id : model.groups.ids()) needed_.add(needed_from(model, id));
+  for (const GroupId id : model.groups.ids()) {
+    std::vector<GroupId> needed{id};
+    add_needed(model, needed);
+    needed_.add(std::move(needed));
+  }
 }
 
 Onlooker CoverageWatch::onlooker() {

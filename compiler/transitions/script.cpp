@@ -5,6 +5,7 @@
 // and from then on what leads to the column. Where the two chains part, it keeps the one task and requests the other.
 #include "compiler/transitions/script.hpp"
 
+#include "compiler/model/closure.hpp"
 #include "dsl/yaml/yaml_text.hpp"
 
 #include <fmt/format.h>
@@ -165,18 +166,10 @@ bool add_answer(ProviderId id, const Model& model, const Until& until, std::init
 }
 
 /// Those that may run if the program requests only these.
-IdSet<GroupId> below(const Model& model, std::initializer_list<GroupId> requested) {
+IdSet<GroupId> below(const Model& model, std::vector<GroupId> requested) {
+  add_led_to(model, requested);
   IdSet<GroupId> out(model.groups.size());
-  std::vector<GroupId> open;
-  const auto reach = [&](GroupId id) {
-    if (out.add(id)) open.push_back(id);
-  };
-  for (const GroupId id : requested) reach(id);
-  while (!open.empty()) {
-    const GroupId id = open.back();
-    open.pop_back();
-    for (const EdgeId edge : model.groups[id].edges) reach(model.edges[edge].target);
-  }
+  for (const GroupId id : requested) out.add(id);
   return out;
 }
 

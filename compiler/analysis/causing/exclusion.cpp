@@ -5,6 +5,7 @@
 #include "compiler/analysis/chains/sparse_set.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
+#include "compiler/model/closure.hpp"
 
 #include <fmt/format.h>
 
@@ -26,7 +27,8 @@ public:
         reported_entry_(reported) {}
 
   std::vector<Note> run() {
-    find_needed();
+    for (const Use<GroupId>& need : model_.providers[id_].needs) needed_.push_back(need.id);
+    add_needed(model_, needed_);
     find_states();
     if (states_.empty()) return {};
     if (facts_.excluded.contains(id_)) explain_above();
@@ -38,20 +40,6 @@ public:
   }
 
 private:
-  /// Finds the groups that its needs may lead to, the nearest first.
-  void find_needed() {
-    SparseSet<GroupId> seen;
-    const auto add = [&](ProviderId id) {
-      for (const Use<GroupId>& need : model_.providers[id].needs) {
-        if (seen.add(need.id)) needed_.push_back(need.id);
-      }
-    };
-    add(id_);
-    for (std::size_t next = 0; next < needed_.size(); ++next) {
-      for (const ProviderId id : model_.groups[needed_[next]].providers) add(id);
-    }
-  }
-
   /// Finds the states for which two sets of conditions accept no common value; if it takes more than two sets, the
   /// states of at least two of them.
   void find_states() {
@@ -134,27 +122,24 @@ private:
 
   /// Whether one of its providers, or of those below, has conditions on these states.
   bool speaks(GroupId group) const {
-    std::vector<GroupId> open{group};
-    SparseSet<GroupId> seen;
-    seen.add(group);
-    for (std::size_t next = 0; next < open.size(); ++next) {
-      for (const ProviderId id : model_.groups[open[next]].providers) {
-        for (const ConditionUse& use : model_.providers[id].when) {
-          if (states_.count(model_.conditions[use.id].state) != 0) return true;
-        }
-        for (const Use<GroupId>& need : model_.providers[id].needs) {
-          if (seen.add(need.id)) open.push_back(need.id);
-        }
-      }
-    }
-    return false;
+    std::vector<GroupId> all{group};
+    add_needed(model_, all);
+    return std::any_of(all.begin(), all.end(), [&](GroupId each) {
+      const std::vector<ProviderId>& providers = model_.groups[each].providers;
+      return std::any_of(providers.begin(), providers.end(), [&](ProviderId id) {
+        const std::vector<ConditionUse>& when = model_.providers[id].when;
+        return std::any_of(when.begin(), when.end(), [&](const ConditionUse& use) {
+          return states_.count(model_.conditions[use.id].state) != 0;
+        });
+      });
+    });
   }
 
   const Model& model_;
   const Facts& facts_;
   ProviderId id_;
   const Task* reported_entry_;
-  std::vector<GroupId> needed_;
+  std::vector<GroupId> needed_; ///< that its needs may lead to, the nearest first
   std::set<StateId> states_;
   std::set<ProviderId> reported_;
   std::vector<Note> notes_;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/needs/needs.hpp"
 
-#include "compiler/graph/algorithms.hpp"
-
 #include <algorithm>
 #include <unordered_map>
 
@@ -52,18 +50,10 @@ std::vector<ChainStep> steps_along(const Model& model, const std::vector<Node>& 
   return out;
 }
 
-Arrows arrows_of_needs(const Model& model) {
-  Arrows arrows(model.groups.size());
-  for (const Edge& edge : model.edges) {
-    if (edge.needed) arrows[edge.requester->value].push_back(edge.target.value);
-  }
-  return arrows;
-}
-
 /// Cycles in which every provider of every group needs another group of the cycle.
-std::vector<std::vector<ChainStep>> cycles_of_groups(const Model& model) {
+std::vector<std::vector<ChainStep>> cycles_of_groups(const Model& model, const Graph& graph) {
   const IdSet<GroupId> ending = find_ending(model, std::nullopt);
-  Arrows stuck = arrows_of_needs(model);
+  Arrows stuck = graph.needs;
   for (const GroupId group : model.groups.ids()) {
     std::vector<Node>& row = stuck[group.value];
     const auto leads_out = [&](Node to) { return ending.contains(group) || ending.contains(GroupId{to}); };
@@ -106,8 +96,9 @@ std::vector<ProviderId> find_faulty(const Model& model, const Facts& facts, Budg
 
 } // namespace
 
-std::vector<std::vector<ChainStep>> find_need_cycles(const Model& model, const Facts& facts, Budget& budget) {
-  std::vector<std::vector<ChainStep>> out = cycles_of_groups(model);
+std::vector<std::vector<ChainStep>> find_need_cycles(const Model& model, const Graph& graph, const Facts& facts,
+                                                     Budget& budget) {
+  std::vector<std::vector<ChainStep>> out = cycles_of_groups(model, graph);
   for (const ProviderId id : find_faulty(model, facts, budget)) {
     const Use<GroupId>* need = find_need_of_itself(model, id);
     if (need == nullptr) continue;

@@ -4,6 +4,7 @@
 
 #include "compiler/analysis/chains/step.hpp"
 #include "compiler/analysis/facts/facts.hpp"
+#include "compiler/graph/graph.hpp"
 
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace director::analysis {
 
 /// Cycles of needs that no choice of providers leaves, the first step where the cycle is entered first. Every provider
 /// without a plan that is not explained by another one has either one of these or a conflict.
-std::vector<std::vector<ChainStep>> find_need_cycles(const Model& model, const Facts& facts, Budget& budget);
+std::vector<std::vector<ChainStep>> find_need_cycles(const Model& model, const Graph& graph, const Facts& facts,
+                                                     Budget& budget);
 
 /// The providers whose needs exclude each other, or for which that was not decided.
 std::vector<ProviderId> find_need_conflicts(const Model& model, const Facts& facts, Budget& budget);

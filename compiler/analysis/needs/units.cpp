@@ -4,6 +4,7 @@
 
 #include "compiler/analysis/chains/sparse_set.hpp"
 #include "compiler/analysis/plans/choices.hpp"
+#include "compiler/model/closure.hpp"
 
 #include <algorithm>
 #include <set>
@@ -67,16 +68,8 @@ const std::vector<GroupId>& Units::needed(GroupId group) {
   const auto [at, is_new] = needed_.try_emplace(group);
   std::vector<GroupId>& out = at->second;
   if (!is_new) return out;
-  SparseSet<GroupId> seen;
-  seen.add(group);
   out.push_back(group);
-  for (std::size_t next = 0; next < out.size(); ++next) {
-    for (const ProviderId id : model_.groups[out[next]].providers) {
-      for (const Use<GroupId>& need : model_.providers[id].needs) {
-        if (seen.add(need.id)) out.push_back(need.id);
-      }
-    }
-  }
+  add_needed(model_, out);
   std::sort(out.begin(), out.end());
   return out;
 }

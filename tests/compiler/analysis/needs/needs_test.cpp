@@ -13,7 +13,7 @@ std::string faults(const std::string& groups) {
   Budget budget;
   const tests::Analysed test("roots: []\ngroups:\n" + groups);
   std::string out;
-  for (const auto& cycle : find_need_cycles(test.model, test.facts, budget)) {
+  for (const auto& cycle : find_need_cycles(test.model, test.graph, test.facts, budget)) {
     out += "circle";
     for (const ChainStep& step : cycle) out += " " + test.model.groups[step.from].name.value;
     out += "\n";
