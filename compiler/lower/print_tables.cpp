@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <utility>
 
 namespace director::compiler {
 
@@ -30,7 +31,7 @@ public:
     print_providers();
     print_promises();
     print_edges();
-    return out_ + "\n" + print_priorities(model_);
+    return std::move(out_);
   }
 
 private:

@@ -11,18 +11,17 @@ namespace director::compiler {
 
 namespace {
 
-/// Whether at some level of this standing it is a member of the unit of its pack, or is not. What is optional may be
+/// Whether at some level of this rank it is a member of the unit of its pack, or is not. What is optional may be
 /// so by something below it.
-bool may_be(const Model& model, const Task& task, const Standing& standing, bool in_unit) {
+bool may_be(const Model& model, const Task& task, const analysis::SideRank& rank, bool in_unit) {
   return std::any_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
     const Level& level = model.edges[task.edge].levels[named.level];
-    return level.priority == standing.priority && (standing.optional || !level.optional) &&
-           level.shares_unit() == in_unit;
+    return level.priority == rank.priority && (rank.optional || !level.optional) && level.shares_unit() == in_unit;
   });
 }
 
-bool may_be(const Model& model, const Task& task, const Standing& standing) {
-  return may_be(model, task, standing, true) || may_be(model, task, standing, false);
+bool may_be(const Model& model, const Task& task, const analysis::SideRank& rank) {
+  return may_be(model, task, rank, true) || may_be(model, task, rank, false);
 }
 
 /// Which of two targets a provider needs.
@@ -33,8 +32,8 @@ struct NeedOf {
 
 /// What the pack of one provider adds, while one with these needs is active: itself, or one that its group has
 /// changed to and that has not requested anything yet.
-void add_pack(const Model& model, const Pack& pack, const Decision& decision, const NeedOf& needs, bool is_own,
-              Company& out) {
+void add_pack(const Model& model, const Pack& pack, const analysis::Decision& decision, const NeedOf& needs,
+              bool is_own, Company& out) {
   const Task* const first = entry_of(pack, decision.first_sibling);
   const Task* const second = entry_of(pack, decision.second_sibling);
   const bool has_first = needs.first || (first != nullptr && may_be(model, *first, decision.first)),
@@ -55,7 +54,7 @@ void add_pack(const Model& model, const Pack& pack, const Decision& decision, co
 
 } // namespace
 
-Company company_of(const Model& model, const Decision& decision) {
+Company company_of(const Model& model, const analysis::Decision& decision) {
   if (!decision.requester) return {true, false};
   Company out;
   const std::vector<ProviderId>& providers = model.groups[*decision.requester].providers;

@@ -3,7 +3,7 @@
 // Finds how two tasks of one requester stand to each other: whether it ever requests both at once, as one unit, or
 // needs one of them.
 
-#include "compiler/lower/contention.hpp"
+#include "compiler/analysis/ranks/contention.hpp"
 #include "compiler/model/model.hpp"
 
 namespace director::compiler {
@@ -20,6 +20,6 @@ struct Company {
   bool first_own = false, second_own = false; ///< needed, and that provider requests the other one, or needs it too
 };
 
-Company company_of(const Model& model, const Decision& decision);
+Company company_of(const Model& model, const analysis::Decision& decision);
 
 } // namespace director::compiler

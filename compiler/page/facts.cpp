@@ -26,15 +26,15 @@ namespace director::compiler {
 namespace {
 
 /// Of the ranks by which the one may take from the other: each priority once.
-Json priorities(const std::set<Winning>& ranks, Standing Winning::*side) {
+Json priorities(const std::set<analysis::Winning>& ranks, analysis::SideRank analysis::Winning::*side) {
   std::set<std::int32_t> all;
-  for (const Winning& each : ranks) all.insert((each.*side).priority);
+  for (const analysis::Winning& each : ranks) all.insert((each.*side).priority);
   Json out = Json::list({});
   for (const std::int32_t priority : all) out.add(Json::number(priority));
   return out;
 }
 
-bool by_optional(const Winning& ranks) { return ranks.second.optional && !ranks.first.optional; }
+bool by_optional(const analysis::Winning& ranks) { return ranks.second.optional && !ranks.first.optional; }
 
 bool is_optional_at(const Edge& edge, std::int32_t priority) {
   return std::any_of(edge.levels.begin(), edge.levels.end(),
@@ -42,7 +42,7 @@ bool is_optional_at(const Edge& edge, std::int32_t priority) {
 }
 
 /// `priority 80 before 20`, `where the second is optional`
-std::string words_of(const PossibleTake& take, const Model& model, const std::set<Winning>& by_priority) {
+std::string words_of(const PossibleTake& take, const Model& model, const std::set<analysis::Winning>& by_priority) {
   const Edge &taker = model.edges[take.taker], &loser = model.edges[take.loser];
   std::vector<std::string> out;
   if (!by_priority.empty()) {
@@ -50,7 +50,7 @@ std::string words_of(const PossibleTake& take, const Model& model, const std::se
     out.push_back(fmt::format("priority {}", fmt::join(all, ", or ")));
   }
   bool itself = false, below = false;
-  for (const Winning& each : take.ranks) {
+  for (const analysis::Winning& each : take.ranks) {
     if (!by_optional(each)) continue;
     (is_optional_at(loser, each.second.priority) ? itself : below) = true;
   }
@@ -65,12 +65,12 @@ Json take_json(const PossibleTake& take, const Model& model, Topmost& topmost) {
   if (taker.requester) out.add("requester", Json::text(model.groups[*taker.requester].name.value));
   out.add("winner", Json::text(model.groups[taker.target].name.value));
   out.add("loser", Json::text(model.groups[loser.target].name.value));
-  std::set<Winning> by_priority = take.ranks;
+  std::set<analysis::Winning> by_priority = take.ranks;
   std::erase_if(by_priority, by_optional);
   const bool is_ranked = !by_priority.empty();
   out.add("by", Json::text(is_ranked ? "priority" : "optional"));
-  out.add("winner_priorities", priorities(is_ranked ? by_priority : take.ranks, &Winning::first));
-  out.add("loser_priorities", priorities(is_ranked ? by_priority : take.ranks, &Winning::second));
+  out.add("winner_priorities", priorities(is_ranked ? by_priority : take.ranks, &analysis::Winning::first));
+  out.add("loser_priorities", priorities(is_ranked ? by_priority : take.ranks, &analysis::Winning::second));
   out.add("words", Json::text(words_of(take, model, by_priority)));
   Json over = Json::list({});
   for (const GroupId id : topmost.of(taker.target, loser.target, take.groups))

@@ -12,10 +12,10 @@ const Task* entry_of(const Pack& pack, EdgeId edge) {
   return at == pack.tasks.end() ? nullptr : &*at;
 }
 
-const Leaders& LeaderFinder::of(const Decision& decision, bool first) {
+const Leaders& LeaderFinder::of(const analysis::Decision& decision, bool first) {
   static const Leaders none;
-  const Standing& own = first ? decision.first : decision.second;
-  const Standing& rivals = first ? decision.second : decision.first;
+  const analysis::SideRank& own = first ? decision.first : decision.second;
+  const analysis::SideRank& rivals = first ? decision.second : decision.first;
   const bool behind = !own.optional && !rivals.optional && own.priority <= rivals.priority;
   if (!decision.requester || !behind) return none;
   const auto [at, fresh] = known_.try_emplace({decision, first});
@@ -23,7 +23,7 @@ const Leaders& LeaderFinder::of(const Decision& decision, bool first) {
   return at->second;
 }
 
-Leaders LeaderFinder::find(const Decision& decision, bool first) const {
+Leaders LeaderFinder::find(const analysis::Decision& decision, bool first) const {
   Leaders out{{}, true};
   const EdgeId member = first ? decision.first_sibling : decision.second_sibling;
   const EdgeId rival = first ? decision.second_sibling : decision.first_sibling;
@@ -37,8 +37,8 @@ Leaders LeaderFinder::find(const Decision& decision, bool first) const {
   return out;
 }
 
-void LeaderFinder::look(const Pack& pack, EdgeId member, const Standing& standing, EdgeId rival, const Standing& rivals,
-                        Leaders& out) const {
+void LeaderFinder::look(const Pack& pack, EdgeId member, const analysis::SideRank& rank, EdgeId rival,
+                        const analysis::SideRank& rivals, Leaders& out) const {
   const auto level = [&](const Task& task, const Task::NamedLevel& named) {
     return model_.edges[task.edge].levels[named.level];
   };
@@ -52,9 +52,9 @@ void LeaderFinder::look(const Pack& pack, EdgeId member, const Standing& standin
   const auto in_unit = [](const Level& each) { return each.shares_unit(); };
   const auto alone = [](const Level& each) { return !each.shares_unit(); };
   const auto apart = [](const Level& each) { return each.apart && !each.optional; };
-  if (may_be(*own, standing.priority, alone)) out.always = false;
+  if (may_be(*own, rank.priority, alone)) out.always = false;
   if (may_be(*others, rivals.priority, in_unit)) out.always = false;
-  if (!may_be(*own, standing.priority, in_unit) || !may_be(*others, rivals.priority, apart)) return;
+  if (!may_be(*own, rank.priority, in_unit) || !may_be(*others, rivals.priority, apart)) return;
   bool always = false;
   for (const Task& task : pack.tasks) {
     if (task.edge == member) continue;
@@ -62,7 +62,7 @@ void LeaderFinder::look(const Pack& pack, EdgeId member, const Standing& standin
     for (const Task::NamedLevel& named : task.levels) {
       const Level& it = level(task, named);
       const bool before = it.shares_unit() && it.priority > rivals.priority;
-      const bool beside = it.shares_unit() && it.priority == rivals.priority && standing.priority < rivals.priority;
+      const bool beside = it.shares_unit() && it.priority == rivals.priority && rank.priority < rivals.priority;
       if (before || beside) out.all.push_back({task.edge, it.priority, beside});
       each_level = each_level && before;
     }

@@ -3,8 +3,8 @@
 // A unit is tried at the place of its first member, so a member may go before what its own rank is behind: with which
 // other members, and whether always. Source: semantics.md 4.4.
 
+#include "compiler/analysis/ranks/contention.hpp"
 #include "compiler/graph/algorithms.hpp"
-#include "compiler/lower/contention.hpp"
 #include "compiler/model/model.hpp"
 
 #include <compare>
@@ -37,15 +37,15 @@ struct Leaders {
 class LeaderFinder {
 public:
   explicit LeaderFinder(const Model& model) : model_(model) {}
-  const Leaders& of(const Decision& decision, bool first);
+  const Leaders& of(const analysis::Decision& decision, bool first);
 
 private:
-  void look(const Pack& pack, EdgeId member, const Standing& standing, EdgeId rival, const Standing& rivals,
-            Leaders& out) const;
-  Leaders find(const Decision& decision, bool first) const;
+  void look(const Pack& pack, EdgeId member, const analysis::SideRank& rank, EdgeId rival,
+            const analysis::SideRank& rivals, Leaders& out) const;
+  Leaders find(const analysis::Decision& decision, bool first) const;
 
   const Model& model_;
-  std::map<std::pair<Decision, bool>, Leaders> known_;
+  std::map<std::pair<analysis::Decision, bool>, Leaders> known_;
 };
 
 /// How one group comes to hold another.

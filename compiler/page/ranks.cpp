@@ -5,9 +5,9 @@
 // list of decisions once, and for each two groups only the number of the list.
 #include "compiler/page/ranks.hpp"
 
+#include "compiler/analysis/ranks/contention.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/graph/graph.hpp"
-#include "compiler/lower/contention.hpp"
 #include "compiler/page/company.hpp"
 #include "compiler/page/ruling.hpp"
 
@@ -73,10 +73,10 @@ public:
                               "pairs.",
                               left_out.empty() ? "" : " ", analysis::few_of(crowded), most_rivals);
     if (!contentions_.complete())
-      left_out +=
-          fmt::format("{}After {} pairs of tasks, {} places where their chains part, or {} steps through cycles "
-                      "of requests, no more was looked at, so there may be more.",
-                      left_out.empty() ? "" : " ", most_edge_pairs, most_partings, most_cycle_steps);
+      left_out += fmt::format(
+          "{}After {} pairs of tasks, {} places where their chains part, or {} steps through cycles "
+          "of requests, no more was looked at, so there may be more.",
+          left_out.empty() ? "" : " ", analysis::most_edge_pairs, analysis::most_partings, analysis::most_cycle_steps);
     if (!left_out.empty()) out.add("left_out", Json::text(left_out));
     out.add("decisions", std::move(decisions_));
     out.add("contended", std::move(contended));
@@ -104,7 +104,7 @@ private:
 
   Json contended_json(GroupId id) {
     Json rivals = Json::list({});
-    for (const Contention& contention : contentions_.at(id)) {
+    for (const analysis::Contention& contention : contentions_.at(id)) {
       if (contention.decisions.empty()) continue;
       Json row = Json::object({});
       for (const auto& [key, edge] : {std::pair("first", contention.first), std::pair("second", contention.second)}) {
@@ -128,7 +128,8 @@ private:
   }
 
   /// By rank, unless a unit is tried earlier than its member's place.
-  void add_ranked(const Decision& decision, const Below& of_first, const Below& of_second, std::vector<Ruling>& out) {
+  void add_ranked(const analysis::Decision& decision, const Below& of_first, const Below& of_second,
+                  std::vector<Ruling>& out) {
     Ruling ranked{decision, {}, {}};
     std::optional<Ruling> led;
     bool may_be_ranked = true;
@@ -139,8 +140,8 @@ private:
       if (!how.itself && !how.needs) continue;
       Ruling::Side& side = first ? ranked.first : ranked.second;
       side.needs = !how.itself;
-      if (!how.asks || order_of(decision) == 0) side.leaders = leaders.all;
-      if (order_of(decision) == 0) continue;
+      if (!how.asks || analysis::order_of(decision) == 0) side.leaders = leaders.all;
+      if (analysis::order_of(decision) == 0) continue;
       led = Ruling{decision, {}, {}};
       (first ? led->first : led->second) = {Ruling::Held::by_leader, side.needs, false, leaders.all};
       may_be_ranked = how.asks || !leaders.always;
@@ -151,7 +152,7 @@ private:
 
   /// What is granted with a unit goes before what another member requests, and what is granted with a need of the
   /// requester before everything else of the other one. `ranked`: ranks decide too, however the two sides are held.
-  void add_decided(const Decision& decision, const Below& first, const Below& second, bool ranked,
+  void add_decided(const analysis::Decision& decision, const Below& first, const Below& second, bool ranked,
                    std::vector<Ruling>& out) {
     using Held = Ruling::Held;
     if (!decision.requester || (!first.comes_along() && !second.comes_along()))
@@ -181,9 +182,9 @@ private:
     if (ranked) add_ranked(decision, first, second, out);
   }
 
-  std::vector<Ruling> rulings(const Contention& contention) {
+  std::vector<Ruling> rulings(const analysis::Contention& contention) {
     std::vector<Ruling> out;
-    for (const Decision& each : contention.decisions)
+    for (const analysis::Decision& each : contention.decisions)
       add_decided(each, below(each.first_sibling, contention.first), below(each.second_sibling, contention.second),
                   false, out);
     return out;
@@ -192,7 +193,7 @@ private:
   /// Two requested groups are always compared by rank.
   std::vector<Ruling> rulings(GroupId first, GroupId second) {
     std::vector<Ruling> out;
-    for (const Decision& each : contentions_.between(first, second))
+    for (const analysis::Decision& each : contentions_.between(first, second))
       add_decided(each, below(each.first_sibling, first), below(each.second_sibling, second), true, out);
     return out;
   }
@@ -200,7 +201,7 @@ private:
   /// Two chains to one group.
   std::vector<Ruling> rulings(GroupId group) {
     std::vector<Ruling> out;
-    for (const Contention& each : contentions_.at(group)) {
+    for (const analysis::Contention& each : contentions_.at(group)) {
       const std::vector<Ruling> some = rulings(each);
       out.insert(out.end(), some.begin(), some.end());
     }
@@ -213,7 +214,7 @@ private:
   Json numbers(const std::vector<Ruling>& rulings) {
     Json out = Json::list({});
     for (Ruling each : rulings) {
-      Decision& decision = each.decision;
+      analysis::Decision& decision = each.decision;
       const bool turned = decision.second_sibling < decision.first_sibling;
       if (turned) {
         std::swap(decision.first_sibling, decision.second_sibling);
@@ -241,7 +242,7 @@ private:
   }
 
   Json decision_json(const Ruling& ruling) const {
-    const Decision& decision = ruling.decision;
+    const analysis::Decision& decision = ruling.decision;
     const int order = ruling.order();
     Json out = Json::object({});
     if (decision.requester) out.add("requester", Json::text(name(*decision.requester)));
@@ -257,7 +258,7 @@ private:
   const Model& model_;
   std::size_t most_decisions_;
   std::size_t listed_ = 0; ///< decisions in `answers_`
-  Contentions contentions_;
+  analysis::Contentions contentions_;
   LeaderFinder leaders_;
   Ways ways_;
   IdTable<GroupId, std::vector<bool>> reaches_;

@@ -20,16 +20,16 @@ const std::string& target_name(const Model& model, EdgeId id) {
 }
 
 /// `Kick (priority 20)`
-std::string request_words(const Model& model, EdgeId id, const Standing& standing) {
+std::string request_words(const Model& model, EdgeId id, const analysis::SideRank& rank) {
   const std::vector<Level>& levels = model.edges[id].levels;
   const bool itself = std::any_of(levels.begin(), levels.end(), [&](const Level& level) {
-    return level.optional && level.priority == standing.priority;
+    return level.optional && level.priority == rank.priority;
   });
   return fmt::format("{} ({}{})", target_name(model, id),
-                     levels.empty() ? "needed" : fmt::format("priority {}", standing.priority),
-                     !standing.optional ? ""
-                     : itself           ? ", optional"
-                                        : ", something below it optional");
+                     levels.empty() ? "needed" : fmt::format("priority {}", rank.priority),
+                     !rank.optional ? ""
+                     : itself       ? ", optional"
+                                    : ", something below it optional");
 }
 
 /// `granted together with Lift (priority 50)`
@@ -66,7 +66,7 @@ std::string needs_it(const Model& model, GroupId requester, GroupId needed) {
 
 std::string words_of(const Model& model, const Ruling& ruling) {
   constexpr std::string_view never_both = ", never both at once";
-  const Decision& decision = ruling.decision;
+  const analysis::Decision& decision = ruling.decision;
   const Company both = company_of(model, decision);
   const int order = ruling.order();
   const std::string requester = decision.requester ? model.groups[*decision.requester].name.value : "the program";

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What decides between two edges that may want one group, in words.
 
-#include "compiler/lower/contention.hpp"
+#include "compiler/analysis/ranks/contention.hpp"
 #include "compiler/page/leaders.hpp"
 
 #include <compare>
@@ -25,11 +25,13 @@ struct Ruling {
     std::vector<Leader> leaders; ///< by rank: with one of these it goes first
     auto operator<=>(const Side&) const = default;
   };
-  Decision decision;
+  analysis::Decision decision;
   Side first, second; ///< at most one of them is held by something else than rank
   auto operator<=>(const Ruling&) const = default;
 
-  int order() const { return first.held != Held::by_rank ? -1 : second.held != Held::by_rank ? 1 : order_of(decision); }
+  int order() const {
+    return first.held != Held::by_rank ? -1 : second.held != Held::by_rank ? 1 : analysis::order_of(decision);
+  }
 };
 
 /// Of the two tasks, the one that goes first comes first.

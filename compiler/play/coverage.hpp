@@ -4,8 +4,8 @@
 // prove impossible does not count. Source: docs/scenarios.md, "Coverage".
 
 #include "compiler/analysis/chains/claims.hpp"
+#include "compiler/analysis/ranks/contention.hpp"
 #include "compiler/graph/graph.hpp"
-#include "compiler/lower/contention.hpp"
 #include "compiler/model/model.hpp"
 
 #include <array>
@@ -65,8 +65,8 @@ Coverage coverage_of(const Model& model, const Graph& graph);
 /// A take-over that is a point of coverage, and what the first edge may take from the second.
 struct PossibleTake {
   EdgeId taker{}, loser{};
-  std::vector<bool> groups; ///< by number
-  std::set<Winning> ranks;  ///< by which it may
+  std::vector<bool> groups;          ///< by number
+  std::set<analysis::Winning> ranks; ///< by which it may
 };
 struct TakeLimits {
   struct Among {
@@ -88,7 +88,7 @@ struct Rivalry {
   const Task::NamedLevel *taker_level = nullptr, *loser_level = nullptr;
   GroupId group{};
   analysis::Reach takes{}, loses{}; ///< how each of the two comes to claim the group
-  Winning ranks;
+  analysis::Winning ranks;
   bool wins = false; ///< by these ranks the taker goes before the loser
 };
 /// Finds every one that is possible, also those that do not win: `possible_takes` has those that do. Model and graph

@@ -5,6 +5,7 @@
 // them are made by a mutator that knows the language, since what cannot be read never gets that far.
 #include "compiler/pipeline.hpp"
 
+#include "compiler/analysis/ranks/print_priorities.hpp"
 #include "compiler/emit/emit.hpp"
 #include "compiler/emit/findings_json.hpp"
 #include "compiler/explore/verdict.hpp"
@@ -43,6 +44,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
   const compiler::Lowered lowered = compiler::lower(checked.model);
   (void)compiler::print_tables(checked.model, lowered);
+  (void)analysis::print_priorities(checked.model);
   if (dsl::has_errors(checked.findings)) return 0;
   if (!checked.model.assertions.empty())
     (void)compiler::decide_assertions(compiler::Ground(checked.model), most_states);

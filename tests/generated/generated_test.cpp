@@ -2,6 +2,7 @@
 // generated/ holds what directorc writes, for review: soccer and chase_ball whole, of robocup the manifest and a text
 // form of its tables. It is written anew here and compared byte for byte; ./bless rewrites it.
 
+#include "compiler/analysis/ranks/print_priorities.hpp"
 #include "compiler/emit/emit.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/lower/print_tables.hpp"
@@ -53,7 +54,8 @@ TEST_CASE("of the real team's robocup the manifest and the tables stand in gener
   const std::map<std::string, std::string> files = generated(robocup);
   check_golden_folder("generated/robocup",
                       {{"manifest.json", files.at("manifest.json")},
-                       {"tables.txt", compiler::print_tables(robocup.checked.model, robocup.lowered)}});
+                       {"tables.txt", compiler::print_tables(robocup.checked.model, robocup.lowered) + "\n" +
+                                          analysis::print_priorities(robocup.checked.model)}});
 }
 
 TEST_CASE("generating twice gives equal bytes") {

@@ -1,5 +1,6 @@
 // Header: compiler/cli/options/commands.hpp. Test: tests/compiler/cli/commands/scenario_test.cpp.
 // SPDX-License-Identifier: MIT
+#include "compiler/analysis/ranks/print_priorities.hpp"
 #include "compiler/cli/input/load.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/lower/print_tables.hpp"
@@ -31,7 +32,8 @@ int run(const Dump& request, Console& console) {
   } else if (request.stage == "graph") {
     console.out << print_graph(checked->model, checked->graph);
   } else {
-    console.out << print_tables(checked->model, lower(checked->model));
+    console.out << print_tables(checked->model, lower(checked->model)) << '\n'
+                << analysis::print_priorities(checked->model);
   }
   return spec && dsl::has_errors(errors) ? found : clean;
 }

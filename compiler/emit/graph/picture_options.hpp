@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // The options of a picture: which groups, which arrows, and what is folded.
 
-#include "compiler/lower/contention.hpp"
+#include "compiler/analysis/ranks/contention.hpp"
 #include "compiler/model/ids.hpp"
 #include "dsl/source/span.hpp"
 
@@ -17,8 +17,8 @@ namespace director::compiler {
 /// The task of one edge may take something by rank from that of another; both of one requester.
 struct TakeOver {
   EdgeId taker{}, loser{};
-  std::set<Winning> ranks;    ///< by which it may
-  std::vector<bool> groups{}; ///< what it may take, by group
+  std::set<analysis::Winning> ranks; ///< by which it may
+  std::vector<bool> groups{};        ///< what it may take, by group
 };
 
 /// What holds at some moment of a scenario.

@@ -12,25 +12,25 @@ namespace director::compiler {
 namespace {
 
 /// Of those that are optional in themselves, and of those with something optional below.
-std::string words(const Edge& edge, const Standing& standing) {
-  if (!standing.optional) return std::to_string(standing.priority);
+std::string words(const Edge& edge, const analysis::SideRank& rank) {
+  if (!rank.optional) return std::to_string(rank.priority);
   const bool itself = std::any_of(edge.levels.begin(), edge.levels.end(), [&](const Level& level) {
-    return level.optional && level.priority == standing.priority;
+    return level.optional && level.priority == rank.priority;
   });
-  return fmt::format("{}{}", standing.priority, itself ? " optional" : " (something below it optional)");
+  return fmt::format("{}{}", rank.priority, itself ? " optional" : " (something below it optional)");
 }
 
-std::string words(const Edge& edge, const std::vector<Standing>& all) {
+std::string words(const Edge& edge, const std::vector<analysis::SideRank>& all) {
   std::string out;
-  for (const Standing& each : all) out += (out.empty() ? "" : " or ") + words(edge, each);
+  for (const analysis::SideRank& each : all) out += (out.empty() ? "" : " or ") + words(edge, each);
   return out;
 }
 
 } // namespace
 
-std::vector<RanksOver> ranks_over(const std::set<Winning>& ranks) {
-  std::map<Standing, std::vector<Standing>> losers; // by winner
-  for (const Winning& each : ranks) losers[each.first].push_back(each.second);
+std::vector<RanksOver> ranks_over(const std::set<analysis::Winning>& ranks) {
+  std::map<analysis::SideRank, std::vector<analysis::SideRank>> losers; // by winner
+  for (const analysis::Winning& each : ranks) losers[each.first].push_back(each.second);
   std::vector<RanksOver> out;
   for (const auto& [first, second] : losers) {
     const auto same =
@@ -44,7 +44,7 @@ std::vector<RanksOver> ranks_over(const std::set<Winning>& ranks) {
   return out;
 }
 
-std::vector<std::string> ranks_words(const Edge& taker, const Edge& loser, const std::set<Winning>& ranks,
+std::vector<std::string> ranks_words(const Edge& taker, const Edge& loser, const std::set<analysis::Winning>& ranks,
                                      std::string_view over) {
   std::vector<std::string> out;
   for (const RanksOver& each : ranks_over(ranks))

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "compiler/lower/contention.hpp"
+#include "compiler/analysis/ranks/contention.hpp"
 #include "tests/compiler/support/compiled.hpp"
 
 #include <fmt/format.h>
 
-using namespace director::compiler;
+using namespace director::analysis;
 using director::tests::compile;
 using director::tests::Compiled;
 
@@ -19,7 +19,7 @@ Texts decided(const Compiled& c, const std::string& group, std::size_t pairs = m
     out.push_back(c.model.edge_name(each.first) + " and " + c.model.edge_name(each.second) +
                   (each.complete ? "" : " (cut)"));
     for (const Decision& decision : each.decisions) {
-      const auto side = [&](EdgeId sibling, Standing way) {
+      const auto side = [&](EdgeId sibling, SideRank way) {
         return fmt::format("{} {}{}", c.model.edge_name(sibling), way.priority, way.optional ? "?" : "");
       };
       out.push_back(fmt::format("  {}, {}: {}", side(decision.first_sibling, decision.first),

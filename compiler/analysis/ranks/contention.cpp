@@ -1,4 +1,4 @@
-// Header: compiler/lower/contention.hpp. Test: tests/compiler/lower/contention_test.cpp.
+// Header: compiler/analysis/ranks/contention.hpp. Test: tests/compiler/analysis/ranks/contention_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // A chain never meets a group twice, because a group has one holder. For the same reason two chains that parted never
@@ -15,7 +15,7 @@
 // climbed there, and a pair may lead to itself: then all is examined again until nothing is added. Chains around a
 // cycle are included; they add no other places, and at most that something is optional.
 
-#include "compiler/lower/contention.hpp"
+#include "compiler/analysis/ranks/contention.hpp"
 
 #include "compiler/graph/algorithms.hpp"
 #include "compiler/graph/graph.hpp"
@@ -23,21 +23,21 @@
 #include <algorithm>
 #include <set>
 
-namespace director::compiler {
+namespace director::analysis {
 
 namespace {
 
 /// Every way in which an edge can hold. As a need it counts as mandatory, with the priority of its first level.
-std::set<Standing> ways(const Edge& edge) {
-  std::set<Standing> out;
+std::set<SideRank> ways(const Edge& edge) {
+  std::set<SideRank> out;
   for (const Level& level : edge.levels) out.insert({level.priority, level.optional});
   if (edge.needed) out.insert({edge.levels.empty() ? 0 : edge.levels.front().priority, false});
   return out;
 }
 
-std::set<Standing> standings(const Edge& edge, bool optional_below) {
-  std::set<Standing> out;
-  for (const Standing& way : ways(edge)) out.insert({way.priority, way.optional || optional_below});
+std::set<SideRank> ranks_of(const Edge& edge, bool optional_below) {
+  std::set<SideRank> out;
+  for (const SideRank& way : ways(edge)) out.insert({way.priority, way.optional || optional_below});
   return out;
 }
 
@@ -61,7 +61,7 @@ void keep_different(std::vector<Value>& all) {
 } // namespace
 
 int order_of(const Decision& decision) {
-  const Standing &first = decision.first, &second = decision.second;
+  const SideRank &first = decision.first, &second = decision.second;
   if (first.optional != second.optional) return first.optional ? 1 : -1;
   if (first.priority != second.priority) return first.priority > second.priority ? -1 : 1;
   return 0;
@@ -153,7 +153,7 @@ void Contentions::climb(EdgeId first, EdgeId second, bool climbs_first, Partings
   if (*below.requester == beside.target) return; // the one leads to the other
   for (const EdgeId above : model_.groups[*below.requester].requesters) {
     for (const Parting& each : climbs_first ? look_at(above, second) : look_at(first, above)) {
-      for (const Standing& way : ways(below)) {
+      for (const SideRank& way : ways(below)) {
         if (again_ && cycle_steps_left_ == 0) return;
         if (again_) --cycle_steps_left_;
         Parting with = each;
@@ -168,8 +168,8 @@ void Contentions::climb(EdgeId first, EdgeId second, bool climbs_first, Partings
 std::vector<Decision> Contentions::decisions(const Partings& partings) const {
   std::vector<Decision> out;
   for (const Parting& each : partings) {
-    for (const Standing& first : standings(edges_[each.first], each.first_optional)) {
-      for (const Standing& second : standings(edges_[each.second], each.second_optional))
+    for (const SideRank& first : ranks_of(edges_[each.first], each.first_optional)) {
+      for (const SideRank& second : ranks_of(edges_[each.second], each.second_optional))
         out.push_back({edges_[each.first].requester, original(each.first), original(each.second), first, second});
     }
   }
@@ -202,4 +202,4 @@ std::vector<Decision> Contentions::between(GroupId first, GroupId second) {
   return decisions(all);
 }
 
-} // namespace director::compiler
+} // namespace director::analysis

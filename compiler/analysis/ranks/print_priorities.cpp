@@ -1,14 +1,15 @@
-// Header: compiler/lower/print_tables.hpp. Test: tests/compiler/lower/print_tables_test.cpp.
+// Header: compiler/analysis/ranks/print_priorities.hpp. Test: tests/compiler/lower/print_tables_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/lower/contention.hpp"
-#include "compiler/lower/print_tables.hpp"
+#include "compiler/analysis/ranks/print_priorities.hpp"
+
+#include "compiler/analysis/ranks/contention.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
 
-namespace director::compiler {
+namespace director::analysis {
 
 namespace {
 
@@ -93,11 +94,11 @@ private:
         order == 0 ? "equal" : model_.edge_name(order < 0 ? contention.first : contention.second) + " first";
     fmt::format_to(
         std::back_inserter(out_), "      at {}: {}, {}: {}\n", decision.requester ? name(*decision.requester) : "root",
-        standing(decision.first_sibling, decision.first), standing(decision.second_sibling, decision.second), verdict);
+        side(decision.first_sibling, decision.first), side(decision.second_sibling, decision.second), verdict);
   }
 
-  std::string standing(EdgeId sibling, const Standing& way) const {
-    return fmt::format("{} {}{}", name(model_.edges[sibling].target), way.priority, way.optional ? " optional" : "");
+  std::string side(EdgeId sibling, const SideRank& rank) const {
+    return fmt::format("{} {}{}", name(model_.edges[sibling].target), rank.priority, rank.optional ? " optional" : "");
   }
 
   const Model& model_;
@@ -109,4 +110,4 @@ private:
 
 std::string print_priorities(const Model& model) { return PrioritiesPrinter(model).print(); }
 
-} // namespace director::compiler
+} // namespace director::analysis

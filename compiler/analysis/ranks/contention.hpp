@@ -13,18 +13,20 @@
 #include <utility>
 #include <vector>
 
-namespace director::compiler {
+namespace director::analysis {
+
+using namespace director::compiler;
 
 /// The rank of one side below the common requester.
-struct Standing {
+struct SideRank {
   std::int32_t priority = 0; ///< of the sibling edge
   bool optional = false;     ///< something on the chain from the sibling down is optional
-  auto operator<=>(const Standing&) const = default;
+  auto operator<=>(const SideRank&) const = default;
 };
 
 /// The ranks of two tasks by which the first goes before the second.
 struct Winning {
-  Standing first, second;
+  SideRank first, second;
   auto operator<=>(const Winning&) const = default;
 };
 
@@ -32,7 +34,7 @@ struct Winning {
 struct Decision {
   std::optional<GroupId> requester; ///< nothing: root
   EdgeId first_sibling{}, second_sibling{};
-  Standing first, second;
+  SideRank first, second;
   auto operator<=>(const Decision&) const = default;
 };
 
@@ -94,7 +96,7 @@ private:
   EdgeId original(EdgeId edge) const { return edge.value < model_.edges.size() ? edge : last_[edge]; }
 
   const Model& model_;
-  IdTable<EdgeId, Edge> edges_;  ///< those of the model, then those that are only the last of a chain
+  IdTable<EdgeId, compiler::Edge> edges_; ///< those of the model, then those that are only the last of a chain
   IdTable<EdgeId, EdgeId> last_; ///< by edge of the model: itself as the last of a chain; of the others: the original
   std::size_t pairs_left_, partings_left_;
   IdTable<GroupId, std::size_t> place_; ///< requesters first
@@ -108,4 +110,4 @@ private:
   bool met_open_ = false, changed_ = false; ///< in this round
 };
 
-} // namespace director::compiler
+} // namespace director::analysis
