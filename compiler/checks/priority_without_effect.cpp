@@ -26,12 +26,12 @@ std::vector<GroupId> groups_of(const Input& input, GroupId task) {
 }
 
 /// The groups for which the rank of a task matters: its own, and every group that may be pushed for one of these.
-class Stakes {
+class AffectedGroups {
 public:
-  explicit Stakes(const Input& input) : input_(input), causers_(find_causers(input.model)) {}
+  explicit AffectedGroups(const Input& input) : input_(input), causers_(find_causers(input.model)) {}
 
   const std::vector<GroupId>& of(GroupId task) {
-    const auto [at, is_new] = stakes_.try_emplace(task);
+    const auto [at, is_new] = affected_.try_emplace(task);
     if (!is_new) return at->second;
     std::vector<GroupId> out = groups_of(input_, task);
     SparseSet<GroupId> seen;
@@ -41,7 +41,7 @@ public:
         if (seen.add(pushed)) out.push_back(pushed);
       }
     }
-    return stakes_[task] = std::move(out);
+    return affected_[task] = std::move(out);
   }
 
 private:
@@ -59,7 +59,7 @@ private:
 
   const Input& input_;
   Causers causers_;
-  std::unordered_map<GroupId, std::vector<GroupId>> stakes_, pushed_by_;
+  std::unordered_map<GroupId, std::vector<GroupId>> affected_, pushed_by_;
 };
 
 /// The states that bodies and handlers set for a task, and those on which its conditions and those below it depend.
@@ -195,7 +195,7 @@ struct Entries {
 
 /// A level is a place in the order of its edge, and `keep` continues a task only at the same one. So an edge is
 /// reported as a whole, if it has one level.
-void look_at(const Input& input, const Together& together, TouchedStates& states, Stakes& stakes,
+void look_at(const Input& input, const Together& together, TouchedStates& states, AffectedGroups& affected,
              std::map<EdgeId, Entries>& entries) {
   const Model& model = input.model;
   const std::vector<Task>& tasks = *together.tasks;
@@ -203,19 +203,19 @@ void look_at(const Input& input, const Together& together, TouchedStates& states
   if (std::none_of(tasks.begin(), tasks.end(), [&](const Task& task) { return has_priority(model, task); })) return;
   std::unordered_map<GroupId, std::size_t> wanted_by;
   for (const Task& task : tasks) {
-    for (const GroupId group : stakes.of(task.target)) ++wanted_by[group];
+    for (const GroupId group : affected.of(task.target)) ++wanted_by[group];
   }
   const OtherProviders others(model, together);
   const SharedStates shared(states, tasks);
   const auto is_disputed = [&](GroupId task) {
-    const std::vector<GroupId>& own = stakes.of(task); // later calls do not move it
+    const std::vector<GroupId>& own = affected.of(task); // later calls do not move it
     if (std::any_of(own.begin(), own.end(), [&](GroupId group) { return wanted_by[group] > 1; })) return true;
     if (shared.matter_for(states.of(task))) return true;
     SparseSet<GroupId> ours;
     for (const GroupId group : own) ours.add(group);
     const std::vector<GroupId> compared = others.beside(task);
     return std::any_of(compared.begin(), compared.end(), [&](GroupId other) {
-      const std::vector<GroupId>& theirs = stakes.of(other);
+      const std::vector<GroupId>& theirs = affected.of(other);
       return std::any_of(theirs.begin(), theirs.end(), [&](GroupId group) { return ours.contains(group); });
     });
   };
@@ -228,11 +228,11 @@ void look_at(const Input& input, const Together& together, TouchedStates& states
 } // namespace
 
 void priority_without_effect(const Input& input, Findings& findings) {
-  Stakes stakes(input);
+  AffectedGroups affected(input);
   TouchedStates states(input);
   const Model& model = input.model;
   std::map<EdgeId, Entries> entries;
-  for (const Together& together : input.shared.chains().together()) look_at(input, together, states, stakes, entries);
+  for (const Together& together : input.shared.chains().together()) look_at(input, together, states, affected, entries);
   for (const auto& [edge, found] : entries) {
     if (found.undisputed.size() != found.all || model.edges[edge].levels.size() != 1) continue;
     for (const auto& [together, task] : found.undisputed) {

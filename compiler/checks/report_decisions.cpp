@@ -20,8 +20,8 @@ namespace director::checks {
 namespace {
 
 /// Of components that were not decided all may happen.
-Happening happening_of(const Model& model, const Decisions& decisions) {
-  Happening out{decisions.runs, decisions.requested, decisions.granted, &decisions.whole, {}};
+Occurrences occurrences_of(const Model& model, const Decisions& decisions) {
+  Occurrences out{decisions.runs, decisions.requested, decisions.granted, &decisions.whole, {}};
   for (const ProviderId id : model.providers.ids()) {
     if (!decisions.decided.contains(model.providers[id].group)) out.runs.add(id);
   }
@@ -284,7 +284,7 @@ private:
 
 std::vector<dsl::Diagnostic> report_decisions(const Input& input, const std::vector<dsl::Diagnostic>& findings) {
   const Decisions& decisions = input.shared.decisions();
-  return Reporter(input, decisions).run(find_unreported(input.model, happening_of(input.model, decisions), findings));
+  return Reporter(input, decisions).run(find_unreported(input.model, occurrences_of(input.model, decisions), findings));
 }
 
 } // namespace director::checks

@@ -5,10 +5,10 @@
 // there decide (semantics.md, 4.1). So for each pair of edges of each requester, the rivalries of both sides are
 // compared, which pages and coverage use too: each pair of their levels, each group that both may claim then, and how.
 // Where a level is requested, and its name, say which levels of the two sides are the same.
-#include "compiler/diff/contests.hpp"
 #include "compiler/diff/ranks.hpp"
 #include "compiler/diff/shifts.hpp"
 #include "compiler/diff/side.hpp"
+#include "compiler/diff/takes_by_name.hpp"
 #include "compiler/diff/ties.hpp"
 
 #include <fmt/format.h>
@@ -73,9 +73,9 @@ private:
     for (const auto& [other, old_loser] : pairs_) {
       const Edge& loser = *other;
       if (&loser == &winner || old_loser == nullptr) continue;
-      const Contests::Groups now = new_.between(winner, loser), before = old_winner == nullptr
-                                                                             ? Contests::Groups{}
-                                                                             : old_.between(*old_winner, *old_loser);
+      const TakesByName::Groups now = new_.between(winner, loser), before = old_winner == nullptr
+                                                                                ? TakesByName::Groups{}
+                                                                                : old_.between(*old_winner, *old_loser);
       const bool is_told =
           now != before && compare_contest(winner, old_winner, loser, *old_loser, before, now, wordings);
       if (!is_told && old_winner != nullptr) compare_in_passing(winner, *old_winner, loser, *old_loser, wordings);
@@ -114,10 +114,10 @@ private:
 
   /// Whether something was told.
   bool compare_contest(const Edge& winner, const Edge* old_winner, const Edge& loser, const Edge& old_loser,
-                       const Contests::Groups& before, const Contests::Groups& now, Wordings& out) {
-    static const Meetings none;
+                       const TakesByName::Groups& before, const TakesByName::Groups& now, Wordings& out) {
+    static const Encounters none;
     std::map<std::pair<Shift, Mate>, std::set<std::string_view>> shifted; // with the mate that is the reason
-    const auto compare = [&](std::string_view group, const Meetings& was, const Meetings& is) {
+    const auto compare = [&](std::string_view group, const Encounters& was, const Encounters& is) {
       const std::vector<Shift> all = shifts(was, is);
       for (const Shift each : all) shifted[{each, differing_mate(was, is)}].insert(group);
     };
@@ -269,7 +269,7 @@ private:
   const Pair& pair_;
   Changes& changes_;
   Numbers numbers_;
-  Contests old_, new_;
+  TakesByName old_, new_;
   std::vector<std::pair<const Edge*, const Edge*>> pairs_; ///< of one requester: the new edge, and the old one or null
   std::map<GroupId, bool> alike_;
   std::set<std::string> explained_;

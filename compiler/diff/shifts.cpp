@@ -13,11 +13,11 @@ namespace {
 
 enum class Extent { never, sometimes, always };
 
-Extent extent_of(const Meetings& meetings) {
-  const auto wins = std::count_if(meetings.begin(), meetings.end(), [](const auto& each) { return each.second; });
-  return wins == 0                                          ? Extent::never
-         : static_cast<std::size_t>(wins) < meetings.size() ? Extent::sometimes
-                                                            : Extent::always;
+Extent extent_of(const Encounters& encounters) {
+  const auto wins = std::count_if(encounters.begin(), encounters.end(), [](const auto& each) { return each.second; });
+  return wins == 0                                            ? Extent::never
+         : static_cast<std::size_t>(wins) < encounters.size() ? Extent::sometimes
+                                                              : Extent::always;
 }
 
 } // namespace
@@ -43,7 +43,7 @@ std::string sentence(Shift shift, const std::string& winner, const std::string& 
   return fmt::format("{} {} take {} from {}{}", winner, can, what, losers, cases);
 }
 
-std::vector<Shift> shifts(const Meetings& before, const Meetings& now) {
+std::vector<Shift> shifts(const Encounters& before, const Encounters& now) {
   const Extent was = extent_of(before), is = extent_of(now);
   if (was != is) {
     if (was == Extent::never) return {Shift::gained};
@@ -53,9 +53,9 @@ std::vector<Shift> shifts(const Meetings& before, const Meetings& now) {
   if (was != Extent::sometimes) return {};
   bool more = false, fewer = false;
   auto old = before.begin();
-  for (const auto& [meeting, wins] : now) {
-    while (old != before.end() && old->first < meeting) ++old;
-    if (old == before.end() || old->first != meeting) continue;
+  for (const auto& [encounter, wins] : now) {
+    while (old != before.end() && old->first < encounter) ++old;
+    if (old == before.end() || old->first != encounter) continue;
     more = more || (wins && !old->second);
     fewer = fewer || (!wins && old->second);
   }
@@ -65,10 +65,10 @@ std::vector<Shift> shifts(const Meetings& before, const Meetings& now) {
   return out;
 }
 
-Mate differing_mate(const Meetings& before, const Meetings& now) {
+Mate differing_mate(const Encounters& before, const Encounters& now) {
   const auto [was, is] = std::mismatch(before.begin(), before.end(), now.begin(), now.end());
   Mate out; // those without a mate come first
-  for (const Meeting* each : {was == before.end() ? nullptr : &was->first, is == now.end() ? nullptr : &is->first}) {
+  for (const Encounter* each : {was == before.end() ? nullptr : &was->first, is == now.end() ? nullptr : &is->first}) {
     if (each == nullptr) continue;
     if (each->mate == 0) return {};
     out = {each->mate, each->is_losers};

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What has become of one task's taking a group from another one, and how that is told.
 
-#include "compiler/diff/contests.hpp"
+#include "compiler/diff/takes_by_name.hpp"
 
 #include <compare>
 #include <cstdint>
@@ -18,8 +18,8 @@ ChangeKind kind_of(Shift shift);
 /// "WINNER can now take WHAT from LOSERS"
 std::string sentence(Shift shift, const std::string& winner, const std::string& what, const std::string& losers);
 
-/// Of one group. Meetings that only one side has count only for whether it is taken never, sometimes or always.
-std::vector<Shift> shifts(const Meetings& before, const Meetings& now);
+/// Of one group. Encounters that only one side has count only for whether it is taken never, sometimes or always.
+std::vector<Shift> shifts(const Encounters& before, const Encounters& now);
 
 /// A member of a unit that makes a difference, where nothing else does.
 struct Mate {
@@ -27,6 +27,6 @@ struct Mate {
   bool is_losers = false;
   auto operator<=>(const Mate&) const = default;
 };
-Mate differing_mate(const Meetings& before, const Meetings& now);
+Mate differing_mate(const Encounters& before, const Encounters& now);
 
 } // namespace director::compiler::diff

@@ -12,10 +12,10 @@ namespace director::compiler::diff {
 
 using analysis::Reach;
 
-Stakes::Stakes(const Checked& checked, const Possible& possible, const Contests& contests)
+Stakes::Stakes(const Checked& checked, const Possible& possible, const TakesByName& takes)
     : model_(checked.model),
       graph_(checked.graph),
-      contests_(contests),
+      takes_(takes),
       is_closed_(checked.model.deployment),
       facts_(possible.facts()),
       branches_(checked.model, {[this](ProviderId id) {
@@ -53,8 +53,8 @@ const std::set<ProviderId>& Stakes::pushed_by(GroupId task, bool is_optional, bo
 
 Stake Stakes::between(const Edge& one, const Edge& other) {
   Stake out{std::vector<bool>(model_.groups.size()), {}};
-  for (const auto& [place, level] : contests_.places(one)) {
-    for (const auto& [others, other_level] : contests_.places(other)) {
+  for (const auto& [place, level] : takes_.places(one)) {
+    for (const auto& [others, other_level] : takes_.places(other)) {
       const bool at_once = std::get<0>(place) == std::get<0>(others) && std::get<1>(place) == std::get<1>(others);
       const Level &a = one.levels[level], &b = other.levels[other_level];
       if (!at_once || a.priority != b.priority) continue;
@@ -105,11 +105,11 @@ void Stakes::add(const Edge& one, const Level& a, const Edge& other, const Level
 void Stakes::add_led(const Edge& leader, const Level& level, const Place& place, const Edge& rival, Stake& out) {
   const auto& [provider, pack, name] = place;
   std::vector<const Edge*> mates;
-  for (const EdgeId id : contests_.edges().at(name_of(model_, *leader.requester))) {
+  for (const EdgeId id : takes_.edges().at(name_of(model_, *leader.requester))) {
     const Edge& mate = model_.edges[id];
     if (&mate == &leader || &mate == &rival) continue;
     bool is_mate = false, leads = !pack.empty(); // a named pack is requested whole
-    for (const auto& [there, index] : contests_.places(mate)) {
+    for (const auto& [there, index] : takes_.places(mate)) {
       if (std::get<0>(there) != provider || std::get<1>(there) != pack) continue;
       const Level& each = mate.levels[index];
       is_mate = is_mate || each.shares_unit();

@@ -4,8 +4,8 @@
 // declaration, where it is decided by nothing else.
 
 #include "compiler/analysis/chains/claims.hpp"
-#include "compiler/diff/contests.hpp"
 #include "compiler/diff/side.hpp"
+#include "compiler/diff/takes_by_name.hpp"
 #include "compiler/pipeline.hpp"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ struct Stake {
 class Stakes {
 public:
   /// All have to outlive it.
-  Stakes(const Checked& checked, const Possible& possible, const Contests& contests);
+  Stakes(const Checked& checked, const Possible& possible, const TakesByName& takes);
   Stakes(const Stakes&) = delete;
   Stakes& operator=(const Stakes&) = delete;
 
@@ -44,7 +44,7 @@ private:
 
   const Model& model_;
   const Graph& graph_;
-  const Contests& contests_;
+  const TakesByName& takes_;
   const bool is_closed_; ///< it has roots: all requests are known
   const analysis::Facts& facts_;
   const analysis::Branches branches_;

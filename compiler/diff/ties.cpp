@@ -21,7 +21,7 @@ struct Same {
 
 class Ties {
 public:
-  Ties(const Pair& pair, const Contests& before, const Contests& after, Changes& changes)
+  Ties(const Pair& pair, const TakesByName& before, const TakesByName& after, Changes& changes)
       : pair_(pair),
         before_(before),
         after_(after),
@@ -91,7 +91,7 @@ private:
   }
 
   const Pair& pair_;
-  const Contests &before_, &after_;
+  const TakesByName &before_, &after_;
   std::unique_ptr<Stakes> was_, is_; ///< computed where an order has changed
   Topmost topmost_;
   Changes& changes_;
@@ -99,7 +99,7 @@ private:
 
 } // namespace
 
-void compare_ties(const Pair& pair, const Contests& before, const Contests& after, Changes& changes) {
+void compare_ties(const Pair& pair, const TakesByName& before, const TakesByName& after, Changes& changes) {
   Ties ties(pair, before, after, changes);
   for (const auto& [requester, edges] : after.edges()) ties.compare(requester, edges);
 }

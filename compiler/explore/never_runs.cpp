@@ -21,13 +21,13 @@ class Reports {
 public:
   explicit Reports(const Model& model) : model_(model) {}
 
-  std::vector<Diagnostic> run(const analysis::Unreported& unreported, const analysis::Happening& happening) {
+  std::vector<Diagnostic> run(const analysis::Unreported& unreported, const analysis::Occurrences& occurrences) {
     for (const GroupId id : unreported.groups)
-      report(id, model_.groups[id].name.span, fmt::format("{} never runs", name_of(model_, id)), happening);
+      report(id, model_.groups[id].name.span, fmt::format("{} never runs", name_of(model_, id)), occurrences);
     for (const EdgeId id : unreported.tasks) report(id);
     for (const ProviderId id : unreported.providers)
       report(model_.providers[id].group, model_.providers[id].span, fmt::format("{} never runs", name_of(model_, id)),
-             happening);
+             occurrences);
     return std::move(out_);
   }
 
@@ -38,11 +38,11 @@ private:
     return out_.back();
   }
 
-  void report(GroupId id, dsl::Span span, std::string message, const analysis::Happening& happening) {
+  void report(GroupId id, dsl::Span span, std::string message, const analysis::Occurrences& occurrences) {
     Diagnostic& finding = add(span, std::move(message));
     for (const EdgeId edge : model_.groups[id].requesters) {
       const std::vector<const Task*> all = analysis::entries_of(model_, edge);
-      if (happening.requested.contains(edge) && !all.empty())
+      if (occurrences.requested.contains(edge) && !all.empty())
         finding.notes.push_back({all.front()->span, fmt::format("{} is requested here", name_of(model_, id))});
     }
     analysis::shorten_list(finding.notes);
@@ -97,12 +97,12 @@ NeverRuns find_never_runs(const Model& model, std::size_t bound, const std::vect
   }
   if (!out.open.empty()) return out;
   const Happened& happened = searched.happened;
-  const analysis::Happening happening{set_of<ProviderId>(happened.ran),
-                                      set_of<EdgeId>(happened.requested),
-                                      set_of<EdgeId>(happened.granted),
-                                      nullptr,
-                                      {}};
-  out.findings = Reports(model).run(analysis::find_unreported(model, happening, findings), happening);
+  const analysis::Occurrences occurrences{set_of<ProviderId>(happened.ran),
+                                          set_of<EdgeId>(happened.requested),
+                                          set_of<EdgeId>(happened.granted),
+                                          nullptr,
+                                          {}};
+  out.findings = Reports(model).run(analysis::find_unreported(model, occurrences, findings), occurrences);
   return out;
 }
 

@@ -8,8 +8,8 @@
 #include "compiler/analysis/ranks/contention.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/graph/graph.hpp"
-#include "compiler/page/company.hpp"
 #include "compiler/page/ruling.hpp"
+#include "compiler/page/task_relation.hpp"
 
 #include <fmt/format.h>
 
@@ -157,7 +157,7 @@ private:
     using Held = Ruling::Held;
     if (!decision.requester || (!first.comes_along() && !second.comes_along()))
       return add_ranked(decision, first, second, out);
-    const Company both = company_of(model_, decision);
+    const TaskRelation both = relation_of(model_, decision);
     // If both request it, or both are granted with it: one may have held it as a need since before there was a unit.
     ranked = ranked || (first.asks && second.asks) || (first.comes_along() && second.comes_along());
     for (const bool of_first : {true, false}) {

@@ -3,7 +3,7 @@
 #include "compiler/page/ruling.hpp"
 
 #include "compiler/analysis/words/words.hpp"
-#include "compiler/page/company.hpp"
+#include "compiler/page/task_relation.hpp"
 
 #include <fmt/format.h>
 
@@ -67,7 +67,7 @@ std::string needs_it(const Model& model, GroupId requester, GroupId needed) {
 std::string words_of(const Model& model, const Ruling& ruling) {
   constexpr std::string_view never_both = ", never both at once";
   const analysis::Decision& decision = ruling.decision;
-  const Company both = company_of(model, decision);
+  const TaskRelation both = relation_of(model, decision);
   const int order = ruling.order();
   const std::string requester = decision.requester ? model.groups[*decision.requester].name.value : "the program";
   std::string first = request_words(model, decision.first_sibling, decision.first);

@@ -44,8 +44,8 @@ void CoverageWatch::ran(ProviderId provider, const Case* answer) {
   if (answer != nullptr && answer->named_pack) mark({Kind::pack, provider.value, *answer->named_pack});
 }
 
-CoverageWatch::Moment CoverageWatch::moment(const Engine& engine) const {
-  Moment out;
+CoverageWatch::Assignment CoverageWatch::assignment(const Engine& engine) const {
+  Assignment out;
   for (Index g = 0; g < model_.groups.size(); ++g) {
     out.active.push_back(engine.active(g));
     out.holders.push_back(engine.holder(g));
@@ -59,7 +59,7 @@ void CoverageWatch::stepped(const Engine& engine) {
   look_at_levels(engine.memory());
   look_at_conditions(engine);
   look_at_pushes(engine.memory());
-  Moment now = moment(engine);
+  Assignment now = assignment(engine);
   look_at_take_overs(now, engine);
   before_ = std::move(now);
 }
@@ -118,7 +118,7 @@ std::optional<CoverageWatch::Chain> CoverageWatch::chain(Index edge, const std::
 }
 
 /// Whether an edge of the chain is, from the sibling down: by its request now, or else before.
-bool CoverageWatch::optional_below(const Chain& chain, std::size_t sibling, const Moment& now) const {
+bool CoverageWatch::optional_below(const Chain& chain, std::size_t sibling, const Assignment& now) const {
   const auto is_optional = [&](Index edge) {
     const Index level = now.requests[edge] != nil ? now.requests[edge] : before_.requests[edge];
     return level != nil && lowered_.levels[level].optional;
@@ -160,7 +160,7 @@ bool CoverageWatch::meets_conditions(ProviderId id, const Engine& engine) const 
   return hold(provider.when) || (was_active && !provider.stay.empty() && hold(provider.stay));
 }
 
-void CoverageWatch::take_over(const Chain& taker, const Chain& loser, const Moment& now, const Engine& engine) {
+void CoverageWatch::take_over(const Chain& taker, const Chain& loser, const Assignment& now, const Engine& engine) {
   const auto requester = [&](Index edge) { return lowered_.edges[edge].requester; };
   const std::vector<Index>& requests = now.requests;
   for (std::size_t i = 0; i < taker.size(); ++i) {
@@ -183,7 +183,7 @@ void CoverageWatch::take_over(const Chain& taker, const Chain& loser, const Mome
 }
 
 /// A group that went from one edge to another while the loser's side was still requested.
-void CoverageWatch::look_at_take_overs(const Moment& now, const Engine& engine) {
+void CoverageWatch::look_at_take_overs(const Assignment& now, const Engine& engine) {
   for (Index g = 0; g < now.holders.size(); ++g) {
     if (now.holders[g] == before_.holders[g]) continue;
     const std::optional<Chain> taker = chain(now.holders[g], now.holders),

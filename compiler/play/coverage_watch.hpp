@@ -24,7 +24,7 @@ private:
   /// An edge of a chain, from an edge to one of root.
   using Chain = std::vector<Index>;
 
-  struct Moment {
+  struct Assignment {
     std::vector<Index> active, holders; ///< by group
     std::vector<bool> pushed;           ///< the same
     std::vector<Index> requests;        ///< by edge: its level
@@ -33,26 +33,26 @@ private:
   void mark(const CoveragePoint::Key& key);
   void ran(ProviderId provider, const Case* answer);
   void stepped(const Engine& engine);
-  Moment moment(const Engine& engine) const;
+  Assignment assignment(const Engine& engine) const;
   void look_at_levels(const director::State& state);
   void look_at_conditions(const Engine& engine);
   void mark_conditions(CoveragePoint::Kind kind, ProviderId provider, const std::vector<ConditionUse>& uses,
                        const Engine& engine);
   void look_at_pushes(const director::State& state);
-  void look_at_take_overs(const Moment& now, const Engine& engine);
+  void look_at_take_overs(const Assignment& now, const Engine& engine);
   std::optional<Chain> chain(Index edge, const std::vector<Index>& holders) const;
   bool holds(ConditionId id, const Engine& engine) const;
   bool meets_conditions(ProviderId id, const Engine& engine) const;
   bool could_go_on(GroupId group, const Engine& engine, std::vector<GroupId>& above) const;
-  bool optional_below(const Chain& chain, std::size_t sibling, const Moment& now) const;
-  void take_over(const Chain& taker, const Chain& loser, const Moment& now, const Engine& engine);
+  bool optional_below(const Chain& chain, std::size_t sibling, const Assignment& now) const;
+  void take_over(const Chain& taker, const Chain& loser, const Assignment& now, const Engine& engine);
 
   const Model& model_;
   const Lowered& lowered_;
   Coverage& coverage_;
   std::map<CoveragePoint::Key, std::size_t> places_;
   IdTable<GroupId, std::vector<GroupId>> needed_; ///< what a group's providers need, transitively, and itself
-  Moment before_;                                 ///< after the micro-step before
+  Assignment before_;                             ///< after the micro-step before
 };
 
 } // namespace director::compiler

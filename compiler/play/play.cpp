@@ -48,12 +48,12 @@ public:
         onlooker_(options.onlooker),
         most_stops_(options.most_stops),
         bodies_(scenario, tables_, options.onlooker),
-        recorder_(model, lowered, options.decisions, sink),
+        converter_(model, lowered, options.decisions, sink),
         cells_(inbox_size(scenario)),
         inbox_(cells_),
         memory_(tables_),
-        engine_(tables_, memory_.state().data(), bodies_.table(), inbox_, recorder_.observer()) {
-    recorder_.share(options.events);
+        engine_(tables_, memory_.state().data(), bodies_.table(), inbox_, converter_.observer()) {
+    converter_.share(options.events);
     engine_.set_budget(onlooker_ == nullptr ? play_budget : 1);
   }
 
@@ -66,15 +66,15 @@ public:
       if (options_.steps != 0 && step_ == options_.steps) break;
       const bool is_beyond = options_.until && step.advance && advanced(now_, *step.advance) > *options_.until;
       if (is_beyond && now_ == *options_.until) break;
-      recorder_.begin_step(++step_);
-      recorder_.now(now_);
-      for (const std::string& shown : step.shown) recorder_.input(shown);
+      converter_.begin_step(++step_);
+      converter_.now(now_);
+      for (const std::string& shown : step.shown) converter_.input(shown);
       if (!(step.advance ? advance(*step.advance) : take(step.inputs)) || is_beyond) break;
     }
     if (options_.end) options_.end(engine_);
     Played out{step_, exhausted_, too_many_stops_, bodies_.refused(), {}, {}};
     if (!exhausted_ || too_many_stops_) return out;
-    const auto [groups, after_done] = recorder_.latest();
+    const auto [groups, after_done] = converter_.latest();
     for (const GroupId group : groups) out.round.push_back(model_.groups[group].name.value);
     if (after_done && !answers_done(*after_done)) out.after_done = model_.groups[*after_done].name.value;
     return out;
@@ -104,8 +104,8 @@ private:
 
   bool exhaust() {
     exhausted_ = true;
-    recorder_.now(now_);
-    recorder_.budget_exhausted();
+    converter_.now(now_);
+    converter_.budget_exhausted();
     return false;
   }
 
@@ -145,7 +145,7 @@ private:
   const Onlooker* onlooker_;
   const std::uint64_t most_stops_;
   ScriptedBodies bodies_;
-  Recorder recorder_;
+  EventConverter converter_;
   std::vector<Inbox::Cell> cells_;
   Inbox inbox_;
   EngineMemory memory_;

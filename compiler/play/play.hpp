@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 // Plays a scenario: the engine of a robot on lowered tables, with scripted bodies and listed inputs.
 
+#include "compiler/play/event_converter.hpp"
 #include "compiler/play/onlooker.hpp"
-#include "compiler/play/recorder.hpp"
 #include "compiler/play/scenario.hpp"
 
 #include <cstdint>

@@ -3,7 +3,7 @@
 // The engine on lowered tables, with the bodies of `directorc simulate`, one micro-step at a time. Its state can be
 // saved and loaded into a new engine at any micro-step.
 
-#include "compiler/play/recorder.hpp"
+#include "compiler/play/event_converter.hpp"
 #include "compiler/play/scripted_bodies.hpp"
 #include "runtime/core/engine/engine.hpp"
 #include "runtime/core/saved/saved_state.hpp"

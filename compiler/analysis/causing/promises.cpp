@@ -16,9 +16,9 @@ namespace director::analysis {
 namespace {
 
 /// The blame: from each provider that never runs to those that might change it.
-class Blame {
+class BlameGraph {
 public:
-  Blame(const Model& model, const Facts& facts, const Chains& chains)
+  BlameGraph(const Model& model, const Facts& facts, const Chains& chains)
       : model_(model),
         facts_(facts),
         causers_(find_causers(model)),
@@ -331,7 +331,7 @@ private:
   const Graph& graph_;
   const Facts& facts_;
   IdTable<StateId, std::vector<Source>> sources_;
-  Blame blame_;
+  BlameGraph blame_;
   IdSet<ProviderId> relevant_;
   std::vector<bool> candidate_;
   IdTable<ProviderId, std::vector<const Graph::Causing*>> arrows_of_; ///< by causer

@@ -31,13 +31,13 @@ std::optional<Moment> Pass::run() {
 /// Whether another way through the pass, with other picks, has reached the same point: then this one may end here.
 bool Pass::is_known() {
   if (!picks_.has_picked()) return false;
-  Way way{candidates_, tried_,         refused_,       forgotten_, keeping_,
-          open_,       picked_unsure_, taken_to_hold_, standing_,  picked_among_,
-          now_.by,     now_.active,    now_.plan,      now_.flags, {},
-          0,           stage_};
-  way.denied.fill(nothing);
-  std::copy(denied_.begin(), denied_.end(), way.denied.begin());
-  return !known_.add(way);
+  PassState state{candidates_, tried_,         refused_,       forgotten_, keeping_,
+                  open_,       picked_unsure_, taken_to_hold_, standing_,  picked_among_,
+                  now_.by,     now_.active,    now_.plan,      now_.flags, {},
+                  0,           stage_};
+  state.denied.fill(nothing);
+  std::copy(denied_.begin(), denied_.end(), state.denied.begin());
+  return !known_.add(state);
 }
 
 void Pass::begin_way() {

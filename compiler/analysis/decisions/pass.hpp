@@ -80,7 +80,7 @@ private:
   using Combination = Few<Choice, Component::most_groups>;
   enum class Stage : std::uint32_t { taking, handing_over, finishing };
   /// Everything that the rest of a pass depends on.
-  struct Way {
+  struct PassState {
     Rows candidates, tried, refused, forgotten, keeping, open, picked_unsure, taken_to_hold;
     std::array<int, Component::most_groups> standing, picked_among;
     By by, active, plan, flags, denied;
@@ -170,7 +170,7 @@ private:
   Stage stage_ = Stage::taking;
   Rows open_ = 0;               ///< groups that have not been handed over
   std::vector<Choice> choices_; ///< of the current unit, member by member
-  Seen<Way> known_;             ///< since begin()
+  Seen<PassState> known_;       ///< since begin()
 };
 
 } // namespace director::analysis

@@ -14,9 +14,9 @@ using dsl::Diagnostic;
 
 class UnreportedSearch {
 public:
-  UnreportedSearch(const Model& model, const Happening& happening, const std::vector<Diagnostic>& findings)
+  UnreportedSearch(const Model& model, const Occurrences& occurrences, const std::vector<Diagnostic>& findings)
       : model_(model),
-        happening_(happening),
+        occurrences_(occurrences),
         sources_(find_sources(model)) {
     out_.reported = IdSet<EdgeId>(model.edges.size());
     find_members();
@@ -27,7 +27,7 @@ public:
   }
 
   Unreported run() {
-    if (happening_.whole != nullptr) find_packs();
+    if (occurrences_.whole != nullptr) find_packs();
     for (const GroupId group : model_.groups.ids()) look_at(group);
     return std::move(out_);
   }
@@ -51,16 +51,16 @@ private:
   void find_packs() {
     for (const ProviderId id : model_.providers.ids()) {
       const std::vector<Pack>& packs = model_.providers[id].packs;
-      for (std::size_t i = 0; happening_.runs.contains(id) && i < packs.size(); ++i) {
+      for (std::size_t i = 0; occurrences_.runs.contains(id) && i < packs.size(); ++i) {
         const std::vector<EdgeId> members = members_of(model_, id, i);
-        if (members.empty() || happening_.whole->count({id, i}) != 0) continue;
+        if (members.empty() || occurrences_.whole->count({id, i}) != 0) continue;
         if (std::any_of(packs[i].tasks.begin(), packs[i].tasks.end(), [&](const Task& task) {
               return is_reported(task.span) || reported_in_packs_.count(task.span) != 0;
             }))
           continue;
         // What prevents them may have a finding of its own.
-        const auto blamed = happening_.to_blame.find({id, i});
-        const bool has_blame = blamed != happening_.to_blame.end() && !happening_.granted.contains(blamed->second);
+        const auto blamed = occurrences_.to_blame.find({id, i});
+        const bool has_blame = blamed != occurrences_.to_blame.end() && !occurrences_.granted.contains(blamed->second);
         if (!has_blame) out_.packs.emplace_back(id, i);
         for (const EdgeId member : members) {
           if (!has_blame || blamed->second != member) in_packs_.insert(member);
@@ -72,13 +72,13 @@ private:
   void look_at(GroupId id) {
     const Group& group = model_.groups[id];
     const std::vector<ProviderId>& all = group.providers;
-    const auto runs = [&](ProviderId each) { return happening_.runs.contains(each); };
+    const auto runs = [&](ProviderId each) { return occurrences_.runs.contains(each); };
     // A group that is never requested is explained by its requesters.
     std::vector<EdgeId> requested, refused;
     for (const EdgeId edge : group.requesters) {
-      if (!happening_.requested.contains(edge)) continue;
+      if (!occurrences_.requested.contains(edge)) continue;
       requested.push_back(edge);
-      if (!happening_.granted.contains(edge)) refused.push_back(edge);
+      if (!occurrences_.granted.contains(edge)) refused.push_back(edge);
     }
     if (requested.empty()) return;
     if (std::none_of(all.begin(), all.end(), runs)) {
@@ -128,7 +128,7 @@ private:
     return at->second;
   }
   bool finds_silent(ProviderId id) {
-    if (happening_.runs.contains(id)) return false;
+    if (occurrences_.runs.contains(id)) return false;
     const Provider& provider = model_.providers[id];
     const auto any_reported = [&](const std::vector<ConditionUse>& uses) {
       return std::any_of(uses.begin(), uses.end(), [&](const ConditionUse& use) { return is_reported(use.span); });
@@ -149,12 +149,12 @@ private:
     const Condition& condition = model_.conditions[id];
     const std::vector<Source>& sources = sources_[condition.state];
     return std::none_of(sources.begin(), sources.end(), [&](const Source& source) {
-      return !source.values.intersected(condition.accepts).empty() && acts(model_, source, happening_.runs);
+      return !source.values.intersected(condition.accepts).empty() && acts(model_, source, occurrences_.runs);
     });
   }
 
   const Model& model_;
-  const Happening& happening_;
+  const Occurrences& occurrences_;
   IdTable<StateId, std::vector<Source>> sources_;
   std::set<dsl::Span> reported_;
   std::set<dsl::Span> reported_in_packs_; ///< entries that are never granted together
@@ -195,8 +195,9 @@ std::vector<const Task*> entries_of(const Model& model, EdgeId edge) {
   return out;
 }
 
-Unreported find_unreported(const Model& model, const Happening& happening, const std::vector<Diagnostic>& findings) {
-  return UnreportedSearch(model, happening, findings).run();
+Unreported find_unreported(const Model& model, const Occurrences& occurrences,
+                           const std::vector<Diagnostic>& findings) {
+  return UnreportedSearch(model, occurrences, findings).run();
 }
 
 } // namespace director::analysis

@@ -19,7 +19,7 @@ using namespace director::compiler;
 using PackOf = std::pair<ProviderId, std::size_t>; ///< with the index among the provider's packs
 
 /// What happens at some time.
-struct Happening {
+struct Occurrences {
   IdSet<ProviderId> runs;
   IdSet<EdgeId> requested, granted;
   /// Packs that are granted whole; null: unknown.
@@ -36,7 +36,7 @@ struct Unreported {
 };
 
 /// In order. `findings`: all findings.
-Unreported find_unreported(const Model& model, const Happening& happening,
+Unreported find_unreported(const Model& model, const Occurrences& occurrences,
                            const std::vector<dsl::Diagnostic>& findings);
 
 /// Mandatory members of a named pack that are granted all or none, two or more; else empty.

@@ -1,6 +1,6 @@
-// Header: compiler/play/recorder.hpp. Test: tests/compiler/play/play_test.cpp.
+// Header: compiler/play/event_converter.hpp. Test: tests/compiler/play/play_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/play/recorder.hpp"
+#include "compiler/play/event_converter.hpp"
 
 #include "runtime/core/api/event_names.hpp"
 
@@ -8,11 +8,11 @@
 
 namespace director::compiler {
 
-Observer Recorder::observer() {
-  return {[](void* self, const Event& event) { static_cast<Recorder*>(self)->tell(event); }, this};
+Observer EventConverter::observer() {
+  return {[](void* self, const Event& event) { static_cast<EventConverter*>(self)->tell(event); }, this};
 }
 
-Happening Recorder::happening(Happening::Kind kind) const {
+Happening EventConverter::happening(Happening::Kind kind) const {
   Happening out;
   out.kind = kind;
   out.step = step_;
@@ -20,15 +20,15 @@ Happening Recorder::happening(Happening::Kind kind) const {
   return out;
 }
 
-void Recorder::input(std::string words) {
+void EventConverter::input(std::string words) {
   Happening out = happening(Happening::Kind::input);
   out.words = std::move(words);
   sink_(out);
 }
 
-void Recorder::budget_exhausted() { sink_(happening(Happening::Kind::budget_exhausted)); }
+void EventConverter::budget_exhausted() { sink_(happening(Happening::Kind::budget_exhausted)); }
 
-std::pair<std::vector<GroupId>, std::optional<GroupId>> Recorder::latest() const {
+std::pair<std::vector<GroupId>, std::optional<GroupId>> EventConverter::latest() const {
   std::pair<std::vector<GroupId>, std::optional<GroupId>> out;
   const auto end = runs_.begin() + static_cast<std::ptrdiff_t>(std::min(runs_seen_, latest_kept));
   for (auto run = runs_.begin(); run != end; ++run) {
@@ -41,18 +41,18 @@ std::pair<std::vector<GroupId>, std::optional<GroupId>> Recorder::latest() const
   return out;
 }
 
-std::string Recorder::requester(Index edge) const {
+std::string EventConverter::requester(Index edge) const {
   const Index from = lowered_.edges[edge].requester;
   return from == nil ? "root" : group(from);
 }
 
-std::string Recorder::why(const Event& event) const {
+std::string EventConverter::why(const Event& event) const {
   if (event.why == Why::waiting && event.condition != nil)
     return "waiting for " + model_.conditions[lowered_.condition_ids[event.condition]].text;
   return name_of(event.why);
 }
 
-void Recorder::tell(const Event& event) {
+void EventConverter::tell(const Event& event) {
   using Kind = Happening::Kind;
   if (shared_.tell != nullptr) shared_.tell(shared_.self, event);
   Happening out = happening(Kind::run);
@@ -97,7 +97,7 @@ void Recorder::tell(const Event& event) {
   sink_(out);
 }
 
-void Recorder::decide(const Event& event, Happening& out) {
+void EventConverter::decide(const Event& event, Happening& out) {
   using Kind = Happening::Kind;
   switch (event.kind) {
   case Event::Kind::queue:

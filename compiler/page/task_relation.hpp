@@ -9,7 +9,7 @@
 namespace director::compiler {
 
 /// Of the two edges of a decision.
-struct Company {
+struct TaskRelation {
   bool at_once = false;                             ///< some pack, with the needs of its provider, has both
   bool unit = false;                                ///< granted together, or not at all
   bool first_loose = false, second_loose = false;   ///< both are requested by some pack, and this one is neither in one
@@ -20,6 +20,6 @@ struct Company {
   bool first_own = false, second_own = false; ///< needed, and that provider requests the other one, or needs it too
 };
 
-Company company_of(const Model& model, const analysis::Decision& decision);
+TaskRelation relation_of(const Model& model, const analysis::Decision& decision);
 
 } // namespace director::compiler

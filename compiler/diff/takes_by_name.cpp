@@ -1,12 +1,12 @@
-// Header: compiler/diff/contests.hpp. Test: tests/compiler/diff/diff_test.cpp.
+// Header: compiler/diff/takes_by_name.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/diff/contests.hpp"
+#include "compiler/diff/takes_by_name.hpp"
 
 #include <algorithm>
 
 namespace director::compiler::diff {
 
-Contests::Contests(const Checked& checked, Numbers& numbers)
+TakesByName::TakesByName(const Checked& checked, Numbers& numbers)
     : model_(checked.model),
       graph_(checked.graph),
       numbers_(numbers),
@@ -26,22 +26,22 @@ Contests::Contests(const Checked& checked, Numbers& numbers)
   }
 }
 
-const Edge* Contests::find(const std::string& requester, const std::string& target) const {
+const Edge* TakesByName::find(const std::string& requester, const std::string& target) const {
   const auto at = by_names_.find({requester, target});
   return at == by_names_.end() ? nullptr : at->second;
 }
 
-Contests::Groups Contests::between(const Edge& winner, const Edge& loser) {
+TakesByName::Groups TakesByName::between(const Edge& winner, const Edge& loser) {
   Groups out;
   rivalries_.between(id_of(winner), id_of(loser), [&](const Rivalry& each) { add(each, out); });
-  for (auto& [group, meetings] : out) std::sort(meetings.begin(), meetings.end());
+  for (auto& [group, encounters] : out) std::sort(encounters.begin(), encounters.end());
   return out;
 }
 
-std::set<std::string_view> Contests::topmost_taken(const Edge& winner, const Edge& loser, const Groups& groups) {
+std::set<std::string_view> TakesByName::topmost_taken(const Edge& winner, const Edge& loser, const Groups& groups) {
   std::vector<bool> taken(model_.groups.size());
-  for (const auto& [name, meetings] : groups) {
-    if (std::any_of(meetings.begin(), meetings.end(), [](const auto& each) { return each.second; }))
+  for (const auto& [name, encounters] : groups) {
+    if (std::any_of(encounters.begin(), encounters.end(), [](const auto& each) { return each.second; }))
       taken[model_.find_group(std::string(name))->value] = true;
   }
   std::set<std::string_view> out;
@@ -49,7 +49,7 @@ std::set<std::string_view> Contests::topmost_taken(const Edge& winner, const Edg
   return out;
 }
 
-std::vector<std::string> Contests::topmost_common(const Edge& one, const Edge& other) {
+std::vector<std::string> TakesByName::topmost_common(const Edge& one, const Edge& other) {
   std::vector<bool> common = led_to(one.target);
   const std::vector<bool>& others = led_to(other.target);
   for (std::size_t i = 0; i < common.size(); ++i) common[i] = common[i] && others[i];
@@ -59,7 +59,7 @@ std::vector<std::string> Contests::topmost_common(const Edge& one, const Edge& o
   return out;
 }
 
-bool Contests::meet_in_passing(const Edge& one, const Edge& other) const {
+bool TakesByName::meet_in_passing(const Edge& one, const Edge& other) const {
   if (!one.requester) return false;
   if (one.needed || other.needed) return true;
   for (const auto& [first, level] : places(one)) {
@@ -71,58 +71,58 @@ bool Contests::meet_in_passing(const Edge& one, const Edge& other) const {
   return false;
 }
 
-const std::vector<bool>& Contests::led_to(GroupId from) {
+const std::vector<bool>& TakesByName::led_to(GroupId from) {
   std::vector<bool>& out = led_to_[from];
   if (out.empty()) out = compiler::led_to(graph_, from);
   return out;
 }
 
-const std::map<Place, std::uint32_t>& Contests::places(const Edge& edge) const {
+const std::map<Place, std::uint32_t>& TakesByName::places(const Edge& edge) const {
   static const std::map<Place, std::uint32_t> none;
   const auto at = places_.find(&edge);
   return at == places_.end() ? none : at->second;
 }
 
-void Contests::add_places(const Task& task, const std::string& provider, const std::string& pack) {
+void TakesByName::add_places(const Task& task, const std::string& provider, const std::string& pack) {
   for (const Task::NamedLevel& level : task.levels)
     places_[&model_.edges[task.edge]].emplace(Place{provider, pack, level.name}, level.level);
 }
 
-void Contests::add(const Rivalry& rivalry, Groups& groups) {
-  Meetings& out = groups[name_of(model_, rivalry.group)];
-  Meeting meeting;
-  if (rivalry.provider) meeting.provider = numbers_.of(model_.providers[*rivalry.provider].name);
-  meeting.pack = numbers_.of(rivalry.pack);
-  meeting.winner_level = numbers_.of(rivalry.taker_level->name);
-  meeting.loser_level = numbers_.of(rivalry.loser_level->name);
-  meeting.takes = rivalry.takes;
-  meeting.loses = rivalry.loses;
-  out.emplace_back(meeting, rivalry.wins);
-  if (rivalry.provider) add_mates(rivalry, meeting, out);
+void TakesByName::add(const Rivalry& rivalry, Groups& groups) {
+  Encounters& out = groups[name_of(model_, rivalry.group)];
+  Encounter encounter;
+  if (rivalry.provider) encounter.provider = numbers_.of(model_.providers[*rivalry.provider].name);
+  encounter.pack = numbers_.of(rivalry.pack);
+  encounter.winner_level = numbers_.of(rivalry.taker_level->name);
+  encounter.loser_level = numbers_.of(rivalry.loser_level->name);
+  encounter.takes = rivalry.takes;
+  encounter.loses = rivalry.loses;
+  out.emplace_back(encounter, rivalry.wins);
+  if (rivalry.provider) add_mates(rivalry, encounter, out);
 }
 
 /// The same with each member of a unit that brings one of the two forward, if the other one is apart (semantics.md,
 /// 4.4): that which is granted with the unit, not what its members request.
-void Contests::add_mates(const Rivalry& rivalry, Meeting meeting, Meetings& out) {
+void TakesByName::add_mates(const Rivalry& rivalry, Encounter encounter, Encounters& out) {
   const Level &winner = level_of(*rivalry.taker, *rivalry.taker_level),
               &loser = level_of(*rivalry.loser, *rivalry.loser_level);
   const auto is_led = [](const Level& level, analysis::Reach reach, const Level& rival) {
     return level.shares_unit() && reach == analysis::Reach::own && !rival.optional && rival.apart;
   };
-  meeting.is_losers = is_led(loser, rivalry.loses, winner);
-  if (!meeting.is_losers && !is_led(winner, rivalry.takes, loser)) return;
-  const std::int32_t rivals = meeting.is_losers ? winner.priority : loser.priority;
+  encounter.is_losers = is_led(loser, rivalry.loses, winner);
+  if (!encounter.is_losers && !is_led(winner, rivalry.takes, loser)) return;
+  const std::int32_t rivals = encounter.is_losers ? winner.priority : loser.priority;
   for (const Task& mate : *rivalry.entries) {
     if (mate.edge == rivalry.taker->edge || mate.edge == rivalry.loser->edge) continue;
-    meeting.mate = numbers_.of(name_of(model_, mate.target));
+    encounter.mate = numbers_.of(name_of(model_, mate.target));
     for (const Task::NamedLevel& named : mate.levels) {
       const Level& level = level_of(mate, named);
       if (!level.shares_unit()) continue;
-      meeting.mate_level = numbers_.of(named.name);
+      encounter.mate_level = numbers_.of(named.name);
       for (const bool if_older : {false, true}) {
-        meeting.if_older = if_older;
+        encounter.if_older = if_older;
         const bool leads = level.priority > rivals || (if_older && level.priority == rivals);
-        out.emplace_back(meeting, meeting.is_losers ? rivalry.wins && !leads : rivalry.wins || leads);
+        out.emplace_back(encounter, encounter.is_losers ? rivalry.wins && !leads : rivalry.wins || leads);
       }
     }
   }

@@ -32,24 +32,24 @@ private:
 };
 
 /// Where two tasks may be requested at once, and how they come to claim a group. All of it by the numbers of names.
-struct Meeting {
+struct Encounter {
   std::uint32_t mate = 0; ///< a unit is tried at the place of its first member: this one, of the unit of one of the two
   std::uint32_t provider = 0, pack = 0, winner_level = 0, loser_level = 0, mate_level = 0;
   analysis::Reach takes{}, loses{};
   bool is_losers = false; ///< the mate is one of the loser
   bool if_older = false;  ///< at equal priority of mate and rival the mate's request is the older one
-  auto operator<=>(const Meeting&) const = default;
+  auto operator<=>(const Encounter&) const = default;
 };
 
 /// Whether the winner takes the group there. Sorted.
-using Meetings = std::vector<std::pair<Meeting, bool>>;
+using Encounters = std::vector<std::pair<Encounter, bool>>;
 
 /// Provider, pack and name of the level; for the program only the last.
 using Place = std::tuple<std::string, std::string, std::string>;
 
-class Contests {
+class TakesByName {
 public:
-  Contests(const Checked& checked, Numbers& numbers);
+  TakesByName(const Checked& checked, Numbers& numbers);
 
   /// By requester, "" for the program; in order.
   const std::map<std::string, std::vector<EdgeId>>& edges() const { return edges_; }
@@ -57,7 +57,7 @@ public:
   const Edge* find(const std::string& requester, const std::string& target) const;
 
   /// By name of the group for which both may contend.
-  using Groups = std::map<std::string_view, Meetings>;
+  using Groups = std::map<std::string_view, Encounters>;
   Groups between(const Edge& winner, const Edge& loser);
   /// Names of the groups that the winner may take; the others come with these.
   std::set<std::string_view> topmost_taken(const Edge& winner, const Edge& loser, const Groups& groups);
@@ -73,7 +73,7 @@ public:
 private:
   void add_places(const Task& task, const std::string& provider, const std::string& pack);
   void add(const Rivalry& rivalry, Groups& out);
-  void add_mates(const Rivalry& rivalry, Meeting meeting, Meetings& out);
+  void add_mates(const Rivalry& rivalry, Encounter encounter, Encounters& out);
   /// The edges are one table.
   EdgeId id_of(const Edge& edge) const { return {static_cast<std::uint32_t>(&edge - &*model_.edges.begin())}; }
   const Level& level_of(const Task& task, const Task::NamedLevel& level) const {

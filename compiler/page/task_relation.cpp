@@ -1,6 +1,6 @@
-// Header: compiler/page/company.hpp. Test: tests/compiler/page/ranks_test.cpp.
+// Header: compiler/page/task_relation.hpp. Test: tests/compiler/page/ranks_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/page/company.hpp"
+#include "compiler/page/task_relation.hpp"
 
 #include "compiler/page/leaders.hpp"
 
@@ -33,7 +33,7 @@ struct NeedOf {
 /// What the pack of one provider adds, while one with these needs is active: itself, or one that its group has
 /// changed to and that has not requested anything yet.
 void add_pack(const Model& model, const Pack& pack, const analysis::Decision& decision, const NeedOf& needs,
-              bool is_own, Company& out) {
+              bool is_own, TaskRelation& out) {
   const Task* const first = entry_of(pack, decision.first_sibling);
   const Task* const second = entry_of(pack, decision.second_sibling);
   const bool has_first = needs.first || (first != nullptr && may_be(model, *first, decision.first)),
@@ -54,9 +54,9 @@ void add_pack(const Model& model, const Pack& pack, const analysis::Decision& de
 
 } // namespace
 
-Company company_of(const Model& model, const analysis::Decision& decision) {
+TaskRelation relation_of(const Model& model, const analysis::Decision& decision) {
   if (!decision.requester) return {true, false};
-  Company out;
+  TaskRelation out;
   const std::vector<ProviderId>& providers = model.groups[*decision.requester].providers;
   const auto needs_of = [&](ProviderId id) {
     const Provider& provider = model.providers[id];

@@ -18,16 +18,16 @@ namespace director::compiler {
 
 using Sink = std::function<void(const Happening&)>;
 
-class Recorder {
+class EventConverter {
 public:
   /// Keeps references to all of them. `decisions`: also why something is queued, pushed, released or set.
-  Recorder(const Model& model, const Lowered& lowered, bool decisions, const Sink& sink)
+  EventConverter(const Model& model, const Lowered& lowered, bool decisions, const Sink& sink)
       : model_(model),
         lowered_(lowered),
         decisions_(decisions),
         sink_(sink) {}
-  Recorder(const Recorder&) = delete;
-  Recorder& operator=(const Recorder&) = delete;
+  EventConverter(const EventConverter&) = delete;
+  EventConverter& operator=(const EventConverter&) = delete;
 
   Observer observer(); ///< for as long as this object lives
   void begin_step(std::uint32_t step) { step_ = step; }
