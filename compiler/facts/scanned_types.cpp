@@ -36,6 +36,36 @@ bool fails_elsewhere(const Json& answer, const std::string& file) {
   return std::any_of(errors.begin(), errors.end(), [&](const Json& error) { return error["file"].as_text() != file; });
 }
 
+Types types_in(const Json& answer, const std::vector<std::string>& names, const std::string& file) {
+  Types out;
+  const bool uncertain = fails_elsewhere(answer, file);
+  const std::vector<Json>& types = answer["types"].items();
+  bool any = false, unknown = false;
+  for (std::size_t i = 0; i < types.size() && i < names.size(); ++i) {
+    if (!types[i].is_object()) continue;
+    // If a header does not compile, a missing type may only not have been read.
+    if (uncertain && !types[i]["wrong"].as_text().empty()) {
+      unknown = true;
+      continue;
+    }
+    any = true;
+    out.by_name.emplace(names[i], type_of(types[i], answer["paths"]));
+  }
+  for (const Json& each : answer["files"].items()) {
+    const bool system = each.items().size() == 2 && each.items()[1].as_boolean();
+    if (!system && each.items()[0].as_text() != file) out.files.push_back(each.items()[0].as_text());
+  }
+  const std::vector<Json>& errors = answer["errors"].items();
+  if ((!any || unknown) && !errors.empty()) {
+    const Json& first = errors.front();
+    const std::string& path = first["file"].as_text();
+    const std::string place =
+        path.empty() || path == file ? std::string{} : fmt::format("{}:{}: ", path, first["line"].as_number());
+    out.fault = fmt::format("Clang does not understand the headers: {}{}", place, first["message"].as_text());
+  }
+  return out;
+}
+
 } // namespace
 
 const CppType* Types::find(std::string_view name) const {
@@ -99,30 +129,29 @@ const CompileCommand* ScannedTypes::choose(const std::vector<std::string>& heade
   return out;
 }
 
-Types ScannedTypes::read(const TypeReader::Question& question) {
+/// Why no command finds all headers.
+Types ScannedTypes::failure_to_choose(const std::vector<std::string>& missing) const {
   Types out;
-  const auto fail = [&](std::string fault) {
-    out.fault = std::move(fault);
+  out.missing = missing_everywhere_;
+  out.unreadable = unreadable_;
+  if (missing.empty()) {
+    out.fault = fmt::format("{} compiles no C++", flags_.source);
     return out;
-  };
-  if (!flags_.fault.empty()) return fail(flags_.fault);
-  std::vector<std::string> missing;
-  const CompileCommand* command = choose(question.headers, missing);
-  if (command == nullptr) {
-    out.missing = missing_everywhere_;
-    out.unreadable = unreadable_;
-    if (missing.empty()) return fail(fmt::format("{} compiles no C++", flags_.source));
-    const std::string& first = (out.missing.empty() ? missing : out.missing).front();
-    const auto why = unreadable_.find(first);
-    return fail(why == unreadable_.end()
-                    ? fmt::format("no include folder of {} has the header `{}`", flags_.source, first)
-                    : fmt::format("the header `{}` cannot be read: {}", first, why->second));
   }
-  if (question.names.empty()) return out;
+  const std::string& first = (out.missing.empty() ? missing : out.missing).front();
+  const auto why = unreadable_.find(first);
+  out.fault = why == unreadable_.end()
+                  ? fmt::format("no include folder of {} has the header `{}`", flags_.source, first)
+                  : fmt::format("the header `{}` cannot be read: {}", first, why->second);
+  return out;
+}
+
+/// From the cache, or from director-clang. `file`: which includes the headers.
+Scan ScannedTypes::answer_to(const TypeReader::Question& question, const CompileCommand& command,
+                             const std::string& file) {
   const Scan version = scanner_.version();
-  if (!version) return fail(version.error().message);
-  const std::string file = (fs::path(command->directory) / "director_types.cpp").string();
-  const Json unit = unit_question(file, command->directory, compilers_.complete(fit_for_clang(*command)));
+  if (!version) return version;
+  const Json unit = unit_question(file, command.directory, compilers_.complete(fit_for_clang(command)));
   Json request = Json::object({{"unit", unit},
                                {"headers", Json::texts(question.headers)},
                                {"namespace", Json::text(question.name_space)},
@@ -130,40 +159,27 @@ Types ScannedTypes::read(const TypeReader::Question& question) {
   Json versioned = request;
   versioned.add("format", Json::number(facts_format));
   versioned.add("director", Json::text(version.value()["director"].as_text())).add("clang", version.value()["clang"]);
-  std::optional<Json> answer = cache_.recall(to_line(versioned));
-  if (!answer) {
-    const Scan scan = scanner_.ask("types", request);
-    if (!scan) return fail(scan.error().message);
-    answer = scan.value();
-    // A header that the build has yet to generate is not among the files that were read.
-    if (!fails_elsewhere(*answer, file)) cache_.keep(to_line(versioned), *answer);
-  }
-  const bool uncertain = fails_elsewhere(*answer, file);
-  const std::vector<Json>& types = (*answer)["types"].items();
-  bool any = false, unknown = false;
-  for (std::size_t i = 0; i < types.size() && i < question.names.size(); ++i) {
-    if (!types[i].is_object()) continue;
-    // If a header does not compile, a missing type may only not have been read.
-    if (uncertain && !types[i]["wrong"].as_text().empty()) {
-      unknown = true;
-      continue;
-    }
-    any = true;
-    out.by_name.emplace(question.names[i], type_of(types[i], (*answer)["paths"]));
-  }
-  for (const Json& each : (*answer)["files"].items()) {
-    const bool system = each.items().size() == 2 && each.items()[1].as_boolean();
-    if (!system && each.items()[0].as_text() != file) out.files.push_back(each.items()[0].as_text());
-  }
-  const std::vector<Json>& errors = (*answer)["errors"].items();
-  if ((!any || unknown) && !errors.empty()) {
-    const Json& first = errors.front();
-    const std::string& path = first["file"].as_text();
-    const std::string place =
-        path.empty() || path == file ? std::string{} : fmt::format("{}:{}: ", path, first["line"].as_number());
-    out.fault = fmt::format("Clang does not understand the headers: {}{}", place, first["message"].as_text());
-  }
-  return out;
+  if (std::optional<Json> known = cache_.recall(to_line(versioned))) return std::move(*known);
+  Scan scan = scanner_.ask("types", request);
+  // A header that the build has yet to generate is not among the files that were read.
+  if (scan && !fails_elsewhere(scan.value(), file)) cache_.keep(to_line(versioned), scan.value());
+  return scan;
+}
+
+Types ScannedTypes::read(const TypeReader::Question& question) {
+  const auto failure = [](std::string fault) {
+    Types out;
+    out.fault = std::move(fault);
+    return out;
+  };
+  if (!flags_.fault.empty()) return failure(flags_.fault);
+  std::vector<std::string> missing;
+  const CompileCommand* command = choose(question.headers, missing);
+  if (command == nullptr) return failure_to_choose(missing);
+  if (question.names.empty()) return {};
+  const std::string file = (fs::path(command->directory) / "director_types.cpp").string();
+  const Scan scan = answer_to(question, *command, file);
+  return scan ? types_in(scan.value(), question.names, file) : failure(scan.error().message);
 }
 
 } // namespace director::compiler

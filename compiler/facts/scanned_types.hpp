@@ -34,6 +34,8 @@ private:
   const CompileCommand* choose(const std::vector<std::string>& headers, std::vector<std::string>& missing);
   std::vector<std::string> missing_in(const CompileCommand& command, const std::vector<std::string>& headers);
   bool has_runtime(const CompileCommand& command);
+  Types failure_to_choose(const std::vector<std::string>& missing) const;
+  Scan answer_to(const TypeReader::Question& question, const CompileCommand& command, const std::string& file);
 
   TypeFlags flags_;
   Scanner& scanner_;
