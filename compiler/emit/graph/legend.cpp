@@ -75,96 +75,134 @@ std::string table_row(const LegendEntry& entry) {
                      words);
 }
 
-} // namespace
+class Legend {
+public:
+  explicit Legend(const Picture& picture)
+      : picture_(picture),
+        marked_(any(picture.boxes, [](const PictureBox& box) { return box.mark.has_value(); })) {}
 
-std::vector<LegendEntry> legend_of(const Picture& picture) {
+  std::vector<LegendEntry> entries() {
+    add_sign(!picture_.nothing.empty(), "nothing drawn", picture_.nothing);
+    add_marks();
+    add_arrows();
+    add_boxes();
+    add_lines();
+    return std::move(out_);
+  }
+
+private:
   using Kind = PictureArrow::Kind;
-  std::vector<LegendEntry> out;
-  const auto draws = [&](auto is_one) { return any(picture.arrows, is_one); };
-  const auto asks = [](const PictureArrow& arrow) { return arrow.kind == Kind::task || arrow.kind == Kind::both; };
-  const bool marked = any(picture.boxes, [](const PictureBox& box) { return box.mark.has_value(); });
-  const auto add = [&](bool is_drawn, Sample sample, std::string words) {
+
+  void add(bool is_drawn, Sample sample, std::string words) {
     if (is_drawn)
-      out.push_back({sample, {}, std::move(words), marked && sample != Sample::push && sample != Sample::take});
-  };
-  const auto add_sign = [&](bool is_drawn, std::string sign, std::string words) {
-    if (is_drawn) out.push_back({Sample::text, std::move(sign), std::move(words), false});
-  };
-  const auto has_number = [](const std::string& text) {
+      out_.push_back({sample, {}, std::move(words), marked_ && sample != Sample::push && sample != Sample::take});
+  }
+  void add_sign(bool is_drawn, std::string sign, std::string words) {
+    if (is_drawn) out_.push_back({Sample::text, std::move(sign), std::move(words), false});
+  }
+
+  template <class Predicate>
+  bool draws_box(Predicate is_one) const {
+    return any(picture_.boxes, is_one);
+  }
+  template <class Predicate>
+  bool draws(Predicate is_one) const {
+    return any(picture_.arrows, is_one);
+  }
+  static bool asks(const PictureArrow& arrow) { return arrow.kind == Kind::task || arrow.kind == Kind::both; }
+  static bool has_number(const std::string& text) {
     return any(text, [](unsigned char letter) { return std::isdigit(letter) != 0; });
-  };
-  add_sign(!picture.nothing.empty(), "nothing drawn", picture.nothing);
-  const auto marks = [&](Moment::Mark mark, std::string sign, std::string words) {
+  }
+
+  void add_mark(Moment::Mark mark, std::string sign, std::string words) {
     const auto has_mark = [&](const PictureBox& box) {
       return box.mark == mark || any(box.frames, [&](const Moment::Standing& frame) { return frame.mark == mark; });
     };
-    add_sign(any(picture.boxes, has_mark), std::move(sign), std::move(words));
-  };
-  marks(Moment::Mark::running, "blue frame, \u25B6", "runs, in that provider");
-  marks(Moment::Mark::queued, "dashed red frame", "queued: it is requested, and waits");
-  marks(Moment::Mark::pushed, "green frame", "runs, and is pushed by what waits");
-  marks(Moment::Mark::held, "dotted blue frame", "held, and not requested yet");
-  marks(Moment::Mark::inactive, "grey", "nothing requests it");
-  const bool has_frames = any(picture.boxes, [](const PictureBox& box) { return !box.frames.empty(); });
-  const auto lines = [&](Moment::Mark mark, std::string sign, std::string words) {
+    add_sign(draws_box(has_mark), std::move(sign), std::move(words));
+  }
+  void add_marked_line(Moment::Mark mark, std::string sign, std::string words) {
+    const bool has_frames = draws_box([](const PictureBox& box) { return !box.frames.empty(); });
     const auto is_one = [&](const PictureArrow& arrow) {
       return arrow.kind != Kind::push && arrow.kind != Kind::take && (has_frames || arrow.mark == mark);
     };
     add_sign(draws(is_one), std::move(sign), std::move(words));
-  };
-  if (marked) {
-    lines(Moment::Mark::running, std::string(blue_line), "is requested or needed, and has it");
-    lines(Moment::Mark::queued, std::string(red_line), "is requested, and waits");
-    lines(Moment::Mark::inactive, std::string(grey_line), "is not requested now");
   }
-  const auto plain = [](const PictureArrow& arrow) {
-    return arrow.kind == Kind::task && !arrow.optional && !arrow.apart && !arrow.missing;
-  };
-  add(draws(plain), Sample::task, "requests");
-  add(draws([&](const PictureArrow& arrow) { return asks(arrow) && arrow.optional; }), Sample::optional,
-      "requests, optional: weaker than all that is not");
-  add(draws([&](const PictureArrow& arrow) { return asks(arrow) && arrow.apart && !arrow.optional; }), Sample::apart,
-      "requests, apart: granted by itself");
-  add(draws([](const PictureArrow& arrow) { return arrow.kind == Kind::need; }), Sample::need,
-      "needs: holds it while it runs");
-  add(draws([](const PictureArrow& arrow) { return arrow.kind == Kind::both; }), Sample::both, "needs and requests");
-  add(draws([](const PictureArrow& arrow) { return arrow.kind == Kind::push; }), Sample::push,
-      "waits until that is true, and may push the other to make it true");
-  add(draws([](const PictureArrow& arrow) { return arrow.kind == Kind::take; }), Sample::take,
-      "may take from the other what it holds, by these ranks");
-  add_sign(draws([&](const PictureArrow& arrow) { return asks(arrow) && has_number(arrow.label); }), "20",
-           "priority among all that the same one requests: the higher one wins");
-  const bool ranked =
-      any(picture.boxes, [&](const PictureBox& box) { return box.requested && has_number(*box.requested); });
-  add_sign(any(picture.boxes, [](const PictureBox& box) { return box.requested.has_value(); }),
-           marked ? "\u25BC program" : "thick frame",
-           fmt::format("the program itself requests it{}", ranked ? ", with that priority" : ""));
-  add_sign(any(picture.boxes, [](const PictureBox& box) { return box.in_focus; }), "thickest", "what was asked about");
-  const bool from_rows = draws([](const PictureArrow& arrow) { return arrow.from.row.has_value(); });
-  add_sign(any(picture.boxes, [](const PictureBox& box) { return box.rows.size() > 1; }), "rows",
-           fmt::format("providers, the preferred one first{}",
-                       picture.packs_left_out ? "; an arrow stands for all that request"
-                       : from_rows            ? "; an arrow from one row is of that provider alone"
-                                              : ""));
-  add_sign(any(picture.boxes,
-               [](const PictureBox& box) {
-                 return any(box.rows, [](const PictureRow& row) { return !row.packs.empty(); });
-               }),
-           "\u25C7", "packs: it requests one of them at a time");
-  add_sign(any(picture.boxes, [](const PictureBox& box) { return box.kind == PictureBox::Kind::alike; }), "dashed box",
-           "groups that the same ones request in the same way");
-  add_sign(any(picture.boxes, [](const PictureBox& box) { return box.kind == PictureBox::Kind::missing; }) ||
-               has_line(picture, PictureLine::Kind::wrong),
-           "red, \u2716", "is wrong, or missing");
-  add_sign(has_line(picture, PictureLine::Kind::doubtful), "\u26A0", "a warning, or a lint");
-  add_sign(has_line(picture, PictureLine::Kind::when), "when, stay",
-           "when must hold for it to run, stay is enough to go on");
-  add_sign(has_line(picture, PictureLine::Kind::causing), "causing", "makes that true when it is pushed");
-  add_sign(has_line(picture, PictureLine::Kind::sets), "sets", "may set that, and promises nothing");
-  add_sign(has_line(picture, PictureLine::Kind::runs), "on, every", "runs again then");
-  add_sign(has_line(picture, PictureLine::Kind::outer), "extern", "whoever imports this file must provide it");
-  return out;
-}
+  /// What happens at the moment that is shown.
+  void add_marks() {
+    add_mark(Moment::Mark::running, "blue frame, \u25B6", "runs, in that provider");
+    add_mark(Moment::Mark::queued, "dashed red frame", "queued: it is requested, and waits");
+    add_mark(Moment::Mark::pushed, "green frame", "runs, and is pushed by what waits");
+    add_mark(Moment::Mark::held, "dotted blue frame", "held, and not requested yet");
+    add_mark(Moment::Mark::inactive, "grey", "nothing requests it");
+    if (!marked_) return;
+    add_marked_line(Moment::Mark::running, std::string(blue_line), "is requested or needed, and has it");
+    add_marked_line(Moment::Mark::queued, std::string(red_line), "is requested, and waits");
+    add_marked_line(Moment::Mark::inactive, std::string(grey_line), "is not requested now");
+  }
+
+  void add_arrows() {
+    const auto plain = [](const PictureArrow& arrow) {
+      return arrow.kind == Kind::task && !arrow.optional && !arrow.apart && !arrow.missing;
+    };
+    const auto is = [&](Kind kind) { return draws([=](const PictureArrow& arrow) { return arrow.kind == kind; }); };
+    add(draws(plain), Sample::task, "requests");
+    add(draws([](const PictureArrow& arrow) { return asks(arrow) && arrow.optional; }), Sample::optional,
+        "requests, optional: weaker than all that is not");
+    add(draws([](const PictureArrow& arrow) { return asks(arrow) && arrow.apart && !arrow.optional; }), Sample::apart,
+        "requests, apart: granted by itself");
+    add(is(Kind::need), Sample::need, "needs: holds it while it runs");
+    add(is(Kind::both), Sample::both, "needs and requests");
+    add(is(Kind::push), Sample::push, "waits until that is true, and may push the other to make it true");
+    add(is(Kind::take), Sample::take, "may take from the other what it holds, by these ranks");
+    add_sign(draws([](const PictureArrow& arrow) { return asks(arrow) && has_number(arrow.label); }), "20",
+             "priority among all that the same one requests: the higher one wins");
+  }
+
+  void add_boxes() {
+    const bool ranked = draws_box([](const PictureBox& box) { return box.requested && has_number(*box.requested); });
+    add_sign(draws_box([](const PictureBox& box) { return box.requested.has_value(); }),
+             marked_ ? "\u25BC program" : "thick frame",
+             fmt::format("the program itself requests it{}", ranked ? ", with that priority" : ""));
+    add_sign(draws_box([](const PictureBox& box) { return box.in_focus; }), "thickest", "what was asked about");
+    const bool from_rows = draws([](const PictureArrow& arrow) { return arrow.from.row.has_value(); });
+    add_sign(draws_box([](const PictureBox& box) { return box.rows.size() > 1; }), "rows",
+             fmt::format("providers, the preferred one first{}",
+                         picture_.packs_left_out ? "; an arrow stands for all that request"
+                         : from_rows             ? "; an arrow from one row is of that provider alone"
+                                                 : ""));
+    add_sign(draws_box([](const PictureBox& box) {
+               return any(box.rows, [](const PictureRow& row) { return !row.packs.empty(); });
+             }),
+             "\u25C7", "packs: it requests one of them at a time");
+    const auto is = [&](PictureBox::Kind kind) {
+      return draws_box([=](const PictureBox& box) { return box.kind == kind; });
+    };
+    add_sign(is(PictureBox::Kind::alike), "dashed box", "groups that the same ones request in the same way");
+    add_sign(is(PictureBox::Kind::missing) || has_line(picture_, PictureLine::Kind::wrong), "red, \u2716",
+             "is wrong, or missing");
+  }
+
+  /// What the lines of the boxes say.
+  void add_lines() {
+    const auto add_line = [&](PictureLine::Kind kind, std::string sign, std::string words) {
+      add_sign(has_line(picture_, kind), std::move(sign), std::move(words));
+    };
+    add_line(PictureLine::Kind::doubtful, "\u26A0", "a warning, or a lint");
+    add_line(PictureLine::Kind::when, "when, stay", "when must hold for it to run, stay is enough to go on");
+    add_line(PictureLine::Kind::causing, "causing", "makes that true when it is pushed");
+    add_line(PictureLine::Kind::sets, "sets", "may set that, and promises nothing");
+    add_line(PictureLine::Kind::runs, "on, every", "runs again then");
+    add_line(PictureLine::Kind::outer, "extern", "whoever imports this file must provide it");
+  }
+
+  const Picture& picture_;
+  const bool marked_;
+  std::vector<LegendEntry> out_;
+};
+
+} // namespace
+
+std::vector<LegendEntry> legend_of(const Picture& picture) { return Legend(picture).entries(); }
 
 std::vector<std::string> legend_table(const Picture& picture) {
   std::vector<std::string> out;
