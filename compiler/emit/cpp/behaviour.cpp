@@ -40,6 +40,35 @@ void define_steps(Code& code, const CppEmission& e) {
   code.close("}");
 }
 
+/// The constructor that the public ones call, and what keeps an exception until a step ends. `parameters`: the modules.
+void define_private_part(Code& code, std::vector<std::string> parameters, const std::vector<std::string>& modules,
+                         const std::string& tag) {
+  code.outdented("private:");
+  code.line("friend struct detail::Bodies;");
+  parameters.insert(parameters.begin(), fmt::format("detail::{}", tag));
+  code.list("Behaviour(", parameters, ");");
+  code.open("director::StepResult hand_on(director::StepResult result) {");
+  code.line("if (result == director::StepResult::fault) throw_on();");
+  code.line("return result;");
+  code.close("}");
+  code.line("void throw_on();");
+  code.line("template <bool reports>");
+  code.open("void observe(director::Observer observer) {");
+  code.line("#ifdef __cpp_exceptions");
+  code.line("observer_ = observer;");
+  code.line("if (observer.tell != nullptr) observer = {&tell, this};");
+  code.line("#endif");
+  code.line("Program::observe<reports>(observer);");
+  code.close("}");
+  code.blank();
+  code.list("director::Modules<", modules, "> modules_;");
+  code.line("#ifdef __cpp_exceptions");
+  code.line("static void tell(void* self, const director::Event& event);");
+  code.line("std::exception_ptr thrown_; ///< the first that was thrown since the last step");
+  code.line("director::Observer observer_;");
+  code.line("#endif");
+}
+
 } // namespace
 
 std::string constructor_tag(const CppEmission& e) {
@@ -50,9 +79,11 @@ Code behaviour_part(const CppEmission& e) {
   Code code;
   code.line("namespace detail {");
   code.line("struct Bodies;");
-  // The symbol of the constructor has this name in it, so a linker that has another behaviour's objects opens these too.
+  // The symbol of the constructor has this name in it, so a linker that has another behaviour's objects opens these
+  // too.
   const std::string tag = constructor_tag(e);
-  code.comment("Which behaviour is constructed: two different ones of one namespace cannot be linked into one program.");
+  code.comment(
+      "Which behaviour is constructed: two different ones of one namespace cannot be linked into one program.");
   code.line(fmt::format("struct {} {{}};", tag));
   code.line("} // namespace detail");
   code.blank();
@@ -87,31 +118,8 @@ Code behaviour_part(const CppEmission& e) {
   code.blank();
   define_steps(code, e);
   code.blank();
-  code.outdented("private:");
-  code.line("friend struct detail::Bodies;");
   parameters.pop_back();
-  parameters.insert(parameters.begin(), fmt::format("detail::{}", tag));
-  code.list("Behaviour(", parameters, ");");
-  code.open("director::StepResult hand_on(director::StepResult result) {");
-  code.line("if (result == director::StepResult::fault) throw_on();");
-  code.line("return result;");
-  code.close("}");
-  code.line("void throw_on();");
-  code.line("template <bool reports>");
-  code.open("void observe(director::Observer observer) {");
-  code.line("#ifdef __cpp_exceptions");
-  code.line("observer_ = observer;");
-  code.line("if (observer.tell != nullptr) observer = {&tell, this};");
-  code.line("#endif");
-  code.line("Program::observe<reports>(observer);");
-  code.close("}");
-  code.blank();
-  code.list("director::Modules<", modules, "> modules_;");
-  code.line("#ifdef __cpp_exceptions");
-  code.line("static void tell(void* self, const director::Event& event);");
-  code.line("std::exception_ptr thrown_; ///< the first that was thrown since the last step");
-  code.line("director::Observer observer_;");
-  code.line("#endif");
+  define_private_part(code, std::move(parameters), modules, tag);
   code.close("};");
   return code;
 }

@@ -188,57 +188,43 @@ Row trigger_row(const director::Trigger& all) {
   return row;
 }
 
-} // namespace
+/// What each row is of, for the comment behind it.
+class RowComments {
+public:
+  explicit RowComments(const CppEmission& e)
+      : e_(e),
+        edge_of_level_(owners_of(e.tables.edges, &director::Edge::levels, e.tables.levels.size())),
+        condition_of_interval_(
+            owners_of(e.tables.conditions, &director::Condition::accepts, e.tables.intervals.size())) {}
 
-Code tables_part(const CppEmission& e) {
-  const Tables& t = e.tables;
-  const Model& m = e.model;
-  const auto id = [](std::size_t i) { return static_cast<std::uint32_t>(i); };
-  const auto edge_of_level = owners_of(t.edges, &director::Edge::levels, t.levels.size());
-  const auto condition_of_interval = owners_of(t.conditions, &director::Condition::accepts, t.intervals.size());
-  const auto condition = [&](std::size_t i) { return m.conditions[e.from.lowered.condition_ids[i]].text; };
-  const auto groups_of_component = [&](std::size_t i) {
+  std::string group(std::size_t i) const { return m_.groups[GroupId{id(i)}].name.value; }
+  std::string provider(std::size_t i) const { return m_.full_name(ProviderId{id(i)}); }
+  std::string edge(std::size_t i) const { return m_.edge_name(EdgeId{id(i)}); }
+  std::string level(std::size_t i) const { return edge(edge_of_level_[i]); }
+  std::string condition(std::size_t i) const { return m_.conditions[e_.from.lowered.condition_ids[i]].text; }
+  std::string interval(std::size_t i) const { return condition(condition_of_interval_[i]); }
+  std::string state(std::size_t i) const { return m_.states[StateId{id(i)}].name.value; }
+  std::string trigger(std::size_t i) const { return m_.triggers[TriggerId{id(i)}].name; }
+  std::string promise(std::size_t i) const { return provider(e_.tables.promises[i].provider); }
+  std::string component(std::size_t i) const {
     std::string names;
-    for (const Index group : t.list(t.components[i].groups)) {
+    for (const Index group : e_.tables.list(e_.tables.components[i].groups)) {
       if (names.size() > 60) return names + ", ...";
-      names += (names.empty() ? "" : ", ") + m.groups[GroupId{group}].name.value;
+      names += (names.empty() ? "" : ", ") + m_.groups[GroupId{group}].name.value;
     }
     return names;
-  };
-  const std::size_t most_rows =
-      std::max({t.groups.size(), t.providers.size(), t.edges.size(), t.levels.size(), t.conditions.size(),
-                t.intervals.size(), t.states.size(), t.triggers.size(), t.promises.size(), t.lists.size(),
-                t.components.size(), t.plan_groups.size(), t.listened.size()});
-  Code code;
-  code.comment("The tables; see runtime/core/base/tables.hpp. A column that is not named has its initial value.", "//");
-  code.line("namespace {");
-  code.blank();
-  const auto group = [&](std::size_t i) { return m.groups[GroupId{id(i)}].name.value; };
-  const auto provider = [&](std::size_t i) { return m.full_name(ProviderId{id(i)}); };
-  const auto edge = [&](std::size_t i) { return m.edge_name(EdgeId{id(i)}); };
-  const auto level = [&](std::size_t i) { return edge(edge_of_level[i]); };
-  const auto interval = [&](std::size_t i) { return condition(condition_of_interval[i]); };
-  const auto state = [&](std::size_t i) { return m.states[StateId{id(i)}].name.value; };
-  const auto trigger = [&](std::size_t i) { return m.triggers[TriggerId{id(i)}].name; };
-  const auto promise = [&](std::size_t i) { return provider(t.promises[i].provider); };
-  if (most_rows >= 65'535) // fewer rows than that can be told apart in any program
-    code.line(fmt::format("static_assert({} < static_cast<director::TableIndex>(-1), \"more rows than a TableIndex can "
-                          "tell apart: compile without DIRECTOR_SMALL_INDEX, or for another processor\");",
-                          most_rows));
-  table(code, "Group", "groups", t.groups, group_row, group);
-  table(code, "Provider", "providers", t.providers, provider_row, provider);
-  table(code, "Edge", "edges", t.edges, edge_row, edge);
-  table(code, "Level", "levels", t.levels, level_row, level);
-  table(code, "Condition", "conditions", t.conditions, condition_row, condition);
-  table(code, "Interval", "intervals", t.intervals, interval_row, interval);
-  table(code, "StateVariable", "states", t.states, state_row, state);
-  table(code, "Trigger", "triggers", t.triggers, trigger_row, trigger);
-  table(code, "Promise", "promises", t.promises, promise_row, promise);
-  list(code, "lists", t.lists);
-  table(code, "Component", "components", t.components, component_row, groups_of_component);
-  list(code, "plan_groups", t.plan_groups);
-  list(code, "listened", t.listened);
-  code.blank();
+  }
+
+private:
+  static std::uint32_t id(std::size_t i) { return static_cast<std::uint32_t>(i); }
+
+  const CppEmission& e_;
+  const Model& m_ = e_.model;
+  const std::vector<std::uint32_t> edge_of_level_, condition_of_interval_;
+};
+
+/// The object that has all arrays.
+void add_rows_object(Code& code, const Tables& t) {
   [[maybe_unused]] const auto& [groups, providers, edges, levels, conditions, intervals, states, triggers, promises,
                                 lists, components, plan_groups, listened, root_edges, most_edges] = t; // likewise
   code.open("constexpr director::Tables rows{");
@@ -250,6 +236,41 @@ Code tables_part(const CppEmission& e) {
   code.close("};");
   code.line("static_assert(director::State::bytes(director::Shape::of(rows)) == "
             "director::State::bytes(detail::Whole::shape));");
+}
+
+} // namespace
+
+Code tables_part(const CppEmission& e) {
+  const Tables& t = e.tables;
+  const Model& m = e.model;
+  const RowComments of(e);
+  Code code;
+  code.comment("The tables; see runtime/core/base/tables.hpp. A column that is not named has its initial value.", "//");
+  code.line("namespace {");
+  code.blank();
+  const std::size_t most_rows =
+      std::max({t.groups.size(), t.providers.size(), t.edges.size(), t.levels.size(), t.conditions.size(),
+                t.intervals.size(), t.states.size(), t.triggers.size(), t.promises.size(), t.lists.size(),
+                t.components.size(), t.plan_groups.size(), t.listened.size()});
+  if (most_rows >= 65'535) // fewer rows than that can be told apart in any program
+    code.line(fmt::format("static_assert({} < static_cast<director::TableIndex>(-1), \"more rows than a TableIndex can "
+                          "tell apart: compile without DIRECTOR_SMALL_INDEX, or for another processor\");",
+                          most_rows));
+  table(code, "Group", "groups", t.groups, group_row, [&](std::size_t i) { return of.group(i); });
+  table(code, "Provider", "providers", t.providers, provider_row, [&](std::size_t i) { return of.provider(i); });
+  table(code, "Edge", "edges", t.edges, edge_row, [&](std::size_t i) { return of.edge(i); });
+  table(code, "Level", "levels", t.levels, level_row, [&](std::size_t i) { return of.level(i); });
+  table(code, "Condition", "conditions", t.conditions, condition_row, [&](std::size_t i) { return of.condition(i); });
+  table(code, "Interval", "intervals", t.intervals, interval_row, [&](std::size_t i) { return of.interval(i); });
+  table(code, "StateVariable", "states", t.states, state_row, [&](std::size_t i) { return of.state(i); });
+  table(code, "Trigger", "triggers", t.triggers, trigger_row, [&](std::size_t i) { return of.trigger(i); });
+  table(code, "Promise", "promises", t.promises, promise_row, [&](std::size_t i) { return of.promise(i); });
+  list(code, "lists", t.lists);
+  table(code, "Component", "components", t.components, component_row, [&](std::size_t i) { return of.component(i); });
+  list(code, "plan_groups", t.plan_groups);
+  list(code, "listened", t.listened);
+  code.blank();
+  add_rows_object(code, t);
   code.blank();
   code.line("// What the linker takes from the library for these tables; see runtime/core/base/parts.hpp.");
   const bool data = std::any_of(m.groups.begin(), m.groups.end(), [](const Group& row) { return !row.data.empty(); });
