@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/checks/check.hpp"
+#include "compiler/checks/report_starving_task.hpp"
 
 namespace director::checks {
 

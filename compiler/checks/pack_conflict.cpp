@@ -1,7 +1,7 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/pack_conflict.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/analysis/conflicts/pack_conflicts.hpp"
 #include "compiler/checks/check.hpp"
+#include "compiler/checks/report_pack_conflicts.hpp"
 
 namespace director::checks {
 

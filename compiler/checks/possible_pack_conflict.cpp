@@ -8,6 +8,7 @@
 #include "compiler/analysis/words/reported_pairs.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
+#include "compiler/checks/report_pack_conflicts.hpp"
 
 #include <fmt/format.h>
 

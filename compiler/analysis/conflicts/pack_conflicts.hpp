@@ -1,8 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Finds members of a pack that can never be granted together, and explains why.
+// Finds members of a pack that can never be granted together.
 
-#include "compiler/analysis/findings.hpp"
 #include "compiler/analysis/input.hpp"
 #include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/plans/plans.hpp"
@@ -20,6 +19,7 @@ struct PackConflict {
   UnitVerdict verdict = UnitVerdict::impossible;
   std::vector<const Task*> others =
       {}; ///< of a long unit: what the first member excludes for the same reason as the second
+  std::vector<GroupId> targets() const; ///< of the members
 };
 
 /// For every pack and flat list of every provider; in a flat list only pairs, since any part of it may be requested. In
@@ -33,11 +33,5 @@ struct KeptOff {
   const Use<GroupId>* need = nullptr;
 };
 std::optional<KeptOff> find_kept_off(const Input& input, const PackConflict& conflict);
-
-/// Reports what excludes what, down to the cause, at the last member: for named packs, or for flat lists.
-void report_pack_conflicts(const Input& input, bool of_packs, Findings& findings);
-
-/// "`A` and `B`".
-std::string members_in_words(const Model& model, const std::vector<const Task*>& members);
 
 } // namespace director::analysis

@@ -4,7 +4,6 @@
 // must have.
 
 #include "compiler/analysis/conflicts/grants.hpp"
-#include "compiler/analysis/findings.hpp"
 #include "compiler/analysis/input.hpp"
 
 #include <vector>
@@ -19,8 +18,6 @@ struct StarvingTask {
 
 /// Of the tasks that are never granted those that are no loser and close no cycle, in order of edges.
 std::vector<StarvingTask> find_starving_tasks(const Input& input);
-
-void report_starving_task(const Input& input, const StarvingTask& starving, Findings& findings);
 
 /// Whether the conditions of some provider of it are true at any time.
 bool never_waits(const Input& input, GroupId task);
