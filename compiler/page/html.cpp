@@ -9,6 +9,7 @@
 #include "compiler/base/sha256.hpp"
 #include "compiler/emit/artefact/notice.hpp"
 #include "compiler/page/html_parts.hpp"
+#include "compiler/page/message.hpp"
 #include "compiler/page/script_data.hpp"
 
 #include <fmt/format.h>
@@ -58,16 +59,9 @@ constexpr std::array<Section, 8> sections{{{"picture", "Picture", pictures_html}
 } // namespace
 
 std::string message_html(std::string_view message) {
-  std::string out;
-  bool in_code = false;
-  for (std::size_t at = 0; at <= message.size();) {
-    const std::size_t end = std::min(message.find('`', at), message.size());
-    const std::string piece = html(message.substr(at, end - at));
-    out += in_code ? fmt::format("<code>{}</code>", piece) : piece;
-    in_code = !in_code;
-    at = end + 1;
-  }
-  return out;
+  return in_pieces(
+      message, [](std::string_view piece) { return html(piece); },
+      [](std::string_view piece) { return fmt::format("<code>{}</code>", html(piece)); });
 }
 
 std::string place_html(const Json& thing, const HtmlInput& input) {

@@ -3,6 +3,7 @@
 #include "compiler/base/and_list.hpp"
 #include "compiler/base/html.hpp"
 #include "compiler/emit/artefact/notice.hpp"
+#include "compiler/page/message.hpp"
 #include "compiler/page/relations.hpp"
 #include "compiler/page/words.hpp"
 #include "dsl/lexical/characters.hpp"
@@ -19,8 +20,6 @@ namespace director::compiler {
 namespace {
 
 using namespace page;
-
-bool is_letter(char letter) { return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z'); }
 
 /// `:smile:`
 bool begins_emoji(std::string_view text) {
@@ -42,7 +41,7 @@ std::string escaped(std::string_view text) {
     const char letter = text[at];
     const char next = at + 1 < text.size() ? text[at + 1] : ' ';
     switch (letter) {
-    case '&': out += next == '#' || is_letter(next) ? "&amp;" : "&"; break;
+    case '&': out += next == '#' || dsl::is_letter(next) ? "&amp;" : "&"; break;
     case '<': out += "&lt;"; break;
     case '>': out += "&gt;"; break;
     case '|': out += "\\|"; break;
@@ -75,18 +74,9 @@ std::string escaped_line(std::string_view text) {
 /// Not for cells of a table.
 std::string code(std::string_view text) { return fmt::format("`{}`", text); }
 
-/// A finding's message has code between backquotes already.
 std::string message(std::string_view text) {
-  std::string out;
-  bool in_code = false;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find('`', at), text.size());
-    const std::string_view piece = text.substr(at, end - at);
-    out += in_code ? code(piece) : escaped(piece);
-    in_code = !in_code;
-    at = end + 1;
-  }
-  return out;
+  return in_pieces(
+      text, [](std::string_view piece) { return escaped(piece); }, [](std::string_view piece) { return code(piece); });
 }
 
 constexpr const char* groups_heading = "Groups";

@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <utility>
 
@@ -39,8 +38,6 @@ struct Section {
   std::vector<Row> rows;
   std::vector<Piece> pieces; ///< without comments; includes the rows
 };
-
-bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 std::vector<std::string_view> lines_of(std::string_view text) {
   std::vector<std::string_view> out;
@@ -86,7 +83,7 @@ std::vector<std::string> codes_in(std::string_view text) {
     if (end == std::string_view::npos) break;
     const std::string_view code = text.substr(at + 1, end - at - 1);
     std::size_t size = 0;
-    while (size < code.size() && is_word(code[size])) ++size;
+    while (size < code.size() && dsl::is_word(code[size])) ++size;
     if (size > 0 && (size == code.size() || code[size] == ':')) out.emplace_back(code.substr(0, size));
     at = end;
   }
@@ -98,7 +95,7 @@ std::set<std::string> keys_in_code(std::string_view code) {
   std::set<std::string> out;
   for (std::size_t at = code.find(':'); at != std::string_view::npos; at = code.find(':', at + 1)) {
     std::size_t begin = at;
-    while (begin > 0 && is_word(code[begin - 1])) --begin;
+    while (begin > 0 && dsl::is_word(code[begin - 1])) --begin;
     if (begin < at) out.emplace(code.substr(begin, at - begin));
   }
   return out;
@@ -107,7 +104,7 @@ std::set<std::string> keys_in_code(std::string_view code) {
 std::string anchor_of(std::string_view title) {
   std::string out;
   for (const char c : title) {
-    if (is_word(c) || c == '-') out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (dsl::is_word(c) || c == '-') out += dsl::lower(c);
     if (c == ' ') out += '-';
   }
   return out;

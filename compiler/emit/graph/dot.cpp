@@ -57,17 +57,6 @@ private:
     return fmt::format("{}:{}", in_quotes(box.name), in_quotes(end.pack ? port(row, row.packs[*end.pack]) : port(row)));
   }
 
-  static std::string_view mark_colour(Moment::Mark mark) {
-    switch (mark) {
-    case Moment::Mark::running:
-    case Moment::Mark::held: return palette::need;
-    case Moment::Mark::queued: return palette::queued;
-    case Moment::Mark::pushed: return palette::push;
-    case Moment::Mark::inactive: break;
-    }
-    return palette::faint;
-  }
-
   /// What is queued has a bar before its head, since dashes alone would look like those of `apart`.
   static std::string head_of(const PictureArrow& arrow) {
     const bool waits = arrow.mark == Moment::Mark::queued && !arrow.missing;
@@ -89,7 +78,7 @@ private:
     if (arrow.missing || arrow.mark == Moment::Mark::running || arrow.mark == Moment::Mark::queued)
       how += ", penwidth=2";
     const auto colour = [&](std::string_view usual) {
-      return arrow.missing ? palette::queued : arrow.mark ? mark_colour(*arrow.mark) : usual;
+      return arrow.missing ? palette::queued : arrow.mark ? colour_of(*arrow.mark, palette::faint) : usual;
     };
     switch (arrow.kind) {
     case Kind::task: return fmt::format("color=\"{}\"{}", colour(palette::task), how);

@@ -113,17 +113,6 @@ std::string member_text(const std::string& name, const Moment::Standing& now) {
   return note.empty() ? name : fmt::format("{}{} {}", now.mark == Moment::Mark::pushed ? "\u25B6 " : "", name, note);
 }
 
-std::string_view colour_of(Moment::Mark mark) {
-  switch (mark) {
-  case Moment::Mark::running:
-  case Moment::Mark::held: return palette::need;
-  case Moment::Mark::pushed: return palette::push;
-  case Moment::Mark::queued: return palette::queued;
-  case Moment::Mark::inactive: break;
-  }
-  return palette::grey;
-}
-
 std::string note_of(const PictureBox& box) {
   const std::string text =
       box.mark && box.kind != PictureBox::Kind::folded ? palette::wrapped(note_text(*box.mark, box.note)) : "";
@@ -239,10 +228,10 @@ private:
 
   void draw_member(const PictureMember& member) {
     const std::string room = member.frames.empty() ? "" : note_room(member.frames, member.name);
-    const std::string text =
-        !member.now ? small(palette::ink, member.name)
-                    : fmt::format("<FONT POINT-SIZE=\"9\" COLOR=\"{}\">{}</FONT>", colour_of(member.now->mark),
-                                  palette::wrapped(member_text(member.name, *member.now)));
+    const std::string text = !member.now ? small(palette::ink, member.name)
+                                         : fmt::format("<FONT POINT-SIZE=\"9\" COLOR=\"{}\">{}</FONT>",
+                                                       colour_of(member.now->mark, palette::grey),
+                                                       palette::wrapped(member_text(member.name, *member.now)));
     code_.line(fmt::format("<TR><TD ALIGN=\"LEFT\"{}{}>{}{}</TD></TR>", room, cell_words(member.about, links_), text,
                            member.now ? "<BR ALIGN=\"LEFT\"/>" : ""));
   }
@@ -281,6 +270,17 @@ private:
 };
 
 } // namespace
+
+std::string_view colour_of(Moment::Mark mark, std::string_view inactive) {
+  switch (mark) {
+  case Moment::Mark::running:
+  case Moment::Mark::held: return palette::need;
+  case Moment::Mark::pushed: return palette::push;
+  case Moment::Mark::queued: return palette::queued;
+  case Moment::Mark::inactive: break;
+  }
+  return inactive;
+}
 
 void draw_box(const PictureBox& box, const PictureLinks& links, Code& code) { Box(box, links, code).draw(); }
 

@@ -7,6 +7,8 @@
 
 namespace director::compiler {
 
+std::string_view colour_of(Moment::Mark mark, std::string_view inactive);
+
 /// Adds the node. Its rows are ports for the arrows of single providers and packs.
 void draw_box(const PictureBox& box, const PictureLinks& links, Code& code);
 
