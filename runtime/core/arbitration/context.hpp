@@ -24,9 +24,8 @@ struct Context {
 
   // What remains from pass to pass.
   Index most_decided_whole = director::most_decided_whole;
-  Index before_count = 0;    ///< rows of State::before in use
-  std::uint64_t decided = 0; ///< units decided so far, again for a repeated pass
-  std::uint64_t work = 0;    ///< units of work done so far, as docs/bounds.md counts them
+  Index before_count = 0; ///< rows of State::before in use
+  std::uint64_t work = 0; ///< units of work done so far, as docs/bounds.md counts them
 
   // The current pass.
   Component row;          ///< of the component

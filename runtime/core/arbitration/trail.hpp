@@ -71,7 +71,7 @@ inline bool is_noted(const Context& x, Index group) {
   return is_followed(x, x.t.components[x.s.run_queue[group].component]);
 }
 
-/// Notes for the next pass that a condition of a provider flipped, or to decide the group as if one had.
+/// Notes for the next pass that a condition of a provider flipped.
 inline void note_flipped(Context& x, Index group) {
   if (!is_noted(x, group) || x.s.group_trail[group].has(trail::flipped)) return;
   x.s.group_trail[group] |= trail::flipped;
@@ -92,7 +92,6 @@ inline void leave_unvisited(Context& x, Index edge) {
 }
 
 inline void begin_decision(Context& x, Index count) {
-  ++x.decided;
   ++x.work;
   x.depends_on_requester = false;
   for (Index at = 0; at < count; ++at) x.s.edge_marks[x.s.unit[at]] |= mark::visited;

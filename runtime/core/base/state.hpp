@@ -39,7 +39,7 @@ struct Shape {
   }
 };
 
-/// Bits of Assignment::flags.
+/// Bits of GroupAssignment::flags.
 namespace flag {
 inline constexpr Index granted = 1;  ///< it was granted as the target of a unit in the last pass
 inline constexpr Index needed = 2;   ///< its holder claimed it for a plan
@@ -268,7 +268,7 @@ struct State {
   Index* next_order = nullptr;       ///< as `order`
   Index* extent = nullptr;           ///< claimed group: the number of groups that it and all below it are
   Index* differing = nullptr;        ///< groups whose assignment differs
-  Index* next_flipped = nullptr;     ///< such a group: the next one of its component; nil
+  Index* next_flipped = nullptr;     ///< group with trail::flipped: the next one of its component; nil
   TableIndex* opened = nullptr;      ///< as `order`: groups that this pass has opened
   Index* news = nullptr;             ///< as `order`: groups that the next pass has to examine
   Index* pushed = nullptr;           ///< as `order`: groups with a push, in the last assignment or in this one
@@ -276,9 +276,9 @@ struct State {
   Index* first_moved = nullptr;      ///< component: the first place at which that order differs
   Index* rerequested = nullptr;      ///< component: the first edge with trail::changed; nil
   Index* flipped = nullptr;          ///< component: the first group with trail::flipped; nil
-  Index* news_count = nullptr;       ///< component: the number of these; nil: the last pass is unknown
+  Index* news_count = nullptr;       ///< component: rows of `news` in use; nil: the last pass is unknown
   Index* on_last = nullptr;          ///< component: how many edges have trail::on_last
-  Index* pushed_count = nullptr;     ///< component: the number of these
+  Index* pushed_count = nullptr;     ///< component: rows of `pushed` in use
   Index* unit = nullptr;             ///< most_edges + 1: edges that are tried together
   TriedMember* member = nullptr;     ///< the current members
   Staged* staged_request = nullptr;  ///< edge of the running group, by its place among them

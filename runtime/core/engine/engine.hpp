@@ -90,7 +90,6 @@ public:
 
   // The state between steps. A row is that of the generated names.
   std::int32_t value(Index state) const { return x_.s.values[state].value; } ///< or `unset`
-  bool enabled(Index provider) const { return x_.s.enabled[provider] != 0; } ///< whether it may run
   RunState state(Index edge) const;                                          ///< of a request: running, queued or none
   Index holder(Index group) const { return x_.s.last[group].holder; }        ///< edge; >= edges.size(): limbo; nil
   Index active(Index group) const { return x_.s.last[group].active; }        ///< provider, or nil
@@ -103,7 +102,6 @@ public:
   bool inside() const { return inside_; }              ///< a step is being taken; for the thread that calls step()
   bool inputs_wait() const { return inbox_.waits(); }  ///< for that thread as well
   std::uint32_t lost() const { return inbox_.lost(); } ///< inputs lost so far; from any thread
-  std::uint64_t decided() const { return x_.decided; } ///< units of arbitration so far, again where a pass is repeated
   /// The work done so far, including searches for pushes; docs/bounds.md says what is counted.
   std::uint64_t work() const { return x_.work; }
   /// Makes the next pass over each component begin from nothing: the memory was changed from outside.

@@ -40,7 +40,7 @@ groups:
          all + "}}}\n" + groups;
 }
 
-/// The number of units that the engine decides for each input of a player.
+/// The work that the engine does for each input of a player.
 std::vector<std::uint64_t> work_of(int others) {
   Machine machine(player_in_a_crowd(others));
   machine.body("Walk.halting", [&](Run& run) {
@@ -52,9 +52,9 @@ std::vector<std::uint64_t> work_of(int others) {
   std::vector<std::uint64_t> out;
   const auto count = [&](bool taken) {
     REQUIRE(taken);
-    const std::uint64_t before = machine.engine().decided();
+    const std::uint64_t before = machine.engine().work();
     machine.step();
-    out.push_back(machine.engine().decided() - before);
+    out.push_back(machine.engine().work() - before);
   };
   count(machine.request("Walk"));
   count(machine.request("Play"));
