@@ -162,17 +162,11 @@ struct Assignment {
   GroupAssignment& operator[](Index g) const { return group[g]; }
 };
 
-/// The interval of values around that of a state in which none of its conditions flips.
-struct UnchangedInterval {
-  std::int32_t low = 0, high = -1;
-  constexpr bool has(std::int32_t value) const { return low <= value && value <= high; }
-};
-
 /// The value of a state.
 struct StateValue {
   std::int32_t value = unset;
-  UnchangedInterval unchanged{};
-  std::int32_t staged = unset; ///< set by the running body; unset: not set
+  Interval unchanged{.low = 0, .high = -1}; ///< around the value: in it, no condition flips
+  std::int32_t staged = unset; ///< set by the running body, or by handlers in the last act; unset: not set
 };
 
 /// An entry of a plan in construction: a group.

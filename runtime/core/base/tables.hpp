@@ -130,6 +130,7 @@ struct Component {
 /// A closed interval of values.
 struct Interval {
   std::int32_t low = 0, high = 0;
+  constexpr bool has(std::int32_t value) const { return low <= value && value <= high; }
 };
 
 struct Condition {
@@ -184,7 +185,7 @@ struct Tables {
 
   constexpr bool accepts(const Condition& condition, std::int32_t value) const {
     return any(intervals.subspan(condition.accepts.begin, condition.accepts.size()),
-               [&](const Interval& interval) { return interval.low <= value && value <= interval.high; });
+               [&](const Interval& interval) { return interval.has(value); });
   }
 
   constexpr std::span<const TableIndex> list(Range range) const { return {lists.data() + range.begin, range.size()}; }

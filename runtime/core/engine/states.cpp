@@ -36,7 +36,7 @@ bool Engine::expire(Index state) {
 namespace {
 
 /// Whether the condition holds at the value; narrows the interval so that no bound of the condition is inside.
-bool narrow(UnchangedInterval& unchanged, std::span<const Interval> accepted, std::int32_t value) {
+bool narrow(Interval& unchanged, std::span<const Interval> accepted, std::int32_t value) {
   bool holds = false;
   for (const Interval& row : accepted) {
     if (row.low > value) {
@@ -58,7 +58,7 @@ bool narrow(UnchangedInterval& unchanged, std::span<const Interval> accepted, st
 /// except before the first step. While a state is unset, none of its conditions holds, and any value may change that.
 void Engine::update_conditions(Index state) {
   const std::int32_t value = x_.s.values[state].value;
-  UnchangedInterval unchanged{unset + 1, 2147483647};
+  Interval unchanged{unset + 1, 2147483647};
   if (value == unset) unchanged = {unset, unset};
   for (const Index condition : x_.t.list(x_.t.states[state].conditions)) {
     const Condition& row = x_.t.conditions[condition];
