@@ -159,7 +159,7 @@ StateHash StateHasher::hash(Phase phase) const {
   for (const Contested& each : contested_) add_places(all, each.edges, s.request);
   add_holdings(all);
   all.add(std::uint64_t{c.unsettled} << 8 | std::uint64_t{c.handlers_set} << 9 | static_cast<std::uint64_t>(phase));
-  if (c.handlers_set) all.add(s.handler_values, t.states.size());
+  if (c.handlers_set) all.add(s.values, t.states.size(), [](const StateValue& row) { return row.staged; });
   add_queue(all, c.queue_first);
   return {all.sum(), values()};
 }

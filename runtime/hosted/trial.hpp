@@ -232,9 +232,7 @@ private:
   Index level_of(Index edge) const {
     return outcome_ == Kind::pack ? rig_->state().staged_request[place(edge)].level : nil;
   }
-  std::int32_t value_of(Index state) const {
-    return handler ? rig_->state().handler_values[state] : rig_->state().values[state].staged;
-  }
+  std::int32_t value_of(Index state) const { return rig_->state().values[state].staged; }
 
   std::shared_ptr<detail::Rig<Whole>> rig_;
   Kind outcome_ = Kind::keep;
@@ -397,8 +395,8 @@ private:
     const Tables& tables = rig_->engine.tables();
     const Range edges = tables.groups[group].edges;
     for (Index at = 0; at < edges.size(); ++at) state.staged_request[at] = {};
-    for (Index s = 0; s < tables.states.size(); ++s) state.values[s].staged = state.handler_values[s] = unset;
-    state.counters->staged_count = state.counters->handled_count = 0;
+    for (Index s = 0; s < tables.states.size(); ++s) state.values[s].staged = unset;
+    state.counters->staged_count = 0;
     state.counters->handlers_set = 0;
     rig_->refused.clear();
   }

@@ -74,7 +74,7 @@ bool same_but_for_links(const Engine& engine, std::vector<std::byte> before) {
   leave_out(s.first_root, n.components);
   leave_out(s.next_root, n.edges);
   leave_out(s.component, n.components); // work::reordered
-  leave_out(s.handled, n.states);       // in order of declaration
+  leave_out(s.staged, n.states);        // in order of declaration
   leave_out(s.work, n.components);      // rows not in use
   leave_out(s.order, n.groups);         // likewise
   leave_out(s.place, n.groups);         // of groups that are not held

@@ -208,12 +208,11 @@ struct Counters {
   Index queue_last = nil;        ///< the last group in the queue
   Index work_count = 0;          ///< rows of State::work in use
   Index touched_count = 0;       ///< rows of State::touched in use; 0 between micro-steps
-  Index staged_count = 0;        ///< rows of State::staged in use; 0 between micro-steps
+  Index staged_count = 0;        ///< rows of State::staged in use
   Index anew_count = 0;          ///< rows of State::renewed in use; 0 between micro-steps
-  Index handled_count = 0;       ///< rows of State::handled in use
   bool begun = false;            ///< the first step was taken
   bool unsettled = false;        ///< the last arbitration changed something
-  bool handlers_set = false;     ///< State::handler_values has an input
+  bool handlers_set = false;     ///< what is staged was set by handlers, and is the next input
   bool serving = false;          ///< timers that are due at `now` are being served
 };
 
@@ -224,8 +223,7 @@ struct State {
   Time* due = nullptr;                    ///< timer (Timers): when it is due; never
   Index* soonest = nullptr;               ///< a tree over timers: the one that is due first
   StateValue* values = nullptr;           ///< state
-  std::int32_t* handler_values = nullptr; ///< state: value set by handlers during the last act; unset: not set
-  Index* handled = nullptr;               ///< states with a value set by handlers
+  Index* staged = nullptr;                ///< states with a staged value
   Assignment last;                        ///< the last assignment
   Index* order = nullptr;                 ///< component after component: its groups that are held, in order
   Index* order_count = nullptr;           ///< component: the number of these
@@ -287,7 +285,6 @@ struct State {
   Index* cost_next = nullptr;        ///< condition: the first condition that the chain lacks; nil: none
   Index* causers = nullptr;          ///< providers that cause one of these conditions
   Bits* provider_marks = nullptr;    ///< provider: bits of `mark`
-  Index* staged = nullptr;           ///< states that the running body set
   Requested* before = nullptr;       ///< requests before this micro-step changed them; target: the edge
   std::byte* end = nullptr;          ///< end of the block
 
@@ -297,7 +294,7 @@ struct State {
     const auto rows = [&](std::size_t count, auto&... pointers) { (visit(pointers, count), ...); };
     rows(1, s.counters), rows(n.edges, s.request);
     rows(n.timers(), s.due, s.soonest);
-    rows(n.states, s.values, s.handler_values, s.handled);
+    rows(n.states, s.values, s.staged);
     rows(n.groups, s.last.group), rows(n.plan_slots, s.last.plan);
     rows(n.groups, s.order), rows(n.components, s.order_count), rows(n.groups, s.place);
     rows(n.components, s.first_root), rows(n.edges, s.next_root);
@@ -314,10 +311,10 @@ struct State {
     rows(n.most_edges + 1, s.unit, s.member, s.staged_request), rows(n.lacking, s.unmet);
     rows(n.pushable, s.own, s.first);
     rows(n.conditions, s.condition_marks, s.lacked, s.cost, s.cost_at, s.cost_plan, s.cost_next);
-    rows(n.providers, s.causers, s.provider_marks), rows(n.states, s.staged), rows(n.altered, s.before);
+    rows(n.providers, s.causers, s.provider_marks), rows(n.altered, s.before);
   }
 
-  static constexpr std::size_t arrays = 70;
+  static constexpr std::size_t arrays = 68;
 
   /// The best alignment of the block, a cache line; it must be aligned to 8. Small machines have no cache.
   static constexpr std::size_t alignment = sizeof(Index) < 4 ? 8 : 64;

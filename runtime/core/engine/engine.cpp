@@ -1,7 +1,7 @@
 // docs/semantics.md, sections 2 and 6: the state between micro-steps, and the contexts of bodies and handlers.
 // SPDX-License-Identifier: MIT
 
-#include "runtime/core/engine/engine.hpp"
+#include "runtime/core/engine/notes.hpp"
 
 namespace director {
 
@@ -22,7 +22,7 @@ void Engine::reset() {
   timers_.clear();
   for (Index i = 0; i < x_.t.states.size(); ++i) {
     s.values[i].value = x_.t.states[i].initial;
-    s.values[i].staged = s.handler_values[i] = unset;
+    s.values[i].staged = unset;
     update_conditions(i);
   }
   for (Index p = 0; p < x_.t.providers.size(); ++p) s.enabled[p] = 1;
@@ -91,11 +91,7 @@ void Run::forget_pack() {
   for (Index i = 0; i < engine_.x_.t.groups[group_].edges.size(); ++i) staged_[i].level = nil;
 }
 
-void Run::set(Index state, std::int32_t value) {
-  const State& s = engine_.x_.s;
-  if (s.values[state].staged == unset) s.staged[s.counters->staged_count++] = state;
-  s.values[state].staged = value;
-}
+void Run::set(Index state, std::int32_t value) { engine_.stage(state, value); }
 
 bool Run::triggered(Index trigger) const {
   const arbitration::Context& x = engine_.x_;

@@ -153,7 +153,7 @@ private:
   DIRECTOR_PART bool take_states(const Input& first);
   DIRECTOR_PART bool expire(Index state);
   DIRECTOR_PART void update_conditions(Index state);
-  DIRECTOR_PART void commit_states(bool fault);
+  DIRECTOR_PART bool commit_states(bool fault);
 
   // promises.cpp: section 7
   DIRECTOR_PART void take_promises(Index group);
@@ -188,6 +188,7 @@ private:
   void request(Index edge, Index level);
   bool withdraw(Index edge);
   const Input* take_more(const Input& record);
+  void stage(Index state, std::int32_t value);
   bool set_value(Index state, std::int32_t value);
   bool assign(Index state, std::int32_t value);
   bool repeats_request(Index edge, Index level) const;

@@ -59,26 +59,13 @@ bool Engine::take_handlers_input() {
   Counters& c = *x_.s.counters;
   ++c.micro_step;
   c.handlers_set = false;
-  bool changes = false;
-  const std::span<Index> states{x_.s.handled, c.handled_count};
-  c.handled_count = 0;
-  heap_sort(states, [](Index a, Index b) { return a < b; });
-  for (const Index state : states) {
-    const std::int32_t value = x_.s.handler_values[state];
-    x_.s.handler_values[state] = unset;
-    if (value == unset || !set_value(state, value)) continue;
-    changes = true;
-    if (observed()) report_set(state);
-  }
-  return changes;
+  heap_sort({x_.s.staged, c.staged_count}, [](Index a, Index b) { return a < b; });
+  return commit_states(false);
 }
 
 void Engine::set_by_handler(Index state, std::int32_t value) {
-  Counters& c = *x_.s.counters;
-  c.handlers_set = true;
-  std::int32_t& merged = x_.s.handler_values[state];
-  if (merged == unset && value != unset) x_.s.handled[c.handled_count++] = state;
-  merged = value;
+  x_.s.counters->handlers_set = true;
+  stage(state, value);
 }
 
 void Handling::set(Index state, std::int32_t value) {

@@ -156,6 +156,13 @@ DIRECTOR_INLINE bool Engine::withdraw(Index edge) {
   return true;
 }
 
+/// Notes a value that a body or handler sets, the last one for each state.
+inline void Engine::stage(Index state, std::int32_t value) {
+  std::int32_t& staged = x_.s.values[state].staged;
+  if (staged == unset && value != unset) x_.s.staged[x_.s.counters->staged_count++] = state;
+  staged = value;
+}
+
 /// Sets the value and restarts its expiry. True if the value changes.
 DIRECTOR_ONE_COPY inline bool Engine::set_value(Index state, std::int32_t value) {
   const Time expires = x_.t.states[state].expires;

@@ -73,15 +73,19 @@ void Engine::update_conditions(Index state) {
   x_.s.values[state].unchanged = unchanged;
 }
 
-void Engine::commit_states(bool fault) {
+/// Takes the staged values, or drops them after a fault. True if a value changes.
+bool Engine::commit_states(bool fault) {
   Counters& c = *x_.s.counters;
+  bool changes = false;
   for (Index i = 0; i < c.staged_count; ++i) {
     const Index state = x_.s.staged[i];
-    const std::int32_t value = x_.s.values[state].staged;
-    x_.s.values[state].staged = unset;
-    if (!fault && set_value(state, value) && observed()) report_set(state);
+    const std::int32_t value = std::exchange(x_.s.values[state].staged, unset);
+    if (fault || value == unset || !set_value(state, value)) continue;
+    changes = true;
+    if (observed()) report_set(state);
   }
   c.staged_count = 0;
+  return changes;
 }
 
 } // namespace director

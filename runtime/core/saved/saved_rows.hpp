@@ -104,7 +104,7 @@ struct StateRow {
   std::int32_t by_handler = unset;
   Time expiry = never;
   constexpr void each(auto visit, const State& s = {}, Index i = 0) {
-    visit(value, at(s.values, i, &StateValue::value)), visit(by_handler, at(s.handler_values, i));
+    visit(value, at(s.values, i, &StateValue::value)), visit(by_handler, at(s.values, i, &StateValue::staged));
     visit(expiry, Timers::Timer{Timers::Kind::expiry, i});
   }
 };

@@ -161,7 +161,7 @@ private:
   void states() {
     for (Index i = 0; i < t_.states.size(); ++i) {
       engine_.update_conditions(i);
-      if (s_.handler_values[i] != unset) s_.handled[s_.counters->handled_count++] = i;
+      if (s_.values[i].staged != unset) s_.staged[s_.counters->staged_count++] = i;
     }
   }
 
