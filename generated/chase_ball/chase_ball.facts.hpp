@@ -50,7 +50,7 @@ struct Whole final {
   [[gnu::visibility("hidden")]] static constexpr std::array<std::uint16_t, 2> places{0, 0};
   using Data = detail::Data;
   using States = detail::States;
-  using Roots = director::Pack<director::Member<ChaseBall, 0, 0, 0>>;
+  using Roots = director::Pack<director::Member<ChaseBall, 0, 0>>;
   using Triggers = director::Table<director::Row<Picture, 0>>;
   using Providers = director::Table<
       director::Row<ChaseBall::Driving, 0>, director::Row<ChaseBall::Turning, 1>, director::Row<Wheels::Default, 2>>;
@@ -63,14 +63,14 @@ struct Facts<ChaseBall::Driving> : director::NothingDeclared {
   using Module = Cart;
   using Task = ChaseBall;
   using Triggers = director::Table<director::Row<Picture, 0>>;
-  using Tasks = director::Pack<director::Member<Wheels, 1, 0, 1>>;
+  using Tasks = director::Pack<director::Member<Wheels, 1, 1>>;
 };
 template <>
 struct Facts<ChaseBall::Turning> : director::NothingDeclared {
   using Behaviour = Whole;
   using Module = Cart;
   using Task = ChaseBall;
-  using Tasks = director::Pack<director::Member<Wheels, 1, 0, 1>>;
+  using Tasks = director::Pack<director::Member<Wheels, 1, 1>>;
 };
 template <>
 struct Facts<Wheels::Default> : director::NothingDeclared {

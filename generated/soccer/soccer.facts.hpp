@@ -158,7 +158,7 @@ struct Whole final {
       0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 2, 2, 2, 2, 3, 3, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 2, 1, 1, 0, 0, 0, 0, 0, 0};
   using Data = detail::Data;
   using States = detail::States;
-  using Roots = director::Pack<director::Member<FallRecovery, 0, 0, 0>, director::Member<Striker, 1, 0, 1>>;
+  using Roots = director::Pack<director::Member<FallRecovery, 0, 0>, director::Member<Striker, 1, 1>>;
   using Triggers = director::Table<director::Row<Vision, 0>>;
   using Providers = director::Table<
       director::Row<Brace::Default, 0>, director::Row<GetUp::Tucking, 1>, director::Row<GetUp::Pushing, 2>,
@@ -191,8 +191,8 @@ struct Facts<Brace::Default> : director::NothingDeclared {
   using Module = Recovery;
   using Task = Brace;
   using Tasks = director::Pack<
-      director::Member<LeftLeg, 2, 0, 2>, director::Member<RightLeg, 3, 0, 3>, director::Member<LeftArm, 4, 0, 4>,
-      director::Member<RightArm, 5, 0, 5>>;
+      director::Member<LeftLeg, 2, 2>, director::Member<RightLeg, 3, 3>, director::Member<LeftArm, 4, 4>,
+      director::Member<RightArm, 5, 5>>;
 };
 template <>
 struct Facts<GetUp::Tucking> : director::NothingDeclared {
@@ -203,8 +203,8 @@ struct Facts<GetUp::Tucking> : director::NothingDeclared {
   using Uses = director::Table<
       director::Row<LeftLeg, 6>, director::Row<RightLeg, 7>, director::Row<LeftArm, 8>, director::Row<RightArm, 9>>;
   using Tasks = director::Pack<
-      director::Member<LeftLeg, 6, 1, 6>, director::Member<RightLeg, 7, 1, 7>, director::Member<LeftArm, 8, 1, 8>,
-      director::Member<RightArm, 9, 1, 9>>;
+      director::Member<LeftLeg, 6, 6>, director::Member<RightLeg, 7, 7>, director::Member<LeftArm, 8, 8>,
+      director::Member<RightArm, 9, 9>>;
 };
 template <>
 struct Facts<GetUp::Pushing> : director::NothingDeclared {
@@ -215,8 +215,8 @@ struct Facts<GetUp::Pushing> : director::NothingDeclared {
   using Uses = director::Table<
       director::Row<LeftLeg, 6>, director::Row<RightLeg, 7>, director::Row<LeftArm, 8>, director::Row<RightArm, 9>>;
   using Tasks = director::Pack<
-      director::Member<LeftLeg, 6, 1, 6>, director::Member<RightLeg, 7, 1, 7>, director::Member<LeftArm, 8, 1, 8>,
-      director::Member<RightArm, 9, 1, 9>>;
+      director::Member<LeftLeg, 6, 6>, director::Member<RightLeg, 7, 7>, director::Member<LeftArm, 8, 8>,
+      director::Member<RightArm, 9, 9>>;
 };
 template <>
 struct Facts<GetUp::Rising> : director::NothingDeclared {
@@ -227,8 +227,8 @@ struct Facts<GetUp::Rising> : director::NothingDeclared {
   using Uses = director::Table<
       director::Row<LeftLeg, 6>, director::Row<RightLeg, 7>, director::Row<LeftArm, 8>, director::Row<RightArm, 9>>;
   using Tasks = director::Pack<
-      director::Member<LeftLeg, 6, 1, 6>, director::Member<RightLeg, 7, 1, 7>, director::Member<LeftArm, 8, 1, 8>,
-      director::Member<RightArm, 9, 1, 9>>;
+      director::Member<LeftLeg, 6, 6>, director::Member<RightLeg, 7, 7>, director::Member<LeftArm, 8, 8>,
+      director::Member<RightArm, 9, 9>>;
 };
 template <>
 struct Facts<FallRecovery::Recovering> : director::NothingDeclared {
@@ -236,7 +236,7 @@ struct Facts<FallRecovery::Recovering> : director::NothingDeclared {
   using Module = Safety;
   using Task = FallRecovery;
   static constexpr bool flat = false;
-  using pack_0 = director::Pack<director::Member<GetUp, 10, 0, 10>>;
+  using pack_0 = director::Pack<director::Member<GetUp, 10, 10>>;
   using Packs = director::Packs<pack_0>;
   static constexpr std::array<const char*, 1> pack_names{"stand_up"};
 };
@@ -246,7 +246,7 @@ struct Facts<FallRecovery::Protecting> : director::NothingDeclared {
   using Module = Safety;
   using Task = FallRecovery;
   static constexpr bool flat = false;
-  using pack_0 = director::Pack<director::Member<Brace, 11, 0, 11>>;
+  using pack_0 = director::Pack<director::Member<Brace, 11, 11>>;
   using Packs = director::Packs<pack_0>;
   static constexpr std::array<const char*, 1> pack_names{"protect"};
 };
@@ -276,8 +276,8 @@ struct Facts<Walk::Walking> : director::NothingDeclared {
   static constexpr std::array<director::Allowed, 1> sets{{{1, 3, 3}}};
   using Uses = director::Table<director::Row<LeftLeg, 12>, director::Row<RightLeg, 13>>;
   using Tasks = director::Pack<
-      director::Member<LeftLeg, 12, 2, 12>, director::Member<RightLeg, 13, 2, 13>, director::Member<LeftArm, 14, 2, 14>,
-      director::Member<RightArm, 15, 2, 15>>;
+      director::Member<LeftLeg, 12, 12>, director::Member<RightLeg, 13, 13>, director::Member<LeftArm, 14, 14>,
+      director::Member<RightArm, 15, 15>>;
 };
 template <>
 struct Facts<Walk::Halting> : director::NothingDeclared {
@@ -286,7 +286,7 @@ struct Facts<Walk::Halting> : director::NothingDeclared {
   using Task = Walk;
   static constexpr std::array<director::Allowed, 1> sets{{{1, 4, 4}}};
   using Uses = director::Table<director::Row<LeftLeg, 12>, director::Row<RightLeg, 13>>;
-  using Tasks = director::Pack<director::Member<LeftLeg, 12, 2, 12>, director::Member<RightLeg, 13, 2, 13>>;
+  using Tasks = director::Pack<director::Member<LeftLeg, 12, 12>, director::Member<RightLeg, 13, 13>>;
 };
 template <>
 struct Facts<Kick::Default> : director::NothingDeclared {
@@ -295,14 +295,14 @@ struct Facts<Kick::Default> : director::NothingDeclared {
   using Task = Kick;
   static constexpr std::array<director::Allowed, 1> sets{{{1, 3, 3}}};
   using Uses = director::Table<director::Row<LeftLeg, 16>, director::Row<RightLeg, 17>>;
-  using Tasks = director::Pack<director::Member<LeftLeg, 16, 3, 16>, director::Member<RightLeg, 17, 3, 17>>;
+  using Tasks = director::Pack<director::Member<LeftLeg, 16, 16>, director::Member<RightLeg, 17, 17>>;
 };
 template <>
 struct Facts<LookAt::Default> : director::NothingDeclared {
   using Behaviour = Whole;
   using Module = Looking;
   using Task = LookAt;
-  using Tasks = director::Pack<director::Member<Head, 18, 0, 18>>;
+  using Tasks = director::Pack<director::Member<Head, 18, 18>>;
 };
 template <>
 struct Facts<WalkTo::Default> : director::NothingDeclared {
@@ -310,7 +310,7 @@ struct Facts<WalkTo::Default> : director::NothingDeclared {
   using Module = Planning;
   using Task = WalkTo;
   static constexpr bool flat = false;
-  using pack_0 = director::Pack<director::Member<Walk, 19, 0, 19>>;
+  using pack_0 = director::Pack<director::Member<Walk, 19, 19>>;
   using Packs = director::Packs<pack_0>;
   static constexpr std::array<const char*, 1> pack_names{"step"};
 };
@@ -323,8 +323,8 @@ struct Facts<KickTo::Default> : director::NothingDeclared {
   using Triggers = director::Table<director::Row<Vision, 0>>;
   static constexpr bool flat = false;
   using pack_0 = director::Pack<>;
-  using pack_1 = director::Pack<director::Member<Walk, 20, 1, 20>>;
-  using pack_2 = director::Pack<director::Member<Kick, 21, 0, 21>, director::Member<LookAt, 22, 0, 22>>;
+  using pack_1 = director::Pack<director::Member<Walk, 20, 20>>;
+  using pack_2 = director::Pack<director::Member<Kick, 21, 21>, director::Member<LookAt, 22, 22>>;
   using Packs = director::Packs<pack_0, pack_1, pack_2>;
   static constexpr std::array<const char*, 3> pack_names{"stand_by", "line_up", "kick"};
 };
@@ -335,8 +335,8 @@ struct Facts<Striker::Playing> : director::NothingDeclared {
   using Task = Striker;
   static constexpr bool flat = false;
   using pack_0 = director::Pack<
-      director::Member<KickToGoal, 23, 0, 23>, director::Member<WalkToBall, 24, 0, 24>,
-      director::Member<Look, 25, 0, 25>>;
+      director::Member<KickToGoal, 23, 23>, director::Member<WalkToBall, 24, 24>,
+      director::Member<Look, 25, 25>>;
   using Packs = director::Packs<pack_0>;
   static constexpr std::array<const char*, 1> pack_names{"attack"};
 };
@@ -347,8 +347,8 @@ struct Facts<Striker::Ready> : director::NothingDeclared {
   using Task = Striker;
   using Uses = director::Table<director::Row<WalkToReady, 26>>;
   static constexpr bool flat = false;
-  using pack_0 = director::Pack<director::Member<WalkToReady, 26, 0, 27>, director::Member<Look, 25, 0, 25>>;
-  using pack_1 = director::Pack<director::Member<Look, 25, 0, 26>>;
+  using pack_0 = director::Pack<director::Member<WalkToReady, 26, 27>, director::Member<Look, 25, 25>>;
+  using pack_1 = director::Pack<director::Member<Look, 25, 26>>;
   using Packs = director::Packs<pack_0, pack_1>;
   static constexpr std::array<const char*, 2> pack_names{"go", "stay_there"};
 };
@@ -358,7 +358,7 @@ struct Facts<Striker::Waiting> : director::NothingDeclared {
   using Module = Strategy;
   using Task = Striker;
   static constexpr bool flat = false;
-  using pack_0 = director::Pack<director::Member<Look, 25, 0, 26>>;
+  using pack_0 = director::Pack<director::Member<Look, 25, 26>>;
   using Packs = director::Packs<pack_0>;
   static constexpr std::array<const char*, 1> pack_names{"watch"};
 };
@@ -369,7 +369,7 @@ struct Facts<KickToGoal::Default> : director::NothingDeclared {
   using Task = KickToGoal;
   using Uses = director::Table<director::Row<KickTo, 27>>;
   static constexpr bool flat = false;
-  using pack_0 = director::Pack<director::Member<KickTo, 27, 0, 28>>;
+  using pack_0 = director::Pack<director::Member<KickTo, 27, 28>>;
   using Packs = director::Packs<pack_0>;
   static constexpr std::array<const char*, 1> pack_names{"shoot"};
 };
@@ -380,7 +380,7 @@ struct Facts<WalkToBall::Creeping> : director::NothingDeclared {
   using Task = WalkToBall;
   using Triggers = director::Table<director::Row<Vision, 0>>;
   static constexpr bool flat = false;
-  using pack_0 = director::Pack<director::Member<WalkTo, 28, 0, 29>>;
+  using pack_0 = director::Pack<director::Member<WalkTo, 28, 29>>;
   using Packs = director::Packs<pack_0>;
   static constexpr std::array<const char*, 1> pack_names{"creep"};
 };
@@ -391,7 +391,7 @@ struct Facts<WalkToBall::Striding> : director::NothingDeclared {
   using Task = WalkToBall;
   using Triggers = director::Table<director::Row<Vision, 0>>;
   static constexpr bool flat = false;
-  using pack_0 = director::Pack<director::Member<WalkTo, 28, 0, 29>>;
+  using pack_0 = director::Pack<director::Member<WalkTo, 28, 29>>;
   using Packs = director::Packs<pack_0>;
   static constexpr std::array<const char*, 1> pack_names{"stride"};
 };
@@ -401,7 +401,7 @@ struct Facts<WalkToBall::Searching> : director::NothingDeclared {
   using Module = Strategy;
   using Task = WalkToBall;
   static constexpr bool flat = false;
-  using pack_0 = director::Pack<director::Member<Walk, 29, 2, 30>>;
+  using pack_0 = director::Pack<director::Member<Walk, 29, 30>>;
   using Packs = director::Packs<pack_0>;
   static constexpr std::array<const char*, 1> pack_names{"turn"};
 };
@@ -412,7 +412,7 @@ struct Facts<WalkToReady::Default> : director::NothingDeclared {
   using Task = WalkToReady;
   using Uses = director::Table<director::Row<WalkTo, 30>>;
   static constexpr bool flat = false;
-  using pack_0 = director::Pack<director::Member<WalkTo, 30, 1, 31>>;
+  using pack_0 = director::Pack<director::Member<WalkTo, 30, 31>>;
   using Packs = director::Packs<pack_0>;
   static constexpr std::array<const char*, 1> pack_names{"go"};
 };
@@ -423,7 +423,7 @@ struct Facts<Look::Tracking> : director::NothingDeclared {
   using Task = Look;
   using Triggers = director::Table<director::Row<Vision, 0>>;
   static constexpr bool flat = false;
-  using pack_0 = director::Pack<director::Member<LookAt, 31, 1, 32>>;
+  using pack_0 = director::Pack<director::Member<LookAt, 31, 32>>;
   using Packs = director::Packs<pack_0>;
   static constexpr std::array<const char*, 1> pack_names{"track"};
 };
@@ -433,7 +433,7 @@ struct Facts<Look::Sweeping> : director::NothingDeclared {
   using Module = Strategy;
   using Task = Look;
   static constexpr bool flat = false;
-  using pack_0 = director::Pack<director::Member<LookAt, 31, 1, 32>>;
+  using pack_0 = director::Pack<director::Member<LookAt, 31, 32>>;
   using Packs = director::Packs<pack_0>;
   static constexpr std::array<const char*, 1> pack_names{"sweep"};
 };
@@ -463,9 +463,9 @@ struct Facts<LeftLeg::Default> : director::NothingDeclared {
   using Uses = director::Table<
       director::Row<LeftHipYaw, 32>, director::Row<LeftKnee, 33>, director::Row<LeftAnkle, 34>>;
   static constexpr bool flat = false;
-  using pack_0 = director::Pack<director::Member<LeftHipYaw, 32, 0, 33>>;
-  using pack_1 = director::Pack<director::Member<LeftKnee, 33, 0, 34>>;
-  using pack_2 = director::Pack<director::Member<LeftAnkle, 34, 0, 35>>;
+  using pack_0 = director::Pack<director::Member<LeftHipYaw, 32, 33>>;
+  using pack_1 = director::Pack<director::Member<LeftKnee, 33, 34>>;
+  using pack_2 = director::Pack<director::Member<LeftAnkle, 34, 35>>;
   using Packs = director::Packs<pack_0, pack_1, pack_2>;
   static constexpr std::array<const char*, 3> pack_names{"turn_hip", "bend_knee", "set_foot"};
 };
@@ -477,9 +477,9 @@ struct Facts<RightLeg::Default> : director::NothingDeclared {
   using Uses = director::Table<
       director::Row<RightHipYaw, 35>, director::Row<RightKnee, 36>, director::Row<RightAnkle, 37>>;
   static constexpr bool flat = false;
-  using pack_0 = director::Pack<director::Member<RightHipYaw, 35, 0, 36>>;
-  using pack_1 = director::Pack<director::Member<RightKnee, 36, 0, 37>>;
-  using pack_2 = director::Pack<director::Member<RightAnkle, 37, 0, 38>>;
+  using pack_0 = director::Pack<director::Member<RightHipYaw, 35, 36>>;
+  using pack_1 = director::Pack<director::Member<RightKnee, 36, 37>>;
+  using pack_2 = director::Pack<director::Member<RightAnkle, 37, 38>>;
   using Packs = director::Packs<pack_0, pack_1, pack_2>;
   static constexpr std::array<const char*, 3> pack_names{"turn_hip", "bend_knee", "set_foot"};
 };

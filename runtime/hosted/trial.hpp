@@ -170,9 +170,7 @@ public:
     static_assert(has_data<Task>, "this task has no data");
     if (!requests<Task>()) detail::fail("this task was not requested");
     if (keeps<Task>()) detail::fail("this task was kept, with the data that it had");
-    Index at = 0;
-    detail::each_entry<Task>(Entries{}, [&]<class Entry>() { at = Entry::place; });
-    return rig_->data.template of<Task>().at(DataPlace::Slot::staging, at);
+    return rig_->data.template of<Task>().at(DataPlace::Slot::staging, 0);
   }
 
   /// Whether the state was set to this value.
@@ -270,7 +268,7 @@ public:
   template <class Given = Data>
   requires has_data<Task> Trial& task(Given data) {
     auto& slots = rig_->data.template of<Task>();
-    slots.stage(0, Data(std::move(data)));
+    slots.stage(Data(std::move(data)));
     slots.settle(0);
     slots.retain(0);
     return *this;

@@ -107,8 +107,7 @@ std::string member_text(const CppEmission& e, const Task& task) {
     for (; skipped > 0; --skipped) rows += ", director::nil";
     rows += ", " + row(*found);
   }
-  return fmt::format("director::Member<{}, {}, {}, {}>", group_in(e.model, task.target), task.edge.value,
-                     data_place(e.model, task.edge), rows);
+  return fmt::format("director::Member<{}, {}, {}>", group_in(e.model, task.target), task.edge.value, rows);
 }
 
 std::string tasks_text(const Model& model, const std::vector<Task>& tasks) {

@@ -33,7 +33,7 @@ std::string trigger_in(const Model& model, TriggerId trigger);
 std::string state_in(const Model& model, StateId state);
 /// `doc`, then the place in brackets, as a comment.
 void document(Code& code, const CppEmission& e, std::string_view doc, const dsl::Span& span);
-/// `director::Member<Walk, 4, 0, 7>`
+/// `director::Member<Walk, 4, 7>`
 std::string member_text(const CppEmission& e, const Task& task);
 /// Words for a comment: "LeftLeg, LeftArm (optional)".
 std::string tasks_text(const Model& model, const std::vector<Task>& tasks);

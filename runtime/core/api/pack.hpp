@@ -7,14 +7,13 @@
 
 namespace director {
 
-/// An entry of a pack, of `tasks` or of `roots`. `edge`: from the requester to the task. `place`: the place of that
-/// edge among those that lead to the task, for its data. `rows`: rows of Tables::levels, first that of the entry's
-/// first level, then one for each named level of the task (LevelOf::number), nil if this entry does not have it.
-template <class T, Index edge_row, Index place_at, Index... rows>
+/// An entry of a pack, of `tasks` or of `roots`. `edge`: from the requester to the task. `rows`: rows of
+/// Tables::levels, first that of the entry's first level, then one for each named level of the task (LevelOf::number),
+/// nil if this entry does not have it.
+template <class T, Index edge_row, Index... rows>
 struct Member {
   using Task = T;
   static constexpr Index edge = edge_row;
-  static constexpr Index place = place_at;
   static constexpr Index row(LevelOf<T> level) {
     constexpr std::array<Index, sizeof...(rows)> all{rows...};
     const std::size_t at = level.number == LevelOf<T>::first ? 0U : level.number + 1U;
@@ -24,8 +23,8 @@ struct Member {
 
 namespace detail {
 
-template <class T, Index edge, Index place, Index... rows>
-Member<T, edge, place, rows...> member_for(const Member<T, edge, place, rows...>&);
+template <class T, Index edge, Index... rows>
+Member<T, edge, rows...> member_for(const Member<T, edge, rows...>&);
 
 template <class Task, class... Given>
 inline constexpr std::size_t times = (std::size_t{std::is_same_v<Task, TaskOf<Given>>} + ... + 0U);
@@ -76,7 +75,7 @@ bool ask_for(Run& run, Data& data, Task& request, bool kept = false) {
   if (row == nil) return false;
   const bool anew = run.request(Member::edge, row, kept);
   if constexpr (has_data<Task>) {
-    if (anew) data.template of<Task>().stage(Member::place, std::move(task.data));
+    if (anew) data.template of<Task>().stage(std::move(task.data));
   }
   return true;
 }

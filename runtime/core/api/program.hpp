@@ -197,7 +197,7 @@ void move_data(auto& data, Bodies::Data what, Index place, Index handle) noexcep
   if (what == Bodies::Data::retain) return slots.retain(place);
   if constexpr (root) {
     auto& waiting = data.template waiting<Task>();
-    slots.stage(place, std::move(waiting.value(handle)));
+    slots.stage(std::move(waiting.value(handle)));
     waiting.free(handle);
   }
 }

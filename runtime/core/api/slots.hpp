@@ -1,8 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The memory for the data of tasks: slots inside the Behaviour, without heap. Each edge that leads to a task has a slot
-// and a staging slot, its group one more for the data of a request that was replaced while the group still uses them.
-// Root requests have slots of their own until the engine takes them.
+// The memory for the data of tasks: slots inside the Behaviour, without heap. Each edge that leads to a task has a
+// slot, its group one for the data of a request that was replaced while the group still uses them, and a staging slot:
+// in one micro-step, at most one edge to the group is requested. Root requests have slots of their own until they are
+// taken.
 
 #include "runtime/core/api/task.hpp"
 #include "runtime/core/engine/inbox.hpp"
@@ -62,8 +63,8 @@ class Slots {
   using Data = typename TaskBase<Task>::data_type;
 
 public:
-  void stage(Index place, Data&& data) noexcept { staged_[place].put(std::move(data)); }
-  void settle(Index place) noexcept { settled_[place].take_from(staged_[place]); }
+  void stage(Data&& data) noexcept { staged_.put(std::move(data)); }
+  void settle(Index place) noexcept { settled_[place].take_from(staged_); }
   void retain(Index place) noexcept { retained_.take_from(settled_[place]); }
 
   static constexpr std::size_t lasting = places + 1;
@@ -75,13 +76,13 @@ public:
   }
 
   const Data& at(DataPlace::Slot slot, Index place) const {
-    if (slot == DataPlace::Slot::group) return retained_.value();
-    return (slot == DataPlace::Slot::edge ? settled_ : staged_)[place].value();
+    if (slot == DataPlace::Slot::edge) return settled_[place].value();
+    return (slot == DataPlace::Slot::group ? retained_ : staged_).value();
   }
 
 private:
-  std::array<Slot<Data>, places> settled_, staged_;
-  Slot<Data> retained_;
+  std::array<Slot<Data>, places> settled_;
+  Slot<Data> retained_, staged_;
 };
 
 /// The data of requests of one root task that the engine has not taken yet. Many writers, one reader; needs the same

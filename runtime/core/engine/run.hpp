@@ -12,8 +12,8 @@ namespace testing {
 struct Access;
 }
 
-/// The place of a task's data (runtime/core/README.md, The memory): an edge has a slot and a staging slot, a group has
-/// one slot.
+/// The place of a task's data (runtime/core/README.md, The memory): a slot of the edge, its staging slot, or the slot
+/// of the group.
 struct DataPlace {
   enum class Slot : std::uint8_t { edge, staging, group };
   Slot slot = Slot::group;

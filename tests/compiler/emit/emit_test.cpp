@@ -83,8 +83,8 @@ groups:
 )");
   CHECK(has(out.header, "static constexpr director::LevelOf<Bulb> low{0};\n"
                         "  static constexpr director::LevelOf<Bulb> high{1};\n"));
-  CHECK(has(out.facts, "using Roots = director::Pack<director::Member<Bulb, 0, 0, 0, 0, 1>>;\n"));
-  CHECK(has(out.facts, "using Tasks = director::Pack<director::Member<Bulb, 1, 1, 2, director::nil, 2>>;\n"));
+  CHECK(has(out.facts, "using Roots = director::Pack<director::Member<Bulb, 0, 0, 0, 1>>;\n"));
+  CHECK(has(out.facts, "using Tasks = director::Pack<director::Member<Bulb, 1, 2, director::nil, 2>>;\n"));
   CHECK(has(out.facts, "  director::Slots<Bulb, 2> slots_1;\n"
                        "  director::Waiting<Bulb> waiting_1;\n"));
   CHECK(has(out.facts, "  static constexpr auto slots = &Data::slots_1;\n"
