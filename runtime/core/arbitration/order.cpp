@@ -42,7 +42,8 @@ int compare_chains(const Context& x, Place a, Place b, bool in_order) {
   const Parting at = parting(
       a, b, of_a.length, of_b.length, [&](Place place) { return above(x, place); },
       [&](Index edge) { return !is_limbo(x, edge) && optional(x, edge); });
-  return at.a.edge == nil ? compare_heights(of_a.length, of_b.length).order : compare_siblings(x, at.a, at.b, in_order);
+  if (at.a.edge != nil) return compare_siblings(x, at.a, at.b, in_order);
+  return of_a.length < of_b.length ? -1 : of_a.length > of_b.length ? 1 : 0; // rule 1
 }
 
 void sort_by_holders(const Context& x, std::span<Index> groups, Chains along) {

@@ -61,11 +61,6 @@ Parting parting(Place a, Place b, Index length_a, Index length_b, const Next& ab
   return out;
 }
 
-/// Rule 1.
-inline Verdict compare_heights(Index length_a, Index length_b) {
-  return {Precedence::above, length_a < length_b ? -1 : length_a > length_b ? 1 : 0};
-}
-
 /// Rules 3 and 4.
 inline Verdict compare_ranks(Side a, Side b, Index urgency_a, Index urgency_b) {
   if (a.optional != b.optional) return {Precedence::optional, a.optional ? 1 : -1};

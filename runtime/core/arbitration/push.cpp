@@ -140,11 +140,9 @@ bool find_chain(Context& x, Index condition, Index member, Push& out) {
   lack(condition);
   for (Index i = 0; i < lacking; ++i) {
     for (const Index provider : x.t.list(x.t.conditions[x.s.lacked[i]].causers)) {
-      if (x.s.provider_marks[provider].has(mark::causer)) continue;
+      if (x.s.provider_marks[provider].has(mark::causer) || !can_be_pushed(x, provider, member)) continue;
       x.s.provider_marks[provider] |= mark::causer;
       x.s.causers[causers++] = provider;
-      if (!can_be_pushed(x, provider, member)) continue;
-      x.s.provider_marks[provider] |= mark::pushable;
       for (const Index aim : x.t.list(x.t.providers[provider].aims)) {
         if (!holds(x, aim)) lack(aim);
       }
@@ -153,7 +151,7 @@ bool find_chain(Context& x, Index condition, Index member, Push& out) {
   for (bool changed = true; changed;) {
     changed = false;
     for (Index i = causers; i-- != 0;) { // the ends of chains first: most lengths are final after one round
-      if (x.s.provider_marks[x.s.causers[i]].has(mark::pushable)) changed = relax(x, x.s.causers[i]) || changed;
+      changed = relax(x, x.s.causers[i]) || changed;
     }
   }
   const bool found = x.s.cost[condition] != endless;

@@ -25,8 +25,7 @@ inline constexpr std::uint8_t listed = 64;  ///< it is listed in State::pushed
 // On conditions.
 inline constexpr std::uint8_t lacked = 1; ///< the searched chain may have to make it true
 // On providers.
-inline constexpr std::uint8_t pushable = 1;
-inline constexpr std::uint8_t causer = 2; ///< it is listed in State::causers
+inline constexpr std::uint8_t causer = 1; ///< it is listed in State::causers
 } // namespace mark
 
 /// What remains of the last pass for the next one.

@@ -283,7 +283,7 @@ struct State {
   Index* cost_at = nullptr;          ///< condition: first provider of that chain
   Index* cost_plan = nullptr;        ///< condition: number of its plan
   Index* cost_next = nullptr;        ///< condition: the first condition that the chain lacks; nil: none
-  Index* causers = nullptr;          ///< providers that cause one of these conditions
+  Index* causers = nullptr;          ///< providers that cause one of these conditions, and can be pushed
   Bits* provider_marks = nullptr;    ///< provider: bits of `mark`
   Requested* before = nullptr;       ///< requests before this micro-step changed them; target: the edge
   std::byte* end = nullptr;          ///< end of the block
