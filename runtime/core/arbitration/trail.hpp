@@ -20,7 +20,6 @@ DIRECTOR_PART void reach_users(Context& x, Index group);
 DIRECTOR_PART void reach_edge(Context& x, Index edge);
 DIRECTOR_PART void check_lines(Context& x, Index group);
 DIRECTOR_PART bool keeps_waiting(const Context& x, Index edge);
-DIRECTOR_PART bool copy_unchanged_rest(Context& x, Index root);
 DIRECTOR_PART void reach_all_below(Context& x, Index group);
 void reach_by_request(Context& x, Index edge, bool with_siblings);
 void reach_by_last_result(Context& x, Index group);

@@ -79,9 +79,7 @@ void sweep(Context& x) {
   Index root = x.s.first_root[x.component];
   for (; root != nil && !optional(x, root); root = x.s.next_root[root]) {
     if (x.s.request[root].level == nil) continue;
-    if (!x.whole && x.undecided == nil && copy_unchanged_rest(x, root)) return;
     visit_root(x, root);
-    if (x.undecided == root) x.undecided = nil;
     walk_on(x);
   }
   if (root != nil || x.postponed != 0) sweep_optional(x, root);
