@@ -77,8 +77,7 @@ void decide(Context& x, Index component) {
   begin(x);
   if (x.s.component[component].has(work::reordered)) {
     x.s.component[component].remove(work::reordered);
-    const Index first = x.s.first_root[component];
-    if (first != nil && x.s.next_root[first] != nil) sort_roots(x);
+    if (roots(x).size() > 1) sort_roots(x);
   }
   begin_sweep(x);
   x.settled ? keep_all(x) : sweep_all(x);

@@ -38,7 +38,7 @@ void visit_root(Context& x, Index edge);
 void walk_on(Context& x);
 DIRECTOR_PART void add_candidates(Context& x, Index group);
 DIRECTOR_PART void postpone(Context& x, Index edge);
-DIRECTOR_PART void sweep_optional(Context& x, Index root);
+DIRECTOR_PART void sweep_optional(Context& x, std::span<const Index> roots);
 DIRECTOR_PART void pass_by(Context& x, Index group);
 DIRECTOR_PART void close_extents(Context& x, Index group);
 

@@ -35,9 +35,7 @@ bool is_settled(const Context& x) {
   if (x.pushed_count != 0 || x.had_limbo || x.reached_count != 0) return false;
   // Requests that ended because their requester stopped: it may still hold their targets, as needs.
   if (x.s.rerequested[x.component] != nil) return false;
-  for (Index e = x.s.first_root[x.component]; e != nil; e = x.s.next_root[e]) {
-    if (is_decided_again(x, e)) return false;
-  }
+  if (any(roots(x), [&](Index e) { return is_decided_again(x, e); })) return false;
   for (Index i = 0; i < x.unopened_count; ++i) {
     const Index g = x.s.news[x.row.order + i];
     if (is_marked_stale(x, g) && !becomes_stale(x, g) && x.s.run_queue[g].stale_matters != 0) return false;
@@ -57,7 +55,7 @@ void clear_marks(Context& x) {
     x.s.edge_marks[e] = 0;
     x.s.group_trail[x.t.edges[e].target].remove(trail::passed);
   };
-  for (Index e = x.s.first_root[x.component]; e != nil; e = x.s.next_root[e]) clear_edge(e);
+  for (const Index e : roots(x)) clear_edge(e);
   for (const Index g : opened(x)) {
     for (const Index e : x.t.groups[g].edges.rows()) clear_edge(e);
   }

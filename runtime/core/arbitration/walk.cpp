@@ -76,20 +76,21 @@ void visit_root(Context& x, Index edge) {
 /// Tries candidates in order until none is left, and puts the claimed groups into the new order. Below a mandatory edge
 /// this is an edge, all below it, its next sibling. Optional candidates wait until all others were tried.
 void sweep(Context& x) {
-  Index root = x.s.first_root[x.component];
-  for (; root != nil && !optional(x, root); root = x.s.next_root[root]) {
-    if (x.s.request[root].level == nil) continue;
-    visit_root(x, root);
+  const std::span<const Index> all = roots(x);
+  Index at = 0;
+  for (; at < all.size() && !optional(x, all[at]); ++at) {
+    if (x.s.request[all[at]].level == nil) continue;
+    visit_root(x, all[at]);
     walk_on(x);
   }
-  if (root != nil || x.postponed != 0) sweep_optional(x, root);
+  if (at != all.size() || x.postponed != 0) sweep_optional(x, all.subspan(at));
 }
 
 /// Tries the candidates below a group in limbo, after all others.
 void sweep_below(Context& x, Index group) {
   place(x, group);
   walk_on(x);
-  if (x.postponed != 0) sweep_optional(x, nil);
+  if (x.postponed != 0) sweep_optional(x, {});
 }
 
 } // namespace director::arbitration
