@@ -9,9 +9,7 @@
 
 namespace director::arbitration {
 
-DIRECTOR_PART bool search_plan(Context& x, Index provider, Index begin, Index& end, bool fresh, bool by_declaration);
-DIRECTOR_PART bool find_plan(Context& x, Index at, bool first, bool as_it_is, bool with_conditions, bool record);
-DIRECTOR_PART Index entries_of(Context& x, Index group, const Assignment& of);
+// Of groups with equal claimants: availability.cpp.
 DIRECTOR_PART bool kept_by_equal(Context& x, Index group, Index edge, bool record);
 DIRECTOR_PART bool denied_in_vain(Context& x);
 
@@ -49,17 +47,9 @@ DIRECTOR_ONE_COPY inline std::span<const PlanEntry> plan_of(const Context& x, In
 /// Whether a plan in the component can pick one provider or another.
 inline bool alternatives(const Context& x, Index component) { return x.t.components[component].alternatives; }
 
-bool stays(const Context& x, Index provider);
-DIRECTOR_PART Index find_false(const Context& x, Index provider, Index edge);
-
-/// The first condition that prevents the provider from running for an edge, or nil.
-inline Index first_false(const Context& x, Index provider, Index edge) {
-  return x.t.conditions.empty() ? nil : find_false(x, provider, edge);
-}
-
 bool combine(Context& x, Index count, bool with_conditions);
 bool next_choice(Context& x, Index at, bool fresh, bool with_conditions, bool record);
-DIRECTOR_PART bool search_combination(Context& x, Index count, bool with_conditions);
+DIRECTOR_PART bool search_combination(Context& x, Index count, bool with_conditions); // combination.cpp
 void leave_combination(Context& x, Index count);
 
 } // namespace director::arbitration

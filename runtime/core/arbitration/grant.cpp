@@ -3,7 +3,9 @@
 
 #include "runtime/core/arbitration/grant.hpp"
 
+#include "runtime/core/arbitration/plans.hpp"
 #include "runtime/core/arbitration/push.hpp"
+#include "runtime/core/arbitration/refuse.hpp"
 
 namespace director::arbitration {
 

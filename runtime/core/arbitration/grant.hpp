@@ -1,20 +1,16 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Whether a unit is granted or refused. docs/semantics.md, section 4.4, Grant and Refuse.
+// Whether a unit is granted, blocked or refused. docs/semantics.md, section 4.4, Grant and Refuse.
 
 #include "runtime/core/arbitration/trail.hpp"
 
 namespace director::arbitration {
 
 void decide_alone(Context& x, Index edge, bool below_stale);
-DIRECTOR_PART void try_unit(Context& x, Index edge, bool below_stale);
 void try_members(Context& x, Index count, bool below_stale);
 void grant(Context& x, Index count);
-DIRECTOR_PART void claim_plan(Context& x, Index owner, Index provider, Index begin, Index end);
-DIRECTOR_PART void claim_again(Context& x, Index edge);
 void block(Context& x, Index count);
 void block_alone(Context& x, Index edge);
-DIRECTOR_PART void refuse(Context& x, Index count);
 void explain(Context& x, Index count, Why why, Index condition = nil);
 
 /// Claims a group that is free, or that this edge has claimed already.

@@ -3,6 +3,7 @@
 
 #include "runtime/core/arbitration/grant.hpp"
 #include "runtime/core/arbitration/pass.hpp"
+#include "runtime/core/arbitration/plans.hpp"
 
 const char director::part::limbo = 0;
 

@@ -73,7 +73,7 @@ inline Index urgency(const Tables& t, Index edge, Index level) {
   return level == nil ? t.edges[edge].need_urgency : t.levels[level].urgency;
 }
 
-DIRECTOR_PART bool is_passed(const Context& x, Index group);
+DIRECTOR_PART bool is_passed(const Context& x, Index group); // trail.cpp
 Chain chain(const Context& x, Place place);
 bool in_chain(const Context& x, Index edge, Place of);
 DIRECTOR_PART int compare_chains(const Context& x, Place a, Place b, bool in_order);

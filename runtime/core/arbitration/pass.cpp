@@ -3,8 +3,8 @@
 
 #include "runtime/core/arbitration/pass.hpp"
 
-#include "runtime/core/arbitration/grant.hpp"
 #include "runtime/core/arbitration/push.hpp"
+#include "runtime/core/arbitration/trail.hpp"
 
 namespace director::arbitration {
 

@@ -24,7 +24,7 @@ void open_all(Context& x, std::uint8_t kept);
 /// Notes for the next pass what this one found, after the engine has compared the result with the last one.
 void end(Context& x);
 
-DIRECTOR_PART void keep_unclaimed(Context& x);
+DIRECTOR_PART void keep_unclaimed(Context& x); // limbo.cpp
 
 /// Makes the next pass over each component begin from nothing: the last assignment is not that of its last pass.
 void forget_trail(Context& x);
@@ -37,10 +37,9 @@ void visit(Context& x, Index edge, std::uint8_t marks);
 void visit_root(Context& x, Index edge);
 void walk_on(Context& x);
 DIRECTOR_PART void add_candidates(Context& x, Index group);
+DIRECTOR_PART void try_unit(Context& x, Index edge, bool below_stale);
 DIRECTOR_PART void postpone(Context& x, Index edge);
 DIRECTOR_PART void sweep_optional(Context& x, std::span<const Index> roots);
-DIRECTOR_PART void pass_by(Context& x, Index group);
-DIRECTOR_PART void close_extents(Context& x, Index group);
 
 /// Puts a group at this place of the new order.
 inline void put(Context& x, Index group, Index at) {
