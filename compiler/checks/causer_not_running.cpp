@@ -73,7 +73,7 @@ private:
 
   void report(ProviderId waiter, const ConditionUse& use, const std::vector<ProviderId>& causers,
               const Request& request, const std::vector<const Task*>& chain, const std::set<const Task*>& held_back) {
-    const ProviderId causer = causers.front();
+    const ProviderId causer = find_nearest(causers, request, held_back);
     const std::string group = name_of(model_, model_.providers[causer].group);
     dsl::Diagnostic& finding = findings_.add(
         request.task->span, fmt::format("{} may wait here for {}, and {}, which could cause it, need not be requested",
@@ -82,17 +82,23 @@ private:
     finding.notes.push_back({use.span, fmt::format("{} waits for this", name_of(model_, waiter))});
     for (const ProviderId id : causers) finding.notes.push_back(causes(model_, id, use.id));
     const GroupId waiting = model_.providers[waiter].group;
-    if (const Span own = request_span(model_, waiting, model_.providers[causer].group); own != Span{})
-      finding.notes.push_back(
-          {own, fmt::format("{} requests {} itself, but only once it runs", name_of(model_, waiting), group)});
+    for (const GroupId each : groups_of(causers)) {
+      if (const Span own = request_span(model_, waiting, each); own != Span{})
+        finding.notes.push_back({own, fmt::format("{} requests {} itself, but only once it runs",
+                                                  name_of(model_, waiting), name_of(model_, each))});
+    }
     for (std::size_t i = 1; i < chain.size(); ++i)
       finding.notes.push_back(
           {chain[i]->span, fmt::format("{} is requested here, without {}", name_of(model_, chain[i]->target), group)});
     for (const Task& task : request.pack->tasks) {
-      if (held_back.count(&task) != 0)
-        finding.notes.push_back(
-            {task.span, fmt::format("{} would request {}, but is granted only together with {}",
-                                    name_of(model_, task.target), group, name_of(model_, request.task->target))});
+      if (held_back.count(&task) == 0) continue;
+      std::vector<std::string> brought;
+      for (const GroupId each : groups_of(causers)) {
+        if (leads_to(task, each)) brought.push_back(name_of(model_, each));
+      }
+      finding.notes.push_back({task.span, fmt::format("{} would request {}, but is granted only together with {}",
+                                                      name_of(model_, task.target), list_of(brought, "or"),
+                                                      name_of(model_, request.task->target))});
     }
     finding.help =
         !held_back.empty() ? set_apart(request, held_back)
@@ -100,10 +106,47 @@ private:
             ? fmt::format("let the program request {} too, with a lower priority: a push never starts a group", group)
         : request.pack->name.empty()
             ? fmt::format("say with `packs` that {} is requested too{}: a push never starts a group", group,
-                          must_be_apart(request, causers) ? ", `apart` and with a lower priority" : "")
+                          must_be_apart(request, causer) ? ", `apart` and with a lower priority" : "")
             : fmt::format(
                   "request {} too, here or above, `apart` and with a lower priority: a push never starts a group",
                   group);
+  }
+
+  /// The one that an entry that is held back would request, or else the first.
+  ProviderId find_nearest(const std::vector<ProviderId>& causers, const Request& request,
+                          const std::set<const Task*>& held_back) const {
+    for (const Task& task : request.pack->tasks) {
+      if (held_back.count(&task) == 0) continue;
+      for (const ProviderId id : causers) {
+        if (leads_to(task, model_.providers[id].group)) return id;
+      }
+    }
+    return causers.front();
+  }
+
+  /// Whether the entry's group requests that one, or something that does.
+  bool leads_to(const Task& entry, GroupId group) const {
+    std::vector<GroupId> above{group};
+    std::set<GroupId> seen{group};
+    for (std::size_t next = 0; next < above.size(); ++next) {
+      for (const Request& request : shared_.requests().of(above[next])) {
+        if (!request.requester) continue;
+        const GroupId requester = model_.providers[*request.requester].group;
+        if (requester == entry.target) return true;
+        if (seen.insert(requester).second) above.push_back(requester);
+      }
+    }
+    return false;
+  }
+
+  /// Each once.
+  std::vector<GroupId> groups_of(const std::vector<ProviderId>& causers) const {
+    std::vector<GroupId> out;
+    for (const ProviderId id : causers) {
+      const GroupId group = model_.providers[id].group;
+      if (std::find(out.begin(), out.end(), group) == out.end()) out.push_back(group);
+    }
+    return out;
   }
 
   /// Whether its own requests lead to a group that might request it: it would wait for itself.
@@ -129,10 +172,10 @@ private:
   }
 
   /// In a pack it would be granted only together with what waits, as the pack has no separate entry yet.
-  bool must_be_apart(const Request& request, const std::vector<ProviderId>& causers) const {
+  bool must_be_apart(const Request& request, ProviderId causer) const {
     const std::vector<Task>& tasks = request.pack->tasks;
     return model_.is_always_member(*request.task) && std::none_of(tasks.begin(), tasks.end(), [&](const Task& entry) {
-             return entry.target == model_.providers[causers.front()].group && !model_.is_always_member(entry);
+             return entry.target == model_.providers[causer].group && !model_.is_always_member(entry);
            });
   }
 
