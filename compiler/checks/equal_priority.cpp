@@ -45,7 +45,8 @@ std::string message(const Model& model, const EqualPair& pair) {
                        first, second, name_of(model, pair.mutual_wait->held), wanted);
   const std::string both = fmt::format("{} and {} have equal rank and may both want {}", first, second, wanted);
   if (!contest.unpushed)
-    return fmt::format("{}: whichever takes it first keeps it, and if both want it at once {} takes it", both, first);
+    return fmt::format("{}: whichever takes it first keeps it{}", both,
+                       pair.open ? "" : fmt::format(", and if both want it at once {} takes it", first));
   return fmt::format("{}: while {} has it, {} is blocked and pushes nothing for {}", both,
                      contest.unpushed->second ? first : second, name_of(model, contest.unpushed->task),
                      name_of(model, contest.unpushed->want->condition.id));

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/contests.hpp"
 
-#include "compiler/analysis/conflicts/takers.hpp"
 #include "compiler/analysis/words/words.hpp"
 
 #include <fmt/format.h>
@@ -103,7 +102,10 @@ std::vector<Contest> Contests::find_candidates(const Meeting& meeting) const {
   if (meeting.first_level.priority != meeting.second_level.priority) return out;
   const Claims& first = claims(meeting, *meeting.first);
   const Claims& second = claims(meeting, *meeting.second);
+  const std::optional<ProviderId> by = meeting.together->provider;
   for (const GroupId group : in_common(first.groups(), second.groups())) {
+    // What their requester needs is held before either is tried: which of the two has it does not depend on rank.
+    if (by && has(takers_.held_by(model_.providers[*by].group), group)) continue;
     for (const Reach a : all_reaches) {
       for (const Reach b : all_reaches) {
         const Side x{first, first.find(group, a), a}, y{second, second.find(group, b), b};

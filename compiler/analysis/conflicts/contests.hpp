@@ -3,6 +3,7 @@
 // Finds out whether two entries of one list of tasks compete at equal rank: what both may want, and by which chains.
 
 #include "compiler/analysis/chains/meetings.hpp"
+#include "compiler/analysis/conflicts/takers.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 
 #include <cstddef>
@@ -54,7 +55,10 @@ struct Rivalling {
 /// For all pairs of a behaviour: their cost is counted together.
 class Contests {
 public:
-  Contests(const Model& model, const Shared& shared) : model_(model), shared_(shared) {}
+  Contests(const Model& model, const Shared& shared, Takers& takers)
+      : model_(model),
+        shared_(shared),
+        takers_(takers) {}
 
   /// One contest for a pair, at all its levels. `first`: the winner if both are requested at once.
   std::optional<Rivalling> look_at(const Together& together, const Task& first, const Task& second);
@@ -88,6 +92,7 @@ private:
 
   const Model& model_;
   const Shared& shared_;
+  Takers& takers_;
   std::size_t effort_ = 0;
   bool is_open_ = false;
 };

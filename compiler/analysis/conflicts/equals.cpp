@@ -94,7 +94,9 @@ public:
       }
     }
     for (const Loser& loser : input.conflicts.losers()) {
-      if (loser.taker.kind == Taker::Kind::above && loser.refused.task == loser.entry) kept_off_.insert(loser.entry);
+      const bool never =
+          loser.refused.task == loser.entry || input.conflicts.grants().refused().count(loser.refused.task->edge) != 0;
+      if (loser.taker.kind == Taker::Kind::above && never) kept_off_.insert(loser.refused.task);
     }
   }
 
@@ -116,10 +118,47 @@ private:
   std::set<const Task*> kept_off_; ///< by what the requester holds itself, or by several together
 };
 
+std::int32_t priority_of(const Model& model, const Task& task) {
+  return model.edges[task.edge].levels[task.levels.front().level].priority;
+}
+
+/// The member at whose place its unit is tried: of those with the highest priority, the first. The task itself if it is
+/// no member, or if a member has several levels.
+const Task& leader_of(const Model& model, const Together& together, const Task& task) {
+  if (!together.provider || !shares_unit(model, task)) return task;
+  const Task* out = &task;
+  for (const Task& other : *together.tasks) {
+    if (!shares_unit(model, other)) continue;
+    if (other.levels.size() != 1) return task;
+    const std::int32_t best = priority_of(model, *out), priority = priority_of(model, other);
+    if (priority > best || (priority == best && other.edge < out->edge)) out = &other;
+  }
+  return *out;
+}
+
+/// The places at which two entries are tried.
+struct Order {
+  bool swapped = false; ///< the second one comes first, if both are requested at once
+  bool open = false;    ///< that depends on what else is requested of a flat list
+  bool ranked = false;  ///< the unit of one of them goes before the other one
+};
+
+Order order_of(const Model& model, const Together& together, const Task& a, const Task& b) {
+  const Task *first = &leader_of(model, together, a), *second = &leader_of(model, together, b);
+  Order out{b.edge < a.edge, false, false};
+  if (first == second || (first == &a && second == &b)) return out;
+  const bool swapped = second->edge < first->edge;
+  const bool ranked =
+      a.levels.size() == 1 && b.levels.size() == 1 && priority_of(model, *first) != priority_of(model, *second);
+  if (together.whole) return {swapped, false, ranked};
+  out.open = ranked || swapped != out.swapped;
+  return out;
+}
+
 } // namespace
 
 std::vector<EqualList> find_equals(const Input& input) {
-  Contests contests(input.model, input.shared);
+  Contests contests(input.model, input.shared, input.conflicts.takers());
   Overlaps overlaps(input.model, input.shared.branches());
   const Lost lost(input);
   std::vector<EqualList> out;
@@ -132,12 +171,13 @@ std::vector<EqualList> find_equals(const Input& input) {
       for (const std::size_t i : claimants.before(j)) {
         if (reported.covers(i, j) || reported_by_others.covers(i, j) || lost.contains(tasks[i], tasks[j])) continue;
         // If both are requested at once, the edge that is declared first wins.
-        const bool swapped = tasks[j].edge < tasks[i].edge;
-        auto found = contests.look_at(together, tasks[swapped ? j : i], tasks[swapped ? i : j]);
+        const Order order = order_of(input.model, together, tasks[i], tasks[j]);
+        if (order.ranked) continue;
+        auto found = contests.look_at(together, tasks[order.swapped ? j : i], tasks[order.swapped ? i : j]);
         if (!found) continue;
         const bool excluded = lost.excludes(together, tasks[i], tasks[j]);
         for (const Stake& stake : found->stakes) (excluded ? reported_by_others : reported).add(i, j, stake);
-        if (!excluded) list.pairs.push_back({std::move(*found), i, j});
+        if (!excluded) list.pairs.push_back({std::move(*found), i, j, order.open});
       }
     }
     if (!list.pairs.empty()) out.push_back(std::move(list));

@@ -13,6 +13,7 @@ namespace director::analysis {
 /// Two entries of one list, by their places.
 struct EqualPair : Rivalling {
   std::size_t earlier = 0, later = 0;
+  bool open = false; ///< which of them takes the group if both want it at once depends on what is requested with them
 };
 
 struct EqualList {
