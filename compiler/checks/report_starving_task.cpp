@@ -109,6 +109,11 @@ bool may_go_after(const Input& input, const Refused& refused, const Taker& taker
   return first && second && leaves_all(input, *first, *second);
 }
 
+/// Whether there is a chain of requests between the two groups without an optional one.
+bool leads_firmly(const Input& input, GroupId from, GroupId to) {
+  return from == to || input.shared.claims(from).on_path(to, Reach::mandatory) != nullptr;
+}
+
 /// Help for a mandatory task. A lower rank within one unit does not change that its needs are taken before anything
 /// below is tried.
 std::string propose(const Input& input, const Refused& refused, const Taker& taker) {
@@ -116,6 +121,8 @@ std::string propose(const Input& input, const Refused& refused, const Taker& tak
   if (taker.kind == Taker::Kind::above)
     return fmt::format("request it where {} is not above it", name_of(model, taker.holder));
   const std::string elsewhere = propose_elsewhere(input, refused);
+  // Priorities decide only between tasks of which both or neither are optional.
+  const Takers& takers = input.conflicts.takers();
   if (taker.kind == Taker::Kind::unit || !refused.together.empty() ||
       std::any_of(refused.refusals.begin(), refused.refusals.end(),
                   [](const Refusal& refusal) { return !refusal.others.empty(); }))
@@ -123,9 +130,13 @@ std::string propose(const Input& input, const Refused& refused, const Taker& tak
   const bool is_own = taker.over == refused.task;
   if (!is_own && model.is_always_member(*taker.by) && model.is_always_member(*taker.over)) return elsewhere;
   if (!may_go_after(input, refused, taker)) return elsewhere;
-  return is_own ? "give it a higher priority, or " + elsewhere
-                : fmt::format("give {} a higher priority than {}, or {}", name_of(model, taker.over->target),
-                              name_of(model, taker.by->target), elsewhere);
+  if (is_own) return "give it a higher priority, or " + elsewhere;
+  if (!leads_firmly(input, taker.over->target, *refused.requester) && takers.is_mandatory(*taker.by)) return elsewhere;
+  const bool goes_after_all = !takers.is_mandatory(*taker.over) && !takers.is_optional(*taker.by);
+  const std::string over = name_of(model, taker.over->target), by = name_of(model, taker.by->target);
+  return goes_after_all ? fmt::format("make {} `apart` instead of `optional`, with a higher priority than {}, or {}",
+                                      over, by, elsewhere)
+                        : fmt::format("give {} a higher priority than {}, or {}", over, by, elsewhere);
 }
 
 /// Several tasks that go before it take everything only together.

@@ -30,7 +30,12 @@ bool never_runs(const Input& input, EdgeId edge) {
 std::string propose(const Input& input, const Loser& loser) {
   const Model& model = input.model;
   const Task &taker = *loser.taker.by, &sibling = *loser.taker.over;
-  const bool optional = !model.edges[loser.refused.task->edge].has_mandatory();
+  const bool optional = std::any_of(loser.chain.begin(), loser.chain.end(), [&](const ChainStep& step) {
+    const std::vector<EdgeId>& edges = model.groups[step.to].requesters;
+    return std::any_of(edges.begin(), edges.end(), [&](EdgeId id) {
+      return model.edges[id].requester == step.from && !model.edges[id].has_mandatory();
+    });
+  });
   std::string unit = optional ? "`optional`" : "`apart` or `optional`";
   const bool goes_first = Company::goes_first(model, taker, sibling);
   if (goes_first)
