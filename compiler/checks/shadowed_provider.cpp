@@ -121,18 +121,42 @@ std::optional<GroupId> note_unpushed(const Input& input, ProviderId id, dsl::Dia
   return out;
 }
 
-/// One rival that is enough alone, or else as few as are enough together.
-std::vector<ProviderId> find_culprits(const Input& input, ProviderId id, const std::vector<Rival>& rivals,
-                                      const IdTable<StateId, ValueSet>& values) {
+/// Adds those after the last one that was tried: that one always can run, so none after it matters, unless it is
+/// changed.
+void add_after_rivals(const Input& input, ProviderId id, std::vector<ProviderId>& out) {
+  const std::vector<ProviderId>& all = input.model.group_of(id).providers;
+  for (auto at = std::find(all.begin(), all.end(), out.back()) + 1; *at != id && out.size() < most_left_out; ++at) {
+    if (input.facts.capable.contains(*at) && can_always_replace(input.model, *at, id)) out.push_back(*at);
+  }
+}
+
+/// The providers before one that never runs because of them.
+struct Culprits {
+  std::vector<ProviderId> all;
+  bool each = false;              ///< each of them is enough alone; else all together
+  bool others_are_enough = false; ///< those that are not named here are enough together
+};
+
+/// All that are enough alone, or else as few as are enough together.
+Culprits find_culprits(const Input& input, ProviderId id, const std::vector<Rival>& rivals,
+                       const IdTable<StateId, ValueSet>& values) {
   const auto are_enough = [&](const std::vector<Rival>& some) {
     return find_choice_here(input, id, some, values) == Covering::covered;
   };
   const Region own = region_here(input, id);
+  Culprits out;
   std::vector<Rival> some;
   for (const Rival& rival : rivals) {
-    if (are_enough({rival})) return {rival.provider};
-    if (std::any_of(rival.ways.begin(), rival.ways.end(), [&](const Region& way) { return compatible(own, way); }))
+    if (out.all.size() < most_left_out && are_enough({rival}))
+      out.all.push_back(rival.provider);
+    else if (std::any_of(rival.ways.begin(), rival.ways.end(), [&](const Region& way) { return compatible(own, way); }))
       some.push_back(rival);
+  }
+  if (!out.all.empty()) {
+    out.each = true;
+    out.others_are_enough = are_enough(some);
+    add_after_rivals(input, id, out.all);
+    return out;
   }
   // The preferred ones stay.
   for (std::size_t i = some.size(); i-- > 0 && some.size() <= most_left_out;) {
@@ -140,8 +164,7 @@ std::vector<ProviderId> find_culprits(const Input& input, ProviderId id, const s
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
     if (are_enough(fewer)) some = std::move(fewer);
   }
-  std::vector<ProviderId> out;
-  for (const Rival& rival : some) out.push_back(rival.provider);
+  for (const Rival& rival : some) out.all.push_back(rival.provider);
   return out;
 }
 
@@ -183,19 +206,38 @@ void report_idle(const Input& input, ProviderId id, const Refused& refused, Find
   propose_or_leave_out(input.model, input.facts, id, "request it where that is free", finding);
 }
 
+/// Whether one that runs now would never run if this one were preferred to it.
+bool would_be_shadowed(const Input& input, ProviderId earlier, ProviderId id) {
+  if (!input.facts.chosen.contains(earlier)) return false;
+  std::vector<Rival> rivals = input.shared.rivals().of(earlier);
+  rivals.push_back({id, {region_of(input.model, input.model.providers[id].when)}});
+  return find_choice_here(input, earlier, rivals, input.facts.values) == Covering::covered;
+}
+
 /// Another order helps if then no other provider never runs: neither one of these, nor one whose promise is never
 /// pushed.
-void propose(const Input& input, ProviderId id, const std::vector<ProviderId>& culprits, dsl::Diagnostic& finding) {
+void propose(const Input& input, ProviderId id, const Culprits& culprits, dsl::Diagnostic& finding) {
   const Model& model = input.model;
-  const bool helps = std::none_of(culprits.begin(), culprits.end(), [&](ProviderId each) {
-    const bool is_promise = !model.providers[each].causing.empty() && !input.facts.pushed.contains(each);
-    return is_promise || can_always_replace(model, id, each);
-  });
-  const bool is_one = culprits.size() == 1;
+  const std::vector<ProviderId>& providers = model.group_of(id).providers;
+  const bool helps = std::none_of(culprits.all.begin(), culprits.all.end(),
+                                  [&](ProviderId each) {
+                                    const bool is_promise =
+                                        !model.providers[each].causing.empty() && !input.facts.pushed.contains(each);
+                                    return is_promise || can_always_replace(model, id, each);
+                                  }) &&
+                     std::none_of(providers.begin(), std::find(providers.begin(), providers.end(), id),
+                                  [&](ProviderId each) { return would_be_shadowed(input, each, id); });
+  const bool is_one = culprits.all.size() == 1;
   const std::string help =
-      fmt::format("give {} a `when` that leaves something", is_one ? name_of(model, culprits.front()) : "one of them");
+      fmt::format("give {} a `when` that leaves something", culprits.others_are_enough ? "those before it"
+                                                            : is_one        ? name_of(model, culprits.all.front())
+                                                            : culprits.each ? "each of them"
+                                                                            : "one of them");
   if (helps)
-    finding.help = help + (is_one ? ", or put it last" : ", or put this one first");
+    finding.help = fmt::format("{}, or put this one {}", help,
+                               culprits.others_are_enough || !culprits.each ? "first"
+                               : is_one                                     ? "before it"
+                                                                            : "before them");
   else
     propose_or_leave_out(input.model, input.facts, id, help, finding);
 }
@@ -228,18 +270,18 @@ void shadowed_provider(const Input& input, Findings& findings) {
     }
     if (!facts.impossible.empty() && find_choice_here(input, id, rivals.of(id), mended) != Covering::covered) continue;
     std::vector<std::string> names;
-    const std::vector<ProviderId> culprits = find_culprits(input, id, rivals.of(id), mended);
-    for (const ProviderId rival : culprits) names.push_back(name_of(model, rival));
+    const Culprits culprits = find_culprits(input, id, rivals.of(id), mended);
+    for (const ProviderId rival : culprits.all) names.push_back(name_of(model, rival));
     dsl::Diagnostic& finding = findings.add(
         provider.span,
         names.size() == 1
             ? fmt::format("{} never runs: {} comes before it and can run whenever it can", name_of(model, id), names[0])
-            : fmt::format("{} never runs: {} come before it, and one of them can run whenever it can",
-                          name_of(model, id), few_of(names)));
+            : fmt::format("{} never runs: {} come before it, and {} of them can run whenever it can",
+                          name_of(model, id), few_of(names), culprits.each ? "each" : "one"));
     finding.rules_out = {provider.span};
-    for (std::size_t i = 0; i < std::min(culprits.size(), most_culprits); ++i) {
-      finding.notes.push_back({model.providers[culprits[i]].span, fmt::format("{} is preferred", names[i])});
-      note_always_true(input, culprits[i], finding);
+    for (std::size_t i = 0; i < std::min(culprits.all.size(), most_culprits); ++i) {
+      finding.notes.push_back({model.providers[culprits.all[i]].span, fmt::format("{} is preferred", names[i])});
+      note_always_true(input, culprits.all[i], finding);
     }
     const std::optional<GroupId> outranked = note_unpushed(input, id, finding);
     note_members(input, id, rivals.of(id), finding);
