@@ -1,10 +1,12 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/possible_pack_conflict.md.
 // SPDX-License-Identifier: MIT
+#include "compiler/analysis/causing/exclusion.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/conflicts/ways.hpp"
 #include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/choice.hpp"
+#include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/reported_pairs.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -20,6 +22,48 @@ namespace director::checks {
 
 namespace {
 
+/// A member of the pack, and the ways to run it.
+struct Side {
+  const Task& task;
+  const std::vector<Way>& ways;
+};
+using Sides = std::pair<Side, Side>;
+
+/// Where it can begin: there each `when` holds, and not only a `stay`.
+Region beginning(const Input& input, const Way& way) {
+  Region out = way.combination.region;
+  for (const Combination::Pick& pick : way.combination.picks) {
+    const Provider& provider = input.model.providers[pick.provider];
+    Region own = region_of(input.model, provider.when);
+    for (const Impossible& fault : input.facts.impossible_of(pick.provider)) own.states.erase(fault.state);
+    for (const ConditionUse& promise : provider.causing) own.states.erase(input.model.conditions[promise.id].state);
+    out.meet(own);
+  }
+  return out;
+}
+
+/// Whether the tasks and all that they may need are requested and needed by nothing else: then both begin at once.
+bool begin_together(const Input& input, const Task& first, const Task& second) {
+  Units& units = input.shared.units();
+  std::set<GroupId> all;
+  for (const Task* task : {&first, &second}) {
+    const std::vector<GroupId>& needed = units.needed(task->target);
+    all.insert(needed.begin(), needed.end());
+  }
+  return std::all_of(all.begin(), all.end(), [&](GroupId group) {
+    std::size_t entries = 0;
+    for (const Request& request : input.shared.requests().of(group)) {
+      if (!request.requester || all.count(input.model.providers[*request.requester].group) == 0) ++entries;
+    }
+    const std::vector<EdgeId>& edges = input.model.groups[group].requesters;
+    return entries <= 1 && std::all_of(edges.begin(), edges.end(), [&](EdgeId id) {
+             const Edge& edge = input.model.edges[id];
+             const bool is_its = (id == first.edge || id == second.edge) && !edge.needed;
+             return is_its || (edge.requester && all.count(*edge.requester) != 0);
+           });
+  });
+}
+
 /// Two ways that want one group, one for each of two members.
 struct ClashingWays {
   const Way* first = nullptr;
@@ -32,15 +76,28 @@ struct ClashingWays {
 
 class PairSearch {
 public:
-  PairSearch(const Input& input, const std::vector<Way>& first, const std::vector<Way>& second) : input_(input) {
-    for (const Way& a : first) {
-      for (const Way& b : second) {
+  PairSearch(const Input& input, const Sides& sides) : input_(input) {
+    for (const Way& a : sides.first.ways) {
+      for (const Way& b : sides.second.ways) {
         Region region = a.combination.region;
         region.meet(b.combination.region);
         if (region.empty()) continue;
         (groups_in_common(a, b).empty() ? working_ : clashing_).push_back({&a, &b, std::move(region)});
       }
     }
+    const auto can_begin = [&](const Pair& pair) {
+      return compatible(beginning(input, *pair.first), beginning(input, *pair.second));
+    };
+    const auto others = std::stable_partition(working_.begin(), working_.end(), can_begin);
+    if (others == working_.begin() && !working_.empty() && begin_together(input, sides.first.task, sides.second.task))
+      working_.clear();
+  }
+
+  /// Whether some two ways of theirs want one group or can be used together.
+  bool has(ProviderId id) const {
+    const auto is_its = [&](const Pair& pair) { return pair.first->provider() == id || pair.second->provider() == id; };
+    return std::any_of(working_.begin(), working_.end(), is_its) ||
+           std::any_of(clashing_.begin(), clashing_.end(), is_its);
   }
 
   /// Two ways that want one group, if no two ways can be used together.
@@ -115,25 +172,33 @@ void add_chain(const Model& model, const Way& way, GroupId group, dsl::Diagnosti
   finding.notes.insert(finding.notes.end(), steps.rbegin(), steps.rend());
 }
 
-std::string conditions_in_words(const Model& model, const Way& a, const Way& b) {
+/// Where two ways can be used together: ", when `…`". If their `when` exclude each other, one of them has to run
+/// already, or both.
+std::string when_in_words(const Input& input, const Way& a, const Way& b) {
+  const Model& model = input.model;
+  const Region begins_a = beginning(input, a), begins_b = beginning(input, b);
+  const bool at_once = compatible(begins_a, begins_b);
+  const bool b_runs = !at_once && compatible(begins_a, b.combination.region);
+  const bool a_runs = !at_once && !b_runs && compatible(begins_b, a.combination.region);
+  const bool both_run = !at_once && !a_runs && !b_runs;
   std::vector<std::string> things;
-  for (const Way* way : {&a, &b}) {
-    for (const Combination::Pick& pick : way->combination.picks) {
-      for (const ConditionUse& use : model.providers[pick.provider].when) {
-        const std::string name = name_of(model, use.id);
-        if (std::find(things.begin(), things.end(), name) == things.end()) things.push_back(name);
+  const auto add = [&](const Way& way, bool runs) {
+    for (const Combination::Pick& pick : way.combination.picks) {
+      const Provider& provider = model.providers[pick.provider];
+      for (const ConditionUse& use : runs && !provider.stay.empty() ? provider.stay : provider.when) {
+        std::string name = name_of(model, use.id);
+        if (std::find(things.begin(), things.end(), name) == things.end()) things.push_back(std::move(name));
       }
     }
-  }
-  return list_of(things);
+  };
+  add(a, a_runs || both_run);
+  add(b, b_runs || both_run);
+  if (things.empty()) return {};
+  const std::string out = ", when " + list_of(things);
+  return at_once    ? out
+         : both_run ? out + " while both run already"
+                    : fmt::format("{} while {} runs already", out, name_of(model, (a_runs ? a : b).provider()));
 }
-
-/// A member of the pack, and the ways to run it.
-struct Side {
-  const Task& task;
-  const std::vector<Way>& ways;
-};
-using Sides = std::pair<Side, Side>;
 
 bool is_requested_elsewhere(const Input& input, const Task& task) {
   return input.shared.requests().of(task.target).size() > 1;
@@ -161,6 +226,9 @@ std::vector<std::string> find_superfluous(const Input& input, const Side& side) 
     if (comes_first(input, side.ways, i)) useful.insert(side.ways[i].provider());
   }
   for (const ProviderId id : input.model.groups[side.task.target].providers) {
+    const bool is_tried =
+        std::any_of(side.ways.begin(), side.ways.end(), [&](const Way& way) { return way.provider() == id; });
+    if (!is_tried && is_requested_elsewhere(input, side.task)) continue;
     if (input.facts.active.contains(id) && useful.count(id) == 0) out.push_back(name_of(input.model, id));
   }
   return out;
@@ -177,7 +245,7 @@ std::vector<std::string> find_left_out(const Input& input, const Sides& sides, c
     out.push_back(name_of(input.model, losers.front()));
     first.erase(std::remove_if(first.begin(), first.end(), is_it), first.end());
     second.erase(std::remove_if(second.begin(), second.end(), is_it), second.end());
-    const auto next = PairSearch(input, first, second).run();
+    const auto next = PairSearch(input, {{sides.first.task, first}, {sides.second.task, second}}).run();
     if (!next) return out;
     losers = next->losers;
   }
@@ -242,10 +310,9 @@ void report(const Input& input, const Pack& pack, const Sides& sides, const Clas
   add_chain(model, *clash.second, group, finding);
   const ProviderId x = clash.first_instead->provider(), y = clash.second_instead->provider();
   const ProviderId place = clash.first->provider() != x ? x : y;
-  const std::string conditions = conditions_in_words(model, *clash.first_instead, *clash.second_instead);
-  finding.notes.push_back(
-      {model.providers[place].span, fmt::format("{} and {} can be granted together{}{}", name_of(model, x),
-                                                name_of(model, y), conditions.empty() ? "" : ", when ", conditions)});
+  finding.notes.push_back({model.providers[place].span,
+                           fmt::format("{} and {} can be granted together{}", name_of(model, x), name_of(model, y),
+                                       when_in_words(input, *clash.first_instead, *clash.second_instead))});
   finding.help = propose(input, pack, sides, clash);
 }
 
@@ -307,9 +374,45 @@ private:
   const Groups& groups_;
 };
 
-/// Reports two that would work together, were it not for what their requester keeps.
-void report_kept(const Input& input, const KeptByRequester& kept, const Sides& sides, const Sides& before,
-                 const ClashingWays& clash, Findings& findings) {
+/// Notes the conditions of the providers that never run beside the other task, and of those that exclude them.
+void note_excluded(const Input& input, const KeptByRequester& kept, const PairSearch& search, const Sides& sides,
+                   dsl::Diagnostic& finding) {
+  const auto add = [&](dsl::Note note) {
+    const auto same = [&](const dsl::Note& other) { return other.span == note.span && other.message == note.message; };
+    if (std::none_of(finding.notes.begin(), finding.notes.end(), same)) finding.notes.push_back(std::move(note));
+  };
+  std::set<StateId> states;
+  std::set<ProviderId> conditional;
+  for (const auto& [side, other] : {std::pair(&sides.first, &sides.second), std::pair(&sides.second, &sides.first)}) {
+    std::set<ProviderId> all;
+    for (const Way& way : kept.without_kept(side->ways)) all.insert(way.provider());
+    for (const ProviderId id : all) {
+      if (search.has(id)) continue;
+      for (dsl::Note& note : explain_exclusion(input.model, input.facts, id, &side->task)) add(std::move(note));
+      if (input.facts.excluded.contains(id)) continue;
+      conditional.insert(id);
+      for (const Way& way : other->ways) {
+        for (const Combination::Pick& pick : way.combination.picks) conditional.insert(pick.provider);
+      }
+      for (const ConditionUse& use : input.model.providers[id].when)
+        states.insert(input.model.conditions[use.id].state);
+    }
+  }
+  for (const ProviderId id : conditional) {
+    for (const ConditionUse& use : input.model.providers[id].when) {
+      if (states.count(input.model.conditions[use.id].state) == 0) continue;
+      add(input.model.providers[id].stay.empty()
+              ? runs_only_while(input.model, id, use)
+              : dsl::Note{use.span, fmt::format("{} begins only while {}", name_of(input.model, id),
+                                                name_of(input.model, use.id))});
+    }
+  }
+  shorten_list(finding.notes);
+}
+
+/// Reports two that would work together, were it not for what their requester keeps or where it requests them.
+void report_never(const Input& input, const KeptByRequester& kept, const PairSearch& search, const Sides& sides,
+                  const Sides& before, const ClashingWays& clash, Findings& findings) {
   const Task &first = sides.first.task, &second = sides.second.task;
   const Model& model = input.model;
   const GroupId group = groups_in_common(*clash.first, *clash.second).front();
@@ -324,7 +427,16 @@ void report_kept(const Input& input, const KeptByRequester& kept, const Sides& s
   add_chain(model, *clash.second, group, finding);
   kept.add_notes(before.first.ways, finding);
   kept.add_notes(before.second.ways, finding);
+  note_excluded(input, kept, search, before, finding);
   finding.help = "request them in two packs";
+}
+
+/// Those that can be used within the region, with what this leaves of theirs.
+std::vector<Way> within(const Region& region, std::vector<Way> ways) {
+  for (Way& way : ways) way.combination.region.meet(region);
+  ways.erase(std::remove_if(ways.begin(), ways.end(), [](const Way& way) { return way.combination.region.empty(); }),
+             ways.end());
+  return ways;
 }
 
 void look_at(const Input& input, Units& units, GroupId requester, const Pack& pack, Findings& findings) {
@@ -336,14 +448,17 @@ void look_at(const Input& input, Units& units, GroupId requester, const Pack& pa
     if (reported.count(j) != 0) continue;
     const auto first = find_ways(units, members[i]->target), second = find_ways(units, members[j]->target);
     if (!first || !second) continue;
-    const std::vector<Way> left_first = kept.without_kept(*first), left_second = kept.without_kept(*second);
-    const PairSearch search(input, left_first, left_second);
+    Region requested = input.facts.contexts[members[i]->target];
+    requested.meet(input.facts.contexts[members[j]->target]);
+    const std::vector<Way> left_first = within(requested, kept.without_kept(*first));
+    const std::vector<Way> left_second = within(requested, kept.without_kept(*second));
     const Sides sides{{*members[i], left_first}, {*members[j], left_second}};
+    const PairSearch search(input, sides);
     if (const auto clash = search.run()) {
       report(input, pack, sides, *clash, findings);
     } else if (const auto never = search.all_clash();
                never && units.verdict({members[i]->target, members[j]->target}) == UnitVerdict::possible) {
-      report_kept(input, kept, sides, {{*members[i], *first}, {*members[j], *second}}, *never, findings);
+      report_never(input, kept, search, sides, {{*members[i], *first}, {*members[j], *second}}, *never, findings);
     } else {
       continue;
     }
