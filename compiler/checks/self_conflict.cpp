@@ -162,18 +162,19 @@ void add_same(const Model& model, const Loser& first, const Loser& other, dsl::D
 std::string propose_need(const Input& input, const Loser& loser) {
   const Model& model = input.model;
   const GroupId task = loser.entry->target;
-  const std::string kept = name_of(model, loser.taker.group);
-  std::vector<std::string> instead;
+  std::vector<std::string> instead, conflicting;
   bool conflict = input.facts.may_wait.contains(task); // if it needed that, it would wait with it
   for (const Use<GroupId>& need : model.providers[loser.above].needs) {
     if (need.id == task) continue;
+    const bool is_shared = !input.shared.indispensable().in_common(need.id, task).empty();
+    if (need.id == loser.taker.group || is_shared) conflicting.push_back(name_of(model, need.id));
     if (need.id == loser.taker.group || input.shared.claims(task).contains(need.id)) {
       instead.push_back(name_of(model, need.id));
-    } else if (!input.shared.indispensable().in_common(need.id, task).empty()) {
+    } else if (is_shared) {
       conflict = true;
     }
   }
-  if (conflict) return fmt::format("do not need {}", kept);
+  if (conflict) return fmt::format("do not need {}", list_of(conflicting, "or"));
   return fmt::format("need {} instead of {}, or {}", name_of(model, task), list_of(instead, "and"),
                      instead.size() == 1 ? "nothing" : "none of them");
 }

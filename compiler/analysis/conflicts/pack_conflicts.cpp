@@ -77,8 +77,11 @@ std::optional<KeptOff> find_kept_off(const Input& input, const PackConflict& con
     if (loser.above != conflict.provider || loser.taker.kind != Taker::Kind::above) continue;
     if (std::find(members.begin(), members.end(), task) == members.end()) continue;
     for (const Use<GroupId>& need : input.model.providers[conflict.provider].needs) {
-      if (is_other_member(task, need.id) && needs_lead_to(input.model, need.id, kept))
-        return KeptOff{task, kept, &need};
+      if (!is_other_member(task, need.id)) continue;
+      if (needs_lead_to(input.model, need.id, kept)) return KeptOff{task, kept, &need};
+      // It may be another need by which the loser was found.
+      const std::vector<GroupId> common = input.shared.indispensable().in_common(need.id, task->target);
+      if (!common.empty()) return KeptOff{task, has(common, need.id) ? need.id : common.front(), &need};
     }
   }
   return std::nullopt;
