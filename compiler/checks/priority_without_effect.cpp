@@ -1,6 +1,7 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/priority_without_effect.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/facts/pushes.hpp"
+#include "compiler/analysis/plans/trials.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/sources.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -219,8 +220,12 @@ void look_at(const Input& input, const Together& together, TouchedStates& states
       return std::any_of(theirs.begin(), theirs.end(), [&](GroupId group) { return ours.contains(group); });
     });
   };
+  const auto is_member = [&](const Task& task) { return together.provider && may_be_member(model, task); };
+  // A unit is tried at the place of its first member.
+  const bool unit_is_disputed = std::any_of(
+      tasks.begin(), tasks.end(), [&](const Task& task) { return is_member(task) && is_disputed(task.target); });
   for (const Task& task : tasks) {
-    if (has_priority(model, task) && !is_disputed(task.target))
+    if (has_priority(model, task) && !is_disputed(task.target) && !(unit_is_disputed && is_member(task)))
       entries[task.edge].undisputed.emplace_back(&together, &task);
   }
 }
