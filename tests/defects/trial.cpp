@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/defects/trial.hpp"
 
+#include "compiler/explore/verdict.hpp"
 #include "compiler/pipeline.hpp"
 #include "dsl/source/render.hpp"
 #include "tests/compiler/support/scenario_findings.hpp"
@@ -78,7 +79,7 @@ Outcome try_out(const Case& one, bool defect) {
   for (const auto& [path, text] : out.texts) files.add(path, text);
   dsl::Sources sources;
   compiler::CheckOptions options;
-  options.decide = id == "assertion_failed";
+  options.decide = id == "assertion_failed" ? compiler::states_of_check : 0;
   options.selection.lints.insert(id);
   compiler::Checked checked = compiler::check(planted.main, files, sources, options);
   if (out.texts.count(std::string(scenario)) != 0 && checked.lowerable) {

@@ -58,7 +58,7 @@ private:
   std::vector<std::string> trace_;
   const compiler::Sink sink_;
   compiler::ScriptedBodies bodies_;
-  compiler::Recorder recorder_;
+  compiler::EventConverter recorder_;
   bool leap_;
   Time now_ = 0, until_ = 0;
   Time shift_ = 0; ///< how much later the engine's time is

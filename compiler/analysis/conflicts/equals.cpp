@@ -125,10 +125,10 @@ std::int32_t priority_of(const Model& model, const Task& task) {
 /// The member at whose place its unit is tried: of those with the highest priority, the first. The task itself if it is
 /// no member, or if a member has several levels.
 const Task& leader_of(const Model& model, const Together& together, const Task& task) {
-  if (!together.provider || !shares_unit(model, task)) return task;
+  if (!together.provider || !model.is_always_member(task)) return task;
   const Task* out = &task;
   for (const Task& other : *together.tasks) {
-    if (!shares_unit(model, other)) continue;
+    if (!model.is_always_member(other)) continue;
     if (other.levels.size() != 1) return task;
     const std::int32_t best = priority_of(model, *out), priority = priority_of(model, other);
     if (priority > best || (priority == best && other.edge < out->edge)) out = &other;

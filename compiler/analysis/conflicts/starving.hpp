@@ -5,6 +5,7 @@
 
 #include "compiler/analysis/conflicts/grants.hpp"
 #include "compiler/analysis/input.hpp"
+#include "dsl/source/diagnostic.hpp"
 
 #include <vector>
 

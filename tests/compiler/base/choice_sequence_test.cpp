@@ -11,7 +11,8 @@ using namespace director::compiler;
 
 /// Picks one of two, and after the first one of three.
 std::string way_through(ChoiceSequence& choices) {
-  std::string out = std::to_string(choices.pick(2)) + std::to_string(choices.pick(1));
+  std::string out = std::to_string(choices.pick(2));
+  out += std::to_string(choices.pick(1));
   if (out == "00") out += std::to_string(choices.pick(3));
   return out;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "compiler/explore/verdict.hpp"
 #include "compiler/pipeline.hpp"
 #include "dsl/source/render.hpp"
 #include "tests/compiler/checks/page.hpp"
@@ -70,7 +71,7 @@ void try_out(const checks::Registered& check, const Specimen& specimen) {
   for (const auto& [path, text] : specimen.files) files.add(path, text);
   dsl::Sources sources;
   compiler::CheckOptions options;
-  options.decide = true;
+  options.decide = states_of_check;
   options.selection.lints.insert(std::string(check.id));
   if (check.id == "never_runs") options.explore = 100'000;
   compiler::Checked checked = compiler::check(std::string(main_file), files, sources, options);

@@ -32,13 +32,13 @@ std::size_t watched_steps = 0, watched_players = 0;
 } // namespace
 
 // The asm labels are the names that the compilers give to Engine::take_step(Time), ScriptedBodies::table() and
-// Recorder::observer(), as the linker's --wrap names the original and the replacement.
+// EventConverter::observer(), as the linker's --wrap names the original and the replacement.
 StepResult real_step(Engine* engine, Time now) __asm__("__real__ZN8director6Engine9take_stepEl");
 Bodies real_table(compiler::ScriptedBodies* self) __asm__("__real__ZN8director8compiler14ScriptedBodies5tableEv");
-Observer real_observer(compiler::Recorder* self) __asm__("__real__ZN8director8compiler8Recorder8observerEv");
+Observer real_observer(compiler::EventConverter* self) __asm__("__real__ZN8director8compiler14EventConverter8observerEv");
 StepResult watched_step(Engine* engine, Time now) __asm__("__wrap__ZN8director6Engine9take_stepEl");
 Bodies watched_table(compiler::ScriptedBodies* self) __asm__("__wrap__ZN8director8compiler14ScriptedBodies5tableEv");
-Observer watched_observer(compiler::Recorder* self) __asm__("__wrap__ZN8director8compiler8Recorder8observerEv");
+Observer watched_observer(compiler::EventConverter* self) __asm__("__wrap__ZN8director8compiler14EventConverter8observerEv");
 
 StepResult watched_step(Engine* engine, Time now) {
   ++watched_steps;
@@ -69,7 +69,7 @@ Bodies watched_table(compiler::ScriptedBodies* self) {
   return watched;
 }
 
-Observer watched_observer(compiler::Recorder* self) {
+Observer watched_observer(compiler::EventConverter* self) {
   ++watched_players;
   observer = real_observer(self);
   return {[](void* recorder, const Event& event) {

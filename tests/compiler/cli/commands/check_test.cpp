@@ -140,7 +140,7 @@ TEST_CASE("an assertion that needs more states than usual is decided with `--bou
                   "  Shine: {when: [Dark == yes], needs: [Lamp]}\n  Blink: {needs: [Lamp]}\n  Lamp: {}\n"
                   "assertions: [{soft: {from: Shine, to: Blink}}]\nallow: [uncovered_state, yaml_word_trap]\n"
                   "because: to try it\n");
-  const std::string open = "directorc: not decided: soft {from: Shine, to: Blink}: not found in 3 states, and there are "
+  const std::string open = "directorc: not decided: soft {from: Shine, to: Blink}: not found in 5 states, and there are "
                            "more; `--bound N` of `directorc explore`, `check`, `generate` and `docs` tries more\n";
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"check", "lamp.yaml"}, {"generate", "lamp.yaml", "-o", "out"}}) {
