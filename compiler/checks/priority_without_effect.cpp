@@ -220,7 +220,7 @@ void look_at(const Input& input, const Together& together, TouchedStates& states
       return std::any_of(theirs.begin(), theirs.end(), [&](GroupId group) { return ours.contains(group); });
     });
   };
-  const auto is_member = [&](const Task& task) { return together.provider && may_be_member(model, task); };
+  const auto is_member = [&](const Task& task) { return together.provider && model.may_be_member(task); };
   // A unit is tried at the place of its first member.
   const bool unit_is_disputed = std::any_of(
       tasks.begin(), tasks.end(), [&](const Task& task) { return is_member(task) && is_disputed(task.target); });
