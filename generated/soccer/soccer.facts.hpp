@@ -335,8 +335,7 @@ struct Facts<Striker::Playing> : director::NothingDeclared {
   using Task = Striker;
   static constexpr bool flat = false;
   using pack_0 = director::Pack<
-      director::Member<KickToGoal, 23, 23>, director::Member<WalkToBall, 24, 24>,
-      director::Member<Look, 25, 25>>;
+      director::Member<KickToGoal, 23, 23>, director::Member<WalkToBall, 24, 24>, director::Member<Look, 25, 25>>;
   using Packs = director::Packs<pack_0>;
   static constexpr std::array<const char*, 1> pack_names{"attack"};
 };
