@@ -7,6 +7,7 @@
 #include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/requests/company.hpp"
 #include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/states/at_rest.hpp"
 #include "compiler/analysis/states/covering.hpp"
 
 #include <algorithm>
@@ -75,8 +76,8 @@ private:
     if (front == choices.end()) return;
     for (const ProviderId first : front->picks) {
       for (const ConditionUse& use : model_.providers[first].when) {
-        if (!is_from_outside(first, use)) continue;
         HeldPush held;
+        if (!is_from_outside(first, use) && !depends_on_outside(use, held.hopes)) continue;
         held.first = first;
         held.outside = use;
         held.with = member_of(*front, first, members);
@@ -87,7 +88,7 @@ private:
     }
   }
 
-  /// Cheap: whether some condition is promised, and another one is not.
+  /// Cheap: whether some condition is promised, and another one is not, or not always.
   bool may_be_held(const std::vector<const Task*>& members) const {
     bool promised = false, outside = false;
     for (const Task* member : members) {
@@ -96,8 +97,9 @@ private:
       for (const GroupId group : shared_.units().needed(member->target)) {
         for (const ProviderId id : model_.groups[group].providers) {
           for (const ConditionUse& use : model_.providers[id].when) {
+            std::vector<Hope> hopes;
             promised = promised || !causers_[use.id].empty();
-            outside = outside || is_from_outside(id, use);
+            outside = outside || is_from_outside(id, use) || depends_on_outside(use, hopes);
           }
         }
       }
@@ -110,6 +112,21 @@ private:
   bool is_from_outside(ProviderId id, const ConditionUse& use) const {
     return causers_[use.id].empty() && !facts_.is_impossible(id, model_.conditions[use.id].state) &&
            facts_.may_hold(model_, id, use);
+  }
+
+  /// Whether every provider that promises it waits for an external state, so that a unit that lacks it pushes nothing
+  /// meanwhile. Adds these.
+  bool depends_on_outside(const ConditionUse& use, std::vector<Hope>& hopes) const {
+    for (const ProviderId causer : causers_[use.id]) {
+      if (!facts_.capable.contains(causer) || !facts_.requested.contains(model_.providers[causer].group)) continue;
+      const std::vector<ConditionUse>& when = model_.providers[causer].when;
+      const auto outside = std::find_if(when.begin(), when.end(), [&](const ConditionUse& each) {
+        return model_.states[model_.conditions[each.id].state].external && is_from_outside(causer, each);
+      });
+      if (outside == when.end()) return false;
+      hopes.push_back({causer, *outside});
+    }
+    return !hopes.empty();
   }
 
   /// The combinations whose groups are available if only what is above the request holds some, in the order in which
@@ -197,8 +214,8 @@ private:
     for (const ProviderId id : causers_[held.wanted.id]) {
       if (!may_be_pushed(id, later, held)) continue;
       for (const Region& region : shared_.requests().regions(request)) {
-        const auto box = box_of_wait(region, later, held);
-        if (box && stays_open(*box, id, choices)) return id;
+        auto box = box_of_wait(region, later, held);
+        if (box && meet_outside(*box, id) && stays_open(*box, id, choices)) return id;
       }
     }
     return std::nullopt;
@@ -232,12 +249,30 @@ private:
         here = {here.values.intersected(condition.accepts), false};
       }
     }
-    for (const ConditionId id : {held.wanted.id, held.outside.id}) {
+    std::vector<ConditionId> lacking{held.wanted.id, held.outside.id};
+    for (const Hope& hope : held.hopes) lacking.push_back(hope.outside.id);
+    for (const ConditionId id : lacking) {
       Possible& here = possible_in(model_, facts_, model_.conditions[id].state, out);
       here.values = here.values.without(model_.conditions[id].accepts);
     }
+    for (auto& [id, here] : out) {
+      const State& state = model_.states[id];
+      if (!state.of || state.of->id != held.waits->target) continue;
+      const Possible at_rest = values_at_rest(model_, state); // it does not run while it waits
+      here = {here.values.intersected(at_rest.values), here.unset && at_rest.unset};
+    }
     const bool is_empty = std::any_of(out.begin(), out.end(), [](const auto& entry) { return entry.second.empty(); });
     return is_empty ? std::nullopt : std::optional(std::move(out));
+  }
+
+  /// Leaves of the box what the causing provider waits for and nothing promises. False: nothing.
+  bool meet_outside(Box& box, ProviderId causer) const {
+    Region region;
+    for (const ConditionUse& use : model_.providers[causer].when) {
+      const Condition& condition = model_.conditions[use.id];
+      if (is_from_outside(causer, use)) region.meet(condition.state, condition.accepts);
+    }
+    return meet(facts_, box, region);
   }
 
   /// Whether in part of the box no choice can be granted, and the causing provider does not run without a push.

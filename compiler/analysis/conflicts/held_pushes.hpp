@@ -11,6 +11,12 @@
 
 namespace director::analysis {
 
+/// A provider that promises a condition, but waits for an external state.
+struct Hope {
+  ProviderId causer{};
+  ConditionUse outside{};
+};
+
 struct HeldPush {
   const Task* waits = nullptr; ///< the member of the unit that would push
   ProviderId waiter{};         ///< of the later choice; for the member, or for one of its needs
@@ -19,7 +25,8 @@ struct HeldPush {
 
   const Task* with = nullptr; ///< the member whose first choice lacks something from outside: the same, or another one
   ProviderId first{};         ///< the provider that lacks it
-  ConditionUse outside{};     ///< what it lacks; no provider promises that
+  ConditionUse outside{};     ///< what it lacks; no provider promises that, or those that do wait for the outside too
+  std::vector<Hope> hopes;    ///< all that promise it, if any
 
   /// The first place where the two choices differ.
   ProviderId earlier{}, later{};
