@@ -68,14 +68,35 @@ private:
     });
   }
 
-  /// Another task of the same list goes before the causing group, and may push it for itself.
+  /// Another task of the same list goes before the causing group, and may push it for itself. Not if it waits for
+  /// something else that only the waiting group brings about.
   bool others_push(const Want& want, const Company::Rank& rank) const {
     const auto is_wanted = [&](ProviderId causer) {
       return std::find(want.causers.begin(), want.causers.end(), causer) != want.causers.end();
     };
     return std::any_of(rank.list->begin(), rank.list->end(), [&](const Task& entry) {
       return !Company::goes_first(model_, *rank.first, entry) && entry.target != rank.first->target &&
-             leads_to_pusher(entry.target, is_wanted);
+             leads_to_pusher(entry.target, is_wanted, model_.providers[want.waiter].group);
+    });
+  }
+
+  /// Whether the provider has a condition that nothing but this group makes true.
+  bool depends_on(ProviderId provider, GroupId group) const {
+    const std::vector<ConditionUse>& when = model_.providers[provider].when;
+    return std::any_of(when.begin(), when.end(), [&](const ConditionUse& use) {
+      const Condition& condition = model_.conditions[use.id];
+      const State& state = model_.states[condition.state];
+      if (state.initial && condition.accepts.contains(*state.initial)) return false;
+      bool comes = false;
+      for (const Source& source : sources_[condition.state]) {
+        if (source.values.intersected(condition.accepts).empty()) continue;
+        if (!acts(model_, source, facts_.active)) continue;
+        const std::optional<GroupId> by =
+            source.provider ? std::optional(model_.providers[*source.provider].group) : source.group;
+        if (by != group) return false;
+        comes = true;
+      }
+      return comes;
     });
   }
 
@@ -87,10 +108,11 @@ private:
   }
 
   template <class Pushed>
-  bool leads_to_pusher(GroupId from, const Pushed& pushed) const {
+  bool leads_to_pusher(GroupId from, const Pushed& pushed, std::optional<GroupId> waiting = std::nullopt) const {
     const Claims& below = shared_.claims(from);
     return std::any_of(shared_.wants().begin(), shared_.wants().end(), [&](const Wanting& wanting) {
       if (!below.contains(wanting.task)) return false;
+      if (waiting && depends_on(wanting.provider, *waiting)) return false;
       return std::any_of(wanting.wants.begin(), wanting.wants.end(), [&](const Want& each) {
         return std::any_of(each.causers.begin(), each.causers.end(), pushed);
       });
