@@ -131,16 +131,11 @@ private:
   /// The other conditions that are false of the provider, and of those that its needs lead to first: pushes have to
   /// cause all of them.
   void others(const Because& because) {
-    const auto lacks = [&](Index row) {
-      return row != because.condition && !t_.accepts(t_.conditions[row], v_.values[t_.conditions[row].state].value);
-    };
-    const auto is_caused = [&](Index row) {
-      return any(causers(t_, row), [&](Index provider) { return v_.enabled[provider] != 0; });
-    };
-    const std::string_view unpromised = ", and no enabled provider promises it, so nothing is pushed";
+    const auto lacks_too = [&](Index row) { return row != because.condition && lacks(row); };
+    const std::string_view nothing = ", and no enabled provider promises it, so nothing is pushed";
     for (const Index row : t_.list(t_.providers[because.provider].when)) {
-      if (!lacks(row)) continue;
-      add(std::string(n_.condition(n_.self, row)) + " is false too" + std::string(is_caused(row) ? "" : unpromised),
+      if (!lacks_too(row)) continue;
+      add(std::string(n_.condition(n_.self, row)) + " is false too" + std::string(is_promised(row) ? "" : nothing),
           About::condition, row);
     }
     if (t_.providers[because.provider].group != because.group || pushes(because.member)) return;
@@ -148,9 +143,9 @@ private:
     if (!find_plan(because.provider, because.member, plan)) return;
     for (std::size_t i = 1; i < plan.size(); ++i) {
       for (const Index row : t_.list(t_.providers[plan[i]].when)) {
-        if (!lacks(row) || is_caused(row)) continue;
+        if (!lacks_too(row) || is_promised(row)) continue;
         add(std::string(n_.condition(n_.self, row)) + " of " + provider(plan[i]) + ", which " + group(because.group) +
-                " needs, is false too" + std::string(unpromised),
+                " needs, is false too" + std::string(nothing),
             About::condition, row);
       }
     }
@@ -209,11 +204,30 @@ private:
       text += " could cause it, but nothing requests " + group(of);
     } else if (!standing.granted()) {
       text += " could cause it, but " + group(of) + " waits itself";
+    } else if (const Index outside = unpromised(row); outside != nil) {
+      text += " cannot cause it now: " + std::string(n_.condition(n_.self, outside)) +
+              " is false, and no enabled provider promises that";
     } else {
       text += " could cause it, and is not pushed for " + edge(because.edge);
       if (pushed != nil) text += ", because " + provider(pushed) + " is";
     }
     add(std::move(text), About::provider, row);
+  }
+
+  /// A false condition of the provider that no push can make true; `nil`: none.
+  Index unpromised(Index row) const {
+    for (const Index each : t_.list(t_.providers[row].when)) {
+      if (lacks(each) && !is_promised(each)) return each;
+    }
+    return nil;
+  }
+
+  bool lacks(Index condition) const {
+    return !t_.accepts(t_.conditions[condition], v_.values[t_.conditions[condition].state].value);
+  }
+
+  bool is_promised(Index condition) const {
+    return any(causers(t_, condition), [&](Index provider) { return v_.enabled[provider] != 0; });
   }
 
   bool is_requested(Index group) const {

@@ -124,6 +124,26 @@ groups:
                      "(lift.yaml:11)\n");
 }
 
+TEST_CASE("why a group waits: what could cause the condition waits for the outside") {
+  World world;
+  world.files.add("wind.yaml", R"(behaviour: wind
+language: 1
+states:
+  Wind: {values: [calm, strong], initial: strong, external: true}
+  Sail: {values: [furled, full], initial: furled}
+roots: {SailTo: {priority: 10}, Rig: {priority: 1}}
+groups:
+  SailTo: {when: [Sail == full]}
+  Rig: {providers: [{name: keeping}, {name: setting, when: [Wind == calm], causing: [Sail == full]}]}
+)");
+  world.files.add("s.yaml", "behaviour: wind.yaml\nsteps: [{request: [Rig, SailTo]}]\n");
+  CHECK(world.directorc({"why", "s.yaml", "SailTo"}) == 0);
+  CHECK(world.out == "SailTo waits (root>SailTo): until Sail == full, which Rig.setting could cause\n"
+                     "  Sail is furled (wind.yaml:8)\n"
+                     "  Rig.setting cannot cause it now: Wind == calm is false, and no enabled provider promises that "
+                     "(wind.yaml:9)\n");
+}
+
 TEST_CASE("why a group waits: a condition of what it needs that prevents a push") {
   World world;
   world.files.add("near.yaml", R"(behaviour: near
