@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -29,7 +30,56 @@ public:
     }
   }
 
+  /// The start of a task below ends the condition, and its stop brings it back, without a push.
+  void look_at_starts(const RunsBelow& below, ProviderId waiter) {
+    for (const GroupId group : below.groups()) {
+      const Group& row = model_.groups[group];
+      if (group == model_.providers[waiter].group || !row.start) continue;
+      for (const ConditionUse& entry : row.start->sets) {
+        for (const ConditionUse& use : model_.providers[waiter].when)
+          look_at_start(below, {waiter, use, {}}, group, entry);
+      }
+    }
+  }
+
 private:
+  void look_at_start(const RunsBelow& below, const Want& want, GroupId group, const ConditionUse& entry) {
+    const Condition& condition = model_.conditions[want.condition.id];
+    if (model_.conditions[entry.id].state != condition.state || facts_.is_impossible(want.waiter, condition.state))
+      return;
+    const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, model_.conditions[entry.id].accepts);
+    if (values.empty()) return;
+    const std::optional<dsl::Note> back = stop_that_causes(group, want.condition.id);
+    if (!back || !seen_.insert({entry.span, want.condition.span}).second) return;
+    const std::string waiter = name_of(model_, want.waiter), starts = name_of(model_, group);
+    dsl::Diagnostic& finding = findings_.add(
+        entry.span, fmt::format("the start of {} may set {}, and then {} is cut off until {} stops: the two go round",
+                                starts, name_of(model_, entry.id), waiter, starts));
+    finding.notes.push_back(runs_only_while(model_, want.waiter, want.condition));
+    add_chain(model_, below.path(group), finding.notes);
+    finding.notes.push_back(*back);
+    finding.help = stay_help(model_, want, values);
+  }
+
+  /// How the stop of the group makes the condition true.
+  std::optional<dsl::Note> stop_that_causes(GroupId group, ConditionId id) const {
+    const Group& row = model_.groups[group];
+    const Condition& condition = model_.conditions[id];
+    if (row.stop) {
+      for (const ConditionUse& entry : row.stop->sets) {
+        const Condition& set = model_.conditions[entry.id];
+        if (set.state == condition.state && !set.accepts.intersected(condition.accepts).empty())
+          return dsl::Note{entry.span,
+                           fmt::format("the stop of {} may set {}", name_of(model_, group), name_of(model_, entry.id))};
+      }
+    }
+    const State& state = model_.states[condition.state];
+    if (state.of && state.of->id == group && condition.accepts.contains(*state.initial))
+      return dsl::Note{state.of->span, fmt::format("{} is {} again when {} stops", name_of(model_, condition.state),
+                                                   state.value_text(*state.initial), name_of(model_, group))};
+    return std::nullopt;
+  }
+
   /// What may set the state.
   struct Setter {
     std::string name;
@@ -87,6 +137,16 @@ private:
   std::set<std::pair<dsl::Span, dsl::Span>> seen_;
 };
 
+/// The states that some start handler sets.
+IdSet<StateId> states_of_starts(const Model& model) {
+  IdSet<StateId> out(model.states.size());
+  for (const Group& group : model.groups) {
+    if (!group.start) continue;
+    for (const ConditionUse& entry : group.start->sets) out.add(model.conditions[entry.id].state);
+  }
+  return out;
+}
+
 } // namespace
 
 void undone_by_itself(const Input& input, Findings& findings) {
@@ -96,6 +156,16 @@ void undone_by_itself(const Input& input, Findings& findings) {
     for (const Want& want : wanting.wants) {
       if (want.waiter == wanting.provider) undone.look_at(below, wanting.task, want);
     }
+  }
+  const IdSet<StateId> by_starts = states_of_starts(input.model);
+  for (const ProviderId id : input.model.providers.ids()) {
+    const compiler::Provider& provider = input.model.providers[id];
+    if (provider.packs.empty() || !input.facts.active.contains(id) ||
+        std::none_of(provider.when.begin(), provider.when.end(),
+                     [&](const ConditionUse& use) { return by_starts.contains(input.model.conditions[use.id].state); }))
+      continue;
+    const RunsBelow below(input.shared.branches(), input.shared.claims(provider.group), provider.group);
+    undone.look_at_starts(below, id);
   }
 }
 
