@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/clashes/exclusions.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/states/at_rest.hpp"
+#include "compiler/analysis/states/sources.hpp"
+#include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/proposals.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -74,10 +79,63 @@ std::string help_of(const Model& model, const Clash& clash) {
   return {};
 }
 
+/// Whether every other provider of the group that sets the step's value runs only while the condition holds too.
+bool holds_before(const Model& model, ProviderId id, const ConditionUse& step, const ConditionUse& use) {
+  const Condition& wanted = model.conditions[step.id];
+  const std::vector<ProviderId>& all = model.group_of(id).providers;
+  return std::all_of(all.begin(), all.end(), [&](ProviderId other) {
+    const compiler::Provider& row = model.providers[other];
+    if (other == id || values_set_by(model, row, wanted.state).intersected(wanted.accepts).empty()) return true;
+    return std::any_of(row.when.begin(), row.when.end(),
+                       [&](const ConditionUse& each) { return model.satisfies(each.id, use.id); });
+  });
+}
+
+/// What could be pushed for the condition, if it is not below the group itself, which would bring it about before.
+std::optional<ProviderId> find_pushed(const Input& input, GroupId group, ConditionId id) {
+  const Claims& below = input.shared.claims(group);
+  std::optional<ProviderId> out;
+  for (const ProviderId causer : input.shared.causers()[id]) {
+    if (below.contains(input.model.providers[causer].group)) return std::nullopt;
+    if (!out && input.facts.active.contains(causer) && !input.shared.promises().explained.contains(causer))
+      out = causer;
+  }
+  return out;
+}
+
+/// A step that has to wait: the group is not granted meanwhile, so that its own state begins again.
+void look_at_steps(const Input& input, Findings& findings) {
+  const Model& model = input.model;
+  for (const ProviderId id : model.providers.ids()) {
+    const GroupId group = model.providers[id].group;
+    const ConditionUse* step = find_own_step(model, id);
+    if (step == nullptr || !input.facts.requested.contains(group) || !input.facts.capable.contains(id)) continue;
+    const StateId own = model.conditions[step->id].state;
+    for (const ConditionUse& use : model.providers[id].when) {
+      const StateId state = model.conditions[use.id].state;
+      if (state == own || input.facts.is_impossible(id, state) || input.facts.holds_always(model, use.id, Region{}) ||
+          holds_before(model, id, *step, use))
+        continue;
+      const std::optional<ProviderId> causer = find_pushed(input, group, use.id);
+      if (!causer) continue;
+      const std::string waiter = name_of(model, id), name = name_of(model, group), of = name_of(model, own);
+      dsl::Diagnostic& finding =
+          findings.add(use.span, fmt::format("{} waits for {} in vain: while {} waits, {} is {} again", waiter,
+                                             name_of(model, use.id), name, of,
+                                             model.states[own].value_text(*model.states[own].initial)));
+      finding.notes.push_back(runs_only_while(model, id, *step));
+      finding.notes.push_back({model.states[own].of->span, fmt::format("{} begins again when {} stops", of, name)});
+      finding.notes.push_back(causes(model, *causer, use.id));
+      finding.help = fmt::format("let {} request a group that waits for {} instead", waiter, name_of(model, use.id));
+    }
+  }
+}
+
 } // namespace
 
 void push_in_vain(const Input& input, Findings& findings) {
   const Model& model = input.model;
+  look_at_steps(input, findings);
   for (const Clash& clash : input.conflicts.clashes()) {
     if (clash.kind != Clash::Kind::vain) continue;
     dsl::Diagnostic& finding = findings.add(clash.second.span, message_of(model, clash));

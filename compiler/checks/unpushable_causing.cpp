@@ -4,6 +4,7 @@
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/facts/waiting.hpp"
 #include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/states/at_rest.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -111,34 +112,45 @@ std::string in_packs(const Obstacle& obstacle, const std::string& help) {
   return "say with `packs` that both are requested, and " + help;
 }
 
-/// A provider before the waiting one, and a condition of it that nothing promises: while that is false, the group waits
-/// for it, and pushes nothing.
-struct Outside {
+/// A provider before the waiting one, and a condition of it: while that is false, the group waits for it. If nothing
+/// promises it, the group pushes nothing; otherwise what promises it.
+struct Before {
   ProviderId waiter{}, earlier{};
   ConditionUse condition;
+  std::optional<ProviderId> causer;
 };
 
-std::optional<Outside> find_outside(const Input& input, ProviderId waiter) {
+std::optional<Before> find_before(const Input& input, ProviderId waiter) {
   const Model& model = input.model;
+  std::optional<Before> promised;
   for (const ProviderId earlier : model.groups[model.providers[waiter].group].providers) {
     if (earlier == waiter) break;
     if (!input.facts.capable.contains(earlier) || !needs_no_more(model.providers[earlier], model.providers[waiter]))
       continue;
     for (const ConditionUse& use : model.providers[earlier].when) {
-      if (input.shared.causers()[use.id].empty() && !input.facts.holds_always(model, use.id, Region{}))
-        return Outside{waiter, earlier, use};
+      if (input.facts.holds_always(model, use.id, Region{})) continue;
+      const std::vector<ProviderId>& causers = input.shared.causers()[use.id];
+      if (causers.empty()) return Before{waiter, earlier, use, std::nullopt};
+      if (!promised) promised = Before{waiter, earlier, use, causers.front()};
     }
   }
-  return std::nullopt;
+  return promised;
 }
 
 std::string propose(const Model& model, ProviderId causer, const Obstacles& obstacles,
-                    const std::optional<Outside>& outside) {
-  if (obstacles.meet && obstacles.all.empty() && outside)
+                    const std::optional<Before>& before) {
+  if (obstacles.meet && obstacles.all.empty() && before) {
+    const std::string waiter = name_of(model, before->waiter), earlier = name_of(model, before->earlier);
+    if (find_own_step(model, before->waiter) != nullptr) // in front of the others, it would be left as soon as it waits
+      return fmt::format("let {} request a group that waits instead", waiter);
+    if (before->causer)
+      return fmt::format("let {} only choose between {} and {}, each of which requests a group that waits",
+                         name_of(model, model.providers[before->waiter].group), earlier, waiter);
     return fmt::format(
         "put {0} before {1}, or choose between the two in a group above, so that {0} waits in a group of "
         "its own",
-        name_of(model, outside->waiter), name_of(model, outside->earlier));
+        waiter, earlier);
+  }
   if (obstacles.meet && (obstacles.none_waits || obstacles.all.empty()))
     return fmt::format("leave out either the other ways of those that wait for it, or {} and what waits for it",
                        name_of(model, causer));
@@ -178,7 +190,7 @@ void report(const Input& input, const Chains& chains, Waiting& waits, const Neve
                                name_of(model, promise.causer), name_of(model, promise.promise.id),
                                name_of(model, group), promise.at_first ? ": once lost, it never comes back" : ""));
   Obstacles obstacles;
-  std::optional<Outside> outside;
+  std::optional<Before> earlier;
   obstacles.none_waits = std::none_of(promise.waiting.begin(), promise.waiting.end(), [&](const auto& each) {
     return waits.may_wait(model.providers[each.provider].group);
   });
@@ -188,14 +200,14 @@ void report(const Input& input, const Chains& chains, Waiting& waits, const Neve
     finding.notes.push_back({waiting.condition.span, fmt::format("{} waits for {}", name_of(model, waiting.provider),
                                                                  name_of(model, waiting.condition.id))});
     if (!model.satisfies(promise.promise.id, waiting.condition.id)) continue;
-    if (const std::optional<Outside> found = find_outside(input, waiting.provider)) {
-      finding.notes.push_back(
-          {found->condition.span,
-           fmt::format("{} comes first: where that cannot run either, {} waits for {}, which nothing promises, and "
-                       "pushes nothing",
-                       name_of(model, found->earlier), name_of(model, model.providers[found->earlier].group),
-                       name_of(model, found->condition.id))});
-      if (!outside) outside = found;
+    if (const std::optional<Before> found = find_before(input, waiting.provider)) {
+      const std::string waits =
+          fmt::format("{} comes first: where that cannot run either, {} waits for {}", name_of(model, found->earlier),
+                      name_of(model, model.providers[found->earlier].group), name_of(model, found->condition.id));
+      finding.notes.push_back({found->condition.span,
+                               found->causer ? fmt::format("{}, which {} causes", waits, name_of(model, *found->causer))
+                                             : fmt::format("{}, which nothing promises, and pushes nothing", waits)});
+      if (!earlier) earlier = found;
     }
     const GroupId waiter = model.providers[waiting.provider].group;
     const std::size_t before = obstacles.all.size();
@@ -203,7 +215,7 @@ void report(const Input& input, const Chains& chains, Waiting& waits, const Neve
     for (std::size_t i = before; i < obstacles.all.size() && !obstacles.none_waits; ++i)
       explain(model, obstacles.all[i], waiter, group, finding);
   }
-  finding.help = propose(model, promise.causer, obstacles, outside);
+  finding.help = propose(model, promise.causer, obstacles, earlier);
 }
 
 } // namespace

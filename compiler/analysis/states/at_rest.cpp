@@ -16,4 +16,16 @@ Possible values_at_rest(const Model& model, const State& state) {
   return out;
 }
 
+const ConditionUse* find_own_step(const Model& model, ProviderId id) {
+  const Provider& provider = model.providers[id];
+  for (const ConditionUse& use : provider.when) {
+    const Condition& condition = model.conditions[use.id];
+    const State& state = model.states[condition.state];
+    if (state.of && state.of->id == provider.group &&
+        values_at_rest(model, state).values.intersected(condition.accepts).empty())
+      return &use;
+  }
+  return nullptr;
+}
+
 } // namespace director::analysis

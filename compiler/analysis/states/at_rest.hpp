@@ -11,4 +11,8 @@ namespace director::analysis {
 /// `of`.
 Possible values_at_rest(const Model& model, const State& state);
 
+/// A condition of the provider on a state of its own group, with a value that the state loses when the group stops;
+/// null: none.
+const ConditionUse* find_own_step(const Model& model, ProviderId id);
+
 } // namespace director::analysis
