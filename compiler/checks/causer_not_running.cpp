@@ -107,9 +107,16 @@ private:
         : request.pack->name.empty()
             ? fmt::format("say with `packs` that {} is requested too{}: a push never starts a group", group,
                           must_be_apart(request, causer) ? ", `apart` and with a lower priority" : "")
-            : fmt::format(
-                  "request {} too, here or above, `apart` and with a lower priority: a push never starts a group",
-                  group);
+            : fmt::format("request {} too, here{}, `apart` and with a lower priority: a push never starts a group",
+                          group, would_be_stopped(model_.providers[causer].group, waiting) ? "" : " or above");
+  }
+
+  /// Whether it would not pass to an entry above the waiting task at once, as that task may take what it has to have
+  /// (hard_hand_over).
+  bool would_be_stopped(GroupId causer, GroupId waiting) const {
+    const auto& parts = shared_.indispensable().of(causer);
+    return parts && std::any_of(parts->begin(), parts->end(),
+                                [&](GroupId part) { return part != causer && shared_.claims(waiting).contains(part); });
   }
 
   /// The one that an entry that is held back would request, or else the first.

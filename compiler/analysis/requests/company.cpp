@@ -85,6 +85,9 @@ bool Company::is_covered(const Request& request, bool waits) {
   const bool in_unit = waits && request.requester && model_.is_usually_member(*request.task);
   const bool out = std::any_of(entries.begin(), entries.end(), [&](const Task& entry) {
     if (entry.target == request.task->target) return false;
+    // It is not pushed for what is below a root that goes after it.
+    if (!request.requester && goes_first(model_, entry, *request.task) && !goes_first(model_, *request.task, entry))
+      return false;
     if (!in_unit || is_wanted(entry.target) || !model_.is_usually_member(entry)) return brings(entry);
     if (brings(entry)) held_back_.insert(&entry);
     return false;
