@@ -1,5 +1,6 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/hard_hand_over.md.
 // SPDX-License-Identifier: MIT
+#include "compiler/analysis/conflicts/contenders.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/choice.hpp"
 #include "compiler/analysis/words/notes.hpp"
@@ -15,13 +16,6 @@
 namespace director::checks {
 
 namespace {
-
-/// Whether an abrupt end of it matters: it has a stop handler, or can be pushed to come to rest.
-bool is_skill(const Model& model, GroupId group) {
-  const Group& row = model.groups[group];
-  return row.stop || std::any_of(row.providers.begin(), row.providers.end(),
-                                 [&](ProviderId id) { return !model.providers[id].causing.empty(); });
-}
 
 /// An entry of one of the requester's packs.
 struct Course {
@@ -57,6 +51,7 @@ public:
         if (const auto gap = find_gap(next->provider, next->task->target, skill))
           report(**previous, *next, skill, *gap);
       }
+      look_at_skill(courses, skill, users);
     }
   }
 
@@ -71,6 +66,20 @@ private:
       }
     }
     return out;
+  }
+
+  /// Where the requester requests the skill itself, beside a planner that goes before it.
+  void look_at_skill(const std::vector<Course>& courses, GroupId skill, const std::vector<const Course*>& users) {
+    for (const Course& next : courses) {
+      if (next.task->target != skill || is_led_to_otherwise(next, skill)) continue;
+      const auto deferring = find_deferring(input_, *next.pack, *next.task, skill);
+      if (!deferring) continue;
+      const auto previous = std::find_if(users.begin(), users.end(), [&](const Course* other) {
+        return !has(*other->pack, skill) && !leads_to(*next.pack, other->task->target);
+      });
+      if (previous == users.end() || !seen_.insert({deferring->planner->target, skill}).second) continue;
+      report(**previous, next, *deferring);
+    }
   }
 
   /// The skills that the task's group requests, the nearest on each path: those below follow them.
@@ -148,6 +157,26 @@ private:
     }
     finding.help = fmt::format(
         "request something that rests in {}, `apart` beside {}, so that it can be pushed to rest", name, planner);
+  }
+
+  void report(const Course& previous, const Course& next, const Deferring& deferring) {
+    const Model& model = input_.model;
+    const GroupId skill = next.task->target, before = deferring.planner->target;
+    const std::string name = name_of(model, skill), planner = name_of(model, before);
+    dsl::Diagnostic& finding =
+        findings_.add(next.task->span, fmt::format("from {} to {} {} may be stopped and started again",
+                                                   name_of(model, previous.task->target), planner, name));
+    finding.notes.push_back(
+        {previous.task->span, fmt::format("{} is requested here", name_of(model, previous.task->target))});
+    add_path(previous.task->target, skill, finding);
+    finding.notes.push_back(
+        {deferring.planner->span,
+         fmt::format("{} goes before {}, and may request {}: until it has decided, {} is not granted "
+                     "here",
+                     planner, name, name_of(model, deferring.group), name)});
+    add_path(before, deferring.group, finding);
+    finding.help = fmt::format(
+        "instead of {0}, request a group that requests {0}, and does not need it, `apart` beside {1}", name, planner);
   }
 
   void add_path(GroupId from, GroupId skill, dsl::Diagnostic& finding) const {

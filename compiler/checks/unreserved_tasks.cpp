@@ -8,17 +8,32 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 namespace director::checks {
+
+namespace {
+
+/// Whether the provider keeps a skill beside a planner. With a need for the skill it would not be granted before the
+/// planner has decided, and the skill would be stopped.
+bool keeps_skill(const Input& input, ProviderId id, const Task& task) {
+  if (!is_skill(input.model, task.target)) return false;
+  const std::vector<Request>& requests = input.shared.requests().of(input.model.providers[id].group);
+  return std::any_of(requests.begin(), requests.end(), [&](const Request& request) {
+    return request.requester && find_deferring(input, *request.pack, *request.task, task.target);
+  });
+}
+
+} // namespace
 
 void unreserved_tasks(const Input& input, Findings& findings) {
   const Model& model = input.model;
   for (const ProviderId id : model.providers.ids()) {
     if (!input.facts.active.contains(id) || find_needed_task(model, model.providers[id]) != nullptr) continue;
     const std::vector<ContendedTask> all = find_contended_tasks(input, id);
-    if (all.empty()) continue;
+    if (all.empty() || keeps_skill(input, id, *all.front().task)) continue;
     const ContendedTask& contended = all.front();
     const std::string task = name_of(model, contended.task->target);
     dsl::Diagnostic& finding =

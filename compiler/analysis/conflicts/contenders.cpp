@@ -4,6 +4,7 @@
 
 #include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/needs/units.hpp"
+#include "compiler/analysis/requests/company.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 
@@ -200,6 +201,42 @@ bool may_be_needed(const Input& input, ProviderId provider, const ContendedTask&
   return !from_unit && !input.facts.may_wait.contains(contended.task->target) &&
          !input.facts.pushed.contains(provider) &&
          !is_wanted_below(input, input.model.providers[provider], contended.task->target);
+}
+
+bool is_skill(const Model& model, GroupId group) {
+  const Group& row = model.groups[group];
+  return row.stop || std::any_of(row.providers.begin(), row.providers.end(),
+                                 [&](ProviderId id) { return !model.providers[id].causing.empty(); });
+}
+
+std::optional<Deferring> find_deferring(const Input& input, const Pack& pack, const Task& task, GroupId skill) {
+  const Model& model = input.model;
+  const auto& parts = input.shared.indispensable().of(skill);
+  if (!parts) return std::nullopt;
+  // What waits for the skill to come to rest decides nothing meanwhile.
+  const auto waits_for_skill = [&](GroupId group) {
+    const std::vector<ProviderId>& providers = model.groups[group].providers;
+    return std::all_of(providers.begin(), providers.end(), [&](ProviderId id) {
+      const std::vector<ConditionUse>& when = model.providers[id].when;
+      return std::any_of(when.begin(), when.end(), [&](const ConditionUse& use) {
+        const std::vector<ProviderId>& causers = input.shared.causers()[use.id];
+        return std::any_of(causers.begin(), causers.end(),
+                           [&](ProviderId causer) { return model.providers[causer].group == skill; });
+      });
+    });
+  };
+  for (const Task& other : pack.tasks) {
+    if (other.edge == task.edge || (shares_unit(model, other) && shares_unit(model, task)) ||
+        !Company::goes_first(model, other, task) || Company::goes_first(model, task, other))
+      continue;
+    const Claims& below = input.shared.claims(other.target);
+    if (below.contains(skill) || waits_for_skill(other.target)) continue;
+    for (const GroupId part : *parts) {
+      if (part != skill && below.contains(part) && !input.shared.indispensable().contains(other.target, part))
+        return Deferring{&other, part};
+    }
+  }
+  return std::nullopt;
 }
 
 const Use<GroupId>* find_needed_task(const Model& model, const Provider& provider) {

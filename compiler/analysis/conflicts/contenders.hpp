@@ -35,6 +35,18 @@ std::vector<ContendedTask> find_contended_tasks(const Input& input, ProviderId p
 /// Whether the provider may need it, without a conflict with what others or its own tasks want, and without waiting.
 bool may_be_needed(const Input& input, ProviderId provider, const ContendedTask& contended);
 
+/// Whether an abrupt end of it matters: it has a stop handler, or can be pushed to come to rest.
+bool is_skill(const Model& model, GroupId group);
+
+/// A planner that is requested beside a task, goes before it, and may request something that the skill has to have, but
+/// not the skill. Until it has decided, the task is given no skill that it does not have yet (semantics.md 4.4, "Defer"
+/// and "Limbo"), so that a skill which passes to the task then is stopped in between.
+struct Deferring {
+  const Task* planner = nullptr;
+  GroupId group{}; ///< what it may request
+};
+std::optional<Deferring> find_deferring(const Input& input, const Pack& pack, const Task& task, GroupId skill);
+
 /// The first of its needs that it also requests as a mandatory task.
 const Use<GroupId>* find_needed_task(const Model& model, const Provider& provider);
 
