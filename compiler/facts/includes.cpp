@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string_view>
 
@@ -15,11 +16,54 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view blanks = " \t";
+constexpr std::string_view blanks = " \t\f\v";
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+/// The text without backslashes at the ends of lines, which continue in the next one.
+std::string spliced(std::string_view text) {
+  std::string out;
+  while (true) {
+    const std::size_t slash = text.find('\\');
+    out += text.substr(0, slash);
+    if (slash == std::string_view::npos) return out;
+    text.remove_prefix(slash + 1);
+    const std::size_t end = std::min(text.find_first_not_of(blanks), text.size()); // blanks there are ignored too
+    const std::string_view rest = text.substr(end);
+    const std::size_t line_end = rest.starts_with("\r\n")                           ? 2
+                                 : rest.starts_with('\n') || rest.starts_with('\r') ? 1
+                                                                                    : 0;
+    if (line_end == 0) {
+      out += '\\';
+    } else {
+      text.remove_prefix(end + line_end);
+    }
+  }
+}
+
+/// Whether a `#` there begins a directive: it is the first in its line, or behind a comment.
+bool begins_directive(std::string_view before) {
+  const std::size_t last = before.find_last_not_of(blanks);
+  before = before.substr(0, last == std::string_view::npos ? 0 : last + 1);
+  return before.empty() || before.ends_with('\n') || before.ends_with('\r') || before.ends_with("*/") ||
+         before == byte_order_mark;
+}
 
 std::string_view without_blanks(std::string_view text) {
-  const std::size_t at = text.find_first_not_of(blanks);
-  return at == std::string_view::npos ? std::string_view{} : text.substr(at);
+  while (true) {
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    if (!text.starts_with("/*")) return text;
+    const std::size_t end = text.find("*/", 2);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 2);
+  }
+}
+
+/// What follows `include` or `import`, if the text behind a `#` begins so.
+std::optional<std::string_view> behind_include(std::string_view text) {
+  text = without_blanks(text);
+  for (const std::string_view word : {"include_next", "include", "import"}) {
+    if (text.starts_with(word)) return without_blanks(text.substr(word.size()));
+  }
+  return {};
 }
 
 } // namespace
@@ -28,17 +72,13 @@ const Includes::File& Includes::file(const std::string& path) {
   const auto at = known_.find(path);
   if (at != known_.end()) return at->second;
   File out;
-  if (const auto text = files_.read(path, dsl::largest_file, dsl::Kinds::ordinary)) {
+  if (const auto read = files_.read(path, dsl::largest_file, dsl::Kinds::ordinary)) {
     out.exists = true;
-    std::string_view rest = text.value();
-    while (!rest.empty()) {
-      const std::size_t end = std::min(rest.find('\n'), rest.size());
-      std::string_view line = without_blanks(rest.substr(0, end));
-      rest.remove_prefix(std::min(end + 1, rest.size()));
-      if (!line.starts_with('#')) continue;
-      line = without_blanks(line.substr(1));
-      if (!line.starts_with("include")) continue;
-      line = without_blanks(line.substr(line.starts_with("include_next") ? 12 : 7));
+    const std::string text = spliced(read.value());
+    for (std::size_t sign = text.find('#'); sign != std::string::npos; sign = text.find('#', sign + 1)) {
+      const auto rest = behind_include(std::string_view(text).substr(sign + 1));
+      if (!rest || !begins_directive(std::string_view(text).substr(0, sign))) continue;
+      const std::string_view line = rest->substr(0, rest->find_first_of("\r\n"));
       const bool quoted = line.starts_with('"');
       const std::size_t close =
           quoted || line.starts_with('<') ? line.find(quoted ? '"' : '>', 1) : std::string_view::npos;

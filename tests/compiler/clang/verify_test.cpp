@@ -73,6 +73,14 @@ TEST_CASE("a source that gets the generated header by its flags alone is read") 
   CHECK(with({"-Xclang", "-include", "-Xclang", "all.hpp"}) == one);
 }
 
+TEST_CASE("a source that begins with a byte order mark, or with a comment, is read") {
+  const Workshop work = workshop("marked");
+  const std::string begin = GENERATE("\xEF\xBB\xBF", "/* licence */ ", "\f");
+  work.write("body.cpp", begin + wheels(included));
+  work.write_commands({work.path("body.cpp")}, flags(work));
+  CHECK(messages(verified(work).out) == std::vector<std::string>{found});
+}
+
 TEST_CASE("a body whose group was renamed is not taken for the one of the new name") {
   const Workshop work = workshop("renamed");
   work.write("body.cpp", included + "class MyWheels final : public cart::Wheels {\npublic:\n"

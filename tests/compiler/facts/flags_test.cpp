@@ -230,4 +230,28 @@ TEST_CASE("whether a file may include the generated header") {
   CHECK(includes.may_include("/s/odd.cpp", {"/g"}, "/g/soccer.hpp"));
 }
 
+TEST_CASE("an include is found in whatever way a compiler may read it") {
+  const auto includes_it = [](const std::string& text) {
+    director::dsl::MemoryFiles files;
+    files.add("/s/main.cpp", text);
+    files.add("/g/soccer.hpp", "");
+    return Includes(files).may_include("/s/main.cpp", {"/g"}, "/g/soccer.hpp");
+  };
+  for (const char* const text :
+       {"\xEF\xBB\xBF#include \"soccer.hpp\"", "\xEF\xBB\xBF #include \"soccer.hpp\"\r\n",
+        "/* licence */ #include \"soccer.hpp\"\n", "/* of\n * many */#include <soccer.hpp>\n",
+        "# /* a */ include /* b\n */ \"soccer.hpp\"\n", "#import \"soccer.hpp\"\n", "#include_next <soccer.hpp>\n",
+        "int i;\n\f\v#\finclude\t<soccer.hpp>\n", "#inc\\\nlude \"soc\\\r\ncer.hpp\"\n",
+        "#include \\  \n  \"soccer.hpp\"\n", "int i;\r#include \"soccer.hpp\"\rint j;\r", "#include\"soccer.hpp\""}) {
+    CAPTURE(text);
+    CHECK(includes_it(text));
+  }
+  for (const char* const text :
+       {"", "#", "// a \\\n#include \"soccer.hpp\"\n", "const char* s = \"#include \\\"soccer.hpp\\\"\";\n",
+        "#define A #include \"soccer.hpp\"\n", "#if 1 /*\n", "\xEF\xBB\xBF"}) {
+    CAPTURE(text);
+    CHECK(!includes_it(text));
+  }
+}
+
 } // namespace
