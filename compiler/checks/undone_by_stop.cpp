@@ -77,7 +77,7 @@ private:
     std::vector<Granted> out;
     out.push_back(grant(task, task));
     for (const Request& request : shared_.requests().of(task)) {
-      if (!request.requester || request.pack->name.empty() || !shares_unit(model_, *request.task)) continue;
+      if (!request.requester || request.pack->name.empty() || !model_.is_always_member(*request.task)) continue;
       for (const Task* member : unit_members(model_, *request.pack)) {
         const bool known =
             std::any_of(out.begin(), out.end(), [&](const Granted& each) { return each.task == member->target; });

@@ -201,12 +201,12 @@ void report(const Input& input, const Chains& chains, Waiting& waits, const Neve
                                                                  name_of(model, waiting.condition.id))});
     if (!model.satisfies(promise.promise.id, waiting.condition.id)) continue;
     if (const std::optional<Before> found = find_before(input, waiting.provider)) {
-      const std::string waits =
+      const std::string order =
           fmt::format("{} comes first: where that cannot run either, {} waits for {}", name_of(model, found->earlier),
                       name_of(model, model.providers[found->earlier].group), name_of(model, found->condition.id));
       finding.notes.push_back({found->condition.span,
-                               found->causer ? fmt::format("{}, which {} causes", waits, name_of(model, *found->causer))
-                                             : fmt::format("{}, which nothing promises, and pushes nothing", waits)});
+                               found->causer ? fmt::format("{}, which {} causes", order, name_of(model, *found->causer))
+                                             : fmt::format("{}, which nothing promises, and pushes nothing", order)});
       if (!earlier) earlier = found;
     }
     const GroupId waiter = model.providers[waiting.provider].group;

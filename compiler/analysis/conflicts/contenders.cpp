@@ -226,7 +226,7 @@ std::optional<Deferring> find_deferring(const Input& input, const Pack& pack, co
     });
   };
   for (const Task& other : pack.tasks) {
-    if (other.edge == task.edge || (shares_unit(model, other) && shares_unit(model, task)) ||
+    if (other.edge == task.edge || (model.is_always_member(other) && model.is_always_member(task)) ||
         !Company::goes_first(model, other, task) || Company::goes_first(model, task, other))
       continue;
     const Claims& below = input.shared.claims(other.target);
