@@ -236,7 +236,7 @@ void sort(std::vector<Remark>& remarks) {
 
 bool is_header(const std::string& path) {
   const std::string extension = fs::path(path).extension().string();
-  return contains({".hpp", ".h", ".hh", ".hxx", ".h++", ".ipp", ".inl", ".tpp"}, extension);
+  return contains({".hpp", ".h", ".hh", ".hxx", ".h++", ".ipp", ".inl", ".tpp", ".tcc", ".txx", ".cuh"}, extension);
 }
 
 Merge merge(const Wanted& wanted, const Found& found, const Texts& texts) {

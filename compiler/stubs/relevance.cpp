@@ -82,7 +82,8 @@ bool derives(std::string_view text, const Words& names) {
 bool is_cpp(const std::string& path) {
   if (is_header(path)) return true;
   const std::string extension = std::filesystem::path(path).extension().string();
-  return extension == ".cpp" || extension == ".cc" || extension == ".cxx" || extension == ".c++" || extension == ".C";
+  return extension == ".cpp" || extension == ".cc" || extension == ".cxx" || extension == ".c++" || extension == ".C" ||
+         extension == ".cu";
 }
 
 } // namespace director::compiler::stubs

@@ -60,7 +60,8 @@ stubs::Unit unit_for(const Program& program, const std::string& path) {
     out.flags = best->flags;
     out.flags.insert(out.flags.end(), program.default_flags.begin() + 1, program.default_flags.end());
   }
-  if (stubs::is_header(path)) out.flags.insert(out.flags.end(), {"-x", "c++"});
+  // CUDA is read as C++: its headers may not be there, and what only they declare is reported.
+  if (stubs::is_header(path) || path.ends_with(".cu")) out.flags.insert(out.flags.end(), {"-x", "c++"});
   return out;
 }
 

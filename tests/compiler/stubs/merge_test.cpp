@@ -253,7 +253,8 @@ TEST_CASE("what cannot be added is reported at the class, with the reason") {
 }
 
 TEST_CASE("headers are known by their names") {
-  for (const char* const path : {"a.hpp", "a.h", "/x/a.hh", "a.hxx", "a.h++", "a.ipp", "a.inl", "a.tpp"})
+  for (const char* const path :
+       {"a.hpp", "a.h", "/x/a.hh", "a.hxx", "a.h++", "a.ipp", "a.inl", "a.tpp", "a.tcc", "a.txx", "a.cuh"})
     CHECK(is_header(path));
   for (const char* const path : {"a.cpp", "hpp", ".hpp", "a.hpp.in", ""}) CHECK_FALSE(is_header(path));
 }

@@ -31,6 +31,7 @@ TEST_CASE("a class that may be a base is recognised by the place of its name") {
 TEST_CASE("C++ is known by its name") {
   CHECK(is_cpp("a/b.cpp"));
   CHECK(is_cpp("b.hh"));
+  CHECK(is_cpp("b.cu"));
   CHECK_FALSE(is_cpp("b.c"));
   CHECK_FALSE(is_cpp("cpp"));
 }

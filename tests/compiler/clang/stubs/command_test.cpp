@@ -193,6 +193,16 @@ TEST_CASE("an empty class gets its functions at its end") {
   CHECK(shop.stubs() == "");
 }
 
+TEST_CASE("the files of CUDA, and those with the endings that the C++ library has for templates, are the user's") {
+  for (const std::string name : {"src/wheels.cu", "src/wheels.cuh", "src/wheels.tcc", "src/wheels.txx"}) {
+    CAPTURE(name);
+    const Workshop shop;
+    shop.write(name, "#include \"cart.hpp\"\nclass Wheels : public cart::Wheels {};\n");
+    CHECK(shop.stubs() == "added to: " + name + "\n");
+    CHECK(shop.stubs() == "");
+  }
+}
+
 TEST_CASE("what is only declared is defined in the source beside it, which may be new") {
   const Workshop shop;
   shop.write("src/parts.hpp",
