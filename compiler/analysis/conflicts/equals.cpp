@@ -140,18 +140,18 @@ const Task& leader_of(const Model& model, const Together& together, const Task& 
 struct Order {
   bool swapped = false; ///< the second one comes first, if both are requested at once
   bool open = false;    ///< that depends on what else is requested of a flat list
-  bool ranked = false;  ///< the unit of one of them goes before the other one
 };
 
 Order order_of(const Model& model, const Together& together, const Task& a, const Task& b) {
   const Task *first = &leader_of(model, together, a), *second = &leader_of(model, together, b);
-  Order out{b.edge < a.edge, false, false};
+  Order out{b.edge < a.edge, false};
   if (first == second || (first == &a && second == &b)) return out;
-  const bool swapped = second->edge < first->edge;
-  const bool ranked =
+  const bool is_ranked =
       a.levels.size() == 1 && b.levels.size() == 1 && priority_of(model, *first) != priority_of(model, *second);
-  if (together.whole) return {swapped, false, ranked};
-  out.open = ranked || swapped != out.swapped;
+  const bool swapped =
+      is_ranked ? priority_of(model, *second) > priority_of(model, *first) : second->edge < first->edge;
+  if (together.whole) return {swapped, false};
+  out.open = swapped != out.swapped;
   return out;
 }
 
@@ -172,7 +172,6 @@ std::vector<EqualList> find_equals(const Input& input) {
         if (reported.covers(i, j) || reported_by_others.covers(i, j) || lost.contains(tasks[i], tasks[j])) continue;
         // If both are requested at once, the edge that is declared first wins.
         const Order order = order_of(input.model, together, tasks[i], tasks[j]);
-        if (order.ranked) continue;
         auto found = contests.look_at(together, tasks[order.swapped ? j : i], tasks[order.swapped ? i : j]);
         if (!found) continue;
         const bool excluded = lost.excludes(together, tasks[i], tasks[j]);
