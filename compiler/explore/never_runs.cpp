@@ -5,6 +5,7 @@
 #include "compiler/analysis/unreported/unreported.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
+#include "compiler/explore/oscillations.hpp"
 #include "compiler/explore/search.hpp"
 
 #include <fmt/format.h>
@@ -90,6 +91,7 @@ NeverRuns find_never_runs(const Model& model, std::size_t bound, const std::vect
   how.progress = std::move(progress);
   const Searched searched = search(ground, how);
   NeverRuns out;
+  out.findings = never_at_rest(ground, find_oscillations(ground, searched, "behaviour.yaml"));
   if (!searched.complete) {
     out.open = fmt::format("{} states were found, and there are more; `--bound N` tries more", searched.states);
   } else if (!ground.narrowed.empty()) {
@@ -102,7 +104,8 @@ NeverRuns find_never_runs(const Model& model, std::size_t bound, const std::vect
                                           set_of<EdgeId>(happened.granted),
                                           nullptr,
                                           {}};
-  out.findings = Reports(model).run(analysis::find_unreported(model, occurrences, findings), occurrences);
+  for (Diagnostic& finding : Reports(model).run(analysis::find_unreported(model, occurrences, findings), occurrences))
+    out.findings.push_back(std::move(finding));
   return out;
 }
 

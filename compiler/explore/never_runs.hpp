@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Reports what a complete exploration never reached, as findings. Their page: compiler/checks/never_runs.md.
+// Reports what a complete exploration never reached, and cycles that any exploration saw, as findings. Their pages:
+// compiler/checks/never_runs.md, never_at_rest.md.
 
 #include "compiler/explore/search.hpp"
 #include "compiler/model/model.hpp"
@@ -13,7 +14,7 @@
 namespace director::compiler {
 
 struct NeverRuns {
-  std::vector<dsl::Diagnostic> findings; ///< never_runs; none if something is open
+  std::vector<dsl::Diagnostic> findings; ///< never_at_rest, and never_runs unless something is open
   std::string open;                      ///< what was not tried, without a full stop; empty: everything was
 };
 

@@ -3,7 +3,6 @@
 #include "compiler/explore/report.hpp"
 
 #include "compiler/explore/focus.hpp"
-#include "compiler/explore/write_scenario.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -32,34 +31,6 @@ std::string file_name(const std::string& words, std::size_t number = 0) {
   while (!out.empty() && out.back() == '_') out.pop_back();
   if (number != 0) out += fmt::format("_{}", number);
   return out + ".scenario.yaml";
-}
-
-/// The groups that start or stop in a cycle, or otherwise those that run.
-std::string moving(const std::vector<Taken>& round, const Model& model) {
-  std::set<std::string> names;
-  for (const Taken& taken : round) {
-    for (const Action& action : taken.actions)
-      names.insert(action.kind == Action::Kind::run ? model.full_name(ProviderId{action.provider})
-                                                    : model.groups[GroupId{action.group}].name.value);
-  }
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
-Exploration::Oscillation oscillation(const Ground& ground, const Searched::Cycle& cycle, const std::string& behaviour) {
-  Exploration::Oscillation out;
-  Way way = cycle.way;
-  way.resize(way.size() + cycle.length, 0); // the first possibility is the usual one
-  std::vector<Taken> all = Follower(ground, Breadth::all).follow(way);
-  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(cycle.way.size());
-  out.round.assign(begin, all.end());
-  out.way.assign(all.begin(), begin);
-  ScenarioHead head;
-  head.title = "it never comes to rest";
-  head.doc = "The last step goes round for ever: " + moving(out.round, ground.model) + ".";
-  head.behaviour = behaviour;
-  head.round = out.round;
-  out.scenario = write_scenario(ground, out.way, head);
-  return out;
 }
 
 /// For a search that was cut off: searches for each provider that did not run, in a few states.
@@ -100,11 +71,7 @@ Exploration explore(const Ground& ground, const ExploreOptions& options) {
     const bool waits = out.searched.happened.runnable[id.value] && !out.searched.happened.granted[id.value];
     if (tried_all(ground, out.searched) && waits) out.starved.push_back(id);
   }
-  std::set<std::string> reported; // of several ways into one cycle the shortest is enough
-  for (const Searched::Cycle& cycle : out.searched.cycles) {
-    Exploration::Oscillation each = oscillation(ground, cycle, options.behaviour);
-    if (reported.insert(moving(each.round, model)).second) out.oscillations.push_back(std::move(each));
-  }
+  out.oscillations = find_oscillations(ground, out.searched, options.behaviour);
   return out;
 }
 
@@ -138,9 +105,7 @@ std::string to_text(const Exploration& exploration, const Ground& ground) {
   for (const EdgeId id : exploration.starved)
     out +=
         fmt::format("Requested for ever: {} is never granted, though its conditions can be met\n", model.edge_name(id));
-  for (const Exploration::Oscillation& each : exploration.oscillations)
-    out += fmt::format("Never at rest: after {} it goes round in {} micro-steps: {}\n", in_words(ground, each.way),
-                       each.round.size(), moving(each.round, model));
+  for (const Oscillation& each : exploration.oscillations) out += in_words(ground, each) + "\n";
   out += "Not tried\n";
   for (const std::string& what : ground.left_out) out += fmt::format("  - {}\n", what);
   return out;

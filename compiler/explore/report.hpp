@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // The results of an exploration, as text and scenarios.
 
+#include "compiler/explore/oscillations.hpp"
 #include "compiler/explore/verdict.hpp"
 
 namespace director::compiler {
@@ -12,11 +13,6 @@ struct Exploration {
   std::vector<ProviderId> never_ran;
   /// Requested while a provider of it met its conditions, and granted nowhere: it may wait for ever. Only if complete.
   std::vector<EdgeId> starved;
-  struct Oscillation {
-    std::vector<Taken> way;   ///< to the beginning of the cycle
-    std::vector<Taken> round; ///< what repeats
-    std::optional<std::string> scenario;
-  };
   std::vector<Oscillation> oscillations;
 };
 

@@ -61,6 +61,12 @@ bool any(const Exploration& exploration, Verdict::Kind kind) {
                      [&](const Verdict& verdict) { return verdict.kind == kind; });
 }
 
+/// In a cycle that does not depend on how long it takes to keep a promise.
+bool never_rests(const Exploration& exploration) {
+  return std::any_of(exploration.oscillations.begin(), exploration.oscillations.end(),
+                     [](const Oscillation& each) { return !each.keeps_promises; });
+}
+
 } // namespace
 
 int run(const Explore& request, Console& console) {
@@ -87,7 +93,7 @@ int run(const Explore& request, Console& console) {
   }();
   console.out << dsl::harmless_lines(to_text(exploration, ground));
   if (!request.output.empty() && !write_scenarios(request, scenarios_of(exploration, ground), console)) return misused;
-  if (any(exploration, Verdict::Kind::refuted)) return found;
+  if (any(exploration, Verdict::Kind::refuted) || never_rests(exploration)) return found;
   return any(exploration, Verdict::Kind::undecided) || !tried_all(ground, exploration.searched) ? undecided : clean;
 }
 

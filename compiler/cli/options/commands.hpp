@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // The subcommands: the request of each, and its function. One file each; the other files of this folder make the
-// requests from the command line. Exit statuses: 0 clean; 1 findings of level error, a scenario that does not hold, or
-// too little coverage by scenarios; 2 wrong usage, or a file named on the command line that cannot be read or written;
-// 3 an assertion was not decided, or not everything was explored.
+// requests from the command line. Exit statuses: 0 clean; 1 findings of level error, a scenario that does not hold, an
+// engine that does not come to rest, or too little coverage by scenarios; 2 wrong usage, or a file named on the command
+// line that cannot be read or written; 3 an assertion was not decided, or not everything was explored.
 
 #include "compiler/analysis/plans/work.hpp"
 #include "compiler/checks/run_checks.hpp"

@@ -139,9 +139,11 @@ std::optional<Message> id_without_equals(const std::vector<std::string>& argumen
 }
 
 constexpr std::string_view exit_status =
-    "Exit status: 0 clean; 1 errors were found, a scenario does not hold or does not come to rest, an assertion is\n"
-    "refuted, too little is covered, or a recording cannot be read or is decided otherwise; 2 wrong usage, or a file\n"
-    "named on the command line cannot be read or written; 3 an assertion, or a part of a search, is not decided.";
+    "Exit status: 0 clean; 1 errors were found, a scenario does not hold, the engine does not come to rest, an\n"
+    "assertion is refuted, too little is covered, or a recording cannot be read or is decided otherwise; 2 wrong "
+    "usage,\n"
+    "or a file named on the command line cannot be read or written; 3 an assertion, or a part of a search, is not\n"
+    "decided.";
 
 /// The text below the list of subcommands.
 std::string last_words(const std::string& schemas) {

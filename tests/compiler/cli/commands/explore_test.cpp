@@ -39,6 +39,29 @@ TEST_CASE("a cycle that only other answers than the first ones lead into is list
             "with done\n") != std::string::npos);
 }
 
+TEST_CASE("a cycle in which the engine never comes to rest is an error, also of check, unless it takes time to keep a "
+          "promise") {
+  const std::string clamp = "states: {Clamp: {values: [open, shut], initial: open}}\nroots: [Charge]\ngroups:\n"
+                            "  Charge: {when: [Clamp == open], needs: [Contacts], tasks: [Contacts]}\n";
+  World world = with(clamp + "  Contacts: {start: {sets: [Clamp == shut]}, stop: {sets: [Clamp == open]}}\n");
+  CHECK(world.directorc({"explore", "b.yaml"}) == 1);
+  CHECK(world.out.find("\nNever at rest: after request Charge it goes round in 3 micro-steps: Charge, Contacts\n") !=
+        std::string::npos);
+  CHECK(world.directorc({"check", "b.yaml"}) == 0);
+  CHECK(world.directorc({"check", "--explore", "--allow=uncovered_state", "b.yaml"}) == 1);
+  CHECK(world.out.substr(0, world.out.find('\n')) ==
+        "b.yaml:6:3: error: the engine never comes to rest after request Charge: `Charge` and `Contacts` go round in a "
+        "cycle of 3 micro-steps [never_at_rest]");
+  World walk =
+      with("states: {Foot: {values: [left, right], initial: left}}\nroots: [Walk]\ngroups:\n  Walk:\n    providers:\n"
+           "      - {name: stepping, when: [Foot == left], causing: [Foot == right]}\n"
+           "      - {name: following, causing: [Foot == left]}\n");
+  CHECK(walk.directorc({"explore", "b.yaml"}) == 0);
+  CHECK(walk.out.find("\nNever at rest, if what is promised takes no time: after request Walk it goes round in 2 "
+                      "micro-steps: Walk.following, Walk.stepping\n") != std::string::npos);
+  CHECK(walk.directorc({"check", "--explore", "b.yaml"}) == 0);
+}
+
 TEST_CASE("a refuted assertion is an error, and its scenario is written") {
   World world = with(two + "assertions: [{never_together: [A, B]}]\n");
   CHECK(world.directorc({"explore", "b.yaml", "--output", "found"}) == 1);
