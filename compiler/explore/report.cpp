@@ -18,6 +18,9 @@ namespace {
 /// Limit: file systems take 255 bytes, and a name gets an ending and a number.
 constexpr std::size_t longest_name = 200;
 
+/// Limit for sets of requested roots with a line each: there may be as many as subsets of the roots.
+constexpr std::size_t most_root_sets = 16;
+
 /// `number`: of several names that would be the same; 0: none.
 std::string file_name(const std::string& words, std::size_t number = 0) {
   std::string out;
@@ -47,6 +50,34 @@ void look_for_those_that_never_ran(const Ground& ground, SearchOptions how, Happ
     happened.add(search(focused, how).happened);
     if (!happened.ran[id.value] && focused.make_all_packs_usual()) happened.add(search(focused, how).happened);
   }
+}
+
+/// A line for each set of requested roots; of many only some of those that are not explored completely.
+std::string root_sets_text(const std::vector<RootSet>& sets, const Model& model) {
+  const auto explored = [](const RootSet& set) {
+    return fmt::format("{} found, {:.1f} % explored\n", set.found,
+                       100.0 * static_cast<double>(set.explored) / static_cast<double>(set.found));
+  };
+  std::string out;
+  RootSet others;
+  std::size_t lines = 0, left = 0;
+  for (const RootSet& set : sets) {
+    const bool is_listed = sets.size() <= most_root_sets || set.explored < set.found;
+    if (!is_listed || lines == most_root_sets) {
+      others.found += set.found;
+      others.explored += set.explored;
+      ++left;
+      continue;
+    }
+    std::vector<std::string> names;
+    for (const Index edge : set.roots) names.push_back(model.groups[model.edges[EdgeId{edge}].target].name.value);
+    out += fmt::format("  requested {}: {}", names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", ")),
+                       explored(set));
+    ++lines;
+  }
+  if (left != 0)
+    out += fmt::format("  {} {}sets of requested roots: {}", left, lines != 0 ? "other " : "", explored(others));
+  return out;
 }
 
 std::string megabytes(std::size_t bytes) { return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6); }
@@ -84,13 +115,7 @@ std::string to_text(const Exploration& exploration, const Ground& ground) {
                                 : searched.complete         ? "all of what is tried"
                                                             : "the bound was reached",
                                 searched.micro_steps, megabytes(searched.most_bytes));
-  for (const RootSet& set : searched.root_sets) {
-    std::vector<std::string> names;
-    for (const Index edge : set.roots) names.push_back(model.groups[model.edges[EdgeId{edge}].target].name.value);
-    out += fmt::format("  requested {}: {} found, {:.1f} % explored\n",
-                       names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", ")), set.found,
-                       100.0 * static_cast<double>(set.explored) / static_cast<double>(set.found));
-  }
+  out += root_sets_text(searched.root_sets, model);
   if (!exploration.verdicts.empty()) out += "Assertions\n";
   for (std::size_t i = 0; i < exploration.verdicts.size(); ++i) {
     const Verdict& verdict = exploration.verdicts[i];

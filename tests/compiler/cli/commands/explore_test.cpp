@@ -62,6 +62,30 @@ TEST_CASE("a cycle in which the engine never comes to rest is an error, also of 
   CHECK(walk.directorc({"check", "--explore", "b.yaml"}) == 0);
 }
 
+TEST_CASE("of many sets of requested roots only some that are not explored completely are listed") {
+  World world = with("roots: [A, B, C, D, E]\ngroups: {A: {}, B: {}, C: {}, D: {}, E: {}}\n");
+  CHECK(world.directorc({"explore", "b.yaml", "--bound=600"}) == 3);
+  const std::size_t begin = world.out.find('\n') + 1;
+  CHECK(world.out.substr(begin, world.out.find("Not tried\n") - begin) == R"(  requested A: 6 found, 50.0 % explored
+  requested B: 6 found, 66.7 % explored
+  requested A, B: 10 found, 40.0 % explored
+  requested C: 6 found, 66.7 % explored
+  requested A, C: 12 found, 33.3 % explored
+  requested B, C: 11 found, 45.5 % explored
+  requested A, B, C: 21 found, 33.3 % explored
+  requested D: 5 found, 80.0 % explored
+  requested A, D: 12 found, 33.3 % explored
+  requested B, D: 12 found, 41.7 % explored
+  requested A, B, D: 22 found, 31.8 % explored
+  requested C, D: 11 found, 45.5 % explored
+  requested A, C, D: 25 found, 28.0 % explored
+  requested B, C, D: 25 found, 32.0 % explored
+  requested A, B, C, D: 52 found, 26.9 % explored
+  requested E: 5 found, 40.0 % explored
+  16 other sets of requested roots: 361 found, 15.8 % explored
+)");
+}
+
 TEST_CASE("a refuted assertion is an error, and its scenario is written") {
   World world = with(two + "assertions: [{never_together: [A, B]}]\n");
   CHECK(world.directorc({"explore", "b.yaml", "--output", "found"}) == 1);
