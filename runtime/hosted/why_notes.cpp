@@ -198,6 +198,8 @@ private:
       text += " is to cause it: pushed for " + edge(standing.push.edge);
     } else if (standing.active == row) {
       text += " could cause it, and runs";
+    } else if (is_pushed(row) && outranks(standing.holder, standing.push.edge)) {
+      text += " is pushed for " + edge(standing.push.edge) + ", without effect: " + holder_words(of);
     } else if (is_pushed(row)) {
       text += " is pushed for " + edge(standing.push.edge) + ", and cannot run now";
     } else if (!is_requested(of)) {
@@ -210,6 +212,7 @@ private:
     } else {
       text += " could cause it, and is not pushed for " + edge(because.edge);
       if (pushed != nil) text += ", because " + provider(pushed) + " is";
+      if (pushed == nil && outranks(standing.holder, because.member)) text += ": " + holder_words(of);
     }
     add(std::move(text), About::provider, row);
   }
@@ -235,6 +238,15 @@ private:
       if (v_.requested(edge)) return true;
     }
     return false;
+  }
+
+  /// A push has an effect only on what goes after the request that made it.
+  bool outranks(Index holder, Index request) const {
+    return holder != nil && request != nil && !v_.is_limbo(holder) && stands_in_the_way(v_, holder, request);
+  }
+
+  std::string holder_words(Index of) const {
+    return group(of) + " is held by " + edge(v_.holder(of)) + ", which does not rank after it";
   }
 
   void disabled(Index group) {

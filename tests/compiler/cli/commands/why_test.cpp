@@ -119,7 +119,8 @@ groups:
   CHECK(world.directorc({"why", "s.yaml", "Lift"}) == 0);
   CHECK(world.out == "Lift waits (root>Lift): until Door == shut, which Door_.closing could cause\n"
                      "  Door is open (lift.yaml:11)\n"
-                     "  Door_.closing could cause it, and is not pushed for root>Lift (lift.yaml:9)\n"
+                     "  Door_.closing could cause it, and is not pushed for root>Lift: Door_ is held by root>Door_, "
+                     "which does not rank after it (lift.yaml:9)\n"
                      "  Load == light is false too, and no enabled provider promises it, so nothing is pushed "
                      "(lift.yaml:11)\n");
 }
@@ -236,6 +237,31 @@ groups:
         head("Motor.closing") + "  Motor.closing is pushed for root>Lift, and cannot run now (lift.yaml:9)\n" + other);
   CHECK(why("disable: Motor.closing") ==
         head("Helper.pulling") + "  Motor.closing is pushed for root>Lift, and is disabled (lift.yaml:9)\n" + other);
+}
+
+TEST_CASE("why a group waits: a holder that does not rank after the task is not pushed for it") {
+  World world;
+  const auto why = [&](const std::string& roots, const std::string& request) {
+    world.files.add("anchor.yaml", "behaviour: anchor\nlanguage: 1\n"
+                                   "states: {Sail: {values: [full, furled], initial: full}}\n"
+                                   "roots: " +
+                                       roots +
+                                       "\ngroups:\n"
+                                       "  Harbour: {packs: {anchor: {Anchor: {apart: true}, Rig: {apart: true}}}}\n"
+                                       "  Anchor: {when: [Sail == furled]}\n"
+                                       "  Rig: {providers: [{name: keeping}, {name: furling, causing: [Sail == "
+                                       "furled]}]}\n");
+    world.files.add("s.yaml", "behaviour: anchor.yaml\nsteps: [request: " + request + "]\n");
+    CHECK(world.directorc({"why", "s.yaml", "Anchor"}) == 0);
+    return std::exchange(world.out, {});
+  };
+  const std::string head = "Anchor waits (Harbour>Anchor): until Sail == furled, which Rig.furling could cause\n"
+                           "  Sail is full (anchor.yaml:7)\n",
+                    holder = "Rig is held by Harbour>Rig, which does not rank after it (anchor.yaml:8)\n";
+  CHECK(why("[Harbour]", "Harbour") ==
+        head + "  Rig.furling could cause it, and is not pushed for Harbour>Anchor: " + holder);
+  CHECK(why("{Harbour: {priority: 60}, Rig: {priority: 1}}", "[Rig, Harbour]") ==
+        head + "  Rig.furling is pushed for Harbour>Anchor, without effect: " + holder);
 }
 
 TEST_CASE("why a group waits: which tasks hold what it needs") {
