@@ -99,6 +99,7 @@ private:
     GroupId part{};
     Holder holder;
     Meeting below;
+    bool equal = false; ///< it does not go after the waiting task, but is its equal
   };
 
   /// A task pushes a provider, and a third one may hold what that needs.
@@ -122,9 +123,13 @@ private:
     const GroupId pushed = model_.providers[causer].group;
     for (const Holder& holder : holders_of(part)) {
       if (!is_between(task, want, causer, holder)) continue;
-      const std::optional<Meeting> above = find_above(task, holder, pushed);
-      const std::optional<Meeting> below = find_below(task, holder, pushed);
-      if (above && below && (!worst || goes_before(*below, worst->below))) worst = Between{part, holder, *below};
+      const std::vector<Meeting> above = find_above(task, holder, pushed, part);
+      const std::optional<Meeting> below = above.empty() ? std::nullopt : find_below(task, holder, pushed, above);
+      if (!below || (worst && !goes_before(*below, worst->below))) continue;
+      const bool equal = std::none_of(above.begin(), above.end(), [&](const Meeting& each) {
+        return each.first_goes_before() && at_once(each, *below);
+      });
+      worst = Between{part, holder, *below, equal};
     }
   }
 
@@ -134,23 +139,38 @@ private:
     return std::pair(!a.first_optional, a.first_level.priority) > std::pair(!b.first_optional, b.first_level.priority);
   }
 
-  /// Where the waiting task goes before the holder. Nothing that is in one unit with the task is granted.
-  std::optional<Meeting> find_above(GroupId task, const Holder& holder, GroupId pushed) const {
-    std::optional<Meeting> out;
+  /// Where the waiting task goes before the holder, or is its equal in one pack, which keeps what it holds although the
+  /// task itself takes nothing of that. Nothing that is in one unit with the task is granted.
+  std::vector<Meeting> find_above(GroupId task, const Holder& holder, GroupId pushed, GroupId part) const {
+    std::vector<Meeting> out;
     shared_.chains().visit(task, {holder.group}, [&](const Meeting& found, GroupId) {
-      if (out || !found.first_goes_before() || (holder.root != nullptr && found.second != holder.root)) return;
+      const bool keeps = found.equal() && found.together->provider && !shared_.claims(task).contains(part);
+      if ((!found.first_goes_before() && !keeps) || (holder.root != nullptr && found.second != holder.root)) return;
       if (found.one_unit() && found.first->target == task) return;
-      if (leads_to(*found.second, holder.group, task, pushed) && !join(found, task, holder.group)) out = found;
+      if (leads_to(*found.second, holder.group, task, pushed) && !join(found, task, holder.group)) out.push_back(found);
     });
     return out;
   }
 
-  /// Where the holder goes before the pushed group.
-  std::optional<Meeting> find_below(GroupId task, const Holder& holder, GroupId pushed) const {
+  /// Whether their entries have these levels at the same time: each request has one.
+  static bool at_once(const Meeting& a, const Meeting& b) {
+    const auto contradict = [](const Task& one, const Level& its, const Task& other, const Level& level) {
+      return one.edge == other.edge && its != level;
+    };
+    return !contradict(*a.first, a.first_level, *b.first, b.first_level) &&
+           !contradict(*a.first, a.first_level, *b.second, b.second_level) &&
+           !contradict(*a.second, a.second_level, *b.first, b.first_level) &&
+           !contradict(*a.second, a.second_level, *b.second, b.second_level);
+  }
+
+  /// Where the holder goes before the pushed group, while the waiting task goes before the holder.
+  std::optional<Meeting> find_below(GroupId task, const Holder& holder, GroupId pushed,
+                                    const std::vector<Meeting>& above) const {
     std::optional<Meeting> out;
     shared_.chains().visit(holder.group, {pushed}, [&](const Meeting& found, GroupId) {
       if (out || !found.first_goes_before() || (holder.root != nullptr && found.first != holder.root)) return;
       if (!is_near(found) || !leads_to(*found.first, holder.group, task, pushed)) return;
+      if (std::none_of(above.begin(), above.end(), [&](const Meeting& each) { return at_once(each, found); })) return;
       if (!join(found, holder.group, pushed)) out = found;
     });
     return out;
@@ -265,7 +285,7 @@ private:
     const Want& want = *pushes.front().want;
     const ProviderId causer = pushes.front().causer;
     const Use<GroupId>& need = *pushes.front().need;
-    const auto& [part, holder, below] = pushes.front().between;
+    const auto& [part, holder, below, equal] = pushes.front().between;
     const GroupId pushed = model_.providers[causer].group;
     bool one_side = false;
     shared_.chains().visit(wanting.task, {pushed}, [&, &at = below](const Meeting& other, GroupId) {
@@ -278,9 +298,10 @@ private:
     const std::string holds = holder.provider ? fmt::format("{} may hold {}", between, what)
                                               : fmt::format("{} may be requested by itself", name_of(model_, part));
     dsl::Diagnostic& finding =
-        findings_.add(need.span, fmt::format("{} pushes {}, which needs {}, and {}: it goes after {} and before {}",
-                                             task, name_of(model_, causer), name_of(model_, need.id), holds, task,
-                                             name_of(model_, pushed)));
+        findings_.add(need.span, fmt::format("{} pushes {}, which needs {}, and {}: it {} {} and {} {}", task,
+                                             name_of(model_, causer), name_of(model_, need.id), holds,
+                                             equal ? "is the equal of" : "goes after", task,
+                                             equal ? "goes before" : "before", name_of(model_, pushed)));
     finding.notes.push_back({want.condition.span, fmt::format("{} waits for {}", name_of(model_, want.waiter),
                                                               name_of(model_, want.condition.id))});
     if (holder.provider)
@@ -300,6 +321,20 @@ private:
                        name_of(model_, other.want->waiter), name_of(model_, other.want->condition.id),
                        name_of(model_, other.between.holder.group), name_of(model_, other.wanting->task),
                        name_of(model_, pushed))});
+    }
+    if (equal) {
+      finding.help = fmt::format("let {} do without {}, or request {} and {} as one unit", name_of(model_, causer),
+                                 name_of(model_, need.id), task, between);
+      return;
+    }
+    if (shared_.indispensable().contains(pushed, part)) { // what goes after it would have to do without that
+      const std::string alone = fmt::format("let {} do without {}", name_of(model_, causer), name_of(model_, need.id));
+      finding.help = below.together->provider
+                         ? fmt::format("{}, or request {} where {} is not requested", alone,
+                                       name_of(model_, below.first->target), name_of(model_, below.second->target))
+                         : fmt::format("{}, or request {} beside {}, `apart` and with a lower priority", alone,
+                                       name_of(model_, pushed), task);
+      return;
     }
     if (differ && !one_side) {
       finding.help = fmt::format(

@@ -52,6 +52,8 @@ public:
       for (const Task* other : waiting) {
         if (other->target == member->target) continue;
         if (share(member->target, other->target) && !sets_what_it_waits_for(member->target, other->target)) continue;
+        if (takes_from_causers(member->target, other->target) || takes_from_causers(other->target, member->target))
+          continue;
         const auto where = find_held_back(member->target, other->target, region);
         if (!where) continue;
         report(*member, *other, *where);
@@ -94,6 +96,23 @@ private:
     const Claims& first = input_.shared.claims(a);
     const std::vector<GroupId>& second = input_.shared.claims(b).groups();
     return std::any_of(second.begin(), second.end(), [&](GroupId group) { return first.contains(group); });
+  }
+
+  /// Whether it may take what a provider needs that the other one pushes: it would, if the two did not wait together.
+  bool takes_from_causers(GroupId member, GroupId waiting) const {
+    const Claims& claims = input_.shared.claims(member);
+    const auto needs_some = [&](ProviderId causer) {
+      const Provider& provider = input_.model.providers[causer];
+      if (claims.contains(provider.group)) return false;
+      return std::any_of(provider.needs.begin(), provider.needs.end(), [&](const Use<GroupId>& need) {
+        const auto& parts = input_.shared.indispensable().of(need.id);
+        return parts && std::any_of(parts->begin(), parts->end(), [&](GroupId part) { return claims.contains(part); });
+      });
+    };
+    const std::vector<const Want*> wants = input_.shared.wants_of(waiting);
+    return std::any_of(wants.begin(), wants.end(), [&](const Want* want) {
+      return std::any_of(want->causers.begin(), want->causers.end(), needs_some);
+    });
   }
 
   /// The member itself: even if the other one requests it, that happens only after the other one runs.
