@@ -52,7 +52,10 @@ std::vector<GroupId> chain_to(const IdTable<GroupId, FirstRequest>& first_reques
   return out;
 }
 
-std::vector<Link> links_between(const Model& model, GroupId from, GroupId to) {
+/// Which packs of a provider that lead to a task are tried.
+enum class Packs : bool { first, all };
+
+std::vector<Link> links_between(const Model& model, GroupId from, GroupId to, Packs which) {
   std::vector<Link> out;
   for (const ProviderId id : model.groups[from].providers) {
     const std::vector<Pack>& packs = model.providers[id].packs;
@@ -61,7 +64,7 @@ std::vector<Link> links_between(const Model& model, GroupId from, GroupId to) {
                                      [&](const Task& each) { return each.target == to; });
       if (task == packs[i].tasks.end()) continue;
       out.push_back({id, i, &*task});
-      break;
+      if (which == Packs::first) break;
     }
   }
   return out;
@@ -73,13 +76,14 @@ const Task* root_to(const Model& model, GroupId group) {
   return at == model.roots.end() ? nullptr : &*at;
 }
 
-/// Every choice of providers along this chain.
-void add_ways(const Model& model, const std::vector<GroupId>& chain, std::vector<Way>& out) {
+/// Every choice of providers along this chain that is not there yet.
+void add_ways(const Model& model, const std::vector<GroupId>& chain, Packs which, std::vector<Way>& out) {
+  const std::vector<Way> known = out;
   std::vector<Way> ways{{root_to(model, chain.front()), {}, chain.back(), {}}};
   for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
     std::vector<Way> longer;
     for (const Way& way : ways) {
-      for (const Link& link : links_between(model, chain[i], chain[i + 1])) {
+      for (const Link& link : links_between(model, chain[i], chain[i + 1], which)) {
         if (longer.size() >= most_ways) break;
         longer.push_back(way);
         longer.back().links.push_back(link);
@@ -90,8 +94,9 @@ void add_ways(const Model& model, const std::vector<GroupId>& chain, std::vector
   for (const Way& way : ways) {
     for (const ProviderId id : model.groups[chain.back()].providers) {
       if (out.size() >= most_ways) return;
-      out.push_back(way);
-      out.back().runs = id;
+      Way whole = way;
+      whole.runs = id;
+      if (std::find(known.begin(), known.end(), whole) == known.end()) out.push_back(std::move(whole));
     }
   }
 }
@@ -100,9 +105,12 @@ class Wants {
 public:
   Wants(const Model& model, Assume assume) : model_(model), assume_(assume) {}
 
-  /// First without what the other tasks of the units want: it may come by a push.
+  /// First without what the other tasks of the units want: it may come by a push. Last also with what those want that
+  /// can be pushed.
   std::vector<Outside> find(const Way& way) {
-    for (const bool with_units : {false, true}) {
+    for (const auto& [with_units, with_causers] :
+         {std::pair(false, false), {true, false}, {false, true}, {true, true}}) {
+      with_causers_ = with_causers;
       wanted_.clear();
       open_.clear();
       avoided_.clear();
@@ -115,7 +123,7 @@ public:
       possible = add(way.runs) && possible;
       // What one provider requires holds in every choice: it is required before there is a choice.
       std::stable_partition(open_.begin(), open_.end(),
-                            [&](GroupId group) { return model_.groups[group].providers.size() <= 1; });
+                            [](const std::vector<ProviderId>& choice) { return choice.size() <= 1; });
       if (possible) choose(0);
     }
     std::vector<Outside> out = std::move(strict_);
@@ -132,7 +140,11 @@ private:
     for (const ConditionUse& use : uses) {
       const Condition& condition = model_.conditions[use.id];
       const State& state = model_.states[condition.state];
-      if (!may_choose(state)) continue;
+      if (!may_choose(state)) {
+        if (with_causers_ && !(state.initial && condition.accepts.contains(*state.initial)))
+          open(causers_of(condition));
+        continue;
+      }
       ValueSet& set = wanted_.try_emplace(condition.state, state.domain()).first->second;
       set = set.intersected(condition.accepts);
       possible = possible && !set.empty();
@@ -140,13 +152,29 @@ private:
     return possible;
   }
 
-  /// Some provider of the group has to be chosen too.
-  void open(GroupId group) {
-    if (std::find(open_.begin(), open_.end(), group) == open_.end()) open_.push_back(group);
+  /// One of these has to be chosen too.
+  void open(const std::vector<ProviderId>& choice) {
+    if (!choice.empty() && std::find(open_.begin(), open_.end(), choice) == open_.end()) open_.push_back(choice);
   }
 
   void open_needs(const Provider& provider) {
-    for (const Use<GroupId>& need : provider.needs) open(need.id);
+    for (const Use<GroupId>& need : provider.needs) open(model_.groups[need.id].providers);
+  }
+
+  /// The providers that promise the condition.
+  std::vector<ProviderId> causers_of(const Condition& condition) const {
+    std::vector<ProviderId> out;
+    for (const ProviderId id : model_.providers.ids()) {
+      const std::vector<ConditionUse>& causing = model_.providers[id].causing;
+      if (std::any_of(causing.begin(), causing.end(),
+                      [&](const ConditionUse& use) { return serves(model_.conditions[use.id], condition); }))
+        out.push_back(id);
+    }
+    return out;
+  }
+
+  static bool serves(const Condition& promise, const Condition& condition) {
+    return promise.state == condition.state && promise.accepts.without(condition.accepts).empty();
   }
 
   /// A provider of the way, which has to be the one that runs.
@@ -165,16 +193,16 @@ private:
     const Provider& provider = model_.providers[link.provider];
     if (!provider.has_packs || !model_.is_usually_member(*link.next)) return;
     for (const Task& task : provider.packs[link.pack].tasks) {
-      if (task.edge != link.next->edge && model_.is_usually_member(task)) open(task.target);
+      if (task.edge != link.next->edge && model_.is_usually_member(task)) open(model_.groups[task.target].providers);
     }
   }
 
   /// Every choice of providers for the open groups from this one on.
   void choose(std::size_t at) {
     if (choices_ >= most_ways || strict_.size() >= most_outsides || ++steps_ > most_steps) return;
-    while (at < open_.size() && model_.groups[open_[at]].providers.empty()) ++at;
     if (at == open_.size()) return keep();
-    for (const ProviderId id : model_.groups[open_[at]].providers) {
+    const std::vector<ProviderId> choice = open_[at];
+    for (const ProviderId id : choice) {
       const std::map<StateId, ValueSet> before = wanted_;
       const std::size_t opened = open_.size();
       if (want(model_.providers[id].when)) {
@@ -250,8 +278,9 @@ private:
   const Model& model_;
   const Assume assume_;
   std::vector<ProviderId> avoided_;
-  std::vector<GroupId> open_;
+  std::vector<std::vector<ProviderId>> open_;
   std::map<StateId, ValueSet> wanted_;
+  bool with_causers_ = false; ///< conditions are also met by pushes
   std::size_t tried_ = 0, choices_ = 0, steps_ = 0;
   std::vector<Outside> strict_; ///< no preferred provider would run
   std::vector<Outside> loose_;  ///< one would if its needs can be met
@@ -279,7 +308,7 @@ std::vector<Way> find_ways(const Model& model, GroupId target) {
   const IdTable<GroupId, FirstRequest> first_requests = find_first_requests(model);
   std::vector<Way> out;
   if (!first_requests[target].reached) return out;
-  add_ways(model, chain_to(first_requests, target), out);
+  std::vector<std::vector<GroupId>> chains{chain_to(first_requests, target)};
   for (const EdgeId id : model.groups[target].requesters) {
     const Edge& edge = model.edges[id];
     if (edge.levels.empty() || edge.requester == first_requests[target].by) continue;
@@ -290,7 +319,10 @@ std::vector<Way> find_ways(const Model& model, GroupId target) {
       if (std::find(chain.begin(), chain.end(), target) != chain.end()) continue;
       chain.push_back(target);
     }
-    add_ways(model, chain, out);
+    chains.push_back(std::move(chain));
+  }
+  for (const Packs which : {Packs::first, Packs::all}) {
+    for (const std::vector<GroupId>& chain : chains) add_ways(model, chain, which, out);
   }
   return out;
 }

@@ -16,6 +16,7 @@ struct Link {
   ProviderId provider{};
   std::size_t pack = 0; ///< of Provider::packs
   const Task* next = nullptr;
+  bool operator==(const Link&) const = default;
 };
 
 /// The provider of each link belongs to the group that the link before requests; that of the first, to the program's
@@ -29,13 +30,14 @@ struct Way {
   const Task& last() const { return links.empty() ? *root : *links.back().next; }
   GroupId group(std::size_t link) const { return link == 0 ? root->target : links[link - 1].next->target; }
   bool passes(GroupId id) const; ///< above the target
+  bool operator==(const Way&) const = default;
 };
 
 /// The groups with ways: those that some chain of requests leads to.
 IdSet<GroupId> find_led_to(const Model& model);
 
 /// The shortest chain, ties by declaration, with one way for each choice of providers on it; then the ways through its
-/// other requesters. None if no chain leads there.
+/// other requesters; then all of these by the other packs of the providers. None if no chain leads there.
 std::vector<Way> find_ways(const Model& model, GroupId target);
 
 using Values = std::map<StateId, std::int64_t>;

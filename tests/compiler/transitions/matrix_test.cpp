@@ -29,6 +29,44 @@ groups:
   CHECK(camera("Pose == slow").starts_with("never: Film does not run, nor when Walk is done."));
 }
 
+TEST_CASE("row: a task that does not run in the first pack that leads there is tried in the others") {
+  const std::string cook = R"(roots: {Cook: {priority: 1}, Clean: {priority: 2}}
+groups:
+  Cook:
+    packs:
+      both: {Left: {priority: 2, apart: true}, Right: {priority: 1, apart: true}}
+      right: {Right: {}}
+  Left: {needs: [Belt]}
+  Right: {needs: [Belt]}
+  Clean: {needs: [Belt]}
+  Belt: {}
+)";
+  CHECK(row_words(cook, "Right") == "Requested by way of Cook \u2192 Right.");
+  CHECK(cell_words(cook, "Right", "Clean") == "hard: Clean takes at once what Right holds. Right stops.");
+}
+
+TEST_CASE("row: what lets a provider run that promises what it waits for is set from outside") {
+  const std::string boat = R"(states:
+  Wind: {values: [strong, calm], initial: strong, external: true}
+  Sail: {values: [furled, full], initial: furled}
+roots: {SailTo: {priority: 10}, Fish: {priority: 5}}
+groups:
+  SailTo: {packs: {go: {Cruise: {priority: 2}, Rig: {apart: true}}}}
+  Cruise: {when: [Sail == full], needs: [Rudder]}
+  Fish: {needs: [Rudder]}
+  Rig:
+    providers:
+      - {name: keeping, sets: [Sail == furled]}
+      - {name: setting, when: [Wind == calm], causing: [Sail == full within 9 s]}
+  Rudder: {}
+)";
+  CHECK(row_words(boat, "Cruise") == "Requested by way of SailTo \u2192 Cruise. The outside says Wind == calm.");
+  CHECK(
+      cell_words(boat, "Fish", "Cruise") ==
+      "soft: Cruise waits. Rig is pushed to setting for Sail == full, within 9 s. Then Cruise takes over. Fish stops. "
+      "The outside says Wind == calm.");
+}
+
 TEST_CASE("waits: the requester of the second runs in another way meanwhile, and is named") {
   CHECK(
       cell(R"(roots: {Guard: {priority: 20}, Serve: {priority: 10}}
