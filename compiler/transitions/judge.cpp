@@ -95,10 +95,14 @@ void Judge::judge(const Beginning& row, const Beginning& column, const Play& now
   const Parting parting = part(model_, row.way, column.way);
   const bool ended = !runs(now.trial.rest, row.way) || contains(out.again, row.way.target);
   context.withdrawer = parting.link ? model_.groups[row.way.group(*parting.link)].name.value : "The program";
-  if ((ended || !all.empty()) && player_.ends_by(row, column, change, all)) {
+  // What is handed over and pushed does not end by the values, though what requested it does.
+  const bool pushed_on = ended && !all.empty() && pushed_first(row, column, now.trial) &&
+                         first_pushes(row, now.trial).groups.count(row.way.target.value) != 0;
+  if (!pushed_on && (ended || !all.empty()) && player_.ends_by(row, column, change, all)) {
     out.kind = Kind::condition_lost;
     context.row_runs_on = !ended;
-  } else if (parting.replaced && ended && !now.trial.rest.requested[row.way.links[*parting.link].next->edge.value]) {
+  } else if (!pushed_on && parting.replaced && ended &&
+             !now.trial.rest.requested[row.way.links[*parting.link].next->edge.value]) {
     out.kind = Kind::replaced;
     context.withdrawn = row.way.links[*parting.link].next->target;
     context.replacement = column.way.links[*parting.link].next->target;

@@ -222,4 +222,28 @@ groups:
   }
 }
 
+TEST_CASE("soft: what the second wants from outside ends what requested the first, which runs on and is pushed") {
+  CHECK(
+      cell_words(R"(states:
+  Dock: {values: [seen, touching], initial: seen, external: true}
+  Gait: {values: [still, walking], initial: still}
+roots: [Energy]
+groups:
+  Energy:
+    providers:
+      - {name: charging, when: [Dock == touching], packs: {go: {Charge: {priority: 5}, Walk: {apart: true}}}}
+      - {name: hungry, tasks: [GoToDock]}
+  GoToDock: {needs: [Walk], tasks: [Walk]}
+  Charge: {when: [Gait == still], needs: [Legs]}
+  Walk:
+    providers:
+      - {name: walking, needs: [Legs], sets: [Gait == walking], tasks: [Legs]}
+      - {name: halting, needs: [Legs], causing: [Gait == still within 2 s], tasks: [Legs]}
+  Legs: {}
+)",
+                 "Walk", "Charge") ==
+      "soft: Charge waits. Walk is pushed to halting for Gait == still, within 2 s. Then Charge takes over. GoToDock, "
+      "Walk and Legs stop. The outside says Dock == touching.");
+}
+
 } // namespace director::tests
