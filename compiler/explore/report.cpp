@@ -3,6 +3,7 @@
 #include "compiler/explore/report.hpp"
 
 #include "compiler/explore/focus.hpp"
+#include "compiler/explore/limits.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

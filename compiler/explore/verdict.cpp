@@ -3,6 +3,7 @@
 #include "compiler/explore/verdict.hpp"
 
 #include "compiler/explore/focus.hpp"
+#include "compiler/explore/limits.hpp"
 #include "compiler/explore/write_scenario.hpp"
 
 #include <fmt/format.h>

@@ -46,12 +46,6 @@ std::vector<std::size_t> without_verdict(const std::vector<std::optional<Verdict
 std::vector<Verdict> decide_late(const Ground& ground, std::vector<std::optional<Verdict>> early,
                                  const Searched& searched, const std::string& behaviour);
 
-/// Limit of states for one assertion or one provider alone.
-inline constexpr std::size_t states_of_focus = 20'000;
-
-/// Limit of states for each of the two explorations in `check` and `generate`.
-inline constexpr std::size_t states_of_check = 100'000;
-
 /// All of the above, up to `bound` states.
 std::vector<Verdict> decide_assertions(const Ground& ground, std::size_t bound);
 

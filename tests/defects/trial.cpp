@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/defects/trial.hpp"
 
-#include "compiler/explore/verdict.hpp"
+#include "compiler/explore/limits.hpp"
 #include "compiler/pipeline.hpp"
 #include "dsl/source/render.hpp"
 #include "tests/compiler/support/scenario_findings.hpp"

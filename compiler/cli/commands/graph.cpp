@@ -9,6 +9,7 @@
 #include "compiler/emit/graph/flaws.hpp"
 #include "compiler/emit/graph/focus.hpp"
 #include "compiler/emit/graph/formats.hpp"
+#include "compiler/explore/limits.hpp"
 #include "compiler/page/facts.hpp"
 #include "compiler/play/moment.hpp"
 #include "compiler/play/play.hpp"

@@ -7,6 +7,7 @@
 #include "compiler/base/seconds.hpp"
 #include "compiler/cli/commands/make_page.hpp"
 #include "compiler/cli/input/load.hpp"
+#include "compiler/explore/limits.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/lower/row_names.hpp"
 #include "compiler/trace/lookup.hpp"

@@ -9,7 +9,7 @@
 #include "compiler/checks/run_checks.hpp"
 #include "compiler/cli/system/console.hpp"
 #include "compiler/diff/diff.hpp"
-#include "compiler/explore/verdict.hpp"
+#include "compiler/explore/limits.hpp"
 
 #include <cstdint>
 #include <optional>

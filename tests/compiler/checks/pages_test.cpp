@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "compiler/explore/verdict.hpp"
+#include "compiler/explore/limits.hpp"
 #include "compiler/pipeline.hpp"
 #include "dsl/source/render.hpp"
 #include "tests/compiler/checks/page.hpp"
