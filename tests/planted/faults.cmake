@@ -174,6 +174,10 @@ fault("4.4" "so are requests in line for a group that is free now"
   arbitration/reach.cpp
   [=[if (line.first >= end || holder_now(x, line.group) != nil) continue;]=]
   [=[if (line.first >= end || holder_now(x, line.group) != nil || PLANTED) continue;]=])
+fault("4.4" "the walk goes on while any group has to be examined"
+  arbitration/trail.cpp
+  [=[if (affected) {]=]
+  [=[if (affected && !PLANTED) {]=])
 fault("4.4" "arbitration of the last result may have another result"
   arbitration/trail.cpp
   [=[if (x.pushed_count != 0 || x.had_limbo || x.reached_count != 0) return false;]=]

@@ -60,7 +60,7 @@ struct Cuts {
 };
 
 /// The part of the decision state that a decision depends on is the same. What is computed again may differ: edges of
-/// root have the order of declaration until the next pass sorts them.
+/// root are linked in the order of declaration until the next pass sorts them.
 bool same_but_for_links(const Engine& engine, std::vector<std::byte> before) {
   const State& s = engine.memory();
   const Shape n = Shape::of(engine.tables());
@@ -71,7 +71,8 @@ bool same_but_for_links(const Engine& engine, std::vector<std::byte> before) {
     for (auto* each : {&before, &after}) std::memset(each->data() + at, 0, count * sizeof *begin);
   };
   leave_out(&s.counters->quiet_until, 1); // the next step finds out whether there is anything to do
-  leave_out(s.roots, n.groups);
+  leave_out(s.first_root, n.components);
+  leave_out(s.next_root, n.edges);
   leave_out(s.component, n.components); // work::reordered
   leave_out(s.staged, n.states);        // in order of declaration
   leave_out(s.work, n.components);      // rows not in use

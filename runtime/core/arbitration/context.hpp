@@ -59,7 +59,10 @@ struct Context {
   Index reached_count = 0;  ///< rows of State::reached in use
   Index unopened_count = 0; ///< rows of State::news that were not opened when the pass began: stale groups
   std::array<WaitingLine, 4> waiting_lines{};
-  Index line_count = 0; ///< lines in use
+  Index line_count = 0;  ///< lines in use
+  Index opened_end = 0;  ///< the place in the last order behind all groups that were opened
+  Index rest = nil;      ///< the first edge of root, in order, that the walk did not reach; nil: there is none
+  Index undecided = nil; ///< an edge of root that has to be decided; until then copy_unchanged_rest() is not called
 };
 
 } // namespace director::arbitration

@@ -29,14 +29,14 @@ void postpone(Context& x, Index edge) {
   waiting(x, begin) = edge;
 }
 
-void sweep_optional(Context& x, std::span<const Index> roots) {
+void sweep_optional(Context& x, Index root) {
   for (;;) {
-    while (!roots.empty() && x.s.request[roots[0]].level == nil) roots = roots.subspan(1);
+    while (root != nil && x.s.request[root].level == nil) root = x.s.next_root[root];
     const Index first = x.postponed == 0 ? nil : waiting(x, static_cast<Index>(x.postponed - 1));
-    if (roots.empty() && first == nil) return;
-    if (!roots.empty() && (first == nil || goes_first(x, roots[0], first))) {
-      visit_root(x, roots[0]);
-      roots = roots.subspan(1);
+    if (root == nil && first == nil) return;
+    if (root != nil && (first == nil || goes_first(x, root, first))) {
+      visit_root(x, root);
+      root = x.s.next_root[root];
     } else {
       --x.postponed;
       visit(x, first, x.s.edge_marks[first]);

@@ -58,24 +58,33 @@ DIRECTOR_FLATTEN void sort_by_place(const Context& x, std::span<Index> groups, C
   });
 }
 
-/// Sorts the edges of root of the component: few move, mostly none.
+/// Sorts the edges of root of the component, a linked list that stays from pass to pass: few move, mostly none.
 void sort_roots(Context& x) {
   const auto comes_first = [&](Index a, Index b) { return compare_siblings(x, a, b) < 0; };
   const auto may_have_moved = [&](Index e) { return x.whole || x.s.edge_trail[e].has(trail::reached); };
-  const std::span<Index> all = roots(x);
-  Index stay = 0, moved = 0;
-  for (const Index e : all) {
-    const Index last = stay == 0 ? e : all[stay - 1];
-    if ((may_have_moved(e) || may_have_moved(last)) && comes_first(e, last)) {
+  Index* link = &x.s.first_root[x.component];
+  Index last = nil, moved = 0;
+  for (Index e = *link; e != nil;) {
+    const Index following = x.s.next_root[e];
+    if (last != nil && (may_have_moved(e) || may_have_moved(last)) && comes_first(e, last)) {
       x.s.candidate[moved++] = e;
     } else {
-      all[stay++] = e;
+      *link = e;
+      link = &x.s.next_root[e];
+      last = e;
     }
+    e = following;
   }
+  *link = nil;
   heap_sort({x.s.candidate, moved}, comes_first);
-  for (std::size_t at = all.size(); moved != 0;) // merged from the end
-    all[--at] =
-        stay != 0 && comes_first(x.s.candidate[moved - 1], all[stay - 1]) ? all[--stay] : x.s.candidate[--moved];
+  link = &x.s.first_root[x.component];
+  for (Index i = 0; i < moved; ++i) {
+    const Index e = x.s.candidate[i];
+    while (*link != nil && comes_first(*link, e)) link = &x.s.next_root[*link];
+    x.s.next_root[e] = *link;
+    *link = e;
+    link = &x.s.next_root[e];
+  }
 }
 
 } // namespace director::arbitration

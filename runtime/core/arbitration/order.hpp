@@ -81,9 +81,6 @@ DIRECTOR_PART void sort_by_holders(const Context& x, std::span<Index> groups, Ch
 DIRECTOR_PART void sort_by_place(const Context& x, std::span<Index> groups, Chains along);
 DIRECTOR_PART void sort_roots(Context& x);
 
-/// The edges of root of the component, in the order of the last sort_roots.
-inline std::span<Index> roots(const Context& x) { return {x.s.roots + x.row.order, x.s.root_count[x.component]}; }
-
 inline bool is_limbo(const Context& x, Index edge) { return edge >= x.t.edges.size(); }
 
 /// The edge must not be limbo.

@@ -13,12 +13,13 @@ namespace {
 void begin_sweep(Context& x) {
   x.ahead = x.postponed = x.placed = x.inherited = x.denied_count = 0;
   x.stale_granted = x.unopened_count;
-  x.first_moved = x.top = nil;
+  x.first_moved = x.top = x.rest = x.undecided = nil;
 }
 
 /// Keeps the last result.
 void keep_all(Context& x) {
   x.walking = false;
+  x.rest = x.s.first_root[x.component];
   x.limbo_begin = x.placed = x.s.order_count[x.component];
 }
 
@@ -65,7 +66,7 @@ void begin(Context& x) {
   x.whole = x.s.news_count[x.component] == nil;
   x.walking = !x.whole;
   x.disturbed = x.settled = false;
-  x.opened_count = x.reached_count = x.unopened_count = x.line_count = x.placed = 0;
+  x.opened_count = x.reached_count = x.unopened_count = x.line_count = x.opened_end = x.placed = 0;
   x.whole ? open_all(x, 0) : begin_trail(x);
   x.depends_on_all_stale = false;
   x.depends_on_last = x.pushed_count != 0 || x.s.on_last[x.component] != 0;
@@ -77,7 +78,8 @@ void decide(Context& x, Index component) {
   begin(x);
   if (x.s.component[component].has(work::reordered)) {
     x.s.component[component].remove(work::reordered);
-    if (roots(x).size() > 1) sort_roots(x);
+    const Index first = x.s.first_root[component];
+    if (first != nil && x.s.next_root[first] != nil) sort_roots(x);
   }
   begin_sweep(x);
   x.settled ? keep_all(x) : sweep_all(x);

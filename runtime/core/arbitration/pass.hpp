@@ -39,7 +39,7 @@ void walk_on(Context& x);
 DIRECTOR_PART void add_candidates(Context& x, Index group);
 DIRECTOR_PART void try_unit(Context& x, Index edge, bool below_stale);
 DIRECTOR_PART void postpone(Context& x, Index edge);
-DIRECTOR_PART void sweep_optional(Context& x, std::span<const Index> roots);
+DIRECTOR_PART void sweep_optional(Context& x, Index root);
 
 /// Puts a group at this place of the new order.
 inline void put(Context& x, Index group, Index at) {

@@ -36,7 +36,9 @@ bool is_settled(const Context& x) {
   if (x.pushed_count != 0 || x.had_limbo || x.reached_count != 0) return false;
   // Requests that ended because their requester stopped: it may still hold their targets, as needs.
   if (x.s.rerequested[x.component] != nil) return false;
-  if (any(roots(x), [&](Index e) { return is_decided_again(x, e); })) return false;
+  for (Index e = x.s.first_root[x.component]; e != nil; e = x.s.next_root[e]) {
+    if (is_decided_again(x, e)) return false;
+  }
   for (Index i = 0; i < x.unopened_count; ++i) {
     const Index g = x.s.news[x.row.order + i];
     if (is_marked_stale(x, g) && !becomes_stale(x, g) && x.s.run_queue[g].stale_matters != 0) return false;
@@ -56,10 +58,19 @@ void clear_marks(Context& x) {
     x.s.edge_marks[e] = 0;
     x.s.group_trail[x.t.edges[e].target].remove(trail::passed);
   };
-  for (const Index e : roots(x)) clear_edge(e);
+  for (Index e = x.s.first_root[x.component]; e != x.rest; e = x.s.next_root[e]) clear_edge(e);
   for (const Index g : opened(x)) {
     for (const Index e : x.t.groups[g].edges.rows()) clear_edge(e);
   }
+}
+
+/// Copies `count` groups of the last order, from this place on, to the new one.
+DIRECTOR_INLINE void copy_order(Context& x, Index from, Index count) {
+  if (from != x.placed) {
+    for (Index i = 0; i < count; ++i) put(x, x.s.order[x.row.order + from + i], static_cast<Index>(x.placed + i));
+  }
+  x.placed = static_cast<Index>(x.placed + count);
+  x.inherited = static_cast<Index>(x.inherited + count);
 }
 
 } // namespace
@@ -131,6 +142,8 @@ void open_with_above(Context& x, Index group) {
     x.s.group_trail[group] |= trail::opened;
     x.s.group_marks[group].remove(mark::stale);
     x.s.opened[x.row.order + x.opened_count++] = static_cast<TableIndex>(group);
+    if (x.s.last[group].holder != nil && x.s.place[group] >= x.opened_end)
+      x.opened_end = static_cast<Index>(x.s.place[group] + 1);
     clear(x, group);
     group = requester_of_holder(x, x.s.last[group]);
     if (group == nil || is_opened(x, group)) return;
@@ -142,7 +155,7 @@ void end_trail(Context& x) {
   Index& news = x.s.news_count[x.component];
   for (Index i = 0; i < x.reached_count; ++i) {
     const Index e = x.s.reached[i], from = x.t.edges[e].requester;
-    // Other edges keep their decision.
+    // Other edges keep their decision, also those of root behind the place where the walk ended.
     if (!x.whole && (from == nil ? x.s.request[e].level == nil : is_opened(x, from))) leave_unvisited(x, e);
     x.s.edge_trail[e] &= trail::kept;
   }
@@ -179,12 +192,7 @@ void end_trail(Context& x) {
 void pass_by(Context& x, Index group) {
   close_extents(x, requester_of_holder(x, x.s.last[group]));
   x.s.group_trail[group] |= trail::passed;
-  const Index from = x.s.place[group], count = x.s.extent[group];
-  if (from != x.placed) {
-    for (Index i = 0; i < count; ++i) put(x, x.s.order[x.row.order + from + i], static_cast<Index>(x.placed + i));
-  }
-  x.placed = static_cast<Index>(x.placed + count);
-  x.inherited = static_cast<Index>(x.inherited + count);
+  copy_order(x, x.s.place[group], x.s.extent[group]);
 }
 
 /// Whether an edge that searched for pushes, or whose target was claimed, need not be decided again.
@@ -193,6 +201,34 @@ bool keeps_waiting(const Context& x, Index edge) {
   const bool searches = (bits & trail::waits) != 0 && x.disturbed;
   const bool is_free = (bits & trail::in_line) != 0 && !taken(x, edge);
   return !searches && !is_free;
+}
+
+/// Copies the rest of the order if nothing below this edge of root and those behind it was opened or reached.
+bool copy_unchanged_rest(Context& x, Index root) {
+  if (x.pushed_count != 0 || x.postponed != 0 || x.row.groups.size() <= 4 * x.most_decided_whole) {
+    x.undecided =
+        static_cast<Index>(x.t.edges.size()); // no edge: it is not called again, which costs more than it saves
+    return false;
+  }
+  for (const WaitingLine& line : std::span(x.waiting_lines).first(x.line_count)) {
+    if (line.first != nil && holder_now(x, line.group) == nil) return false;
+  }
+  Index from = x.s.order_count[x.component];
+  for (Index e = root; e != nil; e = x.s.next_root[e]) {
+    if (x.s.request[e].level == nil) continue;
+    const Index group = x.t.edges[e].target;
+    const bool was_held = x.s.last[group].holder == e;
+    const bool affected = !stands(x, e) || (was_held && x.s.place[group] < x.opened_end);
+    if (affected) {
+      x.undecided = e;
+      return false;
+    }
+    if (was_held && x.s.place[group] < from) from = x.s.place[group];
+  }
+  close_extents(x, nil);
+  copy_order(x, from, static_cast<Index>(x.s.order_count[x.component] - from));
+  x.rest = root;
+  return true;
 }
 
 /// Sets the extents of the groups placed last, up to this group, below which the next one is placed (nil: below root).

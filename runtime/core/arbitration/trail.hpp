@@ -18,6 +18,7 @@ DIRECTOR_PART bool keeps_waiting(const Context& x, Index edge);
 DIRECTOR_PART void claim_again(Context& x, Index edge);
 DIRECTOR_PART void pass_by(Context& x, Index group);
 DIRECTOR_PART void close_extents(Context& x, Index group);
+DIRECTOR_PART bool copy_unchanged_rest(Context& x, Index root);
 
 /// Makes this pass examine the group, and all above it.
 inline void open(Context& x, Index group) {

@@ -76,21 +76,22 @@ void visit_root(Context& x, Index edge) {
 /// Tries candidates in order until none is left, and puts the claimed groups into the new order. Below a mandatory edge
 /// this is an edge, all below it, its next sibling. Optional candidates wait until all others were tried.
 void sweep(Context& x) {
-  const std::span<const Index> all = roots(x);
-  Index at = 0;
-  for (; at < all.size() && !optional(x, all[at]); ++at) {
-    if (x.s.request[all[at]].level == nil) continue;
-    visit_root(x, all[at]);
+  Index root = x.s.first_root[x.component];
+  for (; root != nil && !optional(x, root); root = x.s.next_root[root]) {
+    if (x.s.request[root].level == nil) continue;
+    if (!x.whole && x.undecided == nil && copy_unchanged_rest(x, root)) return;
+    visit_root(x, root);
+    if (x.undecided == root) x.undecided = nil;
     walk_on(x);
   }
-  if (at != all.size() || x.postponed != 0) sweep_optional(x, all.subspan(at));
+  if (root != nil || x.postponed != 0) sweep_optional(x, root);
 }
 
 /// Tries the candidates below a group in limbo, after all others.
 void sweep_below(Context& x, Index group) {
   place(x, group);
   walk_on(x);
-  if (x.postponed != 0) sweep_optional(x, {});
+  if (x.postponed != 0) sweep_optional(x, nil);
 }
 
 } // namespace director::arbitration

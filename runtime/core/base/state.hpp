@@ -166,7 +166,7 @@ struct Assignment {
 struct StateValue {
   std::int32_t value = unset;
   Interval unchanged{.low = 0, .high = -1}; ///< around the value: in it, no condition flips
-  std::int32_t staged = unset;              ///< set by the running body, or by handlers in the last act; unset: not set
+  std::int32_t staged = unset; ///< set by the running body, or by handlers in the last act; unset: not set
 };
 
 /// An entry of a plan in construction: a group.
@@ -219,25 +219,25 @@ struct Counters {
 struct State {
   // The decision state.
   Counters* counters = nullptr;
-  Requested* request = nullptr;       ///< edge
-  Time* due = nullptr;                ///< timer (Timers): when it is due; never
-  Index* soonest = nullptr;           ///< a tree over timers: the one that is due first
-  StateValue* values = nullptr;       ///< state
-  Index* staged = nullptr;            ///< states with a staged value
-  Assignment last;                    ///< the last assignment
-  Index* order = nullptr;             ///< component after component: its groups that are held, in order
-  Index* order_count = nullptr;       ///< component: the number of these
-  Index* place = nullptr;             ///< group that is held: its place in that order
-  Index* roots = nullptr;             ///< as `order`: edges of root, in order
-  Index* root_count = nullptr;        ///< component: the number of these
-  RunQueueEntry* run_queue = nullptr; ///< group
-  Index* data_from = nullptr;         ///< group: edge whose slot has its data; nil: its own slot
-  Promised* promised = nullptr;       ///< group; no rows if there are no promises
-  Index* work = nullptr;              ///< components with a bit of work::listed
-  Bits* component = nullptr;          ///< component: bits of `work`
-  Bits* enabled = nullptr;            ///< provider
-  Bits* truth = nullptr;              ///< condition: whether it holds
-  Bits* fired = nullptr;              ///< listening slot (Group::listens): whether the trigger fired
+  Requested* request = nullptr;           ///< edge
+  Time* due = nullptr;                    ///< timer (Timers): when it is due; never
+  Index* soonest = nullptr;               ///< a tree over timers: the one that is due first
+  StateValue* values = nullptr;           ///< state
+  Index* staged = nullptr;                ///< states with a staged value
+  Assignment last;                        ///< the last assignment
+  Index* order = nullptr;                 ///< component after component: its groups that are held, in order
+  Index* order_count = nullptr;           ///< component: the number of these
+  Index* place = nullptr;                 ///< group that is held: its place in that order
+  Index* first_root = nullptr;            ///< component: its first edge of root, in order; nil
+  Index* next_root = nullptr;             ///< edge of root: the next one of its component; nil
+  RunQueueEntry* run_queue = nullptr;     ///< group
+  Index* data_from = nullptr;             ///< group: edge whose slot has its data; nil: its own slot
+  Promised* promised = nullptr;           ///< group; no rows if there are no promises
+  Index* work = nullptr;                  ///< components with a bit of work::listed
+  Bits* component = nullptr;              ///< component: bits of `work`
+  Bits* enabled = nullptr;                ///< provider
+  Bits* truth = nullptr;                  ///< condition: whether it holds
+  Bits* fired = nullptr;                  ///< listening slot (Group::listens): whether the trigger fired
 
   // Scratch memory of one pass, commit or act.
   Assignment now;                    ///< the assignment of this pass
@@ -297,7 +297,7 @@ struct State {
     rows(n.states, s.values, s.staged);
     rows(n.groups, s.last.group), rows(n.plan_slots, s.last.plan);
     rows(n.groups, s.order), rows(n.components, s.order_count), rows(n.groups, s.place);
-    rows(n.groups, s.roots), rows(n.components, s.root_count);
+    rows(n.components, s.first_root), rows(n.edges, s.next_root);
     rows(n.groups, s.run_queue, s.data_from), rows(n.promises == 0 ? 0 : n.groups, s.promised);
     rows(n.components, s.work, s.component), rows(n.providers, s.enabled), rows(n.conditions, s.truth);
     rows(n.listen_slots, s.fired);

@@ -73,7 +73,7 @@ void Engine::act_on_touched() {
   c.touched_count = 0;
   const Index group = x_.s.touched[0];
   untouch(group);
-  if (granted(group)) queue_run(group);
+  if (granted(group)) queue_run(group, x_.s.anew[x_.s.last[group].holder] != 0);
 }
 
 /// Granted groups that may have a new reason to run, in the new order: their assignment differs, or they were touched.

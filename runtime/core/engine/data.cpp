@@ -7,6 +7,14 @@ namespace director {
 
 const char part::data = 0;
 
+bool Engine::take_request_with_data(const Input& record) {
+  if (record.more || !repeats_request(record.thing, record.level())) return take_requests(record);
+  bodies_.data(bodies_.self, Bodies::Data::accept, record.thing, record.handle);
+  run_for_repeated_request(record.thing);
+  settle_data(record.thing);
+  return false;
+}
+
 /// Moves the data of a new request to the slot of its edge. Data there that a group still uses are retained.
 void Engine::settle_data(Index edge) {
   const Index group = x_.t.edges[edge].target;

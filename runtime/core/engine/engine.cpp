@@ -46,10 +46,13 @@ void Engine::reset() {
       entry.flags |= group_flag::lifecycle;
   }
   for (Index c = 0; c < x_.t.components.size(); ++c) {
+    Index* link = &s.first_root[c];
     for (const Index e : x_.t.list(x_.t.components[c].edges)) {
-      if (x_.t.edges[e].requester != nil) break; // edges of root come first, at most one for each group
-      s.roots[x_.t.components[c].order + s.root_count[c]++] = e;
+      if (x_.t.edges[e].requester != nil) break; // edges of root come first
+      *link = e;
+      link = &s.next_root[e];
     }
+    *link = nil;
     s.component[c] = work::reordered;
   }
   arbitration::forget_trail(x_);

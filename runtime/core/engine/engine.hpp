@@ -139,6 +139,7 @@ private:
   bool take_enabled(Index provider, std::uint8_t wanted);
 
   // data.cpp
+  DIRECTOR_PART bool take_request_with_data(const Input& record);
   DIRECTOR_PART void settle_data(Index edge);
 
   // timers.cpp
@@ -178,7 +179,7 @@ private:
   bool note_reasons(Index group, std::uint8_t bits);
   void use_data_of(Index group, Index edge);
   void add_reason(Index group, Reason reason);
-  void queue_run(Index group);
+  void queue_run(Index group, bool anew);
   void enter_queue(Index group);
   Index take_from_queue();
   void leave_queue(Index group);
@@ -190,6 +191,8 @@ private:
   void stage(Index state, std::int32_t value);
   bool set_value(Index state, std::int32_t value);
   bool assign(Index state, std::int32_t value);
+  bool repeats_request(Index edge, Index level) const;
+  void run_for_repeated_request(Index edge);
 
   // several.cpp
   DIRECTOR_PART void commit_pack(Range edges);

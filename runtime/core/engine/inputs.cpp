@@ -10,7 +10,11 @@ bool Engine::take_input(const Input& record) {
   ++x_.s.counters->micro_step;
   if (observed()) report_input(record);
   switch (record.kind) {
-  case Input::Kind::request: return take_requests(record);
+  case Input::Kind::request:
+    if (bodies_.data != nullptr) return take_request_with_data(record);
+    if (record.more || !repeats_request(record.thing, record.level())) return take_requests(record);
+    run_for_repeated_request(record.thing);
+    return false;
   case Input::Kind::set: return take_states(record);
   case Input::Kind::cancel: return take_cancel(record.thing);
   case Input::Kind::fire: return fire(record.thing);

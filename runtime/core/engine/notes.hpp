@@ -85,12 +85,11 @@ inline void Engine::add_reason(Index group, Reason reason) {
   if (note_reasons(group, static_cast<std::uint8_t>(reason))) touch(group);
 }
 
-/// Queues a run of a group that stays granted. A new request of its holder was noted as making it stale.
-DIRECTOR_INLINE void Engine::queue_run(Index group) {
-  const Index holder = x_.s.last[group].holder;
-  use_data_of(group, holder);
+/// Queues a run of a group that stays granted. `anew`: for a new request of its holder, noted as making it stale.
+DIRECTOR_INLINE void Engine::queue_run(Index group, bool anew) {
+  use_data_of(group, x_.s.last[group].holder);
   RunQueueEntry& entry = x_.s.run_queue[group];
-  if (x_.s.anew[holder] != 0) {
+  if (anew) {
     entry.pending |= reason::new_task;
     entry.done = 0;
   }
@@ -177,6 +176,24 @@ inline bool Engine::assign(Index state, std::int32_t value) {
   x_.s.values[state].value = value;
   if (!x_.s.values[state].unchanged.has(value)) update_conditions(state);
   return true;
+}
+
+/// Whether a micro-step that only makes this request changes no input of arbitration: the level is the same, and no
+/// decision depends on whether the target is stale. It can only cause a run.
+DIRECTOR_INLINE bool Engine::repeats_request(Index edge, Index level) const {
+  const Counters& c = *x_.s.counters;
+  const Requested& request = x_.s.request[edge];
+  if (request.level != level || (c.work_count | c.touched_count) != 0) return false;
+  const RunQueueEntry& entry = x_.s.run_queue[request.target];
+  return entry.stale_matters == 0 && !x_.s.component[entry.component].has(work::stale_matters);
+}
+
+/// Queues the run that such a request causes; the caller settles the data.
+DIRECTOR_INLINE void Engine::run_for_repeated_request(Index edge) {
+  const Index group = x_.s.request[edge].target;
+  const GroupAssignment& last = x_.s.last[group];
+  x_.s.counters->unsettled = false;
+  if (last.granted()) queue_run(group, last.holder == edge);
 }
 
 /// Forgets the triggers that fired since the last run of the group, which mostly listens to none.

@@ -19,7 +19,13 @@ void Engine::commit_pack(Range edges) {
       continue;
     }
     if (observed()) report_request(staged->keep ? Event::Kind::keep : Event::Kind::ask, e, level);
-    if (!staged->keep) request(e, level);
+    if (staged->keep) continue;
+    if (edges.size() != 1 || !repeats_request(e, level)) {
+      request(e, level);
+      continue;
+    }
+    run_for_repeated_request(e);
+    if (bodies_.data != nullptr) settle_data(e);
   }
 }
 
@@ -43,7 +49,7 @@ void Engine::act_on_all_touched() {
     x_.s.touched[count++] = group;
   }
   if (!sorted) arbitration::sort_by_place(x_, {x_.s.touched, count}, arbitration::Chains::previous);
-  for (Index i = 0; i < count; ++i) queue_run(x_.s.touched[i]);
+  for (Index i = 0; i < count; ++i) queue_run(x_.s.touched[i], x_.s.anew[x_.s.last[x_.s.touched[i]].holder] != 0);
 }
 
 /// Remembers a request before its first change in this micro-step.
