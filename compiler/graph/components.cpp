@@ -3,7 +3,7 @@
 #include "compiler/graph/components.hpp"
 
 #include "compiler/base/disjoint_sets.hpp"
-#include "compiler/graph/graph.hpp"
+#include "compiler/model/causers.hpp"
 
 #include <optional>
 
@@ -14,14 +14,12 @@ IdTable<GroupId, std::uint32_t> find_components(const Model& model) {
   for (const Edge& edge : model.edges) {
     if (edge.requester) sets.join(edge.requester->value, edge.target.value);
   }
-  const auto promises = promises_by_state(model);
+  const Causers causers = find_causers(model);
   for (const Provider& waiter : model.providers) {
     for (const auto* conditions : {&waiter.when, &waiter.stay}) {
       for (const ConditionUse& condition : *conditions) {
-        for (const auto& [causer, promise] : promises[model.conditions[condition.id].state]) {
-          if (model.satisfies(promise.id, condition.id))
-            sets.join(waiter.group.value, model.providers[causer].group.value);
-        }
+        for (const ProviderId causer : causers[condition.id])
+          sets.join(waiter.group.value, model.providers[causer].group.value);
       }
     }
   }

@@ -22,6 +22,16 @@ void add_edges(Graph& graph, const Model& model) {
   }
 }
 
+/// Promises by state, so that a condition is compared with those only.
+IdTable<StateId, std::vector<std::pair<ProviderId, ConditionUse>>> promises_by_state(const Model& model) {
+  IdTable<StateId, std::vector<std::pair<ProviderId, ConditionUse>>> out(model.states.size());
+  for (const ProviderId causer : model.providers.ids()) {
+    for (const ConditionUse& promise : model.providers[causer].causing)
+      out[model.conditions[promise.id].state].emplace_back(causer, promise);
+  }
+  return out;
+}
+
 void add_causing(Graph& graph, const Model& model) {
   const auto promises = promises_by_state(model);
   for (const ProviderId waiter : model.providers.ids()) {
@@ -55,15 +65,6 @@ void add_gates(Graph& graph, const Model& model) {
 bool Graph::Causing::operator==(const Causing& other) const {
   return causer == other.causer && promise.span == other.promise.span && waiter == other.waiter &&
          condition.span == other.condition.span;
-}
-
-IdTable<StateId, std::vector<std::pair<ProviderId, ConditionUse>>> promises_by_state(const Model& model) {
-  IdTable<StateId, std::vector<std::pair<ProviderId, ConditionUse>>> out(model.states.size());
-  for (const ProviderId causer : model.providers.ids()) {
-    for (const ConditionUse& promise : model.providers[causer].causing)
-      out[model.conditions[promise.id].state].emplace_back(causer, promise);
-  }
-  return out;
 }
 
 Arrows edge_arrows(const Model& model) {

@@ -7,7 +7,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace director::compiler {
@@ -34,9 +33,6 @@ struct Graph {
   IdTable<GroupId, std::optional<GroupId>> gate;
   IdSet<GroupId> requestable; ///< some chain of requests from a root leads to it
 };
-
-/// Promises, with the providers that make them, by state: so that a condition is compared with those only.
-IdTable<StateId, std::vector<std::pair<ProviderId, ConditionUse>>> promises_by_state(const Model& model);
 
 Graph make_graph(const Model& model);
 

@@ -9,6 +9,8 @@
 // decides: each choice that has other values is one to try.
 #include "compiler/transitions/way.hpp"
 
+#include "compiler/model/causers.hpp"
+
 #include <algorithm>
 #include <deque>
 #include <functional>
@@ -111,6 +113,7 @@ public:
     for (const auto& [with_units, with_causers] :
          {std::pair(false, false), {true, false}, {false, true}, {true, true}}) {
       with_causers_ = with_causers;
+      if (with_causers && causers_.empty()) causers_ = find_causers(model_);
       wanted_.clear();
       open_.clear();
       avoided_.clear();
@@ -142,7 +145,7 @@ private:
       const State& state = model_.states[condition.state];
       if (!may_choose(state)) {
         if (with_causers_ && !(state.initial && condition.accepts.contains(*state.initial)))
-          open(causers_of(condition));
+          open(causers_[use.id]);
         continue;
       }
       ValueSet& set = wanted_.try_emplace(condition.state, state.domain()).first->second;
@@ -159,22 +162,6 @@ private:
 
   void open_needs(const Provider& provider) {
     for (const Use<GroupId>& need : provider.needs) open(model_.groups[need.id].providers);
-  }
-
-  /// The providers that promise the condition.
-  std::vector<ProviderId> causers_of(const Condition& condition) const {
-    std::vector<ProviderId> out;
-    for (const ProviderId id : model_.providers.ids()) {
-      const std::vector<ConditionUse>& causing = model_.providers[id].causing;
-      if (std::any_of(causing.begin(), causing.end(),
-                      [&](const ConditionUse& use) { return serves(model_.conditions[use.id], condition); }))
-        out.push_back(id);
-    }
-    return out;
-  }
-
-  static bool serves(const Condition& promise, const Condition& condition) {
-    return promise.state == condition.state && promise.accepts.without(condition.accepts).empty();
   }
 
   /// A provider of the way, which has to be the one that runs.
@@ -281,6 +268,7 @@ private:
   std::vector<std::vector<ProviderId>> open_;
   std::map<StateId, ValueSet> wanted_;
   bool with_causers_ = false; ///< conditions are also met by pushes
+  Causers causers_;           ///< only then
   std::size_t tried_ = 0, choices_ = 0, steps_ = 0;
   std::vector<Outside> strict_; ///< no preferred provider would run
   std::vector<Outside> loose_;  ///< one would if its needs can be met
