@@ -28,10 +28,7 @@ using dsl::Diagnostic;
 void add_new(const Model& model, const std::vector<ChainStep>& chain, dsl::Note::Link begins, Diagnostic& finding) {
   std::vector<dsl::Note> steps;
   add_chain(model, chain, steps, begins);
-  for (dsl::Note& step : steps) {
-    const auto same = [&](const dsl::Note& note) { return note.span == step.span && note.message == step.message; };
-    if (std::none_of(finding.notes.begin(), finding.notes.end(), same)) finding.notes.push_back(std::move(step));
-  }
+  for (dsl::Note& step : steps) add_once(std::move(step), finding.notes);
 }
 
 std::string message(const Model& model, const EqualPair& pair) {

@@ -34,8 +34,7 @@ Region beginning(const Input& input, const Way& way) {
   Region out = way.combination.region;
   for (const Combination::Pick& pick : way.combination.picks) {
     const Provider& provider = input.model.providers[pick.provider];
-    Region own = region_of(input.model, provider.when);
-    for (const Impossible& fault : input.facts.impossible_of(pick.provider)) own.states.erase(fault.state);
+    Region own = input.facts.region_to_begin(input.model, pick.provider);
     for (const ConditionUse& promise : provider.causing) own.states.erase(input.model.conditions[promise.id].state);
     out.meet(own);
   }
@@ -377,10 +376,7 @@ private:
 /// Notes the conditions of the providers that never run beside the other task, and of those that exclude them.
 void note_excluded(const Input& input, const KeptByRequester& kept, const PairSearch& search, const Sides& sides,
                    dsl::Diagnostic& finding) {
-  const auto add = [&](dsl::Note note) {
-    const auto same = [&](const dsl::Note& other) { return other.span == note.span && other.message == note.message; };
-    if (std::none_of(finding.notes.begin(), finding.notes.end(), same)) finding.notes.push_back(std::move(note));
-  };
+  const auto add = [&](dsl::Note note) { add_once(std::move(note), finding.notes); };
   std::set<StateId> states;
   std::set<ProviderId> conditional;
   for (const auto& [side, other] : {std::pair(&sides.first, &sides.second), std::pair(&sides.second, &sides.first)}) {

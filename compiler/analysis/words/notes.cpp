@@ -70,6 +70,11 @@ dsl::Note causes(const Model& model, ProviderId causer, ConditionId condition) {
   return {promise.span, fmt::format("{} causes {}", name_of(model, causer), name_of(model, promise.id))};
 }
 
+void add_once(dsl::Note note, std::vector<dsl::Note>& notes) {
+  const auto same = [&](const dsl::Note& other) { return other.span == note.span && other.message == note.message; };
+  if (std::none_of(notes.begin(), notes.end(), same)) notes.push_back(std::move(note));
+}
+
 RequestEntry find_entry(const Model& model, ProviderId provider, GroupId group) {
   for (const Pack& pack : model.providers[provider].packs) {
     for (const Task& task : pack.tasks) {

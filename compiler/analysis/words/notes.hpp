@@ -15,6 +15,9 @@ namespace director::analysis {
 void add_chain(const Model& model, const std::vector<ChainStep>& chain, std::vector<dsl::Note>& notes,
                dsl::Note::Link begins = dsl::Note::Link::first);
 
+/// Adds the note unless it is there already.
+void add_once(dsl::Note note, std::vector<dsl::Note>& notes);
+
 /// The place where one group requests another, preferably with a mandatory level; `Span{}`: it does not.
 dsl::Span request_span(const Model& model, GroupId from, GroupId to);
 
