@@ -1,7 +1,6 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/priority_without_effect.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/facts/pushes.hpp"
-#include "compiler/analysis/plans/trials.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/sources.hpp"
 #include "compiler/analysis/words/words.hpp"

@@ -103,9 +103,10 @@ std::vector<Contest> Contests::find_candidates(const Meeting& meeting) const {
   const Claims& first = claims(meeting, *meeting.first);
   const Claims& second = claims(meeting, *meeting.second);
   const std::optional<ProviderId> by = meeting.together->provider;
+  // What their requester needs is held before either is tried: which of the two has it does not depend on rank.
+  const Groups* const kept = by ? &takers_.held_by(model_.providers[*by].group) : nullptr;
   for (const GroupId group : in_common(first.groups(), second.groups())) {
-    // What their requester needs is held before either is tried: which of the two has it does not depend on rank.
-    if (by && has(takers_.held_by(model_.providers[*by].group), group)) continue;
+    if (kept != nullptr && has(*kept, group)) continue;
     for (const Reach a : all_reaches) {
       for (const Reach b : all_reaches) {
         const Side x{first, first.find(group, a), a}, y{second, second.find(group, b), b};

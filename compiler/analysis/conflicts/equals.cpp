@@ -122,6 +122,11 @@ std::int32_t priority_of(const Model& model, const Task& task) {
   return model.edges[task.edge].levels[task.levels.front().level].priority;
 }
 
+bool is_tried_first(const Model& model, const Task& a, const Task& b) {
+  const std::int32_t first = priority_of(model, a), second = priority_of(model, b);
+  return first == second ? a.edge < b.edge : first > second;
+}
+
 /// The member at whose place its unit is tried: of those with the highest priority, the first. The task itself if it is
 /// no member, or if a member has several levels.
 const Task& leader_of(const Model& model, const Together& together, const Task& task) {
@@ -130,29 +135,24 @@ const Task& leader_of(const Model& model, const Together& together, const Task& 
   for (const Task& other : *together.tasks) {
     if (!model.is_always_member(other)) continue;
     if (other.levels.size() != 1) return task;
-    const std::int32_t best = priority_of(model, *out), priority = priority_of(model, other);
-    if (priority > best || (priority == best && other.edge < out->edge)) out = &other;
+    if (is_tried_first(model, other, *out)) out = &other;
   }
   return *out;
 }
 
-/// The places at which two entries are tried.
+/// The places at which two entries of equal rank are tried.
 struct Order {
   bool swapped = false; ///< the second one comes first, if both are requested at once
   bool open = false;    ///< that depends on what else is requested of a flat list
 };
 
 Order order_of(const Model& model, const Together& together, const Task& a, const Task& b) {
-  const Task *first = &leader_of(model, together, a), *second = &leader_of(model, together, b);
-  Order out{b.edge < a.edge, false};
-  if (first == second || (first == &a && second == &b)) return out;
-  const bool is_ranked =
-      a.levels.size() == 1 && b.levels.size() == 1 && priority_of(model, *first) != priority_of(model, *second);
-  const bool swapped =
-      is_ranked ? priority_of(model, *second) > priority_of(model, *first) : second->edge < first->edge;
-  if (together.whole) return {swapped, false};
-  out.open = swapped != out.swapped;
-  return out;
+  const Task &first = leader_of(model, together, a), &second = leader_of(model, together, b);
+  const bool alone = b.edge < a.edge; // without other members
+  if (&first == &second) return {alone, false};
+  const bool has_levels = a.levels.size() != 1 || b.levels.size() != 1;
+  const bool swapped = has_levels ? second.edge < first.edge : is_tried_first(model, second, first);
+  return {swapped, !together.whole && swapped != alone};
 }
 
 } // namespace
@@ -170,7 +170,7 @@ std::vector<EqualList> find_equals(const Input& input) {
     for (std::size_t j = 1; j < tasks.size(); ++j) {
       for (const std::size_t i : claimants.before(j)) {
         if (reported.covers(i, j) || reported_by_others.covers(i, j) || lost.contains(tasks[i], tasks[j])) continue;
-        // If both are requested at once, the edge that is declared first wins.
+        // If both are requested at once, the one that is tried first wins.
         const Order order = order_of(input.model, together, tasks[i], tasks[j]);
         auto found = contests.look_at(together, tasks[order.swapped ? j : i], tasks[order.swapped ? i : j]);
         if (!found) continue;

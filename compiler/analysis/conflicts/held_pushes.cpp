@@ -77,7 +77,10 @@ private:
     for (const ProviderId first : front->picks) {
       for (const ConditionUse& use : model_.providers[first].when) {
         HeldPush held;
-        if (!is_from_outside(first, use) && !depends_on_outside(use, held.hopes)) continue;
+        if (!is_from_outside(first, use)) {
+          held.hopes = hopes_for(use);
+          if (held.hopes.empty()) continue;
+        }
         held.first = first;
         held.outside = use;
         held.with = member_of(*front, first, members);
@@ -97,9 +100,8 @@ private:
       for (const GroupId group : shared_.units().needed(member->target)) {
         for (const ProviderId id : model_.groups[group].providers) {
           for (const ConditionUse& use : model_.providers[id].when) {
-            std::vector<Hope> hopes;
             promised = promised || !causers_[use.id].empty();
-            outside = outside || is_from_outside(id, use) || depends_on_outside(use, hopes);
+            outside = outside || is_from_outside(id, use) || !hopes_for(use).empty();
           }
         }
       }
@@ -114,19 +116,20 @@ private:
            facts_.may_hold(model_, id, use);
   }
 
-  /// Whether every provider that promises it waits for an external state, so that a unit that lacks it pushes nothing
-  /// meanwhile. Adds these.
-  bool depends_on_outside(const ConditionUse& use, std::vector<Hope>& hopes) const {
+  /// The providers that promise it, if each of them waits for an external state, so that a unit that lacks it pushes
+  /// nothing meanwhile.
+  std::vector<Hope> hopes_for(const ConditionUse& use) const {
+    std::vector<Hope> out;
     for (const ProviderId causer : causers_[use.id]) {
       if (!facts_.capable.contains(causer) || !facts_.requested.contains(model_.providers[causer].group)) continue;
       const std::vector<ConditionUse>& when = model_.providers[causer].when;
       const auto outside = std::find_if(when.begin(), when.end(), [&](const ConditionUse& each) {
         return model_.states[model_.conditions[each.id].state].external && is_from_outside(causer, each);
       });
-      if (outside == when.end()) return false;
-      hopes.push_back({causer, *outside});
+      if (outside == when.end()) return {};
+      out.push_back({causer, *outside});
     }
-    return !hopes.empty();
+    return out;
   }
 
   /// The combinations whose groups are available if only what is above the request holds some, in the order in which
