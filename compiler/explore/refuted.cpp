@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 namespace director::compiler {
 
 std::vector<dsl::Diagnostic> refuted_assertions(const Model& model, const std::vector<Verdict>& verdicts) {
@@ -37,8 +39,9 @@ std::vector<std::string> undecided_assertions(const Model& model, const std::vec
   std::vector<std::string> out;
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     if (verdicts[i].kind != Verdict::Kind::undecided) continue;
+    const std::string_view cure = "; `--bound N` of `directorc explore`, `check`, `generate` and `docs` tries more";
     out.push_back(fmt::format("{}: {}{}", words_of(model.assertions[i], model), verdicts[i].why,
-                              verdicts[i].more_states ? "; `--bound N` of `directorc explore`, `check`, `generate` and `docs` tries more" : ""));
+                              verdicts[i].more_states ? cure : ""));
   }
   return out;
 }

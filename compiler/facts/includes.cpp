@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/facts/includes.hpp"
 
+#include "dsl/lexical/characters.hpp"
 #include "dsl/source/load_file.hpp"
 
 #include <algorithm>
@@ -17,7 +18,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view blanks = " \t\f\v";
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 /// The text without backslashes at the ends of lines, which continue in the next one.
 std::string spliced(std::string_view text) {
@@ -45,7 +45,7 @@ bool begins_directive(std::string_view before) {
   const std::size_t last = before.find_last_not_of(blanks);
   before = before.substr(0, last == std::string_view::npos ? 0 : last + 1);
   return before.empty() || before.ends_with('\n') || before.ends_with('\r') || before.ends_with("*/") ||
-         before == byte_order_mark;
+         before == dsl::byte_order_mark;
 }
 
 std::string_view without_blanks(std::string_view text) {

@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/stubs/text_place.hpp"
 
+#include "dsl/lexical/characters.hpp"
+
 #include <algorithm>
 
 namespace director::compiler::stubs {
 
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
 std::size_t line_begin(std::string_view text, std::size_t offset) {
   const std::size_t before = offset == 0 ? std::string_view::npos : text.rfind('\n', offset - 1);
   const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
-  return begin == 0 && text.starts_with(byte_order_mark) && offset >= byte_order_mark.size() ? byte_order_mark.size()
-                                                                                             : begin;
+  const std::size_t mark = dsl::byte_order_mark.size();
+  return begin == 0 && text.starts_with(dsl::byte_order_mark) && offset >= mark ? mark : begin;
 }
 
 /// Without its line break.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/trace/trace_lines.hpp"
 
+#include "dsl/lexical/characters.hpp"
+
 namespace director::compiler {
 
 namespace {
@@ -30,8 +32,8 @@ std::optional<TraceLine> TraceLines::next() {
   const bool whole = end != std::string_view::npos;
   out.number = number_;
   std::string_view line = rest_.substr(0, end);
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (number_ == 1 && line.starts_with(byte_order_mark)) line.remove_prefix(byte_order_mark.size()); // likewise
+  if (number_ == 1 && line.starts_with(dsl::byte_order_mark))
+    line.remove_prefix(dsl::byte_order_mark.size()); // likewise
   if (line.ends_with('\r')) line.remove_suffix(1); // an editor may have saved it so
   out.text = compact(line);
   rest_ = whole ? rest_.substr(end + 1) : std::string_view{};

@@ -25,7 +25,8 @@ std::size_t line_end(std::string_view text, std::size_t at) { return std::min(te
 std::optional<Fault> forbidden_bytes(std::string_view text) {
   using namespace std::string_view_literals;
   const std::string save_as = "save the file as UTF-8 without a byte order mark";
-  if (text.starts_with("\xEF\xBB\xBF"sv)) return Fault{0, 3, "the file begins with a byte order mark", save_as};
+  if (text.starts_with(byte_order_mark))
+    return Fault{0, byte_order_mark.size(), "the file begins with a byte order mark", save_as};
   if (text.starts_with("\xFF\xFE\0\0"sv) || text.starts_with("\0\0\xFE\xFF"sv) ||
       (text.size() > 3 && (text.starts_with("\0\0\0"sv) || text.substr(1, 3) == "\0\0\0"sv)))
     return Fault{0, 4, "the file is UTF-32, expected UTF-8", save_as};
