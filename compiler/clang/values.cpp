@@ -76,10 +76,12 @@ std::optional<std::set<Values::Names>> Values::of(const Expr* expr, const EnumDe
     left->insert(right->begin(), right->end());
     return left;
   }
-  if (const auto* list = llvm::dyn_cast<InitListExpr>(expr))
+  const auto* list = llvm::dyn_cast<InitListExpr>(expr);
+  if (list != nullptr &&
+      (list->getNumInits() != 0 || !list->getType()->isEnumeralType())) // an empty one of an enum is 0
     return list->getNumInits() == 1 ? of(list->getInit(0), names, depth - 1) : std::nullopt;
-  if (const auto* list = llvm::dyn_cast<CXXParenListInitExpr>(expr))
-    return list->getInitExprs().size() == 1 ? of(list->getInitExprs()[0], names, depth - 1) : std::nullopt;
+  if (const auto* made = llvm::dyn_cast<CXXParenListInitExpr>(expr))
+    return made->getInitExprs().size() == 1 ? of(made->getInitExprs()[0], names, depth - 1) : std::nullopt;
   if (const auto* made = llvm::dyn_cast<CXXConstructExpr>(expr))
     return made->getNumArgs() >= 1 ? of(made->getArg(0), names, depth - 1) : std::nullopt;
   Expr::EvalResult result;
