@@ -247,7 +247,8 @@ private:
     const Json& first = errors.front();
     const std::string& path = first["file"].as_text();
     const std::string place = path.empty() ? world_.shown(candidate.command->file)
-                                           : fmt::format("{}:{}", world_.shown(path), first["line"].as_number());
+                                           : fmt::format("{}:{}:{}", world_.shown(path), first["line"].as_number(),
+                                                         first["column"].as_number());
     const std::string more = errors.size() > 1 ? fmt::format(", and {} more", errors.size() - 1) : "";
     out_.not_decided.push_back(fmt::format("Clang does not understand all of `{}`: {}: {}{}",
                                            world_.shown(candidate.command->file), place, first["message"].as_text(),

@@ -34,12 +34,13 @@ public:
     if (level < clang::DiagnosticsEngine::Error) return;
     llvm::SmallString<256> text;
     info.FormatDiagnostic(text);
-    Fault fault{text.str().str(), {}, 0};
+    Fault fault{text.str().str(), {}};
     if (info.hasSourceManager() && info.getLocation().isValid()) {
       const clang::PresumedLoc place = info.getSourceManager().getPresumedLoc(info.getLocation());
       if (place.isValid()) {
         fault.file = absolute(place.getFilename(), unit_.directory);
         fault.line = place.getLine();
+        fault.column = place.getColumn();
       }
     }
     faults_.push_back(std::move(fault));

@@ -33,7 +33,7 @@ struct Included {
 struct Fault {
   std::string message;
   std::string file; ///< absolute; empty: of the command line
-  unsigned line = 0;
+  unsigned line = 0, column = 0;
 };
 
 struct Reading {

@@ -15,8 +15,10 @@ void report_reading(Json& answer, const Reading& reading) {
   Json files = Json::list({}), errors = Json::list({});
   for (const Included& file : reading.files) files.add(Json::list({Json::text(file.path), Json::boolean(file.system)}));
   for (const Fault& fault : reading.errors) {
-    errors.add(Json::object(
-        {{"message", Json::text(fault.message)}, {"file", Json::text(fault.file)}, {"line", Json::count(fault.line)}}));
+    errors.add(Json::object({{"message", Json::text(fault.message)},
+                             {"file", Json::text(fault.file)},
+                             {"line", Json::count(fault.line)},
+                             {"column", Json::count(fault.column)}}));
   }
   answer.add("files", std::move(files));
   answer.add("errors", std::move(errors));

@@ -10,7 +10,7 @@ namespace director::scanning {
 /// From {"file", "directory", "arguments": [...], "deep"}.
 Unit unit_of(const compiler::Json& json);
 
-/// Adds `files` as [path, is a system header], and `errors` as {"message", "file", "line"}.
+/// Adds `files` as [path, is a system header], and `errors` as {"message", "file", "line", "column"}.
 void report_reading(compiler::Json& answer, const Reading& reading);
 
 } // namespace director::scanning

@@ -30,7 +30,7 @@ protected:
 
 /// Part of every question: raised whenever director-clang reads something else, or says it in another way, so that
 /// answers from before are not used.
-inline constexpr std::int64_t facts_format = 4;
+inline constexpr std::int64_t facts_format = 5;
 
 class FactCache {
 public:

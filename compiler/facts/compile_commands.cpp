@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/facts/compile_commands.hpp"
 
+#include "compiler/base/absolute_path.hpp"
 #include "compiler/base/json.hpp"
 #include "dsl/source/load_file.hpp"
 
@@ -88,6 +89,7 @@ dsl::Result<std::vector<CompileCommand>, std::string> read_compile_commands(std:
   for (const Json& entry : json->items()) {
     CompileCommand command;
     command.directory = entry["directory"].as_text();
+    if (!command.directory.empty()) command.directory = absolute_path(command.directory).string();
     const fs::path file = entry["file"].as_text();
     command.file = (file.is_absolute() ? file : fs::path(command.directory) / file).lexically_normal().string();
     command.words = split_command(entry["command"].as_text());
@@ -97,7 +99,7 @@ dsl::Result<std::vector<CompileCommand>, std::string> read_compile_commands(std:
       if (command.words[i - 1] == "-o") command.output = command.words[i];
     }
     if (file.empty() || command.directory.empty() || command.words.empty())
-      return std::string("an entry needs `directory`, `file`, and `command` or `arguments`");
+      return fmt::format("its entry {} needs `directory`, `file`, and `command` or `arguments`", out.size() + 1);
     out.push_back(std::move(command));
   }
   return out;

@@ -59,8 +59,9 @@ Types types_in(const Json& answer, const std::vector<std::string>& names, const 
   if ((!any || unknown) && !errors.empty()) {
     const Json& first = errors.front();
     const std::string& path = first["file"].as_text();
-    const std::string place =
-        path.empty() || path == file ? std::string{} : fmt::format("{}:{}: ", path, first["line"].as_number());
+    const std::string place = path.empty() || path == file ? std::string{}
+                                                           : fmt::format("{}:{}:{}: ", path, first["line"].as_number(),
+                                                                         first["column"].as_number());
     out.fault = fmt::format("Clang does not understand the headers: {}{}", place, first["message"].as_text());
   }
   return out;

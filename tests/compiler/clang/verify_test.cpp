@@ -97,7 +97,7 @@ TEST_CASE("a body whose group was renamed is not taken for the one of the new na
   REQUIRE(json);
   REQUIRE((*json)["not_decided"].items().size() == 1);
   const std::string told = (*json)["not_decided"].items()[0].as_text();
-  CHECK_THAT(told, Catch::Matchers::EndsWith("body.cpp:4: no member named 'Wheeel' in namespace 'cart'"));
+  CHECK_THAT(told, Catch::Matchers::EndsWith("body.cpp:4:35: no member named 'Wheeel' in namespace 'cart'"));
 }
 
 TEST_CASE("if no body is found, what Clang does not understand is reported first, as it may be the reason") {

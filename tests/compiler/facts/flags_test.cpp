@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <filesystem>
+
 namespace {
 
 using namespace director::compiler;
@@ -35,9 +37,13 @@ TEST_CASE("compile_commands.json with commands and with arguments") {
   REQUIRE(read);
   CHECK(read.value() == std::vector<CompileCommand>{{"/s/a.cpp", "/b", {"g++", "-c", "../s/a.cpp"}},
                                                     {"/s/b.cpp", "/b", {"g++", "/s/b.cpp"}, "x"}});
+  const auto near = read_compile_commands(R"([{"directory": "b", "file": "../s/a.cpp", "command": "g++"}])");
+  REQUIRE(near);
+  const std::filesystem::path here = std::filesystem::current_path();
+  CHECK(near.value() == std::vector<CompileCommand>{{here / "s/a.cpp", here / "b", {"g++"}}});
   CHECK(read_compile_commands("{").error() == "it is no JSON list");
   CHECK(read_compile_commands(R"([{"file": "a.cpp"}])").error() ==
-        "an entry needs `directory`, `file`, and `command` or `arguments`");
+        "its entry 1 needs `directory`, `file`, and `command` or `arguments`");
 }
 
 TEST_CASE("response files that name themselves many times come to an end") {

@@ -123,7 +123,7 @@ TEST_CASE("where a header does not compile, what is missing may only not have be
   World world;
   world.child.answer =
       R"({"types": [{"wrong": "no type named 'A'"}, {"complete": true}], "paths": ["/u/types.hpp"],
-          "files": [["/u/types.hpp", false]], "errors": [{"message": "'later.hpp' file not found", "file": "/u/types.hpp", "line": 1}]})";
+          "files": [["/u/types.hpp", false]], "errors": [{"message": "'later.hpp' file not found", "file": "/u/types.hpp", "line": 1, "column": 10}]})";
   Scanner scanner("director-clang", world.child);
   const auto read = [&] {
     return ScannedTypes(good, scanner, world.child, world.files, world.store).read({{"types.hpp"}, {"A", "B"}, "x"});
@@ -131,7 +131,7 @@ TEST_CASE("where a header does not compile, what is missing may only not have be
   const Types types = read();
   CHECK(types.find("A") == nullptr);
   CHECK(types.find("B") != nullptr);
-  CHECK(types.fault == "Clang does not understand the headers: /u/types.hpp:1: 'later.hpp' file not found");
+  CHECK(types.fault == "Clang does not understand the headers: /u/types.hpp:1:10: 'later.hpp' file not found");
   read();
   CHECK(world.child.asked.size() == 2);
 }

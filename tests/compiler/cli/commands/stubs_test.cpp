@@ -38,7 +38,7 @@ TEST_CASE("stubs without a build's folder takes the nearest compile_commands.jso
   world.files.add(near, "[1]");
   CHECK(world.directorc({"stubs", "cart.yaml", "-o", "src"}) == 2);
   CHECK(world.err ==
-        "directorc: `" + near + "` is wrong: an entry needs `directory`, `file`, and `command` or `arguments`\n");
+        "directorc: `" + near + "` is wrong: its entry 1 needs `directory`, `file`, and `command` or `arguments`\n");
   CHECK(world.outputs.written.empty());
 }
 
