@@ -5,6 +5,7 @@
 #include "compiler/clang/live.hpp"
 #include "compiler/stubs/layout.hpp"
 
+#include <clang/AST/Attr.h>
 #include <clang/AST/RecursiveASTVisitor.h>
 #include <clang/Lex/Lexer.h>
 
@@ -128,7 +129,7 @@ public:
     if (target != nullptr) callee = target;
     const bool is_virtual = method != nullptr && target == nullptr;
     if (is_system(*callee)) {
-      effects_.call_library(*expr, *callee, at, carries);
+      effects_.call_library(*expr, *callee, at);
       note_run_at_once(*expr, *callee);
       return true;
     }
@@ -139,23 +140,29 @@ public:
 
   bool VisitCXXConstructExpr(CXXConstructExpr* expr) {
     const CXXConstructorDecl& callee = *expr->getConstructor();
-    bool carries = false;
+    Given given{types_given({expr->getArgs(), expr->getNumArgs()})};
     for (const Expr* argument : expr->arguments()) {
       give(argument);
-      carries = carries || book_.carriers().has(*argument);
+      given.carries = given.carries || book_.carriers().has(*argument);
+      given.outside = given.outside || book_.carriers().has_outside_of_lambdas(*argument);
       // Such as std::any.
       if (is_system(callee) && book_.carriers().holds(*argument) && !book_.carriers().holds(expr->getType()))
         effects_.stores = true;
     }
-    const bool is_given = expr->getNumArgs() > 0 && !callee.isDefaultConstructor() && !callee.isMoveConstructor();
-    construct(callee, expr->getBeginLoc(), is_given, carries);
+    given.any = expr->getNumArgs() > 0 && !callee.isDefaultConstructor() && !callee.isMoveConstructor();
+    construct(callee, expr->getBeginLoc(), given);
     return true;
   }
   bool VisitCXXInheritedCtorInitExpr(CXXInheritedCtorInitExpr* expr) {
     const CXXConstructorDecl& callee = *expr->getConstructor();
-    bool carries = false;
-    for (const ParmVarDecl* each : callee.parameters()) carries = carries || book_.carriers().has(each->getType());
-    construct(callee, expr->getBeginLoc(), callee.getNumParams() > 0, carries);
+    Given given;
+    for (const ParmVarDecl* each : callee.parameters()) {
+      given.types.push_back(each->getType());
+      given.carries = given.carries || book_.carriers().has(each->getType());
+    }
+    given.outside = given.carries;
+    given.any = callee.getNumParams() > 0;
+    construct(callee, expr->getBeginLoc(), given);
     return true;
   }
 
@@ -184,6 +191,9 @@ public:
     if (variable->isCXXForRangeDecl() && variable->getInit() != nullptr)
       go_into(variable->getInit(), variable->getLocation());
     effects_.destroy(variable->getType(), variable->getLocation());
+    for (const auto* last : variable->specific_attrs<CleanupAttr>())
+      effects_.call(*last->getFunctionDecl(), variable->getLocation(), variable->getLocation(),
+                    book_.carriers().has(variable->getType()), false, false);
     return true;
   }
   bool VisitDecompositionDecl(DecompositionDecl* several) {
@@ -284,11 +294,11 @@ private:
     return true;
   }
 
-  void construct(const CXXConstructorDecl& callee, SourceLocation at, bool is_given, bool carries) {
+  void construct(const CXXConstructorDecl& callee, SourceLocation at, const Given& given) {
     const bool is_generated = callee.isImplicit() || callee.isDefaulted(); // a copy of a task copies its data
     if (is_directors(callee) && !is_generated) return;
-    if (is_system(callee)) return effects_.reach(callee, at, is_given);
-    if (!is_generated) return effects_.call(callee, at, at, carries, false, false);
+    if (is_system(callee)) return effects_.make_of_library(callee, at, given);
+    if (!is_generated) return effects_.call(callee, at, at, given.carries, false, false);
     for (const CXXCtorInitializer* part : callee.inits()) go_into(part->getInit(), at);
   }
 

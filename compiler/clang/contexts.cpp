@@ -18,13 +18,25 @@ bool is_system(const Decl& decl) {
   return decl.getASTContext().getSourceManager().isInSystemHeader(decl.getLocation());
 }
 
-bool is_directors(const Decl& decl) {
-  const DeclContext* space = nullptr;
+namespace {
+
+/// The name of the outermost namespace around it; empty: there is none.
+llvm::StringRef outermost(const Decl& decl) {
+  llvm::StringRef out;
   for (const DeclContext* at = decl.getDeclContext(); at != nullptr; at = at->getParent()) {
-    if (llvm::isa<NamespaceDecl>(at)) space = at;
+    if (const auto* space = llvm::dyn_cast<NamespaceDecl>(at)) out = space->getName();
   }
-  return space != nullptr && llvm::cast<NamespaceDecl>(space)->getName() == "director";
+  return out;
 }
+
+} // namespace
+
+bool is_standard(const Decl& decl) {
+  const llvm::StringRef space = outermost(decl);
+  return (space == "std" || space == "__gnu_cxx" || space == "__cxxabiv1") && is_system(decl);
+}
+
+bool is_directors(const Decl& decl) { return outermost(decl) == "director"; }
 
 QualType bare(QualType type) {
   type = type.getCanonicalType();
@@ -96,7 +108,7 @@ private:
     if (record.isLambda() && skipped_ != Carriers::Skipped::nothing) return false;
     const auto* special = llvm::dyn_cast<ClassTemplateSpecializationDecl>(&record);
     if (special != nullptr && finds_in(special->getTemplateArgs().asArray())) return true;
-    if (!record.hasDefinition() || is_system(record) || is_directors(record)) return false;
+    if (!record.hasDefinition() || is_standard(record) || is_directors(record)) return false;
     return std::any_of(record.field_begin(), record.field_end(),
                        [&](const FieldDecl* field) { return finds_in(field->getType()); }) ||
            std::any_of(record.bases_begin(), record.bases_end(),

@@ -15,6 +15,7 @@
 namespace director::scanning {
 
 bool is_system(const clang::Decl& decl);    ///< of a system header
+bool is_standard(const clang::Decl& decl);  ///< of a system header, in a namespace of the C++ library
 bool is_directors(const clang::Decl& decl); ///< in namespace director, at any depth
 
 /// The type without const, references and pointers.

@@ -3,6 +3,7 @@
 #include "compiler/clang/effects.hpp"
 
 #include "compiler/clang/blocking.hpp"
+#include "compiler/clang/callbacks.hpp"
 #include "compiler/clang/endings.hpp"
 
 #include <algorithm>
@@ -45,6 +46,20 @@ SourceLocation name_place(const CallExpr& expr) {
   if (const auto* member = llvm::dyn_cast<MemberExpr>(callee)) out = member->getMemberLoc();
   if (const auto* name = llvm::dyn_cast<DeclRefExpr>(callee)) out = name->getLocation();
   return out.isValid() ? out : expr.getBeginLoc(); // a conversion is called without its name
+}
+
+std::vector<QualType> types_given(llvm::ArrayRef<const Expr*> arguments) {
+  std::vector<QualType> out;
+  for (const Expr* each : arguments) {
+    const Expr* written = each->IgnoreParenCasts();
+    const auto* address = llvm::dyn_cast<UnaryOperator>(written);
+    if (address != nullptr && address->getOpcode() == UO_AddrOf) written = address->getSubExpr()->IgnoreParens();
+    const auto* name = llvm::dyn_cast<DeclRefExpr>(written);
+    if (name != nullptr && llvm::isa<FunctionDecl>(name->getDecl())) continue; // its call is noted where it is named
+    out.push_back(each->getType());
+    out.push_back(each->IgnoreParenCasts()->getType());
+  }
+  return out;
 }
 
 bool Effects::add_word(const CallExpr& expr, const CXXMethodDecl& method, const Expr& object) {
@@ -156,43 +171,61 @@ void Effects::destroy(QualType type, SourceLocation at, bool by_pointer) {
   }
 }
 
-void Effects::call_library(const CallExpr& expr, const FunctionDecl& callee, SourceLocation at, bool carries) {
+void Effects::hide_library(const FunctionDecl& callee, const std::vector<QualType>& given, SourceLocation at,
+                           bool carries) {
+  const auto* maker = llvm::dyn_cast<CXXConstructorDecl>(&callee);
+  const std::string name = "`" + (maker == nullptr ? name_of(callee) : name_of(*maker->getParent())) + "`";
+  const bool is_known = callee.isDefaulted() || callee.isImplicit() || !known_effect(callee).empty();
+  const bool hides =
+      is_standard(callee) ? may_call_back(callee, given) : !is_known && (carries || may_do_anything(callee));
+  if (hides && carries) hide("what " + name + " does with it", at, at, true);
+  if (hides && !carries) hide("what " + name + " calls", at, at, false, true);
+}
+
+void Effects::make_of_library(const CXXConstructorDecl& callee, SourceLocation at, const Given& given) {
+  reach(callee, at, given.any);
+  hide_library(callee, given.types, at, given.outside);
+}
+
+void Effects::call_library(const CallExpr& expr, const FunctionDecl& callee, SourceLocation at) {
   const std::string name = name_of(callee);
   const auto* method = llvm::dyn_cast<CXXMethodDecl>(&callee);
   reach(callee, at, method == nullptr || !method->isMoveAssignmentOperator());
-  if (name == "std::function::operator()" || name == "std::move_only_function::operator()")
-    hide("a call of a `" + name.substr(0, name.rfind(':') - 1) + "`", at, at, false, true);
-  if (carries) {
-    static const std::set<std::string> passes_on{"std::forward",
-                                                 "std::move",
-                                                 "std::ref",
-                                                 "std::cref",
-                                                 "std::addressof",
-                                                 "std::as_const",
-                                                 "std::tie",
-                                                 "std::get",
-                                                 "std::get_if",
-                                                 "std::holds_alternative",
-                                                 "std::size",
-                                                 "std::ssize",
-                                                 "std::begin",
-                                                 "std::end",
-                                                 "std::data",
-                                                 "std::empty",
-                                                 "std::make_tuple",
-                                                 "std::make_pair",
-                                                 "std::forward_as_tuple",
-                                                 "std::tuple_cat",
-                                                 "std::operator==",
-                                                 "std::operator!="};
-    const bool only_applies =
-        (name == "std::apply" || name == "std::invoke") && expr.getNumArgs() > 0 && is_plain_lambda(*expr.getArg(0));
-    const bool only_lambdas = std::none_of(expr.arg_begin(), expr.arg_end(), [&](const Expr* argument) {
-      return book_.carriers().has_outside_of_lambdas(*argument);
-    });
-    if (passes_on.count(name) == 0 && !only_lambdas && !only_applies)
-      hide("what `" + name + "` does with it", at, at, true);
-  }
+  const bool is_function = name == "std::function::operator()" || name == "std::move_only_function::operator()";
+  if (is_function) hide("a call of a `" + name.substr(0, name.rfind(':') - 1) + "`", at, at, false, true);
+  static const std::set<std::string> passes_on{"std::forward",
+                                               "std::move",
+                                               "std::ref",
+                                               "std::cref",
+                                               "std::addressof",
+                                               "std::as_const",
+                                               "std::tie",
+                                               "std::get",
+                                               "std::get_if",
+                                               "std::holds_alternative",
+                                               "std::size",
+                                               "std::ssize",
+                                               "std::begin",
+                                               "std::end",
+                                               "std::data",
+                                               "std::empty",
+                                               "std::make_tuple",
+                                               "std::make_pair",
+                                               "std::forward_as_tuple",
+                                               "std::tuple_cat",
+                                               "std::operator==",
+                                               "std::operator!="};
+  const bool only_applies =
+      (name == "std::apply" || name == "std::invoke") && expr.getNumArgs() > 0 && is_plain_lambda(*expr.getArg(0));
+  if (passes_on.count(name) > 0 || only_applies) return;
+  const auto carries = [&](const Expr* value) { return book_.carriers().has_outside_of_lambdas(*value); };
+  if (std::any_of(expr.arg_begin(), expr.arg_end(), carries))
+    return hide("what `" + name + "` does with it", at, at, true);
+  if (is_function) return;
+  const Expr* object = object_of(expr);
+  std::vector<QualType> given = types_given({expr.getArgs(), expr.getNumArgs()});
+  if (object != nullptr) given.push_back(object->getType());
+  hide_library(callee, given, at, object != nullptr && carries(object));
 }
 
 void Effects::add_to(Json& fact) && {

@@ -8,8 +8,17 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace director::scanning {
+
+/// What a constructor is given.
+struct Given {
+  std::vector<clang::QualType> types; ///< as in callbacks.hpp
+  bool carries = false;               ///< a context
+  bool outside = false;               ///< ... in another way than in a lambda
+  bool any = false;                   ///< something that a container may have to hold
+};
 
 class Effects {
 public:
@@ -20,8 +29,8 @@ public:
   /// A call of the user's function, which is queued. `maybe`: its receiver may call it.
   void call(const clang::FunctionDecl& callee, clang::SourceLocation begin, clang::SourceLocation end, bool carries,
             bool maybe, bool is_virtual);
-  void call_library(const clang::CallExpr& expr, const clang::FunctionDecl& callee, clang::SourceLocation at,
-                    bool carries);
+  void call_library(const clang::CallExpr& expr, const clang::FunctionDecl& callee, clang::SourceLocation at);
+  void make_of_library(const clang::CXXConstructorDecl& callee, clang::SourceLocation at, const Given& given);
   /// The effects of a function of a system header, as if all of them happened at the call. `is_given`: something that a
   /// container may have to hold.
   void reach(const clang::FunctionDecl& callee, clang::SourceLocation at, bool is_given, bool destroys = false);
@@ -41,11 +50,17 @@ public:
   clang::SourceLocation here; ///< while something is read that is written elsewhere: where it runs
 
 private:
+  /// What a function of a system header may do without being followed.
+  void hide_library(const clang::FunctionDecl& callee, const std::vector<clang::QualType>& given,
+                    clang::SourceLocation at, bool carries);
+
   Book& book_;
   Values values_;
   Json does_ = Json::list({}), calls_ = Json::list({}), blocks_ = Json::list({}), hidden_ = Json::list({});
 };
 
+/// The types of arguments, as callbacks.hpp wants them.
+std::vector<clang::QualType> types_given(llvm::ArrayRef<const clang::Expr*> arguments);
 /// The place of the name by which a function is called.
 clang::SourceLocation name_place(const clang::CallExpr& expr);
 

@@ -42,14 +42,8 @@ bool is_users(const FunctionDecl& function) {
   return is_lambda || (!function.isImplicit() && !function.isDefaulted());
 }
 
-/// In the namespaces of the C++ library.
-bool is_standard(const FunctionDecl& function) {
-  const std::string name = name_of(function);
-  return name.starts_with("std::") || name.starts_with("__gnu_cxx::") || name.starts_with("__cxxabiv1::");
-}
+} // namespace
 
-/// Whether it is compiled, and may do anything. A C function of glibc's headers that cannot throw cannot be cancelled
-/// while it waits either; the exceptions have known names.
 bool may_do_anything(const FunctionDecl& function) {
   if (function.getBuiltinID() != 0 || function.isNoReturn() || function.isTrivial() || is_standard(function))
     return false;
@@ -58,8 +52,6 @@ bool may_do_anything(const FunctionDecl& function) {
   const auto* type = function.getType()->getAs<FunctionProtoType>();
   return type == nullptr || !type->isNothrow();
 }
-
-} // namespace
 
 const Expr* object_of(const CallExpr& call) {
   if (const auto* member = llvm::dyn_cast<CXXMemberCallExpr>(&call)) return member->getImplicitObjectArgument();

@@ -28,6 +28,9 @@ const clang::Expr* object_of(const clang::CallExpr& call);
 /// The function that a call of a method runs, as far as the type of its object decides that; null: any overrider may.
 const clang::CXXMethodDecl* target_of(const clang::CallExpr& call, const clang::CXXMethodDecl& method);
 
+/// Whether it is compiled, and may do anything. A C function of glibc's headers that cannot throw cannot be cancelled
+/// while it waits either; the exceptions have known names.
+bool may_do_anything(const clang::FunctionDecl& function);
 /// What is known of it by name.
 std::string_view known_effect(const clang::FunctionDecl& function);
 

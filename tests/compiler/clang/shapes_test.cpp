@@ -192,6 +192,17 @@ const Shape promises[] = {
     {"CoroutineLambda", "",
      "const auto go = [](Run& r) -> Steps { r.set(S::on); co_return; }; go(run).next(); return ask(run);"},
     {"CastNumber", "", "run.try_set(S(static_cast<int>(S::on))); return ask(run);"},
+    {"Cleanup", "inline void finish(Run** run) { (*run)->set(S::on); }",
+     "__attribute__((cleanup(finish))) Run* last = &run; return ask(*last);"},
+    {"HeldPlan", "struct Plan { Run& run; Outcome act() const { run.set(S::on); return ask(run); } };",
+     "const std::optional<Plan> plan(Plan{run}); const std::pair<Plan, int> two(plan.value(), 1); "
+     "return two.first.act();"},
+    {"HeldPointers", "",
+     "const std::vector<Run*> all{&run}; const std::tuple<int, Run&> two(mode_, *all.front()); "
+     "std::get<1>(two).set(S::on); return ask(run);"},
+    {"HeldElsewhere", "struct Way { explicit Way(int) {} void go() {} };",
+     "std::optional<Way> way(mode_); way.emplace(3); const std::vector<Way> all(3, Way(mode_)); way->go(); "
+     "run.set(S::on); return ask(run);"},
 };
 
 const Shape out_of_sight[] = {
@@ -247,6 +258,31 @@ const Shape out_of_sight[] = {
      "return ways[mode_ & 1](run);"},
     {"Bind", "inline Outcome act(int, Run& run) { run.set(S::on); return ask(run); }",
      "return std::bind_front(&act, mode_)(run);"},
+    {"LibraryLocks", "struct Busy { Run& run; void lock() {} void unlock() { run.set(S::on); } };",
+     "Busy busy{run}; const std::lock_guard guard(busy); return ask(run);"},
+    {"LibraryLocksLater", "struct Busy { Run& run; void lock() { run.set(S::on); } void unlock() {} };",
+     "Busy busy{run}; std::unique_lock guard(busy, std::defer_lock); guard.lock(); return ask(run);"},
+    {"LibraryMakes", "struct Step { explicit Step(Run& run) { run.set(S::on); } };",
+     "const std::optional<Step> step(std::in_place, run); return ask(run);"},
+    {"LibraryConverts", "struct Step { Step(Run& run) { run.set(S::on); } };",
+     "const std::pair<Step, int> step(run, 1); return ask(run);"},
+    {"LibraryMakesPart",
+     "struct Step { explicit Step(Run& run) { run.set(S::on); } }; struct Stair : Step { using Step::Step; };",
+     "const std::variant<int, Stair> stair(std::in_place_type<Stair>, run); return ask(run);"},
+    {"LibraryCopies",
+     "struct Step { Run& run; explicit Step(Run& r) : run(r) {} Step(const Step& o) : run(o.run) { run.set(S::on); } "
+     "};",
+     "const Step step(run); const std::optional<Step> other(step); return ask(run);"},
+    {"LibraryDeletes", "struct Last { Run* run; void operator()(int*) const { run->set(S::on); } };",
+     "const std::shared_ptr<int> last(nullptr, Last{&run}); return ask(run);"},
+    {"LibraryCalls", "struct Last { Run* run; void operator()() const { run->set(S::on); } };",
+     "std::thread(Last{&run}).join(); return ask(run);"},
+    {"LibraryPointers", "inline Outcome act(Run& run) { return run.keep(); } inline Outcome (*way)(Run&) = &act;",
+     "std::thread(way, std::ref(run)).join(); return ask(run);"},
+    {"StoredAndMade", "inline Run* now; struct Step { Step() { now->set(S::on); } };",
+     "now = &run; const std::vector<Step> steps(3); return ask(run);"},
+    {"StoredAndMadeOne", "inline Run* now; struct Step { Step() { now->set(S::on); } };",
+     "now = &run; std::make_unique<Step>(); return ask(run);"},
 };
 
 struct Program {
@@ -290,8 +326,9 @@ Program program() {
       "behaviour: deep\nlanguage: 1\nstates:\n" + states + "roots: [Leg]\ngroups:\n  Leg: {module: legs}\n" + groups;
   const std::string head =
       "#include \"deep.hpp\"\n#include <algorithm>\n#include <any>\n#include <coroutine>\n"
-      "#include <cstdlib>\n#include <functional>\n#include <memory>\n#include <optional>\n#include <utility>\n"
-      "#include <stdexcept>\n#include <variant>\nusing director::Outcome;\n" +
+      "#include <cstdlib>\n#include <functional>\n#include <memory>\n#include <mutex>\n#include <optional>\n"
+      "#include <stdexcept>\n#include <thread>\n#include <tuple>\n#include <utility>\n#include <variant>\n#include "
+      "<vector>\nusing director::Outcome;\n" +
       std::string(steps) + "template <class R> Outcome ask(R& run) { return run.request(deep::Leg{}); }\n";
   out.elsewhere = head + "namespace of_OtherFile { Outcome elsewhere(deep::OtherFile::Default& run) { "
                          "run.set(deep::SOtherFile::on); return ask(run); } }\n";
