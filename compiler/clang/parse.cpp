@@ -3,6 +3,7 @@
 #include "compiler/clang/parse.hpp"
 
 #include "compiler/clang/invoke.hpp"
+#include "compiler/clang/own_headers.hpp"
 
 #include <clang/Basic/Diagnostic.h>
 #include <clang/Frontend/CompilerInstance.h>
@@ -119,7 +120,10 @@ private:
       const clang::SrcMgr::FileInfo& info = entry.getFile();
       const clang::OptionalFileEntryRef file = info.getContentCache().OrigEntry;
       if (!file) continue;
-      files.emplace(absolute(file->getName(), unit_.directory), clang::SrcMgr::isSystem(info.getFileCharacteristic()));
+      const auto begin = clang::SourceLocation::getFromRawEncoding(entry.getOffset());
+      files.emplace(absolute(file->getName(), unit_.directory),
+                    clang::SrcMgr::isSystem(info.getFileCharacteristic()) &&
+                        sources.isInSystemHeader(sources.getLocForEndOfFile(sources.getFileID(begin))));
     }
     for (const auto& [path, system] : files) reading_.files.push_back({path, system});
   }
@@ -142,7 +146,8 @@ public:
     compiler.getLangOpts().SpellChecking = unit_.corrects_names;
     return true;
   }
-  std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance&, llvm::StringRef) override {
+  std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance& compiler, llvm::StringRef) override {
+    own_headers(compiler.getPreprocessor());
     return std::make_unique<Consumer>(unit_, reading_, callbacks_);
   }
 

@@ -73,6 +73,57 @@ TEST_CASE("a source that gets the generated header by its flags alone is read") 
   CHECK(with({"-Xclang", "-include", "-Xclang", "all.hpp"}) == one);
 }
 
+TEST_CASE("a library's header that includes the generated one is followed, and another one is not decided") {
+  const Workshop work = workshop("library");
+  std::string body = wheels("#include <walker.hpp>\n");
+  body.replace(body.find("return run.done()"), 17, "Walker walker(run);\n    return walker.go()");
+  const std::string walker = "class Walker {\npublic:\n  explicit Walker(cart::Drive::Default& run) : run_(run) {}\n"
+                             "  director::Outcome go() { return run_.ANSWER; }\nprivate:\n"
+                             "  cart::Drive::Default& run_;\n};\n";
+  const std::string anything = "template <class Run> class Any {\npublic:\n  explicit Any(Run& run) : run_(run) {}\n"
+                               "  auto go() { return run_.ANSWER; }\nprivate:\n  Run& run_;\n};\n";
+  const auto with = [&](std::string header, const std::string& answer, const std::string& flag) {
+    header.replace(header.find("ANSWER"), 6, answer);
+    work.write("lib/parts/any.hpp", "#pragma once\n" + header);
+    work.write("lib/walker.hpp", "#pragma once\n#include \"parts/any.hpp\"\n");
+    work.write("body.cpp", body);
+    std::vector<std::string> all = flags(work);
+    all.insert(all.end(), {flag, work.path("lib")});
+    work.write_commands({work.path("body.cpp")}, all);
+    return verified(work);
+  };
+  for (const std::string flag : {"-I", "-isystem"}) {
+    for (const std::string mark : {"", "#pragma GCC system_header\n"}) {
+      CAPTURE(flag, mark);
+      const std::string header = mark + included + walker;
+      CHECK(messages(with(header, "request(cart::Wheel{})", flag).out).empty());
+      CHECK(messages(with(header, "done()", flag).out) == std::vector<std::string>{found});
+    }
+  }
+  body.replace(body.find("#include"), 0, included);
+  body.replace(body.find("Walker walker(run)"), 18, "Any any(run)").replace(body.find("walker.go"), 6, "any");
+  const Worked worked = with(anything, "done()", "-isystem");
+  CHECK(messages(worked.out).empty());
+  const auto json = director::compiler::parse_json(worked.out);
+  REQUIRE(json);
+  std::vector<std::string> told;
+  for (const Json& each : (*json)["not_decided"].items())
+    told.push_back(each.as_text().substr(each.as_text().rfind("body.cpp")));
+  CHECK(told == std::vector<std::string>{"body.cpp:5:71: what `Any` does with it",
+                                         "body.cpp:6:16: what `Any::go` does with it"});
+}
+
+TEST_CASE("bodies in a library's header are read") {
+  const Workshop work = workshop("library-bodies");
+  work.write("lib/wheels.hpp", "#pragma once\n" + wheels(included));
+  work.write("body.cpp", "#include <wheels.hpp>\nMyWheels it;\n");
+  std::vector<std::string> all = flags(work);
+  all.insert(all.end(), {"-isystem", work.path("lib")});
+  work.write_commands({work.path("body.cpp")}, all);
+  const Worked worked = verified(work);
+  CHECK(messages(worked.out) == std::vector<std::string>{found});
+}
+
 TEST_CASE("a source that begins with a byte order mark, or with a comment, is read") {
   const Workshop work = workshop("marked");
   const std::string begin = GENERATE("\xEF\xBB\xBF", "/* licence */ ", "\f");
