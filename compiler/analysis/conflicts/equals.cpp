@@ -152,7 +152,7 @@ Order order_of(const Model& model, const Together& together, const Task& a, cons
   if (&first == &second) return {alone, false};
   const bool has_levels = a.levels.size() != 1 || b.levels.size() != 1;
   const bool swapped = has_levels ? second.edge < first.edge : is_tried_first(model, second, first);
-  return {swapped, !together.whole && swapped != alone};
+  return together.whole ? Order{swapped, false} : Order{alone, swapped != alone};
 }
 
 } // namespace
