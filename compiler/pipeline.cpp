@@ -139,9 +139,10 @@ Checked check(const std::string& path, dsl::FileAccess& files, dsl::Sources& sou
   }
 
   // Select the findings to report.
-  out.findings =
+  checks::Sifted sifted =
       checks::apply_allowances(out.model, std::move(out.findings), checkable && !options.selection.only_errors);
-  out.findings = checks::apply_selection(options.selection, std::move(out.findings));
+  out.findings = checks::apply_selection(options.selection, std::move(sifted.reported));
+  out.allowed = std::move(sifted.allowed);
   return out;
 }
 

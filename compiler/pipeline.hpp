@@ -43,6 +43,7 @@ struct Checked {
   bool resolved = false;                                ///< no errors of "Reading" and "Names and domains"
   bool lowerable = false;                               ///< resolved, and nothing prevents running it in the engine
   std::vector<dsl::Diagnostic> findings;                ///< sorted by place
+  std::vector<dsl::Diagnostic> allowed;                 ///< findings that an `allow` covers
   std::vector<std::string> headers;                     ///< the user's, that were read for their types
   std::string types_fault;                              ///< why some types of C++, or all, were not read; or empty
   std::shared_ptr<const std::vector<Verdict>> verdicts; ///< of the assertions of the Model; null: not decided

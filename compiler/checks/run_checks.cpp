@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <string>
 #include <tuple>
@@ -39,18 +40,21 @@ bool is_for_others(const Allowance& allowance) {
   return check->read_code != nullptr || check->id == "never_runs";
 }
 
-/// Drops what the allowances cover, and marks those that covered something.
-void drop_covered(const Model& model, std::vector<Diagnostic>& findings, std::vector<bool>& used) {
-  const auto is_covered = [&](const Diagnostic& finding) {
+/// Moves what the allowances cover to `allowed`, and marks those that covered something.
+void move_covered(const Model& model, std::vector<Diagnostic>& findings, std::vector<Diagnostic>& allowed,
+                  std::vector<bool>& used) {
+  const auto is_reported = [&](const Diagnostic& finding) {
     bool covered = false;
     for (std::size_t i = 0; i < model.allowances.size(); ++i) {
       if (!covers(model.allowances[i], finding)) continue;
       used[i] = true;
       covered = true;
     }
-    return covered;
+    return !covered;
   };
-  findings.erase(std::remove_if(findings.begin(), findings.end(), is_covered), findings.end());
+  const auto first = std::stable_partition(findings.begin(), findings.end(), is_reported);
+  std::move(first, findings.end(), std::back_inserter(allowed));
+  findings.erase(first, findings.end());
 }
 
 /// Whether another warning is about the same element. It may be the reason why nothing else was found there.
@@ -179,10 +183,12 @@ std::vector<Diagnostic> run_code_checks(const CodeInput& input) {
   return all;
 }
 
-std::vector<Diagnostic> apply_allowances(const Model& model, std::vector<Diagnostic> findings, bool all_checks_ran) {
+Sifted apply_allowances(const Model& model, std::vector<Diagnostic> all, bool all_checks_ran) {
+  Sifted out{std::move(all), {}};
+  std::vector<Diagnostic>& findings = out.reported;
   std::vector<bool> used(model.allowances.size(), false);
-  drop_covered(model, findings, used);
-  if (!all_checks_ran) return findings;
+  move_covered(model, findings, out.allowed, used);
+  if (!all_checks_ran) return out;
   // An error may suppress a warning anywhere.
   const bool errors = dsl::has_errors(findings);
   // An `allow: [unused_allow]` is applied last: only now is it known what it covers.
@@ -198,11 +204,11 @@ std::vector<Diagnostic> apply_allowances(const Model& model, std::vector<Diagnos
     }
   };
   collect(false);
-  drop_covered(model, leftover, used);
+  move_covered(model, leftover, out.allowed, used);
   collect(true);
   findings.insert(findings.end(), leftover.begin(), leftover.end());
   dsl::sort_by_place(findings);
-  return findings;
+  return out;
 }
 
 std::vector<Diagnostic> apply_selection(const Selection& selection, std::vector<Diagnostic> findings) {

@@ -23,10 +23,14 @@ struct Selection {
 std::vector<dsl::Diagnostic> run_checks(const Model& model, const Graph& graph, const Facts& facts,
                                         const Selection& selection);
 
-/// Drops what an `allow` covers. With `all_checks_ran`, an `allow` that covered nothing is a finding of its own;
-/// otherwise it may be meant for a check that did not run.
-std::vector<dsl::Diagnostic> apply_allowances(const Model& model, std::vector<dsl::Diagnostic> findings,
-                                              bool all_checks_ran);
+struct Sifted {
+  std::vector<dsl::Diagnostic> reported; ///< sorted by place
+  std::vector<dsl::Diagnostic> allowed;  ///< what an `allow` covers
+};
+
+/// With `all_checks_ran`, an `allow` that covered nothing is a finding of its own; otherwise it may be meant for a check
+/// that did not run.
+Sifted apply_allowances(const Model& model, std::vector<dsl::Diagnostic> all, bool all_checks_ran);
 
 /// Drops what is allowed and lints that were not requested, makes warnings errors as requested, and limits the number
 /// of notes.

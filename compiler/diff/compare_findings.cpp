@@ -1,13 +1,18 @@
 // Header: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// Compares what the checks find on each side. Findings are equal if their check and their text are; if nothing else has
-// changed, the check is enough, as the text may name another one of two.
+// Compares what the checks find on each side. Findings are equal if their check and their text are, whatever form the
+// conditions in it have; of those that say "never", the text before the reason. If nothing else has changed, the check
+// is enough, as the text may name another one of two.
+#include "compiler/diff/meaning.hpp"
 #include "compiler/diff/side.hpp"
 
 #include <fmt/format.h>
 
 #include <map>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace director::compiler::diff {
 
@@ -15,10 +20,52 @@ namespace {
 
 using Finding = dsl::Diagnostic;
 
-std::map<std::string, std::vector<const Finding*>> sorted(const std::vector<Finding>& findings, bool by_check) {
+/// Whether it is proven that a thing never happens.
+bool reports_never(const Finding& finding) {
+  const checks::Registered* const check = checks::find_registered(finding.id);
+  return check != nullptr && checks::reports_never(*check) && !checks::may_over_report(*check);
+}
+
+/// By what two findings are the same one.
+class Keys {
+public:
+  Keys(const Model& model, bool by_check) : by_check_(by_check) {
+    for (const Condition& condition : model.conditions) {
+      const State& state = model.states[condition.state];
+      forms_[condition.text] = state.name.value + " " + to_text(values_of(state, condition.accepts));
+    }
+  }
+
+  std::string of(const Finding& finding) const {
+    if (by_check_) return finding.id;
+    std::string_view text = finding.message;
+    if (reports_never(finding)) text = text.substr(0, text.find(": "));
+    return finding.id + ": " + without_forms(text);
+  }
+
+private:
+  /// With each condition in one form only.
+  std::string without_forms(std::string_view text) const {
+    std::string out;
+    while (!text.empty()) {
+      const std::size_t end = text.find('`');
+      const std::string part(text.substr(0, end));
+      const auto form = forms_.find(part);
+      out += (form == forms_.end() ? part : form->second) + '`';
+      text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    }
+    return out;
+  }
+
+  bool by_check_;
+  std::map<std::string, std::string> forms_;
+};
+
+/// The findings of one side by their keys.
+std::map<std::string, std::vector<const Finding*>> sorted(const std::vector<Finding>& findings, const Keys& keys) {
   std::map<std::string, std::vector<const Finding*>> out;
   for (const Finding& each : findings) {
-    if (each.level != dsl::Level::lint) out[by_check ? each.id : each.id + ": " + each.message].push_back(&each);
+    if (each.level != dsl::Level::lint) out[keys.of(each)].push_back(&each);
   }
   return out;
 }
@@ -34,22 +81,24 @@ std::vector<const Finding*> more_than(const std::map<std::string, std::vector<co
   return out;
 }
 
-/// Whether it is proven that a thing never happens.
-bool reports_never(const Finding& finding) {
-  const checks::Registered* const check = checks::find_registered(finding.id);
-  return check != nullptr && checks::reports_never(*check) && !checks::may_over_report(*check);
-}
-
 } // namespace
 
 void compare_findings(const Pair& pair, bool alike, Changes& changes) {
-  const auto was = sorted(pair.before.findings, alike), is = sorted(pair.after.findings, alike);
-  for (const Finding* each : more_than(is, was))
-    changes.add(reports_never(*each) ? ChangeKind::became_dead : ChangeKind::finding_new, each->id,
-                fmt::format("{} is new: {}", name_of(each->level), each->message), {}, each->span);
-  for (const Finding* each : more_than(was, is))
-    changes.add(reports_never(*each) ? ChangeKind::became_reachable : ChangeKind::finding_gone, each->id,
-                fmt::format("{} is gone: {}", name_of(each->level), each->message), each->span, {});
+  const Keys old_keys(pair.old_model, alike), new_keys(pair.new_model, alike);
+  const auto was = sorted(pair.before.findings, old_keys), is = sorted(pair.after.findings, new_keys);
+  const auto was_allowed = sorted(pair.before.allowed, old_keys), is_allowed = sorted(pair.after.allowed, new_keys);
+  for (const Finding* each : more_than(is, was)) {
+    const bool known = was_allowed.contains(new_keys.of(*each));
+    changes.add(reports_never(*each) && !known ? ChangeKind::became_dead : ChangeKind::finding_new, each->id,
+                fmt::format("{} is {}: {}", name_of(each->level), known ? "no longer allowed" : "new", each->message),
+                {}, each->span);
+  }
+  for (const Finding* each : more_than(was, is)) {
+    const bool known = is_allowed.contains(old_keys.of(*each));
+    changes.add(reports_never(*each) && !known ? ChangeKind::became_reachable : ChangeKind::finding_gone, each->id,
+                fmt::format("{} is {}: {}", name_of(each->level), known ? "allowed now" : "gone", each->message),
+                each->span, {});
+  }
 }
 
 } // namespace director::compiler::diff

@@ -72,7 +72,7 @@ int run(const Verify& request, Console& console) {
     print_message(console, fmt::format("directorc: {}\n", verified.fault));
     return misused;
   }
-  verified.findings = checks::apply_allowances(checked->model, std::move(verified.findings), false);
+  verified.findings = checks::apply_allowances(checked->model, std::move(verified.findings), false).reported;
   verified.findings = checks::apply_selection(request.selection, std::move(verified.findings));
   print(request, verified, sources, console);
   if (request.depfile.empty()) return dsl::has_errors(verified.findings) ? found : clean;

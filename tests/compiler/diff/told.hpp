@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include <string>
+#include <vector>
 
 namespace director::tests {
 
@@ -15,8 +16,8 @@ struct Files {
   std::string main, other;
 };
 
-/// Kind and message of each change, a line each. `other` is what `main` may import as `parts.yaml`.
-inline std::string told(const Files& before, const Files& after) {
+/// `other` is what `main` may import as `parts.yaml`.
+inline std::vector<compiler::BehaviourChange> changes(const Files& before, const Files& after) {
   dsl::MemoryFiles files;
   files.add("old/robot.yaml", "behaviour: robot\nlanguage: 1\n" + before.main);
   files.add("old/parts.yaml", "behaviour: parts\nlanguage: 1\n" + before.other);
@@ -25,8 +26,13 @@ inline std::string told(const Files& before, const Files& after) {
   dsl::Sources sources;
   const compiler::Checked was = compiler::check("old/robot.yaml", files, sources),
                           is = compiler::check("new/robot.yaml", files, sources);
+  return compiler::find_changes(was, is);
+}
+
+/// Kind and message of each change, a line each.
+inline std::string told(const Files& before, const Files& after) {
   std::string out;
-  for (const compiler::BehaviourChange& change : compiler::find_changes(was, is)) {
+  for (const compiler::BehaviourChange& change : changes(before, after)) {
     CHECK((change.before || change.after));
     out += std::string(compiler::page_of(change.kind).id) + ": " + change.message + "\n";
     if (!change.hint.empty()) out += "hint: " + change.hint + "\n";

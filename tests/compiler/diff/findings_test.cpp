@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Which findings count as the same on both sides.
+#include "tests/compiler/diff/told.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace director;
+using tests::told;
+
+} // namespace
+
+TEST_CASE("a finding that says never for another reason than before is the same one") {
+  const auto unreachable = [](const std::string& expires) {
+    return "states: {S: {values: [a, b, c], initial: a" + expires + "}}\nroots: [G]\ngroups: {G: {when: [S == b]}}\n";
+  };
+  CHECK(told(unreachable(""), unreachable(", expires: {after: 1 s, to: c}")) ==
+        "state_source: `S` now expires after 1 s\n"
+        "api: something in it uses time now, so each `step` is given the time\n");
+  const auto shadowed = [](const std::string& first) {
+    return "roots: [G]\ngroups: {G: {providers: [{name: " + first + "}, {name: spare}]}}\n";
+  };
+  CHECK(told(shadowed("first"), shadowed("primary")) ==
+        "provider_removed: the provider `first` of `G` is gone\n"
+        "provider_added: the provider `primary` of `G` is new, tried first\n");
+}
+
+TEST_CASE("a finding that an allow covers on one side is not what can never run any more") {
+  const auto robot = [](const std::string& allow) {
+    return "roots: [G]\ngroups: {G: {providers: [{name: first}, {name: spare" + allow + "}]}}\n";
+  };
+  const std::string allow = ", allow: [shadowed_provider], because: the program disables the first one";
+  const std::string finding = "`G.spare` never runs: `G.first` comes before it and can run whenever it can\n";
+  CHECK(told(robot(allow), robot("")) == "finding_new: warning is no longer allowed: " + finding);
+  CHECK(told(robot(""), robot(allow)) == "finding_gone: warning is allowed now: " + finding);
+}
+
+TEST_CASE("a condition in another form makes no other finding of it, whatever else has changed") {
+  const auto robot = [](const std::string& triggers, const std::string& when) {
+    return triggers + R"(roots: {Walk: {priority: 1}, Kick: {priority: 2}}
+states: {Pose: {values: [moving, still], initial: moving}}
+groups:
+  Walk:
+    stop: {sets: [Pose == moving]}
+    providers:
+      - {name: walking, needs: [Legs], sets: [Pose == moving], tasks: [Legs]}
+      - {name: halting, needs: [Legs], causing: [Pose == still], tasks: [Legs]}
+  Kick: {when: [)" +
+           when + R"(], needs: [Legs], tasks: [Legs]}
+  Legs: {}
+)";
+  };
+  CHECK(told(robot("", "Pose == still"), robot("triggers: [New]\n", "Pose > moving")) ==
+        "triggers: the trigger `New` is new\n");
+}
