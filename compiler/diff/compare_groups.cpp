@@ -107,9 +107,15 @@ private:
       for (const auto& [state, values] : all) out.push_back(fmt::format("{} == {}", state, to_text(values)));
       return out.empty() ? std::string("nothing") : ticked_list(out);
     };
-    changes_.add(ChangeKind::handler, name_,
-                 fmt::format("the {} handler of `{}` may set {}, before {}", what, name_, text(is), text(was)),
-                 before ? before->span : before_.name.span, after ? after->span : after_.name.span);
+    const auto is_settable = [&](const auto& each) {
+      const auto now = is.find(each.first);
+      return now != is.end() && without(each.second, now->second).empty();
+    };
+    changes_
+        .add(ChangeKind::handler, name_,
+             fmt::format("the {} handler of `{}` may set {}, before {}", what, name_, text(is), text(was)),
+             before ? before->span : before_.name.span, after ? after->span : after_.name.span)
+        .breaks_code = !std::all_of(was.begin(), was.end(), is_settable);
   }
 
   void providers() {

@@ -65,6 +65,8 @@ public:
     text("namespace", old_.name_space, new_.name_space);
     headers();
     modules();
+    if (old_.deployment && new_.deployment && new_.uses_time() && !old_.uses_time())
+      add(ChangeKind::api, "something in it uses time now, so each `step` is given the time").breaks_code = true;
     if (old_.deployment != new_.deployment)
       add(ChangeKind::api, new_.deployment ? "it has `roots` now: it can be generated, no longer imported with them"
                                            : "it has no `roots` any more: it is a module, and not generated")

@@ -147,7 +147,8 @@ private:
     for (const Promise& each : was) {
       if (same(is, each) == is.end())
         add(ChangeKind::promise,
-            fmt::format("`{}` no longer promises {}", name_, condition_text(each.state, each.values)), each.span);
+            fmt::format("`{}` no longer promises {}", name_, condition_text(each.state, each.values)), each.span)
+            .breaks_code = !may_still_set(each.state, each.values);
     }
     for (const Promise& each : is) {
       const auto old = same(was, each);
@@ -167,6 +168,15 @@ private:
     add(bound_change(before, after), fmt::format("{} {}; before {}", what, text(after), text(before)), from, to);
   }
 
+  /// Whether the body may set each of these values now, by `sets` or `causing`.
+  bool may_still_set(const std::string& state, const Values& values) const {
+    Uses all = after_.sets;
+    all.insert(all.end(), after_.causing.begin(), after_.causing.end());
+    const Meaning now = any_of(pair_.new_model, all);
+    const auto at = now.find(state);
+    return at != now.end() && without(values, at->second).empty();
+  }
+
   void sets() {
     const Meaning was = any_of(pair_.old_model, before_.sets), is = any_of(pair_.new_model, after_.sets);
     for (const auto& [state, values] : is) {
@@ -182,7 +192,7 @@ private:
       if (!less.empty())
         add(ChangeKind::sets, fmt::format("`{}` may no longer set {}", name_, condition_text(state, less)),
             place_of(pair_.old_model, before_.sets, state))
-            .breaks_code = true;
+            .breaks_code = !may_still_set(state, less);
     }
   }
 
@@ -249,7 +259,8 @@ private:
     for (const Use<TriggerId>& each : lacking(after_.triggers, new_name, before_.triggers, old_name))
       add(ChangeKind::triggers, fmt::format("`{}` now calls `{}` again", new_name(each.id), name_), {}, each.span);
     for (const Use<TriggerId>& each : lacking(before_.triggers, old_name, after_.triggers, new_name))
-      add(ChangeKind::triggers, fmt::format("`{}` no longer calls `{}` again", old_name(each.id), name_), each.span);
+      add(ChangeKind::triggers, fmt::format("`{}` no longer calls `{}` again", old_name(each.id), name_), each.span)
+          .breaks_code = true;
   }
   void every() {
     if (before_.every == after_.every) return;

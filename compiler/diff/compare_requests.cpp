@@ -16,6 +16,7 @@ struct Requester {
   std::string subject; ///< `Striker.playing`
   std::string words;   ///< "the program", "`Striker.playing`, pack `attack`,"
   Span before{}, after{};
+  bool is_pack = false; ///< the body gives it each task that may not be left out
 };
 
 class Entries {
@@ -41,9 +42,11 @@ public:
     }
     for (const Task& task : after) {
       const std::string& name = name_of(pair_.new_model, task.target);
-      if (find(before, pair_.old_model, name) == nullptr)
-        changes_.add(ChangeKind::request_added, requester_.subject,
-                     fmt::format("{} may now request `{}`", requester_.words, name), requester_.before, task.span);
+      if (find(before, pair_.old_model, name) != nullptr) continue;
+      changes_
+          .add(ChangeKind::request_added, requester_.subject,
+               fmt::format("{} may now request `{}`", requester_.words, name), requester_.before, task.span)
+          .breaks_code = requester_.is_pack && !pair_.new_model.may_be_left_out(task);
     }
   }
 
@@ -92,9 +95,12 @@ private:
       const std::string was = manner(pair_.old_model, before, *old), is = manner(pair_.new_model, after, level);
       if (was == is) continue;
       const std::string at = level.name.empty() ? "" : fmt::format(" at `{}`", level.name);
-      changes_.add(ChangeKind::unit, requester_.subject,
-                   fmt::format("{} requests `{}`{} as {}, before as {}", requester_.words, name, at, is, was),
-                   before.span, after.span);
+      changes_
+          .add(ChangeKind::unit, requester_.subject,
+               fmt::format("{} requests `{}`{} as {}, before as {}", requester_.words, name, at, is, was), before.span,
+               after.span)
+          .breaks_code = requester_.is_pack && is != "optional" && pair_.old_model.may_be_left_out(before) &&
+                         !pair_.new_model.may_be_left_out(after);
     }
   }
 
@@ -135,7 +141,7 @@ void compare_packs(const Pair& pair, ProviderId before, ProviderId after, Change
           .breaks_code = true;
       continue;
     }
-    const Requester requester{name, fmt::format("`{}`, pack `{}`,", name, pack.name), pack.span, now->span};
+    const Requester requester{name, fmt::format("`{}`, pack `{}`,", name, pack.name), pack.span, now->span, true};
     Entries(pair, requester, changes).compare(pack.tasks, now->tasks);
   }
   for (const Pack& pack : is.packs) {

@@ -37,6 +37,16 @@ bool Pack::requests(EdgeId edge) const {
   return std::any_of(tasks.begin(), tasks.end(), [&](const Task& task) { return task.edge == edge; });
 }
 
+bool Model::uses_time() const {
+  const auto timed_state = [](const State& state) { return state.expires.has_value(); };
+  const auto timed_provider = [](const Provider& provider) {
+    return provider.every || std::any_of(provider.causing.begin(), provider.causing.end(),
+                                         [](const ConditionUse& use) { return use.within.has_value(); });
+  };
+  return std::any_of(states.begin(), states.end(), timed_state) ||
+         std::any_of(providers.begin(), providers.end(), timed_provider);
+}
+
 bool Model::has_any(GroupId group, const IdSet<ProviderId>& some) const {
   const std::vector<ProviderId>& own = groups[group].providers;
   return std::any_of(own.begin(), own.end(), [&](ProviderId id) { return some.contains(id); });

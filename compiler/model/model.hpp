@@ -243,6 +243,8 @@ struct Model {
     return any_level(task, [](const Level& level) { return level.optional; });
   }
 
+  /// Whether anything happens without an input when time passes, if no body waits.
+  bool uses_time() const;
   /// Whether one of the group's providers is among these.
   bool has_any(GroupId group, const IdSet<ProviderId>& some) const;
   const Group& group_of(ProviderId id) const { return groups[providers[id].group]; }

@@ -13,16 +13,6 @@ namespace director::compiler {
 
 namespace {
 
-bool uses_time(const Model& model) {
-  const auto timed_state = [](const State& state) { return state.expires.has_value(); };
-  const auto timed_provider = [](const Provider& provider) {
-    return provider.every || std::any_of(provider.causing.begin(), provider.causing.end(),
-                                         [](const ConditionUse& use) { return use.within.has_value(); });
-  };
-  return std::any_of(model.states.begin(), model.states.end(), timed_state) ||
-         std::any_of(model.providers.begin(), model.providers.end(), timed_provider);
-}
-
 void define_steps(Code& code, const CppEmission& e) {
   code.comment(
       "Takes the inputs that were posted before, then all that is due up to `now` (a duration since any start; an "
@@ -32,7 +22,7 @@ void define_steps(Code& code, const CppEmission& e) {
   code.open("director::StepResult step(Now now) {");
   code.line("return hand_on(step_to(director::microseconds_begun(now)));");
   code.close("}");
-  if (uses_time(e.model)) return;
+  if (e.model.uses_time()) return;
   code.blank();
   code.comment("The same, where no body waits: nothing in the behaviour uses time.");
   code.open("director::StepResult step() {");
