@@ -5,6 +5,7 @@
 // there decide (semantics.md, 4.1). So for each pair of edges of each requester, the rivalries of both sides are
 // compared, which pages and coverage use too: each pair of their levels, each group that both may claim then, and how.
 // Where a level is requested, and its name, say which levels of the two sides are the same.
+#include "compiler/base/and_list.hpp"
 #include "compiler/diff/ranks.hpp"
 #include "compiler/diff/shifts.hpp"
 #include "compiler/diff/side.hpp"
@@ -165,15 +166,53 @@ private:
   std::string reason(const Edge& winner, const Edge* old_winner, const Edge& loser, const Edge& old_loser) {
     const std::string by = requester_name(pair_.new_model, winner.requester);
     if (old_winner == nullptr) return fmt::format("{} requests it now, with {}", by, rank_text(winner));
-    if (is_order_alike(winner, *old_winner, loser, old_loser))
+    for (const Edge* const edge : {&winner, &loser}) {
+      if (is_dead_now(target(*edge))) return fmt::format("{} can never run any more", ticked(target(*edge)));
+    }
+    if (is_order_alike(winner, *old_winner, loser, old_loser)) {
+      for (const std::string& moved : {moved_levels(winner, *old_winner), moved_levels(loser, old_loser)}) {
+        if (!moved.empty()) return moved;
+      }
       return fmt::format("below {} the one goes before the other as it did; {}", by,
                          leads_alike(winner, *old_winner) && leads_alike(loser, old_loser)
                              ? "when they lead there, or how, has changed"
                              : "what they lead to has changed");
+    }
     if (winner.levels != old_winner->levels)
       return fmt::format("{} requests it with {}, before with {}", by, rank_text(winner), rank_text(*old_winner));
     return fmt::format("{} requests `{}` with {}, before with {}", by, target(loser), rank_text(loser),
                        rank_text(old_loser));
+  }
+
+  /// Whether some provider of the group could run before, and none can now.
+  bool is_dead_now(const std::string& name) const {
+    if (!pair_.old_model.deployment || !pair_.new_model.deployment) return false;
+    const auto may_run = [&](const Model& model, const Possible& possible) {
+      const std::optional<GroupId> id = model.find_group(name);
+      return id && model.has_any(*id, possible.facts().active);
+    };
+    return may_run(pair_.old_model, pair_.possible_before) && !may_run(pair_.new_model, pair_.possible_after);
+  }
+
+  /// Where the target is requested, if two of these places are in another order than before: "the program at `calm`
+  /// requests `Walk` with priority 9, before with 1".
+  std::string moved_levels(const Edge& edge, const Edge& old) {
+    std::vector<std::string> out;
+    std::vector<std::pair<std::int32_t, std::int32_t>> priorities; // before, now
+    const std::map<Place, std::uint32_t>& before = old_.places(old);
+    for (const auto& [place, level] : new_.places(edge)) {
+      const auto was = before.find(place);
+      if (was == before.end()) continue;
+      const auto& [then, now] =
+          priorities.emplace_back(old.levels[was->second].priority, edge.levels[level].priority);
+      if (now != then)
+        out.push_back(fmt::format("{} requests `{}` with priority {}, before with {}", words_of(place), target(edge), now,
+                                  then));
+    }
+    std::sort(priorities.begin(), priorities.end());
+    const bool in_order = std::is_sorted(priorities.begin(), priorities.end(),
+                                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    return in_order ? "" : and_list(out);
   }
 
   /// The edge of a mate on both sides, if its levels have changed; else nulls.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace director::compiler::diff {
@@ -13,11 +14,29 @@ namespace {
 
 enum class Extent { never, sometimes, always };
 
+Extent extent_of(std::size_t wins, std::size_t all) {
+  return wins == 0 ? Extent::never : wins < all ? Extent::sometimes : Extent::always;
+}
+
 Extent extent_of(const Encounters& encounters) {
   const auto wins = std::count_if(encounters.begin(), encounters.end(), [](const auto& each) { return each.second; });
-  return wins == 0                                            ? Extent::never
-         : static_cast<std::size_t>(wins) < encounters.size() ? Extent::sometimes
-                                                              : Extent::always;
+  return extent_of(static_cast<std::size_t>(wins), encounters.size());
+}
+
+/// How often the group is taken where two tasks are requested at once, in whatever way they lead to it.
+struct Taken {
+  std::size_t wins = 0, all = 0;
+};
+
+std::map<Encounter, Taken> by_place(const Encounters& encounters) {
+  std::map<Encounter, Taken> out;
+  for (auto [encounter, wins] : encounters) {
+    encounter.takes = encounter.loses = {};
+    Taken& taken = out[encounter];
+    taken.wins += wins ? 1 : 0;
+    ++taken.all;
+  }
+  return out;
 }
 
 } // namespace
@@ -58,6 +77,14 @@ std::vector<Shift> shifts(const Encounters& before, const Encounters& now) {
     if (old == before.end() || old->first != encounter) continue;
     more = more || (wins && !old->second);
     fewer = fewer || (!wins && old->second);
+  }
+  const std::map<Encounter, Taken> places = by_place(before);
+  for (const auto& [place, taken] : by_place(now)) {
+    const auto at = places.find(place);
+    if (at == places.end()) continue;
+    const Extent then = extent_of(at->second.wins, at->second.all), here = extent_of(taken.wins, taken.all);
+    more = more || here > then;
+    fewer = fewer || here < then;
   }
   std::vector<Shift> out;
   if (more) out.push_back(Shift::more);

@@ -18,7 +18,8 @@ ChangeKind kind_of(Shift shift);
 /// "WINNER can now take WHAT from LOSERS"
 std::string sentence(Shift shift, const std::string& winner, const std::string& what, const std::string& losers);
 
-/// Of one group. Encounters that only one side has count only for whether it is taken never, sometimes or always.
+/// Of one group. Encounters that only one side has count only for whether it is taken never, sometimes or always: at
+/// all, and at each place where both sides may request the two.
 std::vector<Shift> shifts(const Encounters& before, const Encounters& now);
 
 /// A member of a unit that makes a difference, where nothing else does.

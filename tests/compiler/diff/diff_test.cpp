@@ -245,6 +245,54 @@ TEST_CASE("at one of several levels a task can take what it could not") {
                                           "priority 12; what each can take from the others is as before\n");
 }
 
+TEST_CASE("levels that changed places are named, and so is a group that can never run any more") {
+  const auto robot = [](const char* walk) {
+    return std::string("states: {P: {values: [m, s], initial: m}}\nroots: {Walk: {priority: ") + walk +
+           R"(}, Kick: {priority: 5}}
+groups:
+  Walk:
+    providers:
+      - {name: go, needs: [Legs], sets: [P == m], tasks: [Legs]}
+      - {name: halt, needs: [Legs], causing: [P == s], tasks: [Legs]}
+  Kick: {when: [P == s], needs: [Legs], tasks: [Legs]}
+  Legs: {}
+)";
+  };
+  const std::string why = ": the program at `calm` requests `Walk` with priority 9, before with 1 and the program at "
+                          "`hot` requests `Walk` with priority 1, before with 9\n";
+  const std::string walk = "`Walk` can take `Legs` from `Kick` in ", kick = "`Kick` can take `Legs` from `Walk` in ";
+  CHECK(told(robot("{calm: 1, hot: 9}"), robot("{calm: 9, hot: 1}"))
+            .starts_with("takeover_gained: " + walk + "more cases now" + why + "takeover_gained: " + kick +
+                         "more cases now" + why + "takeover_lost: " + walk + "fewer cases now" + why +
+                         "takeover_lost: " + kick + "fewer cases now" + why));
+  CHECK(told(robot("{calm: 1, hot: 9}"), robot("{calm: 6, hot: 9}"))
+            .starts_with("takeover_lost: `Walk` can no longer take `Legs` from `Kick`: `Kick` can never run any more\n"
+                         "takeover_lost: `Kick` can no longer take `Legs` from `Walk`: `Kick` can never run any more\n"
+                         "became_dead: `Kick` can never run any more\n"));
+}
+
+TEST_CASE("a way that became mandatory is compared with the one that was optional, at each level") {
+  const auto robot = [](const char* head) {
+    return std::string(R"(states: {S: {values: [a, b], initial: a, external: true}}
+roots: {Walk: {priority: 1}, Look: {levels: {firm: {priority: 5}, spare: {priority: 2, optional: true}}}}
+groups:
+  Walk:
+    providers:
+      - {name: w1, when: [S == a], tasks: )") +
+           head + R"(}
+      - {name: w2, tasks: {Head: {apart: true}}}
+  Look: {tasks: [Head]}
+  Head: {}
+)";
+  };
+  CHECK(told(robot("{Head: {optional: true}}"), robot("[Head]")) ==
+        "takeover_gained: `Walk` can take `Head` from `Look` in more cases now: below the program the one goes before "
+        "the other as it did; when they lead there, or how, has changed\n"
+        "takeover_lost: `Look` can take `Head` from `Walk` in fewer cases now: below the program the one goes before "
+        "the other as it did; when they lead there, or how, has changed\n"
+        "unit: `Walk.w1` requests `Head` as mandatory, before as optional\n");
+}
+
 TEST_CASE("an optional task and one below which something is optional are compared by priority") {
   const auto robot = [](const char* look) {
     return std::string("roots: {Play: {priority: 20}, Look: {optional: true, priority: ") + look +
@@ -497,6 +545,7 @@ TEST_CASE("limits, triggers, assertions and layers") {
                             "triggers: `Tick` no longer calls `Walk` again\n"
                             "triggers: `Walk` is now called again every 10 ms\n"
                             "assertion: no longer asserted: `Walk` can run\n"
+                            "api: something in it uses time now, so each `step` is given the time\n"
                             "layers: the layers are `low`, before `low` and `high`\n");
 }
 
