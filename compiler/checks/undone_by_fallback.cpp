@@ -1,13 +1,14 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/undone_by_fallback.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/analysis/causing/takings.hpp"
 #include "compiler/analysis/causing/undoing.hpp"
+#include "compiler/analysis/clashes/granted.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <set>
 
@@ -31,19 +32,28 @@ public:
         shared_(input.shared),
         findings_(findings) {}
 
-  void look_at(const Wanting& wanting, const Want& want) {
-    const GroupId task = wanting.task;
-    const Takings takings(model_, shared_.indispensable(), shared_.claims(task), task);
-    for (const ProviderId causer : want.causers) {
-      if (takings.takes(model_.providers[causer].group)) continue;
-      const Use<GroupId>* need = takings.need_taken(causer);
-      if (need == nullptr || seen_.count({need->span, want.condition.span}) != 0) continue;
-      const std::optional<Fallback> fallback = find_fallback(wanting, want, causer, takings);
-      if (fallback) report(wanting, want, causer, *need, *fallback, takings.way_to(*need));
+  void look_at(const Wanting& wanting) {
+    const auto has_needs = [&](ProviderId causer) { return !model_.providers[causer].needs.empty(); };
+    const auto may_be_lost = [&](const Want& want) {
+      return std::any_of(want.causers.begin(), want.causers.end(), has_needs);
+    };
+    if (std::none_of(wanting.wants.begin(), wanting.wants.end(), may_be_lost)) return;
+    for (const Granted& granted : granted_with(model_, shared_, wanting.task)) {
+      for (const Want& want : wanting.wants) look_at(granted, wanting, want);
     }
   }
 
 private:
+  void look_at(const Granted& granted, const Wanting& wanting, const Want& want) {
+    for (const ProviderId causer : want.causers) {
+      if (granted.takings.takes(model_.providers[causer].group)) continue;
+      const Use<GroupId>* need = granted.takings.need_taken(causer);
+      if (need == nullptr || seen_.count({need->span, want.condition.span}) != 0) continue;
+      const std::optional<Fallback> fallback = find_fallback(wanting, want, causer, granted.takings);
+      if (fallback) report(granted, want, causer, *need, *fallback);
+    }
+  }
+
   /// The first one that can continue without what is taken, if no earlier one always can.
   std::optional<Fallback> find_fallback(const Wanting& wanting, const Want& want, ProviderId causer,
                                         const Takings& takings) const {
@@ -72,16 +82,16 @@ private:
     return std::nullopt;
   }
 
-  void report(const Wanting& wanting, const Want& want, ProviderId causer, const Use<GroupId>& need,
-              const Fallback& fallback, Taking how) {
+  void report(const Granted& granted, const Want& want, ProviderId causer, const Use<GroupId>& need,
+              const Fallback& fallback) {
     seen_.insert({need.span, want.condition.span});
     const std::string causing = name_of(model_, causer), lost = name_of(model_, need.id);
     const std::string set = fmt::format("{} may {} {}", name_of(model_, fallback.provider),
                                         fallback.promised ? "cause" : "set", name_of(model_, fallback.entry.id));
     dsl::Diagnostic& finding = findings_.add(
-        need.span, fmt::format("{} loses {} when {} is granted, which waits for {}; instead of it {}: the two go round",
-                               causing, lost, name_of(model_, wanting.task), name_of(model_, want.condition.id), set));
-    add_taking(model_, want, causer, std::move(how), finding);
+        need.span, fmt::format("{} loses {} when {}, which waits for {}; instead of it {}: the two go round", causing,
+                               lost, is_granted(model_, granted), name_of(model_, want.condition.id), set));
+    add_taking(model_, want, causer, granted.takings.way_to(need), finding);
     finding.notes.push_back({fallback.entry.span, set});
     finding.help = fmt::format("let {} do without {}, or {}", causing, lost, stay_help(model_, want, fallback.values));
   }
@@ -97,9 +107,7 @@ private:
 
 void undone_by_fallback(const Input& input, Findings& findings) {
   UndoneByFallback undone(input, findings);
-  for (const Wanting& wanting : input.shared.wants()) {
-    for (const Want& want : wanting.wants) undone.look_at(wanting, want);
-  }
+  for (const Wanting& wanting : input.shared.wants()) undone.look_at(wanting);
 }
 
 } // namespace director::checks

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/chains/runs_below.hpp"
+#include "compiler/analysis/clashes/granted.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -22,11 +23,20 @@ class Undone {
 public:
   Undone(const Input& input, Findings& findings) : model_(input.model), facts_(input.facts), findings_(findings) {}
 
-  void look_at(const RunsBelow& below, GroupId task, const Want& want) {
-    const std::vector<ConditionUse>& own = model_.providers[want.waiter].sets;
-    for (const ConditionUse& entry : own) look_at_entry(want, setter(want.waiter), entry, {});
-    for (const GroupId group : below.groups()) {
-      if (group != task) look_below(want, group, below.path(group));
+  void look_at(const Granted& granted, const Want& want) {
+    std::vector<dsl::Note> way;
+    if (granted.is_other()) {
+      way.push_back({granted.member->span, fmt::format("{} is granted together with {}", name_of(model_, granted.task),
+                                                       name_of(model_, granted.waits))});
+    } else {
+      for (const ConditionUse& entry : model_.providers[want.waiter].sets)
+        look_at_entry(want, setter(want.waiter), entry, way);
+    }
+    for (const GroupId group : granted.below.groups()) {
+      if (group == granted.waits) continue;
+      std::vector<dsl::Note> notes = way;
+      add_chain(model_, granted.below.path(group), notes);
+      look_below(want, group, notes);
     }
   }
 
@@ -91,11 +101,11 @@ private:
 
   Setter setter(ProviderId id) const { return {name_of(model_, id), model_.providers[id].group}; }
 
-  void look_below(const Want& want, GroupId group, const std::vector<ChainStep>& path) {
+  void look_below(const Want& want, GroupId group, const std::vector<dsl::Note>& way) {
     Region here = region_of(model_, model_.providers[want.waiter].when);
     if (model_.groups[group].start) {
       const Setter start{fmt::format("the start of {}", name_of(model_, group)), group};
-      for (const ConditionUse& entry : model_.groups[group].start->sets) look_at_entry(want, start, entry, path);
+      for (const ConditionUse& entry : model_.groups[group].start->sets) look_at_entry(want, start, entry, way);
     }
     bool comes_first = true; // no earlier one is always chosen
     for (const ProviderId id : model_.groups[group].providers) {
@@ -103,15 +113,15 @@ private:
       if (!facts_.active.contains(id) || !compatible(here, active_region(model_, provider))) continue;
       Setter by = setter(id);
       by.unpushed = comes_first;
-      for (const ConditionUse& entry : provider.sets) look_at_entry(want, by, entry, path);
+      for (const ConditionUse& entry : provider.sets) look_at_entry(want, by, entry, way);
       by.promised = true;
-      for (const ConditionUse& entry : provider.causing) look_at_entry(want, by, entry, path);
+      for (const ConditionUse& entry : provider.causing) look_at_entry(want, by, entry, way);
       if (contains(region_of(model_, provider.when), here)) comes_first = false;
     }
   }
 
-  void look_at_entry(const Want& want, const Setter& by, const ConditionUse& entry,
-                     const std::vector<ChainStep>& path) {
+  /// `way`: how the task leads to what sets it.
+  void look_at_entry(const Want& want, const Setter& by, const ConditionUse& entry, const std::vector<dsl::Note>& way) {
     const Condition& set = model_.conditions[entry.id];
     if (set.state != model_.conditions[want.condition.id].state) return;
     const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, set.accepts);
@@ -126,7 +136,7 @@ private:
                                               by.promised ? "cause" : "set", name_of(model_, entry.id), waiter,
                                               name_of(model_, *causer), condition));
     finding.notes.push_back(runs_only_while(model_, want.waiter, want.condition));
-    add_chain(model_, path, finding.notes);
+    finding.notes.insert(finding.notes.end(), way.begin(), way.end());
     finding.notes.push_back(causes(model_, *causer, want.condition.id));
     finding.help = stay_help(model_, want, values);
   }
@@ -152,9 +162,10 @@ IdSet<StateId> states_of_starts(const Model& model) {
 void undone_by_itself(const Input& input, Findings& findings) {
   Undone undone(input, findings);
   for (const Wanting& wanting : input.shared.wants()) {
-    const RunsBelow below(input.shared.branches(), input.shared.claims(wanting.task), wanting.task);
-    for (const Want& want : wanting.wants) {
-      if (want.waiter == wanting.provider) undone.look_at(below, wanting.task, want);
+    for (const Granted& granted : granted_with(input.model, input.shared, wanting.task)) {
+      for (const Want& want : wanting.wants) {
+        if (want.waiter == wanting.provider) undone.look_at(granted, want);
+      }
     }
   }
   const IdSet<StateId> by_starts = states_of_starts(input.model);

@@ -1,9 +1,7 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/undone_by_stop.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/analysis/causing/takings.hpp"
 #include "compiler/analysis/causing/undoing.hpp"
-#include "compiler/analysis/chains/runs_below.hpp"
-#include "compiler/analysis/needs/units.hpp"
+#include "compiler/analysis/clashes/granted.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -18,9 +16,6 @@
 namespace director::checks {
 
 namespace {
-
-/// Other tasks that are granted with a task are considered up to this many.
-constexpr std::size_t most_members = 16;
 
 /// The value that the stop of a group gives a state, and where it is declared.
 struct StopValue {
@@ -52,41 +47,12 @@ public:
     for (const Want& want : wanting.wants) {
       const StateId state = model_.conditions[want.condition.id].state;
       if (stopping_[state].empty()) continue;
-      if (granted.empty()) granted = grant_unit(wanting.task);
+      if (granted.empty()) granted = granted_with(model_, shared_, wanting.task);
       for (const Granted& each : granted) look_at(each, want, state);
     }
   }
 
 private:
-  /// The task that was pushed for, or one that is granted together with it, and what it takes and runs then.
-  struct Granted {
-    GroupId waits{}; ///< the one that was pushed for
-    GroupId task{};  ///< the same, or the other one
-    Takings takings;
-    RunsBelow below;
-  };
-
-  Granted grant(GroupId waits, GroupId task) const {
-    const Claims& claims = shared_.claims(task);
-    return {waits, task, Takings(model_, shared_.indispensable(), claims, task),
-            RunsBelow(shared_.branches(), claims, task)};
-  }
-
-  /// The task itself, and the other members of its units.
-  std::vector<Granted> grant_unit(GroupId task) const {
-    std::vector<Granted> out;
-    out.push_back(grant(task, task));
-    for (const Request& request : shared_.requests().of(task)) {
-      if (!request.requester || request.pack->name.empty() || !model_.is_always_member(*request.task)) continue;
-      for (const Task* member : unit_members(model_, *request.pack)) {
-        const bool known =
-            std::any_of(out.begin(), out.end(), [&](const Granted& each) { return each.task == member->target; });
-        if (!known && out.size() < most_members) out.push_back(grant(task, member->target));
-      }
-    }
-    return out;
-  }
-
   void look_at(const Granted& granted, const Want& want, StateId state) {
     for (const ProviderId causer : want.causers) {
       for (const GroupId stopped : stopping_[state]) {
@@ -165,7 +131,7 @@ private:
   /// Empty: the group continues, or is handed over, or it is not certain.
   std::optional<Taking> why_stopped(const Granted& granted, GroupId group, Search& search) const {
     if (granted.below.contains(group)) return std::nullopt;
-    if (granted.task != granted.waits && shared_.claims(granted.waits).contains(group)) return std::nullopt;
+    if (granted.is_other() && shared_.claims(granted.waits).contains(group)) return std::nullopt;
     // It is held only as a need then, and a group that is not requested stops.
     if (granted.takings.takes(group)) return granted.takings.way_to({group, {}});
     if (std::optional<Taking> out = why_needs_fail(granted.takings, group, search.causer)) return out;
@@ -228,13 +194,9 @@ private:
   void report(const Granted& granted, const Want& want, ProviderId causer, const StopValue& stop,
               const ValueSet& values, Taking how) {
     seen_.insert({stop.span, want.condition.span});
-    const std::string task =
-        name_of(model_, granted.task) +
-        (granted.task == granted.waits ? " is granted"
-                                       : fmt::format(" is granted together with {}", name_of(model_, granted.waits)));
     dsl::Diagnostic& finding =
         findings_.add(stop.span, fmt::format("{}, and it is stopped when {}, which waits for {}: the two go round",
-                                             stop.what, task, name_of(model_, want.condition.id)));
+                                             stop.what, is_granted(model_, granted), name_of(model_, want.condition.id)));
     add_taking(model_, want, causer, std::move(how), finding);
     finding.help = stay_help(model_, want, values);
   }

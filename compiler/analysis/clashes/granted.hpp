@@ -1,0 +1,32 @@
+#pragma once
+// SPDX-License-Identifier: MIT
+// Finds what is granted when the condition of a task has been caused: the task, and the other members of its unit.
+
+#include "compiler/analysis/causing/takings.hpp"
+#include "compiler/analysis/chains/runs_below.hpp"
+#include "compiler/analysis/input.hpp"
+
+#include <string>
+#include <vector>
+
+namespace director::analysis {
+
+/// A task, and what it takes and runs then.
+struct Granted {
+  GroupId waits{}; ///< the task that was pushed for
+  GroupId task{};  ///< the same, or one that is granted together with it
+  const Task* member = nullptr; ///< that other one, in the unit
+  Takings takings;
+  RunsBelow below;
+
+  bool is_other() const { return member != nullptr; }
+};
+
+/// First the task itself, then the members of its units in named packs. Of a flat list, it depends on the body which
+/// tasks are granted together.
+std::vector<Granted> granted_with(const Model& model, const Shared& shared, GroupId task);
+
+/// "`Kick` is granted", "`Look` is granted together with `Kick`"
+std::string is_granted(const Model& model, const Granted& granted);
+
+} // namespace director::analysis
