@@ -9,7 +9,7 @@ namespace director::defects {
 
 namespace {
 
-// self_defeating_handler, undone_by_stop, undone_by_fallback, undone_by_itself
+// self_defeating_handler, undone_by_stop, undone_by_fallback, undone_by_itself, undone_in_turn
 
 void start_shuts_itself_out(Robot& robot, bool defect) {
   const std::string grip = make_state(robot, "open", "closed");
@@ -94,6 +94,20 @@ void takes_over_what_it_pushed(Robot& robot, bool defect) {
   ask_for_both(robot, hand_over, make(robot, "{packs: {go: {$0: {}}}}", {move}));
 }
 
+void unsettle_each_other(Robot& robot, bool defect) {
+  const std::string base = make_state(robot, "rolling", "still"), arm = make_state(robot, "out", "folded");
+  const std::string pick = make(robot,
+                                defect ? "{when: [$0 == still], sets: [@$1 == out]}"
+                                       : "{when: [$0 == still], stay: [$0 == still|rolling], sets: [@$1 == out]}",
+                                {base, arm});
+  const std::string drive = make(robot, "{when: [$0 == folded], sets: [@$1 == rolling]}", {arm, base});
+  const auto causes = [&](const std::string& state, const std::string& value) {
+    return make(robot, "{providers: [{name: going}, {name: coming, causing: [$0 == $1]}]}", {state, value});
+  };
+  ask_for_both(robot, pick, causes(base, "still"));
+  ask_for_both(robot, drive, causes(arm, "folded"));
+}
+
 constexpr Planter of_undoing[]{
     {"self_defeating_handler", "start", start_shuts_itself_out},
     {"self_defeating_handler", "stop", stop_lets_itself_in},
@@ -103,6 +117,7 @@ constexpr Planter of_undoing[]{
     {"undone_by_itself", "the task", unsettles_itself},
     {"undone_by_itself", "a task below", unsettled_by_a_task},
     {"undone_by_itself", "the group that it pushed", takes_over_what_it_pushed},
+    {"undone_in_turn", "two tasks", unsettle_each_other},
 };
 
 } // namespace

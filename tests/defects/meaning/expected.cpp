@@ -44,6 +44,7 @@ const std::map<std::string, Kinds> by_check{
     {"undone_by_fallback", {"needs_added"}},
     {"undone_by_itself", {"condition_tightened"}},
     {"undone_by_stop", {"condition_tightened"}},
+    {"undone_in_turn", {"condition_tightened"}},
     {"unpushable_causing", {"push_lost"}},
     {"unreachable_case", {}},
     {"unreachable_causing", {"push_lost"}},

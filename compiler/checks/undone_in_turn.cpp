@@ -1,0 +1,146 @@
+// Header: compiler/checks/check.hpp. Test: compiler/checks/undone_in_turn.md.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/causing/takings.hpp"
+#include "compiler/analysis/causing/undoing.hpp"
+#include "compiler/analysis/conflicts/takers.hpp"
+#include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/states/region.hpp"
+#include "compiler/analysis/words/notes.hpp"
+#include "compiler/analysis/words/words.hpp"
+#include "compiler/checks/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace director::checks {
+
+namespace {
+
+/// A task whose provider waits for a condition by itself, and a state that the provider sets, or what it pushes.
+struct Undoer {
+  GroupId task{};
+  const Want* want = nullptr;
+  const ConditionUse* entry = nullptr;
+  std::optional<ProviderId> pushed; ///< this one sets it
+  bool promised = false;            ///< ... by causing it
+};
+
+class UndoneInTurn {
+public:
+  UndoneInTurn(const Input& input, Findings& findings)
+      : model_(input.model),
+        shared_(input.shared),
+        findings_(findings) {}
+
+  void run() {
+    for (const Wanting& wanting : shared_.wants()) {
+      for (const Want& want : wanting.wants) {
+        if (want.waiter != wanting.provider) continue;
+        add(wanting.task, want);
+      }
+    }
+    for (const auto& [states, all] : undoers_) {
+      const auto others = undoers_.find({states.second, states.first});
+      if (others == undoers_.end()) continue;
+      for (const Undoer& each : all) look_at(each, others->second);
+    }
+  }
+
+private:
+  void add(GroupId task, const Want& want) {
+    for (const ConditionUse& entry : model_.providers[want.waiter].sets) add({task, &want, &entry, {}, false});
+    for (const ProviderId causer : want.causers) {
+      const Provider& row = model_.providers[causer];
+      for (const ConditionUse& entry : row.sets) add({task, &want, &entry, causer, false});
+      for (const ConditionUse& entry : row.causing) add({task, &want, &entry, causer, true});
+    }
+  }
+
+  /// By the state that it waits for, and the one that it sets.
+  void add(const Undoer& one) {
+    undoers_[{state_of(one.want->condition), state_of(*one.entry)}].push_back(one);
+  }
+
+  StateId state_of(const ConditionUse& use) const { return model_.conditions[use.id].state; }
+
+  /// Reports the first one with which it goes round.
+  void look_at(const Undoer& one, const std::vector<Undoer>& others) {
+    for (const Undoer& other : others) {
+      if (!(one.task < other.task) || !may_run_together(one, other)) continue;
+      const std::optional<ProviderId> first = causer(one, other), second = causer(other, one);
+      if (!first || !second || model_.providers[*first].group == model_.providers[*second].group) continue;
+      const ValueSet of_one = undoing(other, one), of_other = undoing(one, other);
+      if (!of_one.empty() && !of_other.empty()) return report(one, *first, other, *second, of_one);
+    }
+  }
+
+  bool may_run_together(const Undoer& one, const Undoer& other) const {
+    const Provider &a = model_.providers[one.want->waiter], &b = model_.providers[other.want->waiter];
+    if (!compatible(region_of(model_, a.when), region_of(model_, b.when)) ||
+        !in_common(shared_.claims(one.task).groups(), shared_.claims(other.task).groups()).empty())
+      return false;
+    bool meet = false;
+    shared_.chains().visit(one.task, {other.task},
+                           [&](const Meeting& meeting, GroupId) { meet = meet || !meeting.one_unit(); });
+    return meet;
+  }
+
+  /// The values with which it ends the other one.
+  ValueSet undoing(const Undoer& by, const Undoer& of) const {
+    return undoing_values(model_, of.want->waiter, of.want->condition.id, model_.conditions[by.entry->id].accepts);
+  }
+
+  /// What causes the condition of the one while the other one runs: if it sets the state, what it pushes.
+  std::optional<ProviderId> causer(const Undoer& one, const Undoer& other) const {
+    const Takings takings(model_, shared_.indispensable(), shared_.claims(other.task), other.task);
+    for (const ProviderId id : one.want->causers) {
+      if (one.pushed && *one.pushed != id) continue;
+      if (!takings.takes(model_.providers[id].group) && takings.need_taken(id) == nullptr) return id;
+    }
+    return std::nullopt;
+  }
+
+  /// "`Pick` may set `Arm == out`"
+  std::string set_by(const Undoer& one) const {
+    const std::string waiter = name_of(model_, one.want->waiter);
+    return fmt::format("{} may {} {}",
+                       one.pushed ? fmt::format("{}, pushed for {},", name_of(model_, *one.pushed), waiter) : waiter,
+                       one.promised ? "cause" : "set", name_of(model_, one.entry->id));
+  }
+
+  void report(const Undoer& one, ProviderId ones_causer, const Undoer& other, ProviderId others_causer,
+              const ValueSet& ends_one) {
+    if (!seen_.insert({one.want->waiter, other.want->waiter}).second) return;
+    const std::string first = name_of(model_, one.want->waiter), second = name_of(model_, other.want->waiter);
+    dsl::Diagnostic& finding =
+        findings_.add(one.entry->span, fmt::format("{}, which ends {}, and {}, which ends {}: each has its condition "
+                                                   "caused again, and the two go round",
+                                                   set_by(one), second, set_by(other), first));
+    finding.notes.push_back({other.entry->span, set_by(other)});
+    finding.notes.push_back(runs_only_while(model_, other.want->waiter, other.want->condition));
+    finding.notes.push_back(causes(model_, others_causer, other.want->condition.id));
+    finding.notes.push_back(runs_only_while(model_, one.want->waiter, one.want->condition));
+    finding.notes.push_back(causes(model_, ones_causer, one.want->condition.id));
+    finding.help = fmt::format("let {} and {} need one group, so that one of them waits for the other; or {}", first,
+                               second, stay_help(model_, *one.want, ends_one));
+  }
+
+  const Model& model_;
+  const Shared& shared_;
+  Findings& findings_;
+  std::map<std::pair<StateId, StateId>, std::vector<Undoer>> undoers_;
+  std::set<std::pair<ProviderId, ProviderId>> seen_;
+};
+
+} // namespace
+
+void undone_in_turn(const Input& input, Findings& findings) { UndoneInTurn(input, findings).run(); }
+
+} // namespace director::checks
