@@ -37,6 +37,23 @@ Contradiction find_contradiction(const Model& model, const Impossible& fault) {
   return clash;
 }
 
+dsl::Diagnostic& report_empty(const Model& model, const ConditionUse& use, Findings& findings) {
+  const StateId id = model.conditions[use.id].state;
+  const State& state = model.states[id];
+  dsl::Diagnostic& finding =
+      findings.add(use.span, fmt::format("no value of {} satisfies {}", name_of(model, id), name_of(model, use.id)));
+  finding.notes.push_back({state.name.span, fmt::format("its values are {}", values_in_words(state, state.domain()))});
+  finding.help = "correct the value, or leave the condition out";
+  return finding;
+}
+
+/// Of what a provider or a handler causes or sets, what cannot be.
+void report_all_empty(const Model& model, const std::vector<ConditionUse>& uses, Findings& findings) {
+  for (const ConditionUse& use : uses) {
+    if (model.conditions[use.id].accepts.empty()) report_empty(model, use, findings);
+  }
+}
+
 } // namespace
 
 void contradictory_when(const Input& input, Findings& findings) {
@@ -47,12 +64,7 @@ void contradictory_when(const Input& input, Findings& findings) {
     const std::string last = name_of(model, clash.last.id);
     const std::string word = fault.stay ? "stay" : "when";
     if (clash.others.empty()) {
-      const State& state = model.states[fault.state];
-      dsl::Diagnostic& finding =
-          findings.add(clash.last.span, fmt::format("no value of {} satisfies {}", name_of(model, fault.state), last));
-      finding.notes.push_back(
-          {state.name.span, fmt::format("its values are {}", values_in_words(state, state.domain()))});
-      finding.help = "correct the value, or leave the condition out";
+      dsl::Diagnostic& finding = report_empty(model, clash.last, findings);
       if (!fault.stay) finding.rules_out = {clash.last.span};
       continue;
     }
@@ -73,6 +85,15 @@ void contradictory_when(const Input& input, Findings& findings) {
                                      model.conditions[clash.others[0].id].text,
                                      model.states[fault.state].value_text(model.conditions[clash.last.id].operands[0]))
                        : "leave one of them out, or make two providers of it";
+  }
+  for (const Provider& provider : model.providers) {
+    report_all_empty(model, provider.causing, findings);
+    report_all_empty(model, provider.sets, findings);
+  }
+  for (const Group& group : model.groups) {
+    for (const auto* handler : {&group.start, &group.stop}) {
+      if (*handler) report_all_empty(model, (*handler)->sets, findings);
+    }
   }
 }
 
