@@ -102,6 +102,7 @@ void extend(Resolver& r, const dsl::ExtendSpec& spec) {
     for (const dsl::ProviderSpec* provider : source.providers) known.push_back(provider->name.value);
     const auto at = std::find(known.begin(), known.end(), spec.before->value);
     place = static_cast<std::size_t>(at - known.begin());
+    const bool is_unknown = at == known.end() && r.is_provided_elsewhere(*id);
     const dsl::ProviderSpec* later = at == known.end() ? added_later(r, spec.group.value, spec.before->value) : nullptr;
     if (later != nullptr && later->name.span.file != spec.span.file) {
       r.error("undefined_name", spec.before->span,
@@ -109,7 +110,7 @@ void extend(Resolver& r, const dsl::ExtendSpec& spec) {
                           spec.before->value),
               "list that file before this one in `imports`, or import it here")
           .notes.push_back({later->name.span, "added here"});
-    } else if (at == known.end()) {
+    } else if (at == known.end() && !is_unknown) {
       Diagnostic& finding =
           r.error("undefined_name", spec.before->span,
                   fmt::format("`{}` has no provider called `{}`", spec.group.value, spec.before->value),

@@ -28,10 +28,14 @@ void drop_repeated(std::vector<T>& uses) {
   uses = std::move(out);
 }
 
-/// Whether `Walk.halting.broken` names a promise with a time limit; returns the provider as it is written.
+/// Whether `Walk.halting.broken` names a promise with a time limit, or may do so: of a group that others provide.
 bool is_promise(const Resolver& r, const std::string& name) {
-  const auto group = r.groups.find(name.substr(0, name.find('.')));
+  const std::size_t first = name.find('.'), last = name.rfind('.');
+  const auto group = r.groups.find(name.substr(0, first));
   if (group == r.groups.end()) return false;
+  if (r.is_provided_elsewhere(group->second) && first < last && name.substr(last) == ".broken" &&
+      name.find('.', first + 1) == last && last > first + 1)
+    return true;
   const auto& providers = r.group_sources[group->second].providers;
   return std::any_of(providers.begin(), providers.end(), [&](const dsl::ProviderSpec* provider) {
     const bool in_time = std::any_of(provider->causing.begin(), provider->causing.end(),

@@ -52,6 +52,9 @@ struct Resolver {
   };
   std::map<std::string, Declared, std::less<>> cpp_names{}; ///< by capitalised name
 
+  /// Whether the file that imports this one provides the group: nobody knows its providers yet.
+  bool is_provided_elsewhere(GroupId group) const { return !model.deployment && group_sources[group].spec == nullptr; }
+
   /// `help`: what to do.
   Diagnostic& find(std::string_view id, dsl::Level level, Span span, std::string message, std::string help) {
     findings.push_back({std::string(id), level, span, std::move(message), {}, std::move(help)});

@@ -56,6 +56,24 @@ TEST_CASE("a level cannot be called like the group that it requests") {
         "main.yaml:3: the level `Walk` is called like the group that it requests [redefined_name]\n");
 }
 
+TEST_CASE("nobody knows the providers of an extern group until a deployment has them") {
+  const std::string sensor = tests::beginning("sensor") +
+                             "extern: [Walk]\ngroups: {A: {triggers: [Walk.halting.broken], tasks: [Walk]}}\n"
+                             "extend: {Walk: {before: halting, providers: [{name: limping}]}}\n";
+  CHECK(tests::check_files({{"main.yaml", sensor}}).findings() == "");
+  const std::string robot = tests::beginning("robot") + "imports: [sensor.yaml]\nroots: [A]\n";
+  const auto walk = [](const std::string& provider) {
+    return "states: {S: {values: [a, b], initial: a}}\ngroups: {Walk: {providers: [" + provider + "]}}\n";
+  };
+  const std::map<std::string, std::string> whole{{"main.yaml", robot + walk("{name: halting, causing: [S == b within 1 s]}")},
+                           {"sensor.yaml", sensor}};
+  CHECK(tests::check_files(whole).findings().find("undefined_name") == std::string::npos);
+  const std::map<std::string, std::string> without{{"main.yaml", robot + walk("{name: stopping}")}, {"sensor.yaml", sensor}};
+  const std::string said = tests::check_files(without).findings();
+  CHECK(said.find("there is no promise `Walk.halting.broken`") != std::string::npos);
+  CHECK(said.find("`Walk` has no provider called `halting`") != std::string::npos);
+}
+
 TEST_CASE("an extern that two files name is reported in both") {
   const auto text =
       tests::check_files({{"main.yaml", tests::beginning("robot") + "imports: [a.yaml]\nextern: [Say]\nroots: [A]\n"},
