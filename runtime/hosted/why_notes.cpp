@@ -15,8 +15,8 @@ namespace {
 
 using About = WhyNote::About;
 
-/// Limit for the preferred providers with a note each.
-constexpr std::size_t most_preferred = 8;
+/// Limit for the providers with a note each.
+constexpr std::size_t most_providers = 8;
 
 class Noting {
 public:
@@ -87,6 +87,17 @@ private:
     for (const Index row : all) causer(row, because, pushed == all.end() ? nil : *pushed);
     if (t_.states[state].external) add("the outside may set " + name, About::state, state);
     if (because.provider != nil) others(because);
+    if (because.provider != nil) other_ways(because);
+  }
+
+  /// Why the group does not run in another provider than the one whose condition it waits for.
+  void other_ways(const Because& because) {
+    std::size_t count = 0;
+    for (const Index each : t_.groups[because.group].providers.rows()) {
+      const std::string reason = each == because.provider ? "" : hindrance(each, because.member);
+      if (reason.empty() || ++count > most_providers) continue;
+      add(provider(each) + " would do too, but " + reason, About::provider, each);
+    }
   }
 
   /// Why the group does not run in a provider that is preferred to the active one.
@@ -98,7 +109,7 @@ private:
       return;
     }
     std::size_t count = 0;
-    for (Index each = t_.groups[because.asked].providers.begin; each != row.active && count < most_preferred; ++each) {
+    for (Index each = t_.groups[because.asked].providers.begin; each != row.active && count < most_providers; ++each) {
       const std::string reason = hindrance(each, because.edge);
       if (reason.empty()) continue;
       add(provider(each) + " is preferred, but " + reason, About::provider, each);

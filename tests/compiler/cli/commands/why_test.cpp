@@ -207,6 +207,33 @@ groups:
                      "  Walk.halting is pushed for root>Kick (walk.yaml:14)\n");
 }
 
+TEST_CASE("why a group that waits for a condition of one provider does not run in another one") {
+  World world;
+  world.files.add("play.yaml", R"(behaviour: play
+language: 1
+states:
+  Ball: {values: [far, near], initial: far, external: true}
+  Light: {values: [red, green], initial: red, external: true}
+roots: {Play: {priority: 20}, Dance: {priority: 30}}
+groups:
+  Play:
+    providers:
+      - {name: shooting, when: [Ball == near]}
+      - {name: searching, when: [Light == green], needs: [Head]}
+  Dance: {needs: [Head], tasks: [Head]}
+  Head: {}
+)");
+  world.files.add("s.yaml", "behaviour: play.yaml\nsteps: [{request: [Dance, Play]}, {set: {Light: green}}]\n");
+  const std::string head = "Play waits (root>Play): until Ball == near, which no enabled provider promises\n"
+                           "  Ball is far (play.yaml:10)\n"
+                           "  the outside may set Ball (play.yaml:4)\n";
+  CHECK(world.directorc({"why", "s.yaml", "Play", "--step=1"}) == 0);
+  CHECK(world.out ==
+        head + "  Play.searching would do too, but Light == green is false: Light is red (play.yaml:11)\n");
+  CHECK(world.directorc({"why", "s.yaml", "Play", "--step=2"}) == 0);
+  CHECK(world.out == head + "  Play.searching would do too, but Head is held by Dance>Head (play.yaml:11)\n");
+}
+
 TEST_CASE("why a group waits: a push that stands keeps others from being pushed, also while its provider cannot run") {
   World world;
   world.files.add("lift.yaml", R"(behaviour: lift
