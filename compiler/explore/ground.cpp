@@ -78,7 +78,8 @@ public:
     leave_out("a request that is kept beside one that is new");
     leave_out("providers that are disabled, steps whose budget runs out, bodies that throw");
     leave_out("two timers that are due at the same microsecond");
-    leave_out("cycles in which a body answers otherwise than with its first pack or all its tasks, such as with done");
+    leave_out("cycles in which a body sets a state of its `sets`, or answers otherwise than with its first pack or all "
+              "its tasks");
   }
 
 private:

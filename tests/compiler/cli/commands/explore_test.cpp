@@ -35,8 +35,8 @@ TEST_CASE("a cycle that only other answers than the first ones lead into is list
   CHECK(world.directorc({"explore", "b.yaml"}) == 0); // Camera may say done each time, and be requested again
   CHECK(world.out.find("Never at rest") == std::string::npos);
   CHECK(world.out.find(
-            "\n  - cycles in which a body answers otherwise than with its first pack or all its tasks, such as "
-            "with done\n") != std::string::npos);
+            "\n  - cycles in which a body sets a state of its `sets`, or answers otherwise than with its first pack or all "
+            "its tasks\n") != std::string::npos);
 }
 
 TEST_CASE("a cycle in which the engine never comes to rest is an error, also of check, unless it takes time to keep a "
