@@ -165,12 +165,22 @@ fault("4.3" "units that may need a group with another claim are decided again"
     if (user != group && PLANTED) continue;]=])
 fault("4.4" "so are units that searched for a provider to push"
   arbitration/trail.cpp
-  [=[const bool searches = (bits & trail::waits) != 0 && x.disturbed;]=]
-  [=[const bool searches = (bits & trail::waits) != 0 && x.disturbed && !PLANTED;]=])
+  [=[const bool searches = bits.has(trail::waits) && x.disturbed;]=]
+  [=[const bool searches = bits.has(trail::waits) && x.disturbed && !PLANTED;]=])
+fault("4.4" "a unit that still waits may find another chain of pushes"
+  arbitration/push.cpp
+  [=[if (!x.s.edge_marks[edge].has(mark::alone)) return false;]=]
+  [=[if (PLANTED) return true;
+  if (!x.s.edge_marks[edge].has(mark::alone)) return false;]=])
+fault("4.3" "a unit that is blocked may find a need free"
+  arbitration/plans.cpp
+  [=[bool needs_claimed(const Context& x, Index group) {]=]
+  [=[bool needs_claimed(const Context& x, Index group) {
+  if (PLANTED) return true;]=])
 fault("4.4" "so are requests in line for a group that is free now"
   arbitration/trail.cpp
-  [=[(bits & trail::in_line) != 0 && !taken(x, edge);]=]
-  [=[(bits & trail::in_line) != 0 && !taken(x, edge) && !PLANTED;]=]
+  [=[(bits.has(trail::in_line) && !taken(x, edge));]=]
+  [=[(bits.has(trail::in_line) && !taken(x, edge) && !PLANTED);]=]
   arbitration/reach.cpp
   [=[if (line.first >= end || holder_now(x, line.group) != nil) continue;]=]
   [=[if (line.first >= end || holder_now(x, line.group) != nil || PLANTED) continue;]=])
@@ -204,8 +214,8 @@ fault("4.4" "groups below a group that is stale no longer are reached"
   [=[x.s.last[x.t.edges[e].target].holder == e && !PLANTED)]=])
 fault("4.4" "units that wait for a stale group or a push are always examined"
   arbitration/trail.cpp
-  [=[return is_marked_stale(x, group) || is_always_opened(x, group);]=]
-  [=[return !PLANTED && (is_marked_stale(x, group) || is_always_opened(x, group));]=])
+  [=[if (again && now.holder != nil) bits |= trail::again;]=]
+  [=[if (again && now.holder != nil && !PLANTED) bits |= trail::again;]=])
 fault("5" "a group that starts has a handler and a period"
   engine/handlers.cpp
   [=[if (last.active == now.active) return;]=]

@@ -35,13 +35,12 @@ void sweep_optional(Context& x, Index root) {
     const Index first = x.postponed == 0 ? nil : waiting(x, static_cast<Index>(x.postponed - 1));
     if (root == nil && first == nil) return;
     if (root != nil && (first == nil || goes_first(x, root, first))) {
-      visit_root(x, root);
+      walk_from_root(x, root);
       root = x.s.next_root[root];
     } else {
       --x.postponed;
-      visit(x, first, x.s.edge_marks[first]);
+      walk_from(x, first);
     }
-    walk_on(x);
   }
 }
 

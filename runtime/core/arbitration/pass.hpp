@@ -33,9 +33,9 @@ void forget_trail(Context& x);
 
 void sweep(Context& x);
 void sweep_below(Context& x, Index group);
-void visit(Context& x, Index edge, std::uint8_t marks);
-void visit_root(Context& x, Index edge);
-void walk_on(Context& x);
+void walk(Context& x);
+void walk_from(Context& x, Index edge);
+void walk_from_root(Context& x, Index edge);
 DIRECTOR_PART void add_candidates(Context& x, Index group);
 DIRECTOR_PART void try_unit(Context& x, Index edge, bool below_stale);
 DIRECTOR_PART void postpone(Context& x, Index edge);

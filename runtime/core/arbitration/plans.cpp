@@ -128,6 +128,13 @@ bool find_plan(Context& x, Index at, bool first, bool as_it_is, bool with_condit
   return false;
 }
 
+/// Whether other edges have claimed a need of each provider of the group that is enabled.
+bool needs_claimed(const Context& x, Index group) {
+  return !any(x.t.groups[group].providers.rows(), [&](Index p) {
+    return x.s.enabled[p] != 0 && !any(x.t.list(x.t.providers[p].needs), [&](Index need) { return taken(x, need); });
+  });
+}
+
 /// As plan_for, and claims every group of the plan as needed. One that is not granted gets its own part of the plan.
 void claim_plan(Context& x, Index owner, Index provider, Index begin, Index end) {
   plan_for(x, owner, provider, begin, end);

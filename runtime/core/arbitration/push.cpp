@@ -211,6 +211,17 @@ void keep_last_pushes(Context& x, Index count) {
   }
 }
 
+/// Whether a unit of one edge, which pushed nothing, finds no chain for the first condition that it waits for. Then it
+/// still pushes nothing, whatever else it waits for.
+bool finds_no_push(Context& x, Index edge) {
+  if (!x.s.edge_marks[edge].has(mark::alone)) return false;
+  const std::uint64_t before = x.work;
+  Push push;
+  if (!find_chain(x, x.s.queued[edge].condition, edge, push)) return true;
+  x.work = before; // the unit is decided, and searches again
+  return false;
+}
+
 /// Keeps the pushes that the unit made before, and makes new ones if every condition is served.
 void push_for(Context& x, Index count, Index unmet) {
   const auto theirs = [&](Index g) -> const Push& { return x.s.now[g].push; }; // made by units before this one

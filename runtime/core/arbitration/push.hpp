@@ -9,6 +9,7 @@ namespace director::arbitration {
 DIRECTOR_PART void keep_own_pushes(Context& x, Index count);
 DIRECTOR_PART void keep_last_pushes(Context& x, Index count);
 DIRECTOR_PART void list_push(Context& x, Index group);
+DIRECTOR_PART bool finds_no_push(Context& x, Index edge);
 DIRECTOR_PART void push_for(Context& x, Index count, Index unmet);
 DIRECTOR_PART void finish_pushes(Context& x);
 DIRECTOR_PART void mark_pushers(Context& x);

@@ -27,15 +27,17 @@ void compare_claims(Context& x, Index edge) {
     for (Index i = 0; i < end; ++i) compare_claim(x, x.s.entry[i].group);
   };
   if (ran) compare_plan(x.s.last);
-  if (runs) compare_plan(x.s.now);
+  const bool same = ran && now.planned == x.s.last[group].planned && x.t.groups[group].slots.empty();
+  if (runs && !same) compare_plan(x.s.now);
 }
 
-/// Calls take(edge) for the units whose decision may depend on the group. A group that is not held requests nothing,
-/// and when it becomes held, all its requests are decided anyway.
-template <class Take>
-void each_user_edge(Context& x, Index group, Take&& take) {
+/// Calls take(edge) for the units whose decision may depend on the group, if is(bits of its trail). A group that is not
+/// held requests nothing, and when it becomes held, all its requests are decided anyway.
+template <class Is, class Take>
+void each_user_edge(Context& x, Index group, const Is& is, const Take& take) {
   for (const Index user : x.t.list(x.t.groups[group].users)) {
     for (const Index e : x.t.list(x.t.groups[user].requesters)) {
+      if (!is(x.s.edge_trail[e])) continue;
       const Index from = x.t.edges[e].requester;
       if (x.s.request[e].level != nil && (from == nil || x.s.last[from].holder != nil)) take(e);
     }
@@ -165,10 +167,8 @@ void reach_by_request(Context& x, Index edge, bool with_siblings) {
 /// Reaches the units that depend on the last assignment of the group, which the last pass changed.
 void reach_by_last_result(Context& x, Index group) {
   x.disturbed = true;
-  each_user_edge(x, group, [&](Index e) {
-    if (is_in_line(x, e)) return;
-    if (x.s.edge_trail[e].has(trail::on_last)) reach_edge(x, e);
-  });
+  const auto depends = [](std::uint8_t bits) { return (bits & (trail::on_last | trail::in_line)) == trail::on_last; };
+  each_user_edge(x, group, depends, [&](Index e) { reach_edge(x, e); });
 }
 
 void reach_users(Context& x, Index group) {
@@ -178,7 +178,8 @@ void reach_users(Context& x, Index group) {
   open(x, group);
   bool line = false;
   const bool has_room = x.line_count < x.waiting_lines.size();
-  each_user_edge(x, group, [&](Index e) { // a request in line depends on its target alone
+  const auto is_new = [](std::uint8_t bits) { return (bits & trail::reached) == 0; };
+  each_user_edge(x, group, is_new, [&](Index e) { // a request in line depends on its target alone
     const bool is_target = x.t.edges[e].target == group;
     if (!is_in_line(x, e) || (is_target && !has_room)) return reach_edge(x, e);
     line = line || is_target;

@@ -27,9 +27,10 @@ bool waived(const Context& x, Index provider, Index condition, Index edge) {
 /// Whether `is` holds for one of the conditions that prevent the provider from running for an edge.
 template <class Is>
 bool any_false(const Context& x, Index provider, Index edge, const Is& is) {
-  return !stays(x, provider) && any(x.t.list(x.t.providers[provider].when), [&](Index condition) {
-    return !holds(x, condition) && !waived(x, provider, condition, edge) && is(condition);
-  });
+  return (x.t.providers[provider].stay.empty() || !stays(x, provider)) &&
+         any(x.t.list(x.t.providers[provider].when), [&](Index condition) {
+           return !holds(x, condition) && !waived(x, provider, condition, edge) && is(condition);
+         });
 }
 
 /// Collects the false conditions of the current combination, member by member: its provider's, then its plan's.

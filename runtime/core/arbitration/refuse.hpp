@@ -12,7 +12,7 @@ DIRECTOR_PART Index find_false(const Context& x, Index provider, Index edge);
 
 /// The first condition that prevents the provider from running for an edge, or nil.
 inline Index first_false(const Context& x, Index provider, Index edge) {
-  return x.t.conditions.empty() ? nil : find_false(x, provider, edge);
+  return x.t.providers[provider].when.empty() ? nil : find_false(x, provider, edge);
 }
 
 } // namespace director::arbitration

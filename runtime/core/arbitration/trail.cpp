@@ -24,10 +24,33 @@ bool any_edge(const Context& x, Index group, const Is& is) {
 /// Whether the edge is decided in every pass, or, as it searched for a provider to push, as soon as anything differs.
 bool is_decided_again(const Context& x, Index edge) { return x.s.edge_trail[edge].has(trail::on_stale | trail::waits); }
 
-/// Whether the pass has to open the group, whatever differs: an edge is decided again, or is optional and so ordered
-/// elsewhere.
+/// Whether the pass has to open the requester, whatever differs: the edge is decided again, or is optional and so
+/// ordered elsewhere.
+bool opens_always(const Context& x, Index edge) { return is_decided_again(x, edge) || optional(x, edge); }
+
 bool is_always_opened(const Context& x, Index group) {
-  return any_edge(x, group, [&](Index e) { return is_decided_again(x, e) || optional(x, e); });
+  return any_edge(x, group, [&](Index e) { return opens_always(x, e); });
+}
+
+/// Whether something may differ on which the last decision about the edge depends.
+DIRECTOR_INLINE bool is_affected(const Context& x, Index edge) {
+  const Bits bits = x.s.edge_trail[edge];
+  if (bits.has(trail::reached | trail::on_stale)) return true;
+  const bool searches = bits.has(trail::waits) && x.disturbed;
+  return searches || (bits.has(trail::in_line) && !taken(x, edge));
+}
+
+/// Whether an affected edge is refused again for the reason of the last pass: its target is claimed, or a need of each
+/// provider is, or there is no chain of pushes for the condition that it waits for.
+[[gnu::noinline]] bool has_same_reason(Context& x, Index edge) {
+  if (x.s.edge_marks[edge].has(mark::pushes)) return false;
+  const Bits bits = x.s.edge_trail[edge];
+  const bool again = bits.has(trail::reached)
+                         ? x.s.queued[edge].why == Why::blocked &&
+                               (taken(x, edge) || (!bits.has(trail::in_line) && needs_claimed(x, target(x, edge))))
+                         : bits.has(trail::waits) && finds_no_push(x, edge);
+  if (again) ++x.work;
+  return again;
 }
 
 /// Whether the pass follows only from a change of the assignment by the last one, on which no decision depends.
@@ -47,21 +70,10 @@ bool is_settled(const Context& x) {
   return true;
 }
 
-/// Whether the next pass may have to open the group.
-bool may_be_opened_next(const Context& x, Index group) {
-  return is_marked_stale(x, group) || is_always_opened(x, group);
-}
-
-/// Clears the marks of edges that the walk may have visited, and of groups that it may have passed by.
-void clear_marks(Context& x) {
-  const auto clear_edge = [&](Index e) {
-    x.s.edge_marks[e] = 0;
-    x.s.group_trail[x.t.edges[e].target].remove(trail::passed);
-  };
-  for (Index e = x.s.first_root[x.component]; e != x.rest; e = x.s.next_root[e]) clear_edge(e);
-  for (const Index g : opened(x)) {
-    for (const Index e : x.t.groups[g].edges.rows()) clear_edge(e);
-  }
+/// Clears the marks of an edge that the walk may have visited, and of its target, which it may have passed by.
+inline void clear_marks(Context& x, Index edge) {
+  x.s.edge_marks[edge] = 0;
+  x.s.group_trail[x.t.edges[edge].target].remove(trail::passed);
 }
 
 /// Copies `count` groups of the last order, from this place on, to the new one.
@@ -170,7 +182,7 @@ void end_trail(Context& x) {
   for (const Index g : pushed_groups(x)) {
     if (x.s.now[g].push.edge != nil) x.s.pushed[x.row.order + pushed++] = g;
   }
-  clear_marks(x);
+  for (Index e = x.s.first_root[x.component]; e != x.rest; e = x.s.next_root[e]) clear_marks(x, e);
   for (Index at = x.limbo_begin; at < x.placed; ++at) x.s.group_trail[x.s.next_order[x.row.order + at]] |= trail::again;
   // A pass over the whole component does not note places that move.
   const bool any_moved = x.whole && any(opened(x), [&](Index g) { return x.s.group_marks[g].has(mark::differs); });
@@ -178,10 +190,14 @@ void end_trail(Context& x) {
     const GroupAssignment& now = x.s.now[g];
     Bits& bits = x.s.group_trail[g];
     if (any_moved || x.s.group_marks[g].has(mark::forgotten)) bits |= trail::disturbed; // its last holder counts again
-    if (now.holder != nil && may_be_opened_next(x, g)) bits |= trail::again;
-    if (now.holder == nil && x.s.last[g].holder != nil && !x.whole) {
-      for (const Index e : x.t.groups[g].edges.rows()) leave_unvisited(x, e);
+    bool again = is_marked_stale(x, g);
+    const bool loses = now.holder == nil && x.s.last[g].holder != nil && !x.whole;
+    for (const Index e : x.t.groups[g].edges.rows()) {
+      clear_marks(x, e);
+      again = again || opens_always(x, e);
+      if (loses) x.s.queued[e] = Queued{};
     }
+    if (again && now.holder != nil) bits |= trail::again;
     if ((bits & (trail::disturbed | trail::again)) != 0) x.s.news[x.row.order + news++] = g;
     bits.remove(trail::opened | trail::moved);
     x.s.group_marks[g] &= mark::differs | mark::stale;
@@ -195,13 +211,8 @@ void pass_by(Context& x, Index group) {
   copy_order(x, x.s.place[group], x.s.extent[group]);
 }
 
-/// Whether an edge that searched for pushes, or whose target was claimed, need not be decided again.
-bool keeps_waiting(const Context& x, Index edge) {
-  const std::uint8_t bits = x.s.edge_trail[edge];
-  const bool searches = (bits & trail::waits) != 0 && x.disturbed;
-  const bool is_free = (bits & trail::in_line) != 0 && !taken(x, edge);
-  return !searches && !is_free;
-}
+/// Whether the decision about an edge that was reached, searched for a provider to push, or is in line, remains.
+bool is_refused_again(Context& x, Index edge) { return !is_affected(x, edge) || has_same_reason(x, edge); }
 
 /// Copies the rest of the order if nothing below this edge of root and those behind it was opened or reached.
 bool copy_unchanged_rest(Context& x, Index root) {
@@ -218,7 +229,7 @@ bool copy_unchanged_rest(Context& x, Index root) {
     if (x.s.request[e].level == nil) continue;
     const Index group = x.t.edges[e].target;
     const bool was_held = x.s.last[group].holder == e;
-    const bool affected = !stands(x, e) || (was_held && x.s.place[group] < x.opened_end);
+    const bool affected = is_affected(x, e) || (was_held && x.s.place[group] < x.opened_end);
     if (affected) {
       x.undecided = e;
       return false;

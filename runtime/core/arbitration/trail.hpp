@@ -14,7 +14,7 @@ namespace director::arbitration {
 DIRECTOR_PART void begin_trail(Context& x);
 DIRECTOR_PART void end_trail(Context& x);
 DIRECTOR_PART void open_with_above(Context& x, Index group);
-DIRECTOR_PART bool keeps_waiting(const Context& x, Index edge);
+DIRECTOR_PART bool is_refused_again(Context& x, Index edge);
 DIRECTOR_PART void claim_again(Context& x, Index edge);
 DIRECTOR_PART void pass_by(Context& x, Index group);
 DIRECTOR_PART void close_extents(Context& x, Index group);
@@ -37,12 +37,12 @@ DIRECTOR_ONE_COPY inline void clear(Context& x, Index group) {
 inline bool is_followed(const Context& x, const Component& row) { return row.groups.size() > x.most_decided_whole; }
 inline bool is_followed(const Context& x) { return is_followed(x, x.row); }
 
-/// Whether the last decision about the edge remains: nothing that it depends on differs.
-inline bool stands(const Context& x, Index edge) {
+/// Whether the last decision about the edge remains: nothing that it depends on differs, or it is refused again.
+inline bool stands(Context& x, Index edge) {
   if (x.whole) return false;
   const std::uint8_t bits = x.s.edge_trail[edge];
-  if ((bits & (trail::reached | trail::on_stale)) != 0) return false;
-  return (bits & (trail::waits | trail::in_line)) == 0 || keeps_waiting(x, edge);
+  if ((bits & trail::on_stale) != 0) return false;
+  return (bits & (trail::reached | trail::waits | trail::in_line)) == 0 || is_refused_again(x, edge);
 }
 
 /// The groups that the pass has opened; all others keep their last assignment.

@@ -65,7 +65,7 @@ void add_candidates(Context& x, Index group) {
   if (together == 1) x.s.edge_marks[member] |= mark::alone;
   if (stale_matters && is_stale && source != nil) x.s.run_queue[source].stale_matters = 1;
   heap_sort({x.s.candidate + base, static_cast<std::size_t>(x.ahead - base)}, [&](Index a, Index b) {
-    return compare_siblings(x, {b, false}, {a, false}, true) < 0;
+    return compare_siblings(x, {b, false}, {a, false}, true) < 0; // the next edge is the last one
   });
 }
 

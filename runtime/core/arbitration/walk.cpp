@@ -29,10 +29,9 @@ inline void place(Context& x, Index group) {
   if (!x.t.groups[group].edges.empty()) add_candidates(x, group);
 }
 
-} // namespace
-
-void visit(Context& x, Index edge, std::uint8_t marks) {
+DIRECTOR_INLINE void visit(Context& x, Index edge) {
   const Index group = x.t.edges[edge].target;
+  const std::uint8_t marks = x.s.edge_marks[edge];
   if ((marks & mark::tried) == 0 && x.s.request[edge].level != nil) {
     if ((marks & mark::alone) == 0) {
       try_unit(x, edge, (marks & mark::below_stale) != 0);
@@ -62,15 +61,21 @@ void visit(Context& x, Index edge, std::uint8_t marks) {
   if (x.s.now[group].holder == edge && is_opened(x, group)) place(x, group);
 }
 
-void walk_on(Context& x) {
-  while (x.ahead != 0) {
-    const Index edge = x.s.candidate[--x.ahead];
-    visit(x, edge, x.s.edge_marks[edge]);
-  }
+} // namespace
+
+/// Visits the candidates on the stack, and those that they add.
+void walk(Context& x) {
+  while (x.ahead != 0) visit(x, x.s.candidate[--x.ahead]);
 }
 
-void visit_root(Context& x, Index edge) {
-  visit(x, edge, static_cast<std::uint8_t>(x.s.edge_marks[edge] | mark::alone));
+void walk_from(Context& x, Index edge) {
+  x.s.candidate[x.ahead++] = edge;
+  walk(x);
+}
+
+void walk_from_root(Context& x, Index edge) {
+  x.s.edge_marks[edge] |= mark::alone;
+  walk_from(x, edge);
 }
 
 /// Tries candidates in order until none is left, and puts the claimed groups into the new order. Below a mandatory edge
@@ -80,9 +85,8 @@ void sweep(Context& x) {
   for (; root != nil && !optional(x, root); root = x.s.next_root[root]) {
     if (x.s.request[root].level == nil) continue;
     if (!x.whole && x.undecided == nil && copy_unchanged_rest(x, root)) return;
-    visit_root(x, root);
+    walk_from_root(x, root);
     if (x.undecided == root) x.undecided = nil;
-    walk_on(x);
   }
   if (root != nil || x.postponed != 0) sweep_optional(x, root);
 }
@@ -90,7 +94,7 @@ void sweep(Context& x) {
 /// Tries the candidates below a group in limbo, after all others.
 void sweep_below(Context& x, Index group) {
   place(x, group);
-  walk_on(x);
+  walk(x);
   if (x.postponed != 0) sweep_optional(x, nil);
 }
 
