@@ -43,11 +43,9 @@ fault("4.2" "a denial counts for every choice, also if there is another one"
     if (x.whole) {]=])
 fault("4.3" "all plans are tried, in order"
   arbitration/plans.cpp
-  [=[} else {
-    if (!change_last(x, begin, end, by_declaration)) return false;]=]
-  [=[} else {
-    if (PLANTED) drop_entries(x, begin, end), end = begin;
-    if (!change_last(x, begin, end, by_declaration)) return false;]=])
+  [=[if (!fresh && !change_last(]=]
+  [=[if (PLANTED && !fresh) drop_entries(x, begin, end), end = begin;
+  if (!fresh && !change_last(]=])
 fault("4.3" "a provider that is not enabled is no choice"
   arbitration/choices.cpp
   [=[if (x.s.enabled[member.provider] == 0) continue;]=]
@@ -101,8 +99,8 @@ fault("4.4" "a group that a stale group may still request is kept in limbo"
   if (PLANTED) return;]=])
 fault("4.4" "a push on a group that nothing requests is dropped"
   arbitration/push.cpp
-  [=[if (is_requested(x, g)) continue;]=]
-  [=[if (is_requested(x, g) || PLANTED) continue;]=])
+  [=[is_requested)) continue;]=]
+  [=[is_requested) || PLANTED) continue;]=])
 fault("5" "what a stopped group requested is withdrawn"
   engine/act.cpp
   [=[if (x_.s.request[e].level == nil) continue;]=]

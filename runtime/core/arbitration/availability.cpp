@@ -13,16 +13,14 @@ namespace {
 
 /// Whether the edge is requested, or needed in the last pass, and so is each edge of its chain up to root.
 bool alive(const Context& x, Index edge) {
-  for (;;) {
-    if (is_limbo(x, edge)) return false;
-    const Index group = target(x, edge);
-    const bool needed = x.s.last[group].holder == edge && x.s.last[group].needed();
-    if (!requested(x, edge) && !needed) return false;
+  while (!is_limbo(x, edge)) { // nor nil
+    const GroupAssignment& last = x.s.last[target(x, edge)];
+    if (!requested(x, edge) && !(last.holder == edge && last.needed())) return false;
     const Index from = requester(x, edge);
     if (from == nil) return true;
     edge = x.s.last[from].holder;
-    if (edge == nil) return false;
   }
+  return false;
 }
 
 } // namespace

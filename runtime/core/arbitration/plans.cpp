@@ -92,11 +92,8 @@ void plan_for(Context& x, Index owner, Index provider, Index begin, Index end) {
 /// Finds the first plan (`fresh`) or the next one of a provider whose group is marked in `trial`, as entries [begin,
 /// end). An entry is added for each need that is still open, depth first; a group cannot be held for two needs.
 bool search_plan(Context& x, Index provider, Index begin, Index& end, bool fresh, bool by_declaration) {
-  if (fresh) {
-    end = begin;
-  } else {
-    if (!change_last(x, begin, end, by_declaration)) return false;
-  }
+  if (fresh) end = begin;
+  if (!fresh && !change_last(x, begin, end, by_declaration)) return false;
   while (next_need(x, provider, begin, end)) {
     PlanEntry& added = x.s.entry[end];
     if (x.s.trial[added.group] == nil && !taken(x, added.need)) {

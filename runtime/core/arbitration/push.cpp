@@ -166,14 +166,6 @@ bool find_chain(Context& x, Index condition, Index member, Push& out) {
   return found;
 }
 
-/// Whether root or a live group requests the group.
-bool is_requested(const Context& x, Index group) {
-  return any(x.t.list(x.t.groups[group].requesters), [&](Index edge) {
-    const Index from = x.t.edges[edge].requester;
-    return requested(x, edge) && (from == nil || x.s.now[from].active != nil);
-  });
-}
-
 } // namespace
 
 /// As preferred(), for a group with a push.
@@ -268,12 +260,16 @@ void push_for(Context& x, Index count, Index unmet) {
 }
 
 void finish_pushes(Context& x) {
+  const auto is_requested = [&](Index edge) { // by root or a live group
+    const Index from = x.t.edges[edge].requester;
+    return requested(x, edge) && (from == nil || x.s.now[from].active != nil);
+  };
   for (const Index g : pushed_groups(x)) {
     Push& push = x.s.now[g].push;
     if (push.edge == nil) continue;
     x.depends_on_last = true;
     if (x.s.now[g].holder == nil) {
-      if (is_requested(x, g)) continue;
+      if (any(x.t.list(x.t.groups[g].requesters), is_requested)) continue;
       x.s.edge_trail[push.edge] |= trail::on_stale; // the unit that may make it again has to be decided again
       push = Push{};
       continue;

@@ -59,16 +59,6 @@ void reach_unit(Context& x, Index requester) {
 
 bool is_in_line(const Context& x, Index edge) { return x.s.edge_trail[edge].has(trail::in_line); }
 
-/// Calls take(edge, place of its requester in the last order) for requests in line whose requesters are not opened.
-template <class Take>
-void each_in_line(Context& x, Index group, Take&& take) {
-  for (const Index e : x.t.list(x.t.groups[group].requesters)) {
-    const Index from = x.t.edges[e].requester;
-    if (is_in_line(x, e) && from != nil && x.s.last[from].holder != nil && !is_opened(x, from))
-      take(e, x.s.place[from]);
-  }
-}
-
 } // namespace
 
 /// Called before the walk passes by this group: if a group with a waiting line is free by now, the requests in line
@@ -79,14 +69,16 @@ void check_lines(Context& x, Index group) {
     if (line.first >= end || holder_now(x, line.group) != nil) continue;
     line.first = nil;
     bool found = false;
-    each_in_line(x, line.group, [&](Index e, Index place) {
-      if (place < end || line.moves) {
+    for (const Index e : x.t.list(x.t.groups[line.group].requesters)) {
+      const Index from = x.t.edges[e].requester;
+      if (!is_in_line(x, e) || from == nil || x.s.last[from].holder == nil || is_opened(x, from)) continue;
+      if (x.s.place[from] < end || line.moves) {
         found = true;
         reach_edge(x, e);
-      } else if (place < line.first) {
-        line.first = place;
+      } else if (x.s.place[from] < line.first) {
+        line.first = x.s.place[from];
       }
-    });
+    }
     line.moves = line.moves || found;
   }
 }

@@ -16,11 +16,6 @@ namespace director::arbitration {
 
 namespace {
 
-template <class Is>
-bool any_edge(const Context& x, Index group, const Is& is) {
-  return any(x.t.groups[group].edges.rows(), is);
-}
-
 /// Whether the edge is decided in every pass, or, as it searched for a provider to push, as soon as anything differs.
 bool is_decided_again(const Context& x, Index edge) { return x.s.edge_trail[edge].has(trail::on_stale | trail::waits); }
 
@@ -29,7 +24,7 @@ bool is_decided_again(const Context& x, Index edge) { return x.s.edge_trail[edge
 bool opens_always(const Context& x, Index edge) { return is_decided_again(x, edge) || optional(x, edge); }
 
 bool is_always_opened(const Context& x, Index group) {
-  return any_edge(x, group, [&](Index e) { return opens_always(x, e); });
+  return any(x.t.groups[group].edges.rows(), [&](Index e) { return opens_always(x, e); });
 }
 
 /// Whether something may differ on which the last decision about the edge depends.
@@ -65,7 +60,7 @@ bool is_settled(const Context& x) {
   for (Index i = 0; i < x.unopened_count; ++i) {
     const Index g = x.s.news[x.row.order + i];
     if (is_marked_stale(x, g) && !becomes_stale(x, g) && x.s.run_queue[g].stale_matters != 0) return false;
-    if (any_edge(x, g, [&](Index e) { return is_decided_again(x, e); })) return false;
+    if (any(x.t.groups[g].edges.rows(), [&](Index e) { return is_decided_again(x, e); })) return false;
   }
   return true;
 }
