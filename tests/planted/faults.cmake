@@ -81,13 +81,13 @@ fault("4.4" "a granted unit's pushes stay as far as they serve"
   [=[if (!PLANTED) keep_serving_pushes(x, count);]=])
 fault("4.4" "a blocked unit loses its pushes"
   arbitration/grant.cpp
-  [=[explain(x, count, Why::blocked);]=]
-  [=[if (PLANTED) keep_pushes(x, count);
-  explain(x, count, Why::blocked);]=])
+  [=[void leave_queued(Context& x, Index count, Why why, Index condition) {]=]
+  [=[void leave_queued(Context& x, Index count, Why why, Index condition) {
+  if (PLANTED && why == Why::blocked) keep_pushes(x, count);]=])
 fault("4.4" "a task whose condition no provider can cause makes no pushes"
   arbitration/refuse.cpp
-  [=[if (!any_enabled_causer(x, x.s.unmet[i].condition)) return;]=]
-  [=[if (!any_enabled_causer(x, x.s.unmet[i].condition) && !PLANTED) return;]=])
+  [=[causers), enabled)) return;]=]
+  [=[causers), enabled) && !PLANTED) return;]=])
 fault("4.4" "of chains of equal length the earlier declared is pushed"
   arbitration/push.cpp
   [=[const bool declared_first = provider < other;]=]

@@ -18,8 +18,8 @@ void decide_alone(Context& x, Index edge, bool below_stale) {
 /// Grants the current members all together, or refuses them.
 void try_members(Context& x, Index count, bool below_stale) {
   if (below_stale && any_not_running(x, count)) return wait_for_requester(x, count);
-  if (count == 1 && taken(x, x.s.member[0].edge)) return block(x, 1);
-  if (!combine(x, count, true)) return x.t.conditions.empty() ? block(x, count) : refuse(x, count);
+  if (count == 1 && taken(x, x.s.member[0].edge)) return leave_queued(x, 1, Why::blocked);
+  if (!combine(x, count, true)) return x.t.conditions.empty() ? leave_queued(x, count, Why::blocked) : refuse(x, count);
   if (!premature(x, count)) return grant(x, count);
   x.depends_on_stale = true;
   leave_combination(x, count);
@@ -37,12 +37,6 @@ void grant(Context& x, Index count) {
   leave_combination(x, count);
 }
 
-/// Refuses the current members: no combination is available, even without regard to conditions.
-void block(Context& x, Index count) {
-  for (const TriedMember& member : members(x, count)) x.s.edge_marks[member.edge] |= mark::refused;
-  explain(x, count, Why::blocked);
-}
-
 /// Refuses an edge that held nothing, and whose target is claimed: its decision depends on nothing else.
 void block_alone(Context& x, Index edge) {
   x.s.edge_marks[edge] |= mark::visited | mark::refused;
@@ -50,8 +44,12 @@ void block_alone(Context& x, Index edge) {
   if (is_followed(x)) note_dependence(x, edge, trail::in_line);
 }
 
-void explain(Context& x, Index count, Why why, Index condition) {
-  for (const TriedMember& member : members(x, count)) x.s.queued[member.edge] = {why, condition};
+/// Refuses the current members. Blocked: no combination is available, even without regard to conditions.
+void leave_queued(Context& x, Index count, Why why, Index condition) {
+  for (const TriedMember& member : members(x, count)) {
+    x.s.edge_marks[member.edge] |= mark::refused;
+    x.s.queued[member.edge] = {why, condition};
+  }
 }
 
 } // namespace director::arbitration

@@ -50,10 +50,6 @@ Index collect_unmet(Context& x, Index count) {
   return found;
 }
 
-bool any_enabled_causer(const Context& x, Index condition) {
-  return any(x.t.list(x.t.conditions[condition].causers), [&](Index provider) { return x.s.enabled[provider] != 0; });
-}
-
 } // namespace
 
 /// Whether `stay` replaces `when`: all of it holds, and the provider was active for its granted group.
@@ -77,7 +73,7 @@ Index find_false(const Context& x, Index provider, Index edge) {
 /// Refuses the current members: no combination is available with all its conditions true.
 void refuse(Context& x, Index count) {
   for (const TriedMember& member : members(x, count)) x.s.edge_marks[member.edge] |= mark::refused;
-  if (!combine(x, count, false)) return block(x, count);
+  if (!combine(x, count, false)) return leave_queued(x, count, Why::blocked);
   x.depends_on_last = true;
   const Index unmet = collect_unmet(x, count);
   const bool below_stale = stale_requester(x, x.s.member[0].edge);
@@ -85,10 +81,11 @@ void refuse(Context& x, Index count) {
   const bool early = below_stale || premature(x, count);
   x.depends_on_stale = x.depends_on_stale || early;
   leave_combination(x, count);
-  explain(x, count, Why::waiting, x.s.unmet[0].condition);
+  leave_queued(x, count, Why::waiting, x.s.unmet[0].condition);
   if (early) return keep_pushes(x, count);
-  for (Index i = 0; i < unmet; ++i) {
-    if (!any_enabled_causer(x, x.s.unmet[i].condition)) return; // the unit pushes nothing
+  const auto enabled = [&](Index provider) { return x.s.enabled[provider] != 0; };
+  for (Index i = 0; i < unmet; ++i) { // if no provider can cause one of them, the unit pushes nothing
+    if (!any(x.t.list(x.t.conditions[x.s.unmet[i].condition].causers), enabled)) return;
   }
   push_for(x, count, unmet);
 }

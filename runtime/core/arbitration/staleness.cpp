@@ -48,9 +48,8 @@ void defer(Context& x, Index count) {
     if (was_granted(x, x.s.member[0].edge) && combine(x, 1, true)) {
       grant(x, 1);
     } else {
-      x.s.edge_marks[x.s.member[0].edge] |= mark::refused;
       keep_pushes(x, 1);
-      explain(x, 1, Why::deferred);
+      leave_queued(x, 1, Why::deferred);
     }
   }
 }
