@@ -59,7 +59,13 @@ void Engine::act(Index passes, bool stops) {
   for (const Index group : with_reasons()) give_reasons(group);
   for (Index i = 0; i < c.touched_count; ++i) untouch(x_.s.touched[i]);
   c.touched_count = 0;
-  for (Index i = 0; i < differing_; ++i) adopt(x_.s.differing[i]);
+  for (Index i = 0; i < differing_; ++i) {
+    const Index group = x_.s.differing[i];
+    if (!x_.s.now[group].granted()) leave_queue(group); // its pending reasons stay
+    x_.s.group_marks[group].remove(mark::differs);
+    x_.s.last[group] = x_.s.now[group];
+    for (const Index slot : x_.t.groups[group].slots.rows()) x_.s.last.plan[slot] = x_.s.now.plan[slot];
+  }
   for (Index i = 0; i < passes; ++i) {
     adopt_order(x_.s.work[i]);
     if (!x_.t.promises.empty() && (x_.s.component[x_.s.work[i]] & work::pushes) != 0) keep_promises_in(x_.s.work[i]);
@@ -112,35 +118,20 @@ void Engine::stop_group(Index group) {
   }
 }
 
-/// The reasons to run of a granted group that follow from its assignment.
-std::uint8_t Engine::reasons(const GroupAssignment& last, const GroupAssignment& now) {
-  std::uint8_t bits = 0;
-  const bool handed_on = last.holder != now.holder;
-  if (last.active == nil || !last.granted() || handed_on) bits |= reason::new_task;
-  if (last.active != now.active) bits |= now.in_force() ? reason::pushed : reason::new_task;
-  const bool served =
-      last.serving() && now.push.provider == last.push.provider && now.push.condition == last.push.condition;
-  if (now.serving() && !served) bits |= reason::pushed;
-  return bits;
-}
-
-/// Adds the reasons of one of these groups, and calls its start handler if it became live.
+/// Adds the reasons to run of one of these groups, and calls its start handler if it became live.
 void Engine::give_reasons(Index group) {
   const GroupAssignment &now = x_.s.now[group], &last = x_.s.last[group];
   use_data_of(group, now.holder);
   if (x_.s.run_queue[group].flags.has(group_flag::lifecycle)) begin_lifecycle(group);
-  std::uint8_t bits = reasons(last, now);
-  if (x_.s.anew[now.holder] != 0) bits |= reason::new_task;
+  std::uint8_t bits = 0;
+  const bool handed_on = last.holder != now.holder;
+  if (last.active == nil || !last.granted() || handed_on || x_.s.anew[now.holder] != 0) bits |= reason::new_task;
+  if (last.active != now.active) bits |= now.in_force() ? reason::pushed : reason::new_task;
+  const bool served =
+      last.serving() && now.push.provider == last.push.provider && now.push.condition == last.push.condition;
+  if (now.serving() && !served) bits |= reason::pushed;
   if (bits != 0) note_reasons(group, bits);
   enter_queue(group);
-}
-
-/// Adopts the new assignment. A group that is not granted leaves the run queue; its pending reasons stay.
-inline void Engine::adopt(Index group) {
-  if (!x_.s.now[group].granted()) leave_queue(group);
-  x_.s.group_marks[group].remove(mark::differs);
-  x_.s.last[group] = x_.s.now[group];
-  for (const Index slot : x_.t.groups[group].slots.rows()) x_.s.last.plan[slot] = x_.s.now.plan[slot];
 }
 
 void Engine::adopt_order(Index component) {

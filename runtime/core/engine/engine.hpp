@@ -214,9 +214,7 @@ private:
   }
   std::span<const Index> with_reasons();
   void stop_group(Index group);
-  static std::uint8_t reasons(const GroupAssignment& last, const GroupAssignment& now);
   void give_reasons(Index group);
-  void adopt(Index group);
   void adopt_order(Index component);
 
   bool answered(Index edge, std::uint8_t answer) const;

@@ -17,9 +17,7 @@ void Engine::take_promises(Index group) {
 }
 
 void Engine::keep_promises_in(Index component) {
-  for (const Index group : x_.t.list(x_.t.components[component].groups)) {
-    if (x_.s.promised[group].provider != nil) keep_promises(group);
-  }
+  for (const Index group : x_.t.list(x_.t.components[component].groups)) keep_promises(group);
 }
 
 /// Ends promises whose push is over, or whose condition has become true.

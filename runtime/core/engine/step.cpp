@@ -7,16 +7,6 @@
 
 namespace director {
 
-namespace {
-
-/// Clears a flag at its end.
-struct Inside {
-  bool& flag;
-  ~Inside() { flag = false; }
-};
-
-} // namespace
-
 /// Carries out all results of a run together.
 DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outcome::Kind kind) {
   RunQueueEntry& entry = x_.s.run_queue[group];
@@ -107,11 +97,13 @@ DIRECTOR_INLINE bool Engine::micro_step() {
   return true;
 }
 
-/// Whatever the engine calls meanwhile, also a destructor of data, is inside.
 [[gnu::aligned(64)]] StepResult Engine::take_step(Time now) {
   if (inside_) return StepResult::refused;
   inside_ = true;
-  const Inside until_it_returns{inside_};
+  const struct Inside { // whatever the engine calls meanwhile, also a destructor of data, is inside
+    bool& flag;
+    ~Inside() { flag = false; }
+  } until_it_returns{inside_};
   if (now > last_time) now = last_time;
   Counters& c = *x_.s.counters;
   if (!c.begun) {
