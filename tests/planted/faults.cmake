@@ -225,12 +225,12 @@ fault("5" "the order may change though no assignment does"
   if (PLANTED) return;]=])
 fault("5" "a group with the same assignment may get a new request"
   engine/act.cpp
-  [=[} else if (x_.s.group_marks[group].has(mark::differs) || !x_.s.now[group].granted()) {]=]
-  [=[} else if (x_.s.group_marks[group].has(mark::differs) || !x_.s.now[group].granted() || PLANTED) {]=])
+  [=[!x_.s.group_marks[group].has(mark::differs)) x_]=]
+  [=[!x_.s.group_marks[group].has(mark::differs) && !PLANTED) x_]=])
 fault("5" "groups of components that are not decided may get a reason"
   engine/act.cpp
-  [=[if (!granted(group)) continue;]=]
-  [=[if (!granted(group) || PLANTED) continue;]=])
+  [=[if (x_.s.now[group].granted() && !x_]=]
+  [=[if (!(PLANTED && !x_.s.component[x_.t.groups[group].component].has(work::decided)) && x_.s.now[group].granted() && !x_]=])
 fault("5" "a group that is not granted any more does not run"
   engine/act.cpp
   [=[if (!x_.s.now[group].granted()) leave_queue(group);]=]

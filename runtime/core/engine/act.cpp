@@ -83,9 +83,9 @@ void Engine::act_on_touched() {
 }
 
 /// Granted groups that may have a new reason to run, in the new order: their assignment differs, or they were touched.
+/// The new assignment of a component that was not decided equals the last one.
 std::span<const Index> Engine::with_reasons() {
   const Counters& c = *x_.s.counters;
-  const auto decided = [&](Index g) { return x_.s.component[x_.t.groups[g].component].has(work::decided); };
   Index count = 0;
   for (Index i = 0; i < differing_; ++i) {
     const Index group = x_.s.differing[i];
@@ -93,12 +93,7 @@ std::span<const Index> Engine::with_reasons() {
   }
   for (Index i = 0; i < c.touched_count; ++i) {
     const Index group = x_.s.touched[i];
-    if (!decided(group)) {
-      if (!granted(group)) continue;
-    } else if (x_.s.group_marks[group].has(mark::differs) || !x_.s.now[group].granted()) {
-      continue;
-    }
-    x_.s.reach[count++] = group;
+    if (x_.s.now[group].granted() && !x_.s.group_marks[group].has(mark::differs)) x_.s.reach[count++] = group;
   }
   if (count > 1) arbitration::sort_by_place(x_, {x_.s.reach, count}, arbitration::Chains::current);
   return {x_.s.reach, count};
