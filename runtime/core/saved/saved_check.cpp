@@ -48,9 +48,8 @@ private:
 
   bool fits(const EdgeRow& row, Index e) const {
     return (row.level == nil || is_in(row.level, t_.edges[e].levels)) && row.stamp <= head_.micro_step &&
-           row.why <= static_cast<std::uint8_t>(Why::deferred) &&
-           (row.condition == nil ? row.why != static_cast<std::uint8_t>(Why::waiting)
-                                 : row.condition < t_.conditions.size());
+           row.why <= Why::deferred &&
+           (row.condition == nil ? row.why != Why::waiting : row.condition < t_.conditions.size());
   }
   bool fits(const PlanRow& row, Index slot) const { return provider_of(t_.plan_groups[slot], row.provider); }
   bool fits(const StateRow& row, Index i) const {

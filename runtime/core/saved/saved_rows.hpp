@@ -60,7 +60,7 @@ struct HeadRow {
 struct EdgeRow {
   std::uint64_t stamp = 0;
   Index level = nil;
-  std::uint8_t why = 0; ///< why it is queued
+  Why why = Why::none; ///< why it is queued
   Index condition = nil;
   constexpr void each(auto visit, const State& s = {}, Index e = 0) {
     visit(stamp, at(s.request, e, &Requested::stamp)), visit(level, at(s.request, e, &Requested::level));

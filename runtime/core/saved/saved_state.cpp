@@ -130,16 +130,9 @@ public:
   }
 
 private:
-  template <class Number, class T>
-  void put(Number number, T* place) {
-    if (place == nullptr) return;
-    if constexpr (std::is_same_v<T, Bits>) {
-      *place = number;
-    } else {
-      *place = static_cast<T>(number);
-    }
+  static void put(auto number, auto* place) {
+    if (place != nullptr) *place = number;
   }
-
   void put(Time due, Timers::Timer timer) {
     if (due == never) return;
     engine_.timers_.arm(timer, saved::moved(due, head_.until, now_));
@@ -165,7 +158,8 @@ private:
     }
   }
 
-  /// Lists the components to be decided, whose places are in State::reach.
+  /// Lists the components to be decided, whose places are in State::reach, and restores the order of each from holders
+  /// and requests, which are those of the last pass.
   void components() {
     for (Index c = 0; c < t_.components.size(); ++c) {
       s_.component[c] |= work::reordered;
@@ -173,21 +167,14 @@ private:
         s_.work[s_.reach[c]] = c;
         ++s_.counters->work_count;
       }
-      order(c);
+      Index* const groups = s_.order + t_.components[c].order;
+      Index& count = s_.order_count[c];
+      for (const Index g : t_.list(t_.components[c].groups)) {
+        if (s_.last[g].holder != nil) groups[count++] = g;
+      }
+      if (count > 1) arbitration::sort_by_holders(engine_.x_, {groups, count}, arbitration::Chains::previous); // a part
+      for (Index i = 0; i < count; ++i) s_.place[groups[i]] = i;
     }
-  }
-
-  /// Restores the order of the component from holders and requests, which are those of the last pass.
-  void order(Index component) {
-    const Component& row = t_.components[component];
-    Index* const groups = s_.order + row.order;
-    Index count = 0;
-    for (const Index g : t_.list(row.groups)) {
-      if (s_.last[g].holder != nil) groups[count++] = g;
-    }
-    if (count > 1) arbitration::sort_by_holders(engine_.x_, {groups, count}, arbitration::Chains::previous); // a part
-    for (Index i = 0; i < count; ++i) s_.place[groups[i]] = i;
-    s_.order_count[component] = count;
   }
 
   Engine& engine_;

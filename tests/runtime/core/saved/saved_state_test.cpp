@@ -141,7 +141,7 @@ TEST_CASE("a number of a row that does not exist, or is not allowed there, is re
   CHECK(saved.with_edge("root>Lift", [](EdgeRow& row) { row.level = 99; }) == impossible);
   CHECK(saved.with_edge("root>Lift", [](EdgeRow& row) { row.stamp = 99; }) == impossible);
   CHECK(saved.with_edge("root>Lift", [](EdgeRow& row) { row.level = nil; }) == impossible); // its target is granted
-  CHECK(saved.with_edge("root>Kneel", [](EdgeRow& row) { row.why = 9; }) == impossible);
+  CHECK(saved.with_edge("root>Kneel", [](EdgeRow& row) { row.why = Why{9}; }) == impossible);
   CHECK(saved.with_edge("root>Kneel", [](EdgeRow& row) { row.condition = nil; }) ==
         impossible); // it waits for a condition
   CHECK(saved.with_edge("root>Kneel", [](EdgeRow& row) { row.condition = 99; }) == impossible);
