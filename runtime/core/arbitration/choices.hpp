@@ -44,9 +44,6 @@ DIRECTOR_ONE_COPY inline std::span<const PlanEntry> plan_of(const Context& x, In
   return {x.s.entry + entries_begin(x, at), x.s.entry + x.s.member[at].entries_end};
 }
 
-/// Whether a plan in the component can pick one provider or another.
-inline bool alternatives(const Context& x, Index component) { return x.t.components[component].alternatives; }
-
 bool combine(Context& x, Index count, bool with_conditions);
 bool next_choice(Context& x, Index at, bool fresh, bool with_conditions, bool record);
 DIRECTOR_PART bool search_combination(Context& x, Index count, bool with_conditions); // combination.cpp

@@ -29,7 +29,7 @@ inline void open(Context& x, Index group) {
 DIRECTOR_ONE_COPY inline void clear(Context& x, Index group) {
   x.s.now[group] = GroupAssignment{};
   x.s.run_queue[group].stale_matters = 0;
-  if (!alternatives(x, x.component)) return;
+  if (!x.row.alternatives) return;
   for (const Index slot : x.t.groups[group].slots.rows()) x.s.now.plan[slot] = nil;
 }
 

@@ -15,7 +15,7 @@ void Engine::arbitrate() {
     if (observed()) remember_queued(component);
     ++passes_;
     arbitration::decide(x_, component);
-    const bool other = changed(component, stops);
+    const bool other = changed(stops);
     arbitration::end(x_);
     std::uint8_t left = x_.depends_on_all_stale ? work::stale_matters : 0;
     if (other && x_.depends_on_last) left |= work::unsettled;
@@ -29,13 +29,12 @@ void Engine::arbitrate() {
 
 /// Whether the new assignment of the component differs from the last one. If holders, providers, grants or pushes do,
 /// arbitration is repeated at rest. `stops`: a group is not live any more.
-bool Engine::changed(Index component, bool& stops) {
+bool Engine::changed(bool& stops) {
   const Index before = differing_;
-  const bool plans = arbitration::alternatives(x_, component);
   bool decision = false;
   for (const Index g : arbitration::opened(x_)) {
     const GroupAssignment &now = x_.s.now[g], &last = x_.s.last[g];
-    if (now == last && !(plans && other_plan(g))) continue;
+    if (now == last && !(x_.row.alternatives && other_plan(g))) continue;
     x_.s.group_marks[g] |= mark::differs;
     x_.s.group_trail[g] |= trail::disturbed;
     x_.s.differing[differing_++] = g;

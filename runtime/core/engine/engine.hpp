@@ -98,10 +98,10 @@ public:
   Queued queued(Index edge) const { return x_.s.queued[edge]; }              ///< why it is queued
   Time now() const { return x_.s.counters->now; }                            ///< the time of the last step
   std::uint64_t micro_steps() const { return x_.s.counters->micro_step; }    ///< micro-steps so far
-  std::uint64_t passes() const { return passes_; }     ///< passes over a component, and loads, so far
-  bool inside() const { return inside_; }              ///< a step is being taken; for the thread that calls step()
-  bool inputs_wait() const { return inbox_.waits(); }  ///< for that thread as well
-  std::uint32_t lost() const { return inbox_.lost(); } ///< inputs lost so far; from any thread
+  std::uint64_t passes() const { return passes_; } ///< passes over a component, and loads, so far
+  bool inside() const { return inside_; }          ///< a step is being taken; for the thread that calls step()
+  bool inputs_wait() const { return !inbox_.empty() || inbox_.due(); } ///< for that thread as well
+  std::uint32_t lost() const { return inbox_.lost(); }                 ///< inputs lost so far; from any thread
   /// The work done so far, including searches for pushes; docs/bounds.md says what is counted.
   std::uint64_t work() const { return x_.work; }
   /// Makes the next pass over each component begin from nothing: the memory was changed from outside.
@@ -206,7 +206,7 @@ private:
 
   // act.cpp: after every micro-step, section 5
   void arbitrate();
-  bool changed(Index component, bool& stops);
+  bool changed(bool& stops);
   void act(Index passes, bool stops);
   void act_on_touched();
   std::span<const Index> held_in(Index component) const {

@@ -136,8 +136,6 @@ public:
   /// Ignores the record put first, and overflow slots held by the reader: these remain behind a claimed record that was
   /// not taken, or if a step ended before they were taken, and then the next step looks for them anyway.
   bool empty() const { return waiting() == 0 && unseen_.load(std::memory_order_relaxed) == 0; }
-  /// Whether any input waits.
-  bool waits() const { return !empty() || due(); }
 
 private:
   /// Replaces the number by next(number) atomically; returns the old one.

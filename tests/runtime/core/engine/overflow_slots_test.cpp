@@ -181,7 +181,7 @@ TEST_CASE("an inbox is empty when a later input about a task that the reader hel
   small.fill();
   CHECK(small.post(Kind::cancel, {2}));
   CHECK(small.read() == Lines{"fire", "fire", "cancel 2"});
-  CHECK_FALSE(small.inbox.waits());
+  CHECK_FALSE(small.inbox.due());
   CHECK(small.inbox.empty());
 }
 
