@@ -20,9 +20,7 @@ public:
   explicit Explainer(const View& view) : v_(view), t_(*view.tables) {}
 
   Because about(Index group) {
-    Because out;
-    out.asked = group;
-    out.holder = v_.holder(group);
+    Because out{.asked = group, .holder = v_.holder(group)};
     if (v_.granted(group)) {
       out.kind = Kind::running;
       out.edge = out.member = out.holder;
@@ -41,9 +39,7 @@ public:
   }
 
   Because about_request(Index edge) {
-    Because out;
-    out.asked = target(edge);
-    out.edge = out.member = edge;
+    Because out{.asked = target(edge), .edge = edge, .member = edge};
     explain(out);
     return out;
   }
@@ -62,7 +58,6 @@ private:
     Index place = 0;               ///< of the need among those of its needer
     const Entry* before = nullptr; ///< the entry made before this one
   };
-  static bool all(const Entry&) { return true; }
 
   Index target(Index edge) const { return t_.edges[edge].target; }
   Index requester(Index edge) const { return v_.is_limbo(edge) ? nil : t_.edges[edge].requester; }
@@ -173,7 +168,7 @@ private:
     Index first = nil;
     for (const Index e : t_.groups[requester(sibling)].edges.rows()) {
       if (!in_unit(e)) continue;
-      const bool older = first != nil && v_.request[e].stamp < v_.request[first].stamp;
+      const bool older = first != nil && is_older(e, first);
       if (first == nil || urgency(e) < urgency(first) || (urgency(e) == urgency(first) && older)) first = e;
     }
     return first;
@@ -186,7 +181,7 @@ private:
     const Range siblings = alone(out.edge) ? Range{} : t_.groups[requester(out.edge)].edges;
     Index& e = out.member;
     for (e = siblings.begin; e != siblings.end; ++e) {
-      if (e != out.edge && v_.requested(e) && !alone(e) && found(e)) return true;
+      if (e != out.edge && in_unit(e) && found(e)) return true;
     }
     out.member = out.edge;
     return false;
@@ -227,23 +222,17 @@ private:
         break;
     }
     out.group = target(out.member);
-    int best = 0;
+    int best = 0; // the likeliest is pushed, is active, may become active, or is a provider of the group itself
     for (const Index causer : causers(t_, condition)) {
-      const int likely = v_.enabled[causer] != 0 ? likelihood(causer, out.group) : 0;
-      if (likely <= best) continue;
+      const Index group = t_.providers[causer].group;
+      const GroupAssignment& row = v_.assignment[group];
+      const bool pushed = row.push.edge != nil && row.push.provider == causer;
+      const int likely = group == out.group ? 1 : pushed ? 4 : row.active == causer ? 3 : 2;
+      if (likely <= best || v_.enabled[causer] == 0) continue;
       best = likely;
       out.causer = causer;
-      out.causer_group = t_.providers[causer].group;
+      out.causer_group = group;
     }
-  }
-
-  /// How likely the provider is to cause what the group waits for: it is pushed, it is active, it may become active, or
-  /// it is a provider of the group itself.
-  int likelihood(Index causer, Index waiting) const {
-    const Index group = t_.providers[causer].group;
-    const GroupAssignment& row = v_.assignment[group];
-    if (group == waiting) return 1;
-    return row.push.edge != nil && row.push.provider == causer ? 4 : row.active == causer ? 3 : 2;
   }
 
   /// Finds the provider that has the condition in a choice. `available`: in the first one whose groups are available.
@@ -328,7 +317,7 @@ private:
       }
       return true;
     };
-    return any_choice({.edge = member}, accept, all);
+    return any_choice({.edge = member}, accept, [](const Entry&) { return true; });
   }
 
   /// Whether every choice has a held group: that of the first choice, and the provider that needs it (nil: the target).
