@@ -33,27 +33,6 @@ bool Engine::expire(Index state) {
   return true;
 }
 
-namespace {
-
-/// Whether the condition holds at the value; narrows the interval so that no bound of the condition is inside.
-bool narrow(Interval& unchanged, std::span<const Interval> accepted, std::int32_t value) {
-  bool holds = false;
-  for (const Interval& row : accepted) {
-    if (row.low > value) {
-      if (row.low - 1 < unchanged.high) unchanged.high = row.low - 1;
-    } else if (row.high < value) {
-      if (row.high + 1 > unchanged.low) unchanged.low = row.high + 1;
-    } else {
-      holds = true;
-      if (row.low > unchanged.low) unchanged.low = row.low;
-      if (row.high < unchanged.high) unchanged.high = row.high;
-    }
-  }
-  return holds;
-}
-
-} // namespace
-
 /// Evaluates the conditions on a state with a new value. Components in which a condition flips are decided again,
 /// except before the first step. While a state is unset, none of its conditions holds, and any value may change that.
 void Engine::update_conditions(Index state) {
@@ -62,8 +41,15 @@ void Engine::update_conditions(Index state) {
   if (value == unset) unchanged = {unset, unset};
   for (const Index condition : x_.t.list(x_.t.states[state].conditions)) {
     const Condition& row = x_.t.conditions[condition];
-    const bool now =
-        value != unset && narrow(unchanged, x_.t.intervals.subspan(row.accepts.begin, row.accepts.size()), value);
+    bool now = false;
+    for (Index i = row.accepts.begin; i != row.accepts.end && value != unset; ++i) {
+      const Interval& accepted = x_.t.intervals[i];
+      now = now || accepted.has(value); // and no bound of the condition is inside of `unchanged`
+      const std::int32_t low = accepted.high < value ? accepted.high + 1 : accepted.low;
+      const std::int32_t high = accepted.low > value ? accepted.low - 1 : accepted.high;
+      if (low <= value && low > unchanged.low) unchanged.low = low;
+      if (high >= value && high < unchanged.high) unchanged.high = high;
+    }
     if (now == arbitration::holds(x_, condition)) continue;
     x_.s.truth[condition] = now ? 1 : 0;
     if (!x_.s.counters->begun) continue;
