@@ -45,6 +45,7 @@ class Data {
     return Slots::lasting * Slot<DataOf<Task>>::saved_bytes;
   }
 
+public:
   /// Calls visit(slot, its bytes) for each slot that lasts between steps, of all tasks.
   static void each_slot(auto& data, auto* place, auto visit) {
     each_task(Groups(), [&]<class Task, Index row>() {
@@ -55,7 +56,6 @@ class Data {
     });
   }
 
-public:
   static constexpr std::size_t bytes = [] {
     std::size_t all = 0;
     each_task(Groups(), [&]<class Task, Index row>() { all += bytes_of_slots<Task>(); });
@@ -70,14 +70,6 @@ public:
     each_task(Groups(),
               [&]<class Task, Index row>() { all = mix(mix(all, sizeof(DataOf<Task>)), alignof(DataOf<Task>)); });
     return all;
-  }
-
-  static void write(typename Facts::Data& data, std::byte* to) {
-    each_slot(data, to, [](auto& slot, std::byte* at) { slot.save(at); });
-  }
-
-  static void read(typename Facts::Data& data, const std::byte* from) {
-    each_slot(data, from, [](auto& slot, const std::byte* at) { slot.load(at); });
   }
 
   /// Whether each live group and each request has data. `from`: a whole state whose other numbers are possible.
@@ -125,7 +117,7 @@ SaveResult save(const Engine& engine, typename Facts::Data& data, std::span<std:
   constexpr std::size_t size = bytes_of_behaviour<Facts>;
   const SaveResult result = write_decisions(engine, to, Data<Facts>::fingerprint(), size);
   if (result != SaveResult::saved) return result;
-  Data<Facts>::write(data, to.data() + saved_bytes(Facts::shape));
+  Data<Facts>::each_slot(data, to.data() + saved_bytes(Facts::shape), [](auto& slot, std::byte* at) { slot.save(at); });
   seal(to.first(size));
   return result;
 }
@@ -138,7 +130,8 @@ LoadResult load(Engine& engine, typename Facts::Data& data, std::span<const std:
   if (!values_are_declared<Facts>(tables, from.data()) || !Data<Facts>::is_possible(tables, from.data()))
     return LoadResult::impossible;
   read_decisions(engine, from.data(), now);
-  Data<Facts>::read(data, from.data() + saved_bytes(Facts::shape));
+  Data<Facts>::each_slot(data, from.data() + saved_bytes(Facts::shape),
+                         [](auto& slot, const std::byte* at) { slot.load(at); });
   return result;
 }
 
