@@ -19,7 +19,7 @@ struct Place {
 
 struct Chain {
   Index length = 0;
-  Index top = nil; ///< its edge of root or limbo; nil if the chain does not reach so far
+  Index top = nil; ///< its edge of root or limbo; nil, which counts as limbo, if the chain does not reach so far
 };
 
 /// One of two siblings below the closest common requester.

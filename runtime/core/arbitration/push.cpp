@@ -113,20 +113,17 @@ bool relax(Context& x, Index provider) {
   return changed;
 }
 
-/// Whether the last chain of the edge reaches root, `member` goes before it, and it is not below `member`.
-bool goes_before(const Context& x, Index member, Index edge) {
-  const Index top = chain(x, {edge, Chains::previous}).top;
-  return top != nil && !is_limbo(x, top) && !in_chain(x, member, {edge, Chains::previous}) &&
-         compare(x, {member, Chains::current}, {edge, Chains::previous}, false) < 0;
-}
-
+/// Whether a request for its group has a last chain that reaches root, goes after `member`, and is not below it.
 bool can_be_pushed(const Context& x, Index provider, Index member) {
   const Index group = x.t.providers[provider].group;
   const Push& there = x.s.now[group].push; // by another unit
   if (x.s.enabled[provider] == 0 || holder_now(x, group) != nil || (there.edge != nil && there.provider != provider))
     return false;
-  return any(x.t.list(x.t.groups[group].requesters),
-             [&](Index edge) { return requested(x, edge) && goes_before(x, member, edge); });
+  return any(x.t.list(x.t.groups[group].requesters), [&](Index edge) {
+    const Place last{edge, Chains::previous};
+    return requested(x, edge) && !is_limbo(x, chain(x, last).top) && !in_chain(x, member, last) &&
+           compare(x, {member, Chains::current}, last, false) < 0;
+  });
 }
 
 /// Finds the first push of the shortest chain that makes a condition of `member` true. Candidates are found backwards:
