@@ -38,9 +38,6 @@ void wait_for_requester(Context& x, Index count) {
   keep_pushes(x, count);
 }
 
-/// Notes that the current unit may be decided otherwise once its requester has run.
-void note_stale_requester(Context& x) { note_if_stale(x, x.t.edges[x.s.unit[0]].requester); }
-
 /// Grants again the members that were granted, and defers the others until the stale groups before them have run.
 void defer(Context& x, Index count) {
   for (Index i = 0; i < count; ++i) {

@@ -25,7 +25,6 @@ inline void open(Context& x, Index group) {
   if (!is_opened(x, group)) open_with_above(x, group);
 }
 
-/// Clears the assignment of the group in this pass.
 DIRECTOR_ONE_COPY inline void clear(Context& x, Index group) {
   x.s.now[group] = GroupAssignment{};
   x.s.run_queue[group].stale_matters = 0;
@@ -83,7 +82,7 @@ inline void begin_decision(Context& x, Index count) {
 }
 
 inline void end_decision(Context& x, Index count) {
-  if (x.depends_on_requester) note_stale_requester(x);
+  if (x.depends_on_requester) note_if_stale(x, x.t.edges[x.s.unit[0]].requester);
   if (is_followed(x)) compare_with_last(x, count);
 }
 
