@@ -34,7 +34,6 @@ inline Index slot_of(const Context& x, Index owner, Index group) {
   return nil;
 }
 
-/// The current members.
 inline std::span<TriedMember> members(const Context& x, Index count) { return {x.s.member, count}; }
 
 /// The first entry of a member's plan.

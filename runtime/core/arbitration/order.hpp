@@ -151,7 +151,6 @@ DIRECTOR_ONE_COPY inline int compare_siblings(const Context& x, Side a, Side b, 
   return a.edge < b.edge ? -1 : 1;
 }
 
-/// Compares two edges of one requester alone.
 inline int compare_siblings(const Context& x, Index a, Index b) {
   return compare_siblings(x, {a, optional(x, a)}, {b, optional(x, b)}, true);
 }
@@ -167,7 +166,6 @@ DIRECTOR_ONE_COPY inline int compare(const Context& x, Place a, Place b, bool in
 
 inline bool before(const Context& x, Place a, Place b) { return compare(x, a, b, false) < 0; }
 
-/// Compares two candidates.
 inline bool goes_first(const Context& x, Index a, Index b) {
   return compare(x, {a, Chains::current}, {b, Chains::current}, true) < 0;
 }

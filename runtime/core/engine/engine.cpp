@@ -78,8 +78,6 @@ DataPlace Engine::data_of(Index group) const {
   return {DataPlace::Slot::edge, edge};
 }
 
-// The functions of the contexts of bodies.
-
 Time Run::now() const { return engine_.now(); }
 RunState Run::state(Index edge) const { return engine_.state(edge); }
 bool Run::done(Index edge) const { return engine_.answered(edge, result::done); }

@@ -96,8 +96,6 @@ DIRECTOR_INLINE void Engine::queue_run(Index group, bool anew) {
   enter_queue(group);
 }
 
-// Work for the next arbitration.
-
 /// Removes from State::work all components that need not be decided by the next arbitration.
 DIRECTOR_INLINE void Engine::forget_work() {
   Counters& c = *x_.s.counters;
@@ -115,8 +113,6 @@ DIRECTOR_INLINE void Engine::forget_work() {
   }
   c.work_count = left;
 }
-
-// Requests and values of inputs and runs.
 
 /// Takes the next record of the same input.
 inline const Input* Engine::take_more(const Input& record) {

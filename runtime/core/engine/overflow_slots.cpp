@@ -91,7 +91,6 @@ void Inbox::count_lost() {
   unseen_.store(1, std::memory_order_release);
 }
 
-/// Frees the place of a record that was replaced.
 void Inbox::lose(OverflowSlot& slot, Index place) {
   count_replaced(slot.notes[place].ticket);
   free(slot, place);

@@ -59,7 +59,6 @@ void Engine::report_timer(Timers::Timer timer) const {
   notify({.input = Event::Input::within, .group = x_.t.providers[provider].group, .provider = provider});
 }
 
-/// Reports the inputs lost since the last step.
 void Engine::report_lost() {
   const std::uint32_t so_far = inbox_.lost();
   notify({.kind = Kind::lost, .count = so_far - std::exchange(reported_lost_, so_far)});

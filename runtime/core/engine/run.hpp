@@ -90,7 +90,6 @@ private:
   Time wait_ = 0;
 };
 
-/// The context of a start or stop handler.
 class Handling : public Call {
 public:
   void set(Index state, std::int32_t value);
