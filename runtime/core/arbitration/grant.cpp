@@ -37,13 +37,6 @@ void grant(Context& x, Index count) {
   leave_combination(x, count);
 }
 
-/// Refuses an edge that held nothing, and whose target is claimed: its decision depends on nothing else.
-void block_alone(Context& x, Index edge) {
-  x.s.edge_marks[edge] |= mark::visited | mark::refused;
-  x.s.queued[edge] = {Why::blocked, nil};
-  if (is_followed(x)) note_dependence(x, edge, trail::in_line);
-}
-
 /// Refuses the current members. Blocked: no combination is available, even without regard to conditions.
 void leave_queued(Context& x, Index count, Why why, Index condition) {
   for (const TriedMember& member : members(x, count)) {

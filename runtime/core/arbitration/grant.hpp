@@ -9,7 +9,6 @@ namespace director::arbitration {
 void decide_alone(Context& x, Index edge, bool below_stale);
 void try_members(Context& x, Index count, bool below_stale);
 void grant(Context& x, Index count);
-void block_alone(Context& x, Index edge);
 void leave_queued(Context& x, Index count, Why why, Index condition = nil);
 
 /// Claims a group that is free, or that this edge has claimed already.

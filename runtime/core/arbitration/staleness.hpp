@@ -18,9 +18,7 @@ bool becomes_stale(const Context& x, Index group);
 
 inline bool is_marked_stale(const Context& x, Index group) { return x.s.group_marks[group].has(mark::stale); }
 
-inline bool stale(const Context& x, Index group) { return stale_source(x, group) != up_to_date; }
-
-/// As stale(), and notes that it matters whether the group because of which it is so is stale.
+/// Whether the group is stale; notes that it matters whether the group because of which it is so is stale.
 inline bool note_if_stale(Context& x, Index group) {
   const Index source = stale_source(x, group);
   if (source < x.t.groups.size()) x.s.run_queue[source].stale_matters = 1;
@@ -32,7 +30,7 @@ inline bool premature(Context& x, Index count) { return x.stale_granted != 0 && 
 
 inline bool stale_requester(const Context& x, Index edge) {
   const Index group = x.t.edges[edge].requester;
-  return group != nil && stale(x, group);
+  return group != nil && stale_source(x, group) != up_to_date;
 }
 
 } // namespace director::arbitration

@@ -50,7 +50,10 @@ DIRECTOR_INLINE void visit(Context& x, Index edge) {
         x.s.edge_marks[edge] |= mark::visited | mark::refused;
       }
     } else if ((marks & (mark::below_stale | mark::pushes)) == 0 && taken(x, edge) && !was_granted(x, edge)) {
-      block_alone(x, edge);
+      // It held nothing, and its target is claimed: its decision depends on nothing else.
+      x.s.edge_marks[edge] |= mark::visited | mark::refused;
+      x.s.queued[edge] = {Why::blocked, nil};
+      if (is_followed(x)) note_dependence(x, edge, trail::in_line);
     } else {
       x.s.unit[0] = edge;
       begin_decision(x, 1);

@@ -55,9 +55,8 @@ private:
   bool fits(const StateRow& row, Index i) const {
     return (row.expiry == never || t_.states[i].expires != 0) && (row.by_handler == unset || head_.handlers_set != 0);
   }
-  bool fits(const PromiseRow&, Index) const { return true; } // any time is possible
-  bool fits(const EnabledRow& row, Index) const { return row.set <= 1; }
-  bool fits(const FiredRow& row, Index) const { return row.set <= 1; }
+  bool fits(const PromiseRow&, Index) const { return true; }       // any time is possible
+  bool fits(const auto& row, Index) const { return row.set <= 1; } // EnabledRow, FiredRow
   bool fits(const ComponentRow& row, Index) const {
     return (row.bits & ~component_bits) == 0 && (row.work_place != nil) == ((row.bits & work::listed) != 0);
   }
