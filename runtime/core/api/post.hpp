@@ -47,9 +47,7 @@ public:
     static_assert(Roots::template takes<Task, More...>,
                   "only tasks that stand in `roots` can be requested from outside");
     std::array records{record(task), record(more)...};
-    for (const Input& input : records) {
-      if (input.level() == nil) return false;
-    }
+    if (any(records, [](const Input& input) { return input.level() == nil; })) return false;
     if constexpr (sizeof...(More) > 0) {
       link(records);
     } else if constexpr (!has_data<Task>) {

@@ -44,7 +44,7 @@ bool next_choice(Context& x, Index at, bool fresh, bool with_conditions, bool re
 /// Finds the first combination of choices that are available together, the current one until leave_combination.
 bool combine(Context& x, Index count, bool with_conditions) {
   const Group& group = x.t.groups[target(x, x.s.member[0].edge)];
-  const bool first_counts = count == 1 && (!group.deniable || group.single_choice());
+  const bool first_counts = count == 1 && (!group.deniable || (group.providers.size() == 1 && group.slots.empty()));
   return first_counts ? next_choice(x, 0, true, with_conditions, true) : search_combination(x, count, with_conditions);
 }
 

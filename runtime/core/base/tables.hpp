@@ -113,9 +113,6 @@ struct Group {
   bool equals : 1 = false;      ///< two edges that lead to it may be equal
   bool deniable : 1 = false;    ///< it, or a group in one of its plans, has `equals`
   TableIndex component = 0;     ///< of Tables::components
-
-  /// Whether it and all that it needs, transitively, have one provider each.
-  constexpr bool single_choice() const { return providers.size() == 1 && slots.empty(); }
 };
 
 /// A component: no decision in it depends on another component. Two groups are in one if one requests or needs the
