@@ -159,13 +159,13 @@ void Machine::list(std::vector<Happens>& out) const {
 bool Machine::runs_next() const {
   const director::State& s = engine_.memory();
   const Index group = s.counters->queue_first;
-  if (phase_ == Phase::rest || s.counters->handlers_set || group == nil) return false;
+  if (phase_ == Phase::rest || s.counters->staged_count != 0 || group == nil) return false;
   const auto pushed = static_cast<std::uint8_t>(Reason::pushed);
   return engine_.in_force(group) ? s.run_queue[group].pending != 0 : (s.run_queue[group].pending & ~pushed) != 0;
 }
 
 bool Machine::takes_inputs() const {
-  if (phase_ == Phase::closed || engine_.memory().counters->handlers_set) return false;
+  if (phase_ == Phase::closed || engine_.memory().counters->staged_count != 0) return false;
   return phase_ == Phase::rest || breadth_ != Breadth::lean;
 }
 
@@ -207,7 +207,7 @@ void Machine::take(const Happens& happens, ChoiceSequence& choices) {
   using Kind = Happens::Kind;
   choices_ = &choices;
   actions_.clear();
-  const bool handlers = engine_.memory().counters->handlers_set != 0;
+  const bool handlers = engine_.memory().counters->staged_count != 0;
   post(happens);
   const bool rests = engine_.step(0) == StepResult::quiescent;
   const bool outside = happens.kind == Kind::request || happens.kind == Kind::cancel || happens.kind == Kind::set ||

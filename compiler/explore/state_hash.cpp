@@ -158,8 +158,9 @@ StateHash StateHasher::hash(Phase phase) const {
   add_levels(all);
   for (const Contested& each : contested_) add_places(all, each.edges, s.request);
   add_holdings(all);
-  all.add(std::uint64_t{c.unsettled} << 8 | std::uint64_t{c.handlers_set} << 9 | static_cast<std::uint64_t>(phase));
-  if (c.handlers_set) all.add(s.values, t.states.size(), [](const StateValue& row) { return row.staged; });
+  const bool handlers_set = c.staged_count != 0;
+  all.add(std::uint64_t{c.unsettled} << 8 | std::uint64_t{handlers_set} << 9 | static_cast<std::uint64_t>(phase));
+  if (handlers_set) all.add(s.values, t.states.size(), [](const StateValue& row) { return row.staged; });
   add_queue(all, c.queue_first);
   return {all.sum(), values()};
 }

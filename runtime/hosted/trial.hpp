@@ -395,7 +395,6 @@ private:
     for (Index at = 0; at < edges.size(); ++at) state.staged_request[at] = {};
     for (Index s = 0; s < tables.states.size(); ++s) state.values[s].staged = unset;
     state.counters->staged_count = 0;
-    state.counters->handlers_set = 0;
     rig_->refused.clear();
   }
 

@@ -107,8 +107,8 @@ fault("5" "what a stopped group requested is withdrawn"
   [=[if (x_.s.request[e].level == nil || PLANTED) continue;]=])
 fault("5" "states of a stopped group return to their initial values"
   engine/handlers.cpp
-  [=[set_by_handler(state, x_.t.states[state].initial);]=]
-  [=[if (!PLANTED) set_by_handler(state, x_.t.states[state].initial);]=])
+  [=[stage(state, x_.t.states[state].initial);]=]
+  [=[if (!PLANTED) stage(state, x_.t.states[state].initial);]=])
 fault("5" "another holder is a new task"
   engine/act.cpp
   [=[const bool handed_on = last.holder != now.holder;]=]

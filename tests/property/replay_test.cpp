@@ -69,7 +69,7 @@ std::string record_in_short_steps(const Compiled& compiled, Random& random, std:
   director::Time now = 0;
   const auto step = [&] {
     const director::Counters& counters = *engine.memory().counters;
-    if (engine.inputs_wait() && counters.handlers_set && counters.now < now) ++early;
+    if (engine.inputs_wait() && counters.staged_count != 0 && counters.now < now) ++early;
     engine.set_budget(static_cast<std::uint32_t>(random.between(1, 3)));
     return engine.step(now);
   };

@@ -208,11 +208,10 @@ struct Counters {
   Index queue_last = nil;        ///< the last group in the queue
   Index work_count = 0;          ///< rows of State::work in use
   Index touched_count = 0;       ///< rows of State::touched in use; 0 between micro-steps
-  Index staged_count = 0;        ///< rows of State::staged in use
+  Index staged_count = 0;        ///< rows of State::staged in use; between micro-steps set by handlers: the next input
   Index anew_count = 0;          ///< rows of State::renewed in use; 0 between micro-steps
   bool begun = false;            ///< the first step was taken
   bool unsettled = false;        ///< the last arbitration changed something
-  bool handlers_set = false;     ///< what is staged was set by handlers, and is the next input
   bool serving = false;          ///< timers that are due at `now` are being served
 };
 

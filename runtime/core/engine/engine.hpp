@@ -167,7 +167,6 @@ private:
   DIRECTOR_PART void end_lifecycle(Index group);
   DIRECTOR_PART void end_period(Index group, Time when);
   DIRECTOR_PART bool take_handlers_input();
-  void set_by_handler(Index state, std::int32_t value);
   void handle(Index group, Reason reason);
 
   // notes.hpp

@@ -9,7 +9,7 @@ namespace director {
 const char part::handlers = 0;
 
 void Engine::end_lifecycle(Index group) {
-  for (const Index state : x_.t.list(x_.t.groups[group].owned)) { set_by_handler(state, x_.t.states[state].initial); }
+  for (const Index state : x_.t.list(x_.t.groups[group].owned)) stage(state, x_.t.states[state].initial);
   handle(group, Reason::stopped);
   timers_.disarm({Timers::Kind::every, group});
 }
@@ -58,19 +58,13 @@ void Engine::end_period(Index group, Time when) {
 bool Engine::take_handlers_input() {
   Counters& c = *x_.s.counters;
   ++c.micro_step;
-  c.handlers_set = false;
   heap_sort({x_.s.staged, c.staged_count}, [](Index a, Index b) { return a < b; });
   return commit_states(false);
 }
 
-void Engine::set_by_handler(Index state, std::int32_t value) {
-  x_.s.counters->handlers_set = true;
-  stage(state, value);
-}
-
 void Handling::set(Index state, std::int32_t value) {
   if (engine_.observed()) engine_.report_value(Event::Kind::assign, group_, nil, state, value);
-  engine_.set_by_handler(state, value);
+  engine_.stage(state, value);
 }
 
 } // namespace director

@@ -56,7 +56,7 @@ DIRECTOR_INLINE Engine::Taken Engine::take_next(Index& ran) {
   Counters& c = *x_.s.counters;
   const auto taken = [](bool changes) { return changes ? Taken::change : Taken::no_change; };
   for (;;) {
-    if (c.handlers_set) return taken(take_handlers_input());
+    if (c.staged_count != 0) return taken(take_handlers_input());
     if (inbox_.is_open()) {
       if (const Input* const record = inbox_.take(); record != nullptr) return taken(take_input(*record));
     }
@@ -116,7 +116,7 @@ DIRECTOR_INLINE bool Engine::micro_step() {
   inbox_.open();
   if (now > c.until) c.until = now;
   // After a step that ended early, what it left is done at the time that it reached, unless there are inputs.
-  const bool goes_on = c.serving || c.handlers_set || c.queue_first != nil || c.unsettled;
+  const bool goes_on = c.serving || c.staged_count != 0 || c.queue_first != nil || c.unsettled;
   if (c.now != c.until && (!goes_on || inbox_.is_open())) {
     c.now = c.until;
     c.serving = false;
@@ -131,7 +131,8 @@ DIRECTOR_INLINE bool Engine::micro_step() {
     if (work_budget_ != 0 && work() - before >= work_budget_) break;
   }
   if (!faulted_) {
-    const bool left = c.handlers_set || c.queue_first != nil || c.unsettled || inbox_.due() || c.next_due <= c.until;
+    const bool left =
+        c.staged_count != 0 || c.queue_first != nil || c.unsettled || inbox_.due() || c.next_due <= c.until;
     if (!left) return come_to_rest(); // the budget was used up by the last micro-step that was due
     report(Event::Kind::exhausted);
   }

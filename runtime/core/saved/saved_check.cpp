@@ -24,8 +24,7 @@ public:
         head_(read<HeadRow>(from, 0)) {}
 
   bool all() const {
-    if ((head_.begun | head_.unsettled | head_.handlers_set | head_.serving) > 1 || head_.now > head_.until ||
-        head_.until > last_time)
+    if ((head_.begun | head_.unsettled | head_.serving) > 1 || head_.now > head_.until || head_.until > last_time)
       return false;
     bool good = true;
     Layout::each_kind(Shape::of(t_), [&]<class Row>(std::size_t Layout::*kind, std::size_t count) {
@@ -53,7 +52,8 @@ private:
   }
   bool fits(const PlanRow& row, Index slot) const { return provider_of(t_.plan_groups[slot], row.provider); }
   bool fits(const StateRow& row, Index i) const {
-    return (row.expiry == never || t_.states[i].expires != 0) && (row.by_handler == unset || head_.handlers_set != 0);
+    const auto sets = [](const Group& group) { return group.start || group.stop || !group.owned.empty(); };
+    return (row.expiry == never || t_.states[i].expires != 0) && (row.by_handler == unset || any(t_.groups, sets));
   }
   bool fits(const PromiseRow&, Index) const { return true; }       // any time is possible
   bool fits(const auto& row, Index) const { return row.set <= 1; } // EnabledRow, FiredRow

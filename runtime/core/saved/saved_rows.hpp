@@ -17,7 +17,7 @@ class Engine;
 namespace saved {
 
 /// Increased when the format changes.
-inline constexpr std::uint32_t format = 2;
+inline constexpr std::uint32_t format = 3;
 
 /// A `D`, the format, the byte order of the data of tasks, and the bytes of an Index.
 inline constexpr std::uint32_t version_word = 0x44000000U | format << 16 |
@@ -47,13 +47,12 @@ struct HeadRow {
   std::uint64_t behaviour = 0; ///< the fingerprint of the behaviour
   Time now = 0, until = 0;     ///< these and the following as in Counters
   std::uint64_t micro_step = 0;
-  std::uint8_t begun = 0, unsettled = 0, handlers_set = 0, serving = 0;
+  std::uint8_t begun = 0, unsettled = 0, serving = 0;
   constexpr void each(auto visit, const State& s = {}) {
     visit(version), visit(check_sum), visit(size), visit(behaviour);
     visit(now, at(s.counters, 0, &Counters::now)), visit(until, at(s.counters, 0, &Counters::until));
     visit(micro_step, at(s.counters, 0, &Counters::micro_step)), visit(begun, at(s.counters, 0, &Counters::begun));
     visit(unsettled, at(s.counters, 0, &Counters::unsettled)), visit(serving, at(s.counters, 0, &Counters::serving));
-    visit(handlers_set, at(s.counters, 0, &Counters::handlers_set));
   }
 };
 
