@@ -142,7 +142,7 @@ TEST_CASE("an enum without values, or one that two states name, is no type of a 
   const std::string lacking = checked("  S: {type: odd_types::Phase, external: true}\n");
   CHECK(lacking.find("the values of `odd_types::Phase` are not known here: Clang does not understand the headers: ") !=
         std::string::npos);
-  CHECK(lacking.find("include/odd.hpp:2: 'enum.hpp' file not found") != std::string::npos);
+  CHECK(lacking.find("include/odd.hpp:2:10: 'enum.hpp' file not found") != std::string::npos);
 }
 
 /// Detects whether a file is opened during its lifetime.
