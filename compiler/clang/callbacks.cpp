@@ -30,6 +30,7 @@ public:
     if (type->isFunctionType() || type->isMemberPointerType()) pointers = true;
     const CXXRecordDecl* record = type->getAsCXXRecordDecl();
     if (record == nullptr || is_directors(*record) || record->isLambda()) return;
+    if (name_of(*record) == "std::allocator") return; // a container is given one, which holds no object
     if (!context_of(type).empty()) {
       contexts = true;
       return;
