@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/diff/takes_by_name.hpp"
 
+#include "compiler/analysis/chains/unit_places.hpp"
+
 #include <algorithm>
 
 namespace director::compiler::diff {
@@ -107,23 +109,19 @@ void TakesByName::add_mates(const Rivalry& rivalry, Encounter encounter, Encount
   const Level &winner = level_of(*rivalry.taker, *rivalry.taker_level),
               &loser = level_of(*rivalry.loser, *rivalry.loser_level);
   const auto is_led = [](const Level& level, analysis::Reach reach, const Level& rival) {
-    return level.shares_unit() && reach == analysis::Reach::own && !rival.optional && rival.apart;
+    return reach == analysis::Reach::own && analysis::is_placed(level, rival);
   };
   encounter.is_losers = is_led(loser, rivalry.loses, winner);
   if (!encounter.is_losers && !is_led(winner, rivalry.takes, loser)) return;
   const std::int32_t rivals = encounter.is_losers ? winner.priority : loser.priority;
-  for (const Task& mate : *rivalry.entries) {
-    if (mate.edge == rivalry.taker->edge || mate.edge == rivalry.loser->edge) continue;
-    encounter.mate = numbers_.of(name_of(model_, mate.target));
-    for (const Task::NamedLevel& named : mate.levels) {
-      const Level& level = level_of(mate, named);
-      if (!level.shares_unit()) continue;
-      encounter.mate_level = numbers_.of(named.name);
-      for (const bool if_older : {false, true}) {
-        encounter.if_older = if_older;
-        const bool leads = level.priority > rivals || (if_older && level.priority == rivals);
-        out.emplace_back(encounter, encounter.is_losers ? rivalry.wins && !leads : rivalry.wins || leads);
-      }
+  for (const analysis::Mate& mate :
+       analysis::mates_of(model_, *rivalry.entries, rivalry.taker->edge, rivalry.loser->edge)) {
+    encounter.mate = numbers_.of(name_of(model_, mate.task->target));
+    encounter.mate_level = numbers_.of(mate.level->name);
+    for (const bool if_older : {false, true}) {
+      encounter.if_older = if_older;
+      const bool leads = mate.priority > rivals || (if_older && mate.priority == rivals);
+      out.emplace_back(encounter, encounter.is_losers ? rivalry.wins && !leads : rivalry.wins || leads);
     }
   }
 }

@@ -39,13 +39,8 @@ Leaders LeaderFinder::find(const analysis::Decision& decision, bool first) const
 
 void LeaderFinder::look(const Pack& pack, EdgeId member, const analysis::SideRank& rank, EdgeId rival,
                         const analysis::SideRank& rivals, Leaders& out) const {
-  const auto level = [&](const Task& task, const Task::NamedLevel& named) {
-    return model_.edges[task.edge].levels[named.level];
-  };
   const auto may_be = [&](const Task& task, std::int32_t priority, auto kind) {
-    return std::any_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
-      return level(task, named).priority == priority && kind(level(task, named));
-    });
+    return model_.any_level(task, [&](const Level& level) { return level.priority == priority && kind(level); });
   };
   const Task *const own = entry_of(pack, member), *const others = entry_of(pack, rival);
   if (own == nullptr || others == nullptr) return;
@@ -55,20 +50,10 @@ void LeaderFinder::look(const Pack& pack, EdgeId member, const analysis::SideRan
   if (may_be(*own, rank.priority, alone)) out.always = false;
   if (may_be(*others, rivals.priority, in_unit)) out.always = false;
   if (!may_be(*own, rank.priority, in_unit) || !may_be(*others, rivals.priority, apart)) return;
-  bool always = false;
-  for (const Task& task : pack.tasks) {
-    if (task.edge == member) continue;
-    bool each_level = true;
-    for (const Task::NamedLevel& named : task.levels) {
-      const Level& it = level(task, named);
-      const bool before = it.shares_unit() && it.priority > rivals.priority;
-      const bool beside = it.shares_unit() && it.priority == rivals.priority && rank.priority < rivals.priority;
-      if (before || beside) out.all.push_back({task.edge, it.priority, beside});
-      each_level = each_level && before;
-    }
-    always = always || each_level;
-  }
-  out.always = out.always && always && !pack.name.empty(); // of an unnamed pack any part may be requested
+  const bool whole = !pack.name.empty(); // of an unnamed pack any part may be requested
+  const Leaders here = analysis::find_leaders(model_, pack.tasks, whole, member, rank.priority, rival, rivals.priority);
+  out.all.insert(out.all.end(), here.all.begin(), here.all.end());
+  out.always = out.always && here.always;
 }
 
 Ways::Ways(const Model& model)

@@ -1,14 +1,13 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A unit is tried at the place of its first member, so a member may go before what its own rank is behind: with which
-// other members, and whether always. Source: semantics.md 4.4.
+// For the decisions of a page: with which other members of its unit a task may go before what its own rank is behind,
+// and whether always (analysis/chains/unit_places.hpp).
 
+#include "compiler/analysis/chains/unit_places.hpp"
 #include "compiler/analysis/ranks/contention.hpp"
 #include "compiler/graph/algorithms.hpp"
 #include "compiler/model/model.hpp"
 
-#include <compare>
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <utility>
@@ -19,18 +18,8 @@ namespace director::compiler {
 /// The entry for the edge; null: none.
 const Task* entry_of(const Pack& pack, EdgeId edge);
 
-/// A member at the first place.
-struct Leader {
-  EdgeId edge{};
-  std::int32_t priority = 0;
-  bool if_older = false; ///< its priority is that of the rival: the older request of the two goes first
-  auto operator<=>(const Leader&) const = default;
-};
-
-struct Leaders {
-  std::vector<Leader> all; ///< by edge and level; empty: nothing of this kind
-  bool always = false;     ///< in every request one of them is requested too, and goes before the rival
-};
+using analysis::Leader;
+using analysis::Leaders;
 
 /// For one side of a decision, which is behind by rank or equal: the members that bring it forward if it is requested
 /// as a member of their unit, and the other side is apart.
