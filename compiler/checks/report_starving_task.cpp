@@ -130,7 +130,11 @@ std::string propose(const Input& input, const Refused& refused, const Taker& tak
   const bool is_own = taker.over == refused.task;
   if (!is_own && model.is_always_member(*taker.by) && model.is_always_member(*taker.over)) return elsewhere;
   if (!may_go_after(input, refused, taker)) return elsewhere;
-  if (is_own) return "give it a higher priority, or " + elsewhere;
+  if (is_own) {
+    const Task* const leader = taker.led_by();
+    return fmt::format("give it a higher priority{}, or {}",
+                       leader == nullptr ? "" : " than " + name_of(model, leader->target), elsewhere);
+  }
   if (!leads_firmly(input, taker.over->target, *refused.requester) && takers.is_mandatory(*taker.by)) return elsewhere;
   const bool goes_after_all = !takers.is_mandatory(*taker.over) && !takers.is_optional(*taker.by);
   const std::string over = name_of(model, taker.over->target), by = name_of(model, taker.by->target);

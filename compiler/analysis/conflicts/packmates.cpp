@@ -103,10 +103,8 @@ std::optional<Packmate> Packmates::find_mate(GroupId requester, const Rival& riv
     return out;
   }
   out.from_below = first || together;
-  // A unit is tried at the position of its first member.
-  out.from_entry = first && (entry.company == nullptr ||
-                             std::all_of(entry.company->begin(), entry.company->end(),
-                                         [&](const Task* each) { return is_first(requester, by, *each); }));
+  out.taker.leader = find_leader(requester, rival, entry);
+  out.from_entry = out.taker.leader != nullptr;
   if (!rival.at_first || (!first && !together && !takers_.is_mandatory(over))) return std::nullopt;
   // It waits until the task that goes before it has run, and then for its requester if that is stale by then: meanwhile
   // what the first one requested may be granted.
@@ -116,6 +114,26 @@ std::optional<Packmate> Packmates::find_mate(GroupId requester, const Rival& riv
   if (!before && !out.taker.spoilers.empty() && may_keep(requester, *rival.unit, over)) return std::nullopt;
   out.taker.steady = out.taker.spoilers.empty() && takers_.is_unconditional(by.target);
   return out;
+}
+
+/// The member at whose place the unit is tried, if that is always before the unit of the entry: rather `by` itself.
+const Task* Packmates::find_leader(GroupId requester, const Rival& rival, const PackEntry& entry) const {
+  const auto goes_first = [&](const Task& member) {
+    // A group may ask for what `by` takes while it goes before that, and not before the entry. If the entry goes before
+    // `by`, only a member that goes before the entry by rank excludes this.
+    const bool is_like_by =
+        is_first(requester, *rival.task, *entry.task) || takers_.always_beside(requester, *rival.task, *entry.task);
+    const auto before = [&](const Task& other) {
+      return is_like_by ? is_first(requester, member, other) : takers_.always_before(member, other);
+    };
+    return before(*entry.task) &&
+           (entry.company == nullptr ||
+            std::all_of(entry.company->begin(), entry.company->end(), [&](const Task* each) { return before(*each); }));
+  };
+  if (goes_first(*rival.task)) return rival.task;
+  const auto at =
+      std::find_if(rival.unit->begin(), rival.unit->end(), [&](const Task* member) { return goes_first(*member); });
+  return at == rival.unit->end() ? nullptr : *at;
 }
 
 bool Packmates::is_first(GroupId requester, const Task& by, const Task& over) const {

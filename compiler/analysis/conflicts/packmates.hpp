@@ -53,6 +53,7 @@ private:
   void add_rivals(GroupId requester, const Unit& unit, bool is_all, ByTaken& to);
   void add_mates(GroupId requester, const ByTaken& by_taken, PackEntry& entry);
   std::optional<Packmate> find_mate(GroupId requester, const Rival& rival, GroupId group, const PackEntry& entry);
+  const Task* find_leader(GroupId requester, const Rival& rival, const PackEntry& entry) const;
   bool is_first(GroupId requester, const Task& by, const Task& over) const;
   Beside beside(GroupId requester, const Unit& unit, const Task& by, const Task& over) const;
   Groups spoilers_of(GroupId requester, const Rival& rival, const Task& over);

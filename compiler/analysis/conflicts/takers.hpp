@@ -44,6 +44,10 @@ struct Taker {
   Groups spoilers;
   /// Whether nothing ever takes it away, not even while a stale group above `by` is about to run.
   bool steady = true;
+  const Task* leader = nullptr; ///< of `before`: the member of the unit that goes before `over`, often `by`
+
+  /// The leader if it is another one than `by`; else null.
+  const Task* led_by() const { return kind == Kind::before && leader != by ? leader : nullptr; }
 };
 
 /// What the members of a unit take, each with its needs.
