@@ -40,6 +40,12 @@ std::string message(const Model& model, const EqualPair& pair) {
     return fmt::format("{0} and {1} have equal rank: {0} may hold {2} and want {3} while {1} holds {3} and wants {2}, "
                        "and then each waits for the other",
                        first, second, name_of(model, pair.mutual_wait->held), wanted);
+  if (pair.leader != nullptr) {
+    const std::string leader = name_of(model, pair.leader->target);
+    return fmt::format("{0} and {1} have equal rank, and {0} and {2}, which may be granted together with {1}, may both "
+                       "want {3}: the older request of {0} and {1} goes first",
+                       second, leader, first, wanted);
+  }
   const std::string both = fmt::format("{} and {} have equal rank and may both want {}", first, second, wanted);
   if (!contest.unpushed)
     return fmt::format("{}: whichever takes it first keeps it{}", both,
@@ -53,10 +59,15 @@ void report(const Model& model, const EqualPair& pair, Findings& findings) {
   const auto& [meeting, contest, mutual_wait, stakes] = static_cast<const Rivalling&>(pair);
   using Link = dsl::Note::Link;
   Diagnostic& finding = findings.add(meeting.second->span, message(model, pair));
-  finding.notes.push_back({meeting.first->span,
-                           fmt::format("{} is requested here, with the same priority {}",
-                                       name_of(model, meeting.first->target), meeting.first_level.priority),
+  const Task& equal = pair.leader != nullptr ? *pair.leader : *meeting.first;
+  finding.notes.push_back({equal.span,
+                           fmt::format("{} is requested here, with the same priority {}", name_of(model, equal.target),
+                                       meeting.second_level.priority),
                            Link::first});
+  if (pair.leader != nullptr)
+    finding.notes.push_back(
+        {meeting.first->span, fmt::format("{} is granted together with {}", name_of(model, meeting.first->target),
+                                          name_of(model, equal.target))});
   if (mutual_wait) add_new(model, mutual_wait->first_path, Link::next, finding);
   add_new(model, contest.first_path, Link::next, finding);
   add_new(model, contest.second_path, Link::first, finding);
@@ -66,7 +77,10 @@ void report(const Model& model, const EqualPair& pair, Findings& findings) {
     finding.notes.push_back(runs_only_while(model, want.waiter, want.condition));
     finding.notes.push_back(causes(model, want.causers.front(), want.condition.id));
   }
-  finding.help = "give one of them a higher priority";
+  finding.help = pair.leader == nullptr
+                     ? "give one of them a higher priority"
+                     : fmt::format("give one of {} and {} a higher priority", name_of(model, meeting.second->target),
+                                   name_of(model, pair.leader->target));
 }
 
 /// Limit, from which entries of one list that compete at one priority, each with another one of them, are one finding:
@@ -95,11 +109,14 @@ struct Crowd {
   }
 };
 
+/// Whether it is reported as a pair, whatever else is reported of the list.
+bool is_alone(const EqualPair& pair) { return pair.mutual_wait || pair.leader != nullptr; }
+
 /// The pairs of one list, merged if they share a priority and an entry.
 std::list<Crowd> find_crowds(const std::vector<EqualPair>& all) {
   std::list<Crowd> out;
   for (const EqualPair& pair : all) {
-    if (pair.mutual_wait) continue;
+    if (is_alone(pair)) continue;
     const std::int32_t priority = pair.meeting.first_level.priority;
     Crowd* home = nullptr;
     for (auto at = out.begin(); at != out.end();) {
@@ -136,7 +153,7 @@ public:
 
   void run() {
     for (const EqualPair& pair : list_.pairs) {
-      if (pair.mutual_wait) report(model_, pair, findings_);
+      if (is_alone(pair)) report(model_, pair, findings_);
     }
     std::list<Crowd> crowds = find_crowds(list_.pairs);
     if (tasks_.size() > longest_with_all_pairs) report_list(crowds);

@@ -60,13 +60,11 @@ std::vector<bool> Overlaps::among(const std::vector<GroupId>& targets) {
   return out;
 }
 
-std::vector<std::vector<std::int32_t>> Overlaps::priorities(const std::vector<Task>& entries) {
+std::vector<std::vector<std::int32_t>> Overlaps::among(const std::vector<Task>& entries,
+                                                       const std::vector<std::set<std::int32_t>>& priorities) {
   std::map<std::int32_t, std::vector<std::size_t>> by_priority;
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    for (const Task::NamedLevel& named : entries[i].levels) {
-      std::vector<std::size_t>& like = by_priority[model_.edges[entries[i].edge].levels[named.level].priority];
-      if (like.empty() || like.back() != i) like.push_back(i);
-    }
+    for (const std::int32_t priority : priorities[i]) by_priority[priority].push_back(i);
   }
   std::vector<std::vector<std::int32_t>> out(entries.size());
   for (const auto& [priority, like] : by_priority) {

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <vector>
 
 namespace director::analysis {
@@ -21,8 +22,9 @@ public:
   /// visits each group once, and skips those below which only one entry can lead.
   std::vector<bool> among(const std::vector<GroupId>& targets);
 
-  /// For each entry of a list those of its priorities, ascending, at which another one may want the same group.
-  std::vector<std::vector<std::int32_t>> priorities(const std::vector<Task>& entries);
+  /// For each entry of a list those of these priorities of it, ascending, at which another one may want the same group.
+  std::vector<std::vector<std::int32_t>> among(const std::vector<Task>& entries,
+                                               const std::vector<std::set<std::int32_t>>& priorities);
 
 private:
   static constexpr std::size_t no_group = static_cast<std::size_t>(-1);

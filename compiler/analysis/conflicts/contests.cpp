@@ -32,6 +32,7 @@ std::optional<Rivalling> Contests::look_at(const Together& together, const Task&
     for (const Task::NamedLevel& b : second.levels) {
       const Meeting meeting{&together, &first, &second, model_.edges[first.edge].levels[a.level],
                             model_.edges[second.edge].levels[b.level]};
+      if (meeting.first_level.priority != meeting.second_level.priority) continue;
       const std::vector<Contest> candidates = find_candidates(meeting);
       const auto contest = find(meeting, candidates);
       if (!contest) continue;
@@ -41,6 +42,14 @@ std::optional<Rivalling> Contests::look_at(const Together& together, const Task&
     }
   }
   return std::nullopt;
+}
+
+std::optional<Rivalling> Contests::look_at_place(const Meeting& meeting) {
+  std::vector<Contest> candidates = find_candidates(meeting);
+  std::erase_if(candidates, [](const Contest& each) { return each.first != Reach::own || each.unpushed; });
+  const auto contest = find(meeting, candidates);
+  if (!contest || contest->unpushed) return std::nullopt;
+  return Rivalling{meeting, *contest, {}, {}};
 }
 
 const Claims& Contests::claims(const Meeting& meeting, const Task& entry) const {
@@ -96,10 +105,9 @@ std::optional<Unpushed> Contests::find_unpushed(GroupId group, const Side& waiti
   return out;
 }
 
-/// For equal levels of two entries: what both may want, those with the shortest chains first.
+/// What both may want, those with the shortest chains first.
 std::vector<Contest> Contests::find_candidates(const Meeting& meeting) const {
   std::vector<Contest> out;
-  if (meeting.first_level.priority != meeting.second_level.priority) return out;
   const Claims& first = claims(meeting, *meeting.first);
   const Claims& second = claims(meeting, *meeting.second);
   const std::optional<ProviderId> by = meeting.together->provider;

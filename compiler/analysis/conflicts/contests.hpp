@@ -62,6 +62,9 @@ public:
 
   /// One contest for a pair, at all its levels. `first`: the winner if both are requested at once.
   std::optional<Rivalling> look_at(const Together& together, const Task& first, const Task& second);
+  /// The same for two levels, the first of which is a member of a unit that is tried at a place of equal rank. Only
+  /// what is granted with the unit is tried there.
+  std::optional<Rivalling> look_at_place(const Meeting& meeting);
 
 private:
   /// A task's claim for the contested group, and all others of that task.
@@ -82,7 +85,7 @@ private:
   const Claims& claims(const Meeting& meeting, const Task& entry) const;
   bool match(const Meeting& meeting, const Side& first, const Side& second, Contest& contest) const;
   std::optional<Unpushed> find_unpushed(GroupId group, const Side& waiting, const Region& other) const;
-  std::vector<Contest> find_candidates(const Meeting& meeting) const;
+  std::vector<Contest> find_candidates(const Meeting& meeting) const; ///< whatever their priorities
   std::optional<Contest> find(const Meeting& meeting, const std::vector<Contest>& candidates);
   std::optional<MutualWait> find_mutual_wait(const Meeting& meeting, const std::vector<Contest>& candidates,
                                              const Contest& contest);

@@ -3,18 +3,43 @@
 #include "compiler/analysis/conflicts/equals.hpp"
 
 #include "compiler/analysis/chains/overlaps.hpp"
+#include "compiler/analysis/chains/unit_places.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/words/reported_pairs.hpp"
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
 namespace director::analysis {
 
 namespace {
+
+/// The priorities at which each entry may be tried: its own, and of a member of a unit those of other members, if
+/// something that is apart has the same.
+std::vector<std::set<std::int32_t>> priorities_of(const Model& model, const Together& together) {
+  std::vector<std::set<std::int32_t>> out;
+  std::set<std::int32_t> of_members, of_apart;
+  for (const Task& task : *together.tasks) {
+    std::set<std::int32_t>& own = out.emplace_back();
+    for (const Task::NamedLevel& named : task.levels) {
+      const Level& level = model.edges[task.edge].levels[named.level];
+      own.insert(level.priority);
+      if (level.shares_unit()) of_members.insert(level.priority);
+      if (level.apart && !level.optional) of_apart.insert(level.priority);
+    }
+  }
+  if (!together.provider) return out;
+  std::erase_if(of_members, [&](std::int32_t priority) { return of_apart.count(priority) == 0; });
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (model.may_be_member((*together.tasks)[i]))
+      out[i].insert(of_members.upper_bound(*out[i].begin()), of_members.end());
+  }
+  return out;
+}
 
 /// For each entry the earlier ones that share a priority with it and may come to hold the same group, in order. In a
 /// long list few entries meet, so not all pairs are compared, and claims are computed only for an entry that overlaps
@@ -26,7 +51,8 @@ public:
         added_for_(together.tasks->size(), 0) {
     const std::vector<Task>& tasks = *together.tasks;
     if (tasks.size() < 2) return;
-    const std::vector<std::vector<std::int32_t>> priorities = overlaps.priorities(tasks);
+    const std::vector<std::vector<std::int32_t>> priorities =
+        overlaps.among(tasks, priorities_of(input.model, together));
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       if (priorities[i].empty()) continue;
       const bool in_unit = together.provider && input.model.is_always_member(tasks[i]);
@@ -118,41 +144,56 @@ private:
   std::set<const Task*> kept_off_; ///< by what the requester holds itself, or by several together
 };
 
-std::int32_t priority_of(const Model& model, const Task& task) {
-  return model.edges[task.edge].levels[task.levels.front().level].priority;
-}
-
-bool is_tried_first(const Model& model, const Task& a, const Task& b) {
-  const std::int32_t first = priority_of(model, a), second = priority_of(model, b);
-  return first == second ? a.edge < b.edge : first > second;
-}
-
-/// The member at whose place its unit is tried: of those with the highest priority, the first. The task itself if it is
-/// no member, or if a member has several levels.
-const Task& leader_of(const Model& model, const Together& together, const Task& task) {
-  if (!together.provider || !model.is_always_member(task)) return task;
-  const Task* out = &task;
-  for (const Task& other : *together.tasks) {
-    if (!model.is_always_member(other)) continue;
-    if (other.levels.size() != 1) return task;
-    if (is_tried_first(model, other, *out)) out = &other;
-  }
-  return *out;
-}
-
 /// The places at which two entries of equal rank are tried.
 struct Order {
   bool swapped = false; ///< the second one comes first, if both are requested at once
   bool open = false;    ///< that depends on what else is requested of a flat list
 };
 
+/// The one that is declared later comes first by a member of its unit that does.
 Order order_of(const Model& model, const Together& together, const Task& a, const Task& b) {
-  const Task &first = leader_of(model, together, a), &second = leader_of(model, together, b);
-  const bool alone = b.edge < a.edge; // without other members
-  if (&first == &second) return {alone, false};
-  const bool has_levels = a.levels.size() != 1 || b.levels.size() != 1;
-  const bool swapped = has_levels ? second.edge < first.edge : is_tried_first(model, second, first);
-  return together.whole ? Order{swapped, false} : Order{alone, swapped != alone};
+  const bool swapped = b.edge < a.edge;
+  if (!together.provider) return {swapped, false};
+  const Task &rival = swapped ? b : a, &member = swapped ? a : b;
+  const std::vector<Mate> mates = mates_of(model, *together.tasks, member.edge, rival.edge);
+  bool some = false, always = together.whole;
+  for (const Task::NamedLevel& one : member.levels) {
+    for (const Task::NamedLevel& other : rival.levels) {
+      const Level &own = model.edges[member.edge].levels[one.level],
+                  &rivals = model.edges[rival.edge].levels[other.level];
+      if (own.priority != rivals.priority) continue;
+      const auto goes_before = [&](const Mate& mate) {
+        return mate.priority > rivals.priority || (mate.priority == rivals.priority && mate.task->edge < rival.edge);
+      };
+      const bool placed = is_placed(own, rivals);
+      some = some || (placed && std::any_of(mates.begin(), mates.end(), goes_before));
+      always = always && placed && any_always(mates, goes_before);
+    }
+  }
+  return {swapped != always, some && !always};
+}
+
+/// How a member comes to equal rank with an entry that is apart only by another member, at whose place its unit is
+/// tried.
+std::optional<EqualPair> find_by_place(const Model& model, Contests& contests, const Together& together,
+                                       const Task& member, const Task& apart) {
+  if (!together.provider) return std::nullopt;
+  for (const Task::NamedLevel& one : member.levels) {
+    for (const Task::NamedLevel& other : apart.levels) {
+      const Level &own = model.edges[member.edge].levels[one.level],
+                  &rivals = model.edges[apart.edge].levels[other.level];
+      if (!is_placed(own, rivals) || own.priority >= rivals.priority) continue;
+      const std::vector<Mate> mates = mates_of(model, *together.tasks, member.edge, apart.edge);
+      const auto leader =
+          std::find_if(mates.begin(), mates.end(), [&](const Mate& mate) { return mate.priority == rivals.priority; });
+      const bool goes_before =
+          together.whole && any_always(mates, [&](const Mate& mate) { return mate.priority > rivals.priority; });
+      if (leader == mates.end() || goes_before) continue;
+      if (auto found = contests.look_at_place({&together, &member, &apart, own, rivals}))
+        return EqualPair{std::move(*found), 0, 0, false, leader->task};
+    }
+  }
+  return std::nullopt;
 }
 
 } // namespace
@@ -167,16 +208,28 @@ std::vector<EqualList> find_equals(const Input& input) {
     Claimants claimants(input, overlaps, together);
     ReportedPairs<Stake> reported(tasks.size()), reported_by_others(tasks.size());
     EqualList list{&together, {}};
+    std::set<const Task*> by_place; // those that are apart: each once
+    const auto look_at_place = [&](const Task& member, const Task& apart) {
+      if (by_place.count(&apart) != 0) return;
+      auto found = find_by_place(input.model, contests, together, member, apart);
+      if (!found) return;
+      by_place.insert(&apart);
+      list.pairs.push_back(std::move(*found));
+    };
     for (std::size_t j = 1; j < tasks.size(); ++j) {
       for (const std::size_t i : claimants.before(j)) {
         if (reported.covers(i, j) || reported_by_others.covers(i, j) || lost.contains(tasks[i], tasks[j])) continue;
         // If both are requested at once, the one that is tried first wins.
         const Order order = order_of(input.model, together, tasks[i], tasks[j]);
         auto found = contests.look_at(together, tasks[order.swapped ? j : i], tasks[order.swapped ? i : j]);
-        if (!found) continue;
+        if (!found) {
+          look_at_place(tasks[i], tasks[j]);
+          look_at_place(tasks[j], tasks[i]);
+          continue;
+        }
         const bool excluded = lost.excludes(together, tasks[i], tasks[j]);
         for (const Stake& stake : found->stakes) (excluded ? reported_by_others : reported).add(i, j, stake);
-        if (!excluded) list.pairs.push_back({std::move(*found), i, j, order.open});
+        if (!excluded) list.pairs.push_back({std::move(*found), i, j, order.open, nullptr});
       }
     }
     if (!list.pairs.empty()) out.push_back(std::move(list));
