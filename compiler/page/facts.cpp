@@ -11,6 +11,7 @@
 #include "compiler/graph/topmost.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/page/ranks.hpp"
+#include "compiler/page/ruling.hpp"
 #include "compiler/play/coverage.hpp"
 #include "compiler/transitions/transitions_json.hpp"
 
@@ -26,13 +27,18 @@ namespace director::compiler {
 
 namespace {
 
-/// Of the ranks by which the one may take from the other: each priority once.
-Json priorities(const std::set<analysis::Winning>& ranks, analysis::SideRank analysis::Winning::*side) {
-  std::set<std::int32_t> all;
-  for (const analysis::Winning& each : ranks) all.insert((each.*side).priority);
+Json priorities_json(const std::set<std::int32_t>& all) {
   Json out = Json::list({});
   for (const std::int32_t priority : all) out.add(Json::number(priority));
   return out;
+}
+
+/// Of the ranks by which the one may take from the other: each priority once.
+std::set<std::int32_t> priorities(const std::set<analysis::Winning>& ranks,
+                                  analysis::SideRank analysis::Winning::*side) {
+  std::set<std::int32_t> all;
+  for (const analysis::Winning& each : ranks) all.insert((each.*side).priority);
+  return all;
 }
 
 bool by_optional(const analysis::Winning& ranks) { return ranks.second.optional && !ranks.first.optional; }
@@ -42,13 +48,20 @@ bool is_optional_at(const Edge& edge, std::int32_t priority) {
                      [&](const Level& level) { return level.optional && level.priority == priority; });
 }
 
+/// `Grip is granted together with Lift (priority 50)`
+std::string led_words(const Model& model, EdgeId member, const std::set<Leader>& leaders) {
+  return fmt::format("{} is {}", model.groups[model.edges[member].target].name.value,
+                     together_words(model, {leaders.begin(), leaders.end()}));
+}
+
 /// `priority 80 before 20`, `where the second is optional`
 std::string words_of(const PossibleTake& take, const Model& model, const std::set<analysis::Winning>& by_priority) {
   const Edge &taker = model.edges[take.taker], &loser = model.edges[take.loser];
   std::vector<std::string> out;
   if (!by_priority.empty()) {
     const std::vector<std::string> all = ranks_words(taker, loser, by_priority, "before");
-    out.push_back(fmt::format("priority {}", fmt::join(all, ", or ")));
+    out.push_back(fmt::format("priority {}{}", fmt::join(all, ", or "),
+                              take.except.empty() ? "" : ", unless " + led_words(model, take.loser, take.except)));
   }
   bool itself = false, below = false;
   for (const analysis::Winning& each : take.ranks) {
@@ -57,6 +70,7 @@ std::string words_of(const PossibleTake& take, const Model& model, const std::se
   }
   if (itself) out.emplace_back("where the second is optional");
   if (below) out.emplace_back("where something below the second is optional");
+  if (!take.leaders.empty()) out.push_back("where " + led_words(model, take.taker, take.leaders));
   return fmt::format("{}", fmt::join(out, ", or "));
 }
 
@@ -69,9 +83,15 @@ Json take_json(const PossibleTake& take, const Model& model, Topmost& topmost) {
   std::set<analysis::Winning> by_priority = take.ranks;
   std::erase_if(by_priority, by_optional);
   const bool is_ranked = !by_priority.empty();
-  out.add("by", Json::text(is_ranked ? "priority" : "optional"));
-  out.add("winner_priorities", priorities(is_ranked ? by_priority : take.ranks, &analysis::Winning::first));
-  out.add("loser_priorities", priorities(is_ranked ? by_priority : take.ranks, &analysis::Winning::second));
+  out.add("by", Json::text(is_ranked ? "priority" : take.ranks.empty() ? "unit" : "optional"));
+  std::set<std::int32_t> winners = priorities(is_ranked ? by_priority : take.ranks, &analysis::Winning::first),
+                         losers = priorities(is_ranked ? by_priority : take.ranks, &analysis::Winning::second);
+  if (take.ranks.empty()) {
+    for (const Leader& leader : take.leaders) winners.insert(leader.priority);
+    losers = take.led_over;
+  }
+  out.add("winner_priorities", priorities_json(winners));
+  out.add("loser_priorities", priorities_json(losers));
   out.add("words", Json::text(words_of(take, model, by_priority)));
   Json over = Json::list({});
   for (const GroupId id : topmost.of(taker.target, loser.target, take.groups))
@@ -117,8 +137,9 @@ void add_verdicts(const std::vector<Verdict>& verdicts, const Model& model, Tran
 
 std::vector<TakeOver> take_overs_of(const Model& model, const Graph& graph, const TakeLimits& limits) {
   std::vector<TakeOver> out;
-  for (const PossibleTake& take : possible_takes(model, graph, limits))
-    out.push_back({take.taker, take.loser, take.ranks, take.groups});
+  for (const PossibleTake& take : possible_takes(model, graph, limits)) {
+    if (!take.ranks.empty()) out.push_back({take.taker, take.loser, take.ranks, take.groups});
+  }
   return out;
 }
 

@@ -32,22 +32,13 @@ std::string request_words(const Model& model, EdgeId id, const analysis::SideRan
                                     : ", something below it optional");
 }
 
-/// `granted together with Lift (priority 50)`
-std::string together(const Model& model, const std::vector<Leader>& leaders) {
-  std::string out;
-  for (const Leader& each : leaders)
-    out += fmt::format("{}{} (priority {}{})", out.empty() ? "" : " or ", target_name(model, each.edge), each.priority,
-                       each.if_older ? ", if older" : "");
-  return "granted together with " + out;
-}
-
 /// For equals.
 std::string requested_first(const Model& model, EdgeId member, const Ruling::Side& side) {
   if (side.leaders.empty()) return "";
   const std::string& task = target_name(model, member);
   return fmt::format("; of two that request it, {} goes first where {}{}",
                      side.needs ? "what " + task + " needs" : task, side.needs ? task + " is " : "",
-                     together(model, side.leaders));
+                     together_words(model, side.leaders));
 }
 
 /// `Play runs only with it`; of a group some of whose providers do not need it, `Play.near and Play.far run ...`.
@@ -63,6 +54,14 @@ std::string needs_it(const Model& model, GroupId requester, GroupId needed) {
 }
 
 } // namespace
+
+std::string together_words(const Model& model, const std::vector<Leader>& leaders) {
+  std::string out;
+  for (const Leader& each : leaders)
+    out += fmt::format("{}{} (priority {}{})", out.empty() ? "" : " or ", target_name(model, each.edge), each.priority,
+                       each.if_older ? ", if older" : "");
+  return "granted together with " + out;
+}
 
 std::string words_of(const Model& model, const Ruling& ruling) {
   constexpr std::string_view never_both = ", never both at once";
@@ -89,14 +88,14 @@ std::string words_of(const Model& model, const Ruling& ruling) {
                        (order > 0 ? both.second_own : both.first_own) ? "" : never_both);
   case Ruling::Held::by_leader:
     return fmt::format("{}: {} before {}, as {} is {}", requester, held, second, target_name(model, ahead),
-                       together(model, winner.leaders));
+                       together_words(model, winner.leaders));
   case Ruling::Held::by_rank: break;
   }
   std::string out = fmt::format("{}: {} {} {}{}{}{}", requester, first, order == 0 ? "and" : "before", second,
                                 order == 0 ? " are equal" : "", both.unit ? ", together or not at all" : "",
                                 both.at_once ? "" : never_both);
   if (order != 0 && !loser.leaders.empty())
-    out += ", unless " + target_name(model, behind) + " is " + together(model, loser.leaders);
+    out += ", unless " + target_name(model, behind) + " is " + together_words(model, loser.leaders);
   if (order == 0) out += requested_first(model, ahead, winner) + requested_first(model, behind, loser);
   return out;
 }

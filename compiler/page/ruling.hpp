@@ -34,6 +34,9 @@ struct Ruling {
   }
 };
 
+/// `granted together with Lift (priority 50) or Hold (priority 20, if older)`
+std::string together_words(const Model& model, const std::vector<Leader>& leaders);
+
 /// Of the two tasks, the one that goes first comes first.
 std::string words_of(const Model& model, const Ruling& ruling);
 

@@ -58,11 +58,16 @@ public:
       for_each_pair(together, [&](const Task& taker, const Task& loser) {
         if (out.size() > limits.most || !counts(taker.target, loser.target)) return;
         any_rivalry(together, taker, loser, [&](const Rivalry& each) {
-          if (!each.wins) return false;
+          const analysis::Leaders leaders = leaders_of(together, each);
+          const bool equal = each.ranks.first == each.ranks.second; // then the place of a unit takes nothing
+          if (each.wins ? leaders.always : equal || leaders.all.empty()) return false;
           const auto [at, fresh] = places.try_emplace({taker.edge, loser.edge}, out.size());
-          if (fresh) out.push_back({taker.edge, loser.edge, std::vector<bool>(model_.groups.size()), {}});
-          out[at->second].groups[each.group.value] = true;
-          out[at->second].ranks.insert(each.ranks);
+          if (fresh) out.push_back({taker.edge, loser.edge, std::vector<bool>(model_.groups.size()), {}, {}, {}, {}});
+          PossibleTake& take = out[at->second];
+          take.groups[each.group.value] = true;
+          (each.wins ? take.except : take.leaders).insert(leaders.all.begin(), leaders.all.end());
+          if (each.wins) take.ranks.insert(each.ranks);
+          if (!each.wins) take.led_over.insert(each.ranks.second.priority);
           return false;
         });
       });
@@ -163,7 +168,8 @@ private:
 
   void plan_take_overs(const analysis::Together& together) {
     for_each_pair(together, [&](const Task& taker, const Task& loser) {
-      if (any_rivalry(together, taker, loser, [](const Rivalry& each) { return each.wins; }))
+      if (any_rivalry(together, taker, loser,
+                      [&](const Rivalry& each) { return each.wins && !leaders_of(together, each).always; }))
         add({Kind::take_over, taker.edge.value, loser.edge.value}, taker.span);
     });
   }
@@ -202,6 +208,21 @@ private:
     return false;
   }
 
+  /// Of the one that is behind by rank: it is claimed at the place of its unit, unlike what its tasks claim.
+  analysis::Leaders leaders_of(const analysis::Together& together, const Rivalry& each) const {
+    const Task &member = each.wins ? *each.loser : *each.taker, &rival = each.wins ? *each.taker : *each.loser;
+    const Level &own = level_of(member, each.wins ? *each.loser_level : *each.taker_level),
+                &rivals = level_of(rival, each.wins ? *each.taker_level : *each.loser_level);
+    const analysis::Reach reach = each.wins ? each.loses : each.takes;
+    if (!together.provider || reach != analysis::Reach::own || !analysis::is_placed(own, rivals)) return {};
+    return analysis::find_leaders(model_, *together.tasks, together.whole, member.edge, own.priority, rival.edge,
+                                  rivals.priority);
+  }
+
+  const Level& level_of(const Task& task, const Task::NamedLevel& level) const {
+    return model_.edges[task.edge].levels[level.level];
+  }
+
   /// Whether the loser, and with it what is requested below it, may be requested before the taker is.
   bool may_precede(const analysis::Together& together, const Task& loser, const Task& taker) const {
     if (!together.whole) return true;
@@ -222,8 +243,7 @@ private:
     using analysis::Reach;
     for (const Task::NamedLevel& a : each.taker->levels) {
       for (const Task::NamedLevel& b : each.loser->levels) {
-        const Level &first = model_.edges[each.taker->edge].levels[a.level],
-                    &second = model_.edges[each.loser->edge].levels[b.level];
+        const Level &first = level_of(*each.taker, a), &second = level_of(*each.loser, b);
         const bool together_granted = in_unit(together, first) && in_unit(together, second);
         if (together_granted && each.loses == Reach::own) continue;
         if (together_granted && each.takes == Reach::own && !may_precede(together, *each.loser, *each.taker)) continue;

@@ -4,6 +4,7 @@
 // prove impossible does not count. Source: docs/scenarios.md, "Coverage".
 
 #include "compiler/analysis/chains/claims.hpp"
+#include "compiler/analysis/chains/unit_places.hpp"
 #include "compiler/analysis/ranks/contention.hpp"
 #include "compiler/graph/graph.hpp"
 #include "compiler/model/model.hpp"
@@ -62,11 +63,15 @@ struct Coverage {
 /// Every point of a deployment, none covered.
 Coverage coverage_of(const Model& model, const Graph& graph);
 
-/// A take-over that is a point of coverage, and what the first edge may take from the second.
+/// What the first edge may take from the second.
 struct PossibleTake {
   EdgeId taker{}, loser{};
   std::vector<bool> groups;          ///< by number
-  std::set<analysis::Winning> ranks; ///< by which it may
+  std::set<analysis::Winning> ranks; ///< by which it may: then the take-over is a point of coverage
+  /// Members of the loser's unit at whose place that goes first nevertheless.
+  std::set<analysis::Leader> except;
+  std::set<analysis::Leader> leaders; ///< likewise of the taker's unit, if the taker's own rank is not enough
+  std::set<std::int32_t> led_over;    ///< then: the priorities of the loser
 };
 struct TakeLimits {
   struct Among {

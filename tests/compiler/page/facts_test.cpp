@@ -165,6 +165,30 @@ groups: {Play: {tasks: {Look: {optional: true}}}, Look: {needs: [Head]}, Cheer: 
        "Rest before Cheer: where the second is optional\n");
 }
 
+TEST_CASE("the table names the members of a unit with which a task goes before one that is apart") {
+  const auto words = [](const std::string& tasks) {
+    const compiler::Json all = facts("roots: [Play]\ngroups:\n  Play: {" + tasks +
+                                     "}\n  Lift: {}\n  Carry: {needs: [Arm]}\n  Grip: {needs: [Arm]}\n  Arm: {}\n");
+    std::string out;
+    for (const compiler::Json& take : all["takes"].items())
+      out += take["winner"].as_text() + " before " + take["loser"].as_text() + ", " + take["by"].as_text() + ": " +
+             take["words"].as_text() + "\n";
+    return out;
+  };
+  const std::string led = "Grip before Carry, unit: where Grip is granted together with Lift (priority 5)\n";
+  CHECK(words("tasks: {Lift: {priority: 5}, Carry: {apart: true, priority: 2}, Grip: {}}") ==
+        "Carry before Grip, priority: priority 2 before 0, unless Grip is granted together with Lift (priority 5)\n" +
+            led);
+  CHECK(words("tasks: {Lift: {priority: 5}, Carry: {apart: true, priority: 5}, Grip: {}}") ==
+        "Carry before Grip, priority: priority 5 before 0, unless Grip is granted together with Lift (priority 5, if "
+        "older)\n"
+        "Grip before Carry, unit: where Grip is granted together with Lift (priority 5, if older)\n");
+  CHECK(words("packs: {go: {Lift: {priority: 5}, Carry: {apart: true, priority: 2}, Grip: {}}}") == led);
+  CHECK(words("tasks: {Lift: {priority: 5}, Carry: {apart: true}, Grip: {}}").empty()); // equals take nothing
+  CHECK(words("tasks: {Lift: {priority: 5, apart: true}, Carry: {apart: true, priority: 2}, Grip: {}}") ==
+        "Carry before Grip, priority: priority 2 before 0\n");
+}
+
 TEST_CASE("a cell of two groups that are asserted to change over softly has the verdict") {
   const compiler::Json transitions = facts(R"(roots: {GetUp: {priority: 20}, Walk: {priority: 10}}
 groups: {GetUp: {needs: [Legs]}, Walk: {needs: [Legs]}, Legs: {}}

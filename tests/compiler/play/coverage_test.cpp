@@ -249,6 +249,17 @@ groups:
 )") == std::vector<std::string>{"root>Walk from root>Look"});
 }
 
+TEST_CASE("nothing is taken from a unit that another member always brings before what is apart") {
+  const auto of_play = [](const std::string& tasks) {
+    return take_overs("roots: [Play]\ngroups:\n  Play: {" + tasks +
+                      "}\n  Lift: {}\n  Carry: {needs: [Arm]}\n  Grip: {needs: [Arm]}\n  Arm: {}\n");
+  };
+  const std::string list = "{Lift: {priority: 5}, Carry: {apart: true, priority: 2}, Grip: {}}";
+  CHECK(of_play("packs: {go: " + list + "}") == std::vector<std::string>{"Play>Grip from Play>Carry"});
+  CHECK(of_play("tasks: " + list) ==
+        std::vector<std::string>{"Play>Carry from Play>Grip", "Play>Grip from Play>Carry"});
+}
+
 TEST_CASE("what is requested below it is optional there") {
   CHECK(take_overs(R"(roots: {Walk: {priority: 10}, Look: {priority: 20, optional: true}}
 groups:
