@@ -208,13 +208,15 @@ std::vector<EqualList> find_equals(const Input& input) {
     Claimants claimants(input, overlaps, together);
     ReportedPairs<Stake> reported(tasks.size()), reported_by_others(tasks.size());
     EqualList list{&together, {}};
-    std::set<const Task*> by_place; // those that are apart: each once
+    std::set<const Task*> by_place; // those that are apart: each once, and in a long list one for each group
+    std::set<GroupId> wanted;
     const auto look_at_place = [&](const Task& member, const Task& apart) {
       if (by_place.count(&apart) != 0) return;
       auto found = find_by_place(input.model, contests, together, member, apart);
       if (!found) return;
       by_place.insert(&apart);
-      list.pairs.push_back(std::move(*found));
+      const bool is_new = wanted.insert(found->contest.group).second;
+      if (is_new || tasks.size() <= longest_with_all_pairs) list.pairs.push_back(std::move(*found));
     };
     for (std::size_t j = 1; j < tasks.size(); ++j) {
       for (const std::size_t i : claimants.before(j)) {
