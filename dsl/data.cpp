@@ -4,6 +4,7 @@
 
 #include "dsl/lexical/characters.hpp"
 #include "dsl/lexical/numbers.hpp"
+#include "dsl/yaml/yaml_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -23,6 +24,11 @@ bool needs_quotes(std::string_view text) {
   if (text.find_first_of("#&*!|>'\"%@`") == 0) return true;
   return text.empty() || text == "true" || text == "false" || text == "null" || text == "~" || integer_of_yaml(text) ||
          real_of_yaml(text);
+}
+
+/// Whether a character has to be written as an escape.
+bool has_control(std::string_view text) {
+  return std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
 }
 
 /// In quotes, where one of the text is written twice.
@@ -51,6 +57,7 @@ std::string to_text(const Data& data) {
     parts.push_back((data.kind == Data::Kind::mapping ? data.keys[i] + ": " : "") + to_text(data.items[i]));
   if (data.kind == Data::Kind::list) return fmt::format("[{}]", fmt::join(parts, ", "));
   if (data.kind == Data::Kind::mapping) return fmt::format("{{{}}}", fmt::join(parts, ", "));
+  if (data.kind == Data::Kind::text && has_control(data.text)) return yaml_word(data.text);
   if (data.kind == Data::Kind::text && needs_quotes(data.text)) return quoted(data.text);
   return data.text;
 }

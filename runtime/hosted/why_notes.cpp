@@ -90,11 +90,14 @@ private:
     if (because.provider != nil) other_ways(because);
   }
 
-  /// Why the group does not run in another provider than the one whose condition it waits for.
+  /// Why the group does not run in another provider than the one whose condition it waits for. What could cause that
+  /// condition is told already.
   void other_ways(const Because& because) {
+    const auto all = causers(t_, because.condition);
     std::size_t count = 0;
     for (const Index each : t_.groups[because.group].providers.rows()) {
-      const std::string reason = each == because.provider ? "" : hindrance(each, because.member);
+      if (each == because.provider || std::find(all.begin(), all.end(), each) != all.end()) continue;
+      const std::string reason = hindrance(each, because.member);
       if (reason.empty() || ++count > most_providers) continue;
       add(provider(each) + " would do too, but " + reason, About::provider, each);
     }

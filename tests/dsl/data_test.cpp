@@ -38,6 +38,11 @@ TEST_CASE("A text that would be read as something else is printed in quotes") {
   CHECK(to_text(number("3")) == "3");
 }
 
+TEST_CASE("A text with a line break, or another control character, is printed with escapes") {
+  CHECK(to_text(scalar(Data::Kind::text, "x\ny")) == "\"x\\ny\"");
+  CHECK(to_text(scalar(Data::Kind::text, "a\tb\x01")) == "\"a\\tb\\x01\"");
+}
+
 TEST_CASE("The order of a mapping does not count, that of a list does") {
   const Data one = number("1"), two = number("2");
   CHECK(Data{Data::Kind::mapping, "", {"a", "b"}, {one, two}} == Data{Data::Kind::mapping, "", {"b", "a"}, {two, one}});
