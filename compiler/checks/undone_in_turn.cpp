@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <set>
@@ -31,6 +32,9 @@ struct Undoer {
   std::optional<ProviderId> pushed; ///< this one sets it
   bool promised = false;            ///< ... by causing it
 };
+
+/// Pairs of tasks are considered up to this many.
+constexpr std::size_t most_pairs = 10'000;
 
 class UndoneInTurn {
 public:
@@ -56,10 +60,15 @@ public:
 private:
   void add(GroupId task, const Want& want) {
     for (const ConditionUse& entry : model_.providers[want.waiter].sets) add({task, &want, &entry, {}, false});
+    std::set<ConditionId> known; // of several that set the same the first is enough
     for (const ProviderId causer : want.causers) {
       const Provider& row = model_.providers[causer];
-      for (const ConditionUse& entry : row.sets) add({task, &want, &entry, causer, false});
-      for (const ConditionUse& entry : row.causing) add({task, &want, &entry, causer, true});
+      for (const auto* entries : {&row.sets, &row.causing}) {
+        for (const ConditionUse& entry : *entries) {
+          if (state_of(entry) != state_of(want.condition) && known.insert(entry.id).second)
+            add({task, &want, &entry, causer, entries == &row.causing});
+        }
+      }
     }
   }
 
@@ -73,11 +82,12 @@ private:
   /// Reports the first one with which it goes round.
   void look_at(const Undoer& one, const std::vector<Undoer>& others) {
     for (const Undoer& other : others) {
-      if (!(one.task < other.task) || !may_run_together(one, other)) continue;
+      if (!(one.task < other.task)) continue;
+      if (++pairs_ > most_pairs) return;
+      if (undoing(other, one).empty() || undoing(one, other).empty() || !may_run_together(one, other)) continue;
       const std::optional<ProviderId> first = causer(one, other), second = causer(other, one);
       if (!first || !second || model_.providers[*first].group == model_.providers[*second].group) continue;
-      const ValueSet of_one = undoing(other, one), of_other = undoing(one, other);
-      if (!of_one.empty() && !of_other.empty()) return report(one, *first, other, *second, of_one);
+      return report(one, *first, other, *second, undoing(other, one));
     }
   }
 
@@ -137,6 +147,7 @@ private:
   Findings& findings_;
   std::map<std::pair<StateId, StateId>, std::vector<Undoer>> undoers_;
   std::set<std::pair<ProviderId, ProviderId>> seen_;
+  std::size_t pairs_ = 0; ///< looked at so far
 };
 
 } // namespace

@@ -236,7 +236,7 @@ TEST_CASE("text of a scenario cannot control a terminal") {
   world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups:\n  Lamp: {data: int}\n");
   CHECK(world.directorc({"test", name}) == 1);
   CHECK(world.out == R"(fails s\x1B[1m.yaml: it \x1B[31mshines\x0Afails
-s\x1B[1m.yaml:4:48: step 1: request {Lamp: {data: '\x1B[2J'}}
+s\x1B[1m.yaml:4:48: step 1: request {Lamp: {data: "\x1b[2J"}}
     --- expected
     +++ happened
     @@ -1 +1 @@
@@ -244,7 +244,7 @@ s\x1B[1m.yaml:4:48: step 1: request {Lamp: {data: '\x1B[2J'}}
     +run Lamp new_task
 )");
   CHECK(world.directorc({"simulate", name}) == 0);
-  CHECK(world.out == "> request {Lamp: {data: '\\x1B[2J'}}\nrun Lamp new_task\n");
+  CHECK(world.out == "> request {Lamp: {data: \"\\x1b[2J\"}}\nrun Lamp new_task\n");
   CHECK(world.directorc({"test", "no\x1B[1m.yaml"}) == 2);
   CHECK(world.err == "directorc: cannot read `no\\x1B[1m.yaml`: No such file or directory\n");
 }
