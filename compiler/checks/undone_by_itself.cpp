@@ -24,19 +24,12 @@ public:
   Undone(const Input& input, Findings& findings) : model_(input.model), facts_(input.facts), findings_(findings) {}
 
   void look_at(const Granted& granted, const Want& want) {
-    std::vector<dsl::Note> way;
-    if (granted.is_other()) {
-      way.push_back({granted.member->span, fmt::format("{} is granted together with {}", name_of(model_, granted.task),
-                                                       name_of(model_, granted.waits))});
-    } else {
+    if (!granted.is_other()) {
       for (const ConditionUse& entry : model_.providers[want.waiter].sets)
-        look_at_entry(want, setter(want.waiter), entry, way);
+        look_at_entry(granted, want, setter(want.waiter), entry);
     }
     for (const GroupId group : granted.below.groups()) {
-      if (group == granted.waits) continue;
-      std::vector<dsl::Note> notes = way;
-      add_chain(model_, granted.below.path(group), notes);
-      look_below(want, group, notes);
+      if (group != granted.waits) look_below(granted, want, group);
     }
   }
 
@@ -101,11 +94,11 @@ private:
 
   Setter setter(ProviderId id) const { return {name_of(model_, id), model_.providers[id].group}; }
 
-  void look_below(const Want& want, GroupId group, const std::vector<dsl::Note>& way) {
+  void look_below(const Granted& granted, const Want& want, GroupId group) {
     Region here = region_of(model_, model_.providers[want.waiter].when);
     if (model_.groups[group].start) {
       const Setter start{fmt::format("the start of {}", name_of(model_, group)), group};
-      for (const ConditionUse& entry : model_.groups[group].start->sets) look_at_entry(want, start, entry, way);
+      for (const ConditionUse& entry : model_.groups[group].start->sets) look_at_entry(granted, want, start, entry);
     }
     bool comes_first = true; // no earlier one is always chosen
     for (const ProviderId id : model_.groups[group].providers) {
@@ -113,15 +106,14 @@ private:
       if (!facts_.active.contains(id) || !compatible(here, active_region(model_, provider))) continue;
       Setter by = setter(id);
       by.unpushed = comes_first;
-      for (const ConditionUse& entry : provider.sets) look_at_entry(want, by, entry, way);
+      for (const ConditionUse& entry : provider.sets) look_at_entry(granted, want, by, entry);
       by.promised = true;
-      for (const ConditionUse& entry : provider.causing) look_at_entry(want, by, entry, way);
+      for (const ConditionUse& entry : provider.causing) look_at_entry(granted, want, by, entry);
       if (contains(region_of(model_, provider.when), here)) comes_first = false;
     }
   }
 
-  /// `way`: how the task leads to what sets it.
-  void look_at_entry(const Want& want, const Setter& by, const ConditionUse& entry, const std::vector<dsl::Note>& way) {
+  void look_at_entry(const Granted& granted, const Want& want, const Setter& by, const ConditionUse& entry) {
     const Condition& set = model_.conditions[entry.id];
     if (set.state != model_.conditions[want.condition.id].state) return;
     const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, set.accepts);
@@ -136,7 +128,11 @@ private:
                                               by.promised ? "cause" : "set", name_of(model_, entry.id), waiter,
                                               name_of(model_, *causer), condition));
     finding.notes.push_back(runs_only_while(model_, want.waiter, want.condition));
-    finding.notes.insert(finding.notes.end(), way.begin(), way.end());
+    if (granted.is_other())
+      finding.notes.push_back({granted.member->span, fmt::format("{} is granted together with {}",
+                                                                 name_of(model_, granted.task),
+                                                                 name_of(model_, granted.waits))});
+    add_chain(model_, granted.below.path(by.group), finding.notes);
     finding.notes.push_back(causes(model_, *causer, want.condition.id));
     finding.help = stay_help(model_, want, values);
   }
