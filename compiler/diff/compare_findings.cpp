@@ -30,6 +30,7 @@ bool reports_never(const Finding& finding) {
 class Keys {
 public:
   Keys(const Model& model, bool by_check) : by_check_(by_check) {
+    if (by_check) return;
     for (const Condition& condition : model.conditions) {
       const State& state = model.states[condition.state];
       forms_[condition.text] = state.name.value + " " + to_text(values_of(state, condition.accepts));

@@ -166,8 +166,8 @@ private:
   std::string reason(const Edge& winner, const Edge* old_winner, const Edge& loser, const Edge& old_loser) {
     const std::string by = requester_name(pair_.new_model, winner.requester);
     if (old_winner == nullptr) return fmt::format("{} requests it now, with {}", by, rank_text(winner));
-    for (const Edge* const edge : {&winner, &loser}) {
-      if (is_dead_now(target(*edge))) return fmt::format("{} can never run any more", ticked(target(*edge)));
+    for (const auto& [edge, old] : {std::pair(&winner, old_winner), {&loser, &old_loser}}) {
+      if (is_dead_now(*edge, *old)) return fmt::format("{} can never run any more", ticked(target(*edge)));
     }
     if (is_order_alike(winner, *old_winner, loser, old_loser)) {
       for (const std::string& moved : {moved_levels(winner, *old_winner), moved_levels(loser, old_loser)}) {
@@ -184,14 +184,11 @@ private:
                        rank_text(old_loser));
   }
 
-  /// Whether some provider of the group could run before, and none can now.
-  bool is_dead_now(const std::string& name) const {
-    if (!pair_.old_model.deployment || !pair_.new_model.deployment) return false;
-    const auto may_run = [&](const Model& model, const Possible& possible) {
-      const std::optional<GroupId> id = model.find_group(name);
-      return id && model.has_any(*id, possible.facts().active);
-    };
-    return may_run(pair_.old_model, pair_.possible_before) && !may_run(pair_.new_model, pair_.possible_after);
+  /// Whether some provider of the target could run before, and none can now.
+  bool is_dead_now(const Edge& edge, const Edge& old) const {
+    return pair_.old_model.deployment && pair_.new_model.deployment &&
+           pair_.old_model.has_any(old.target, pair_.possible_before.facts().active) &&
+           !pair_.new_model.has_any(edge.target, pair_.possible_after.facts().active);
   }
 
   /// Where the target is requested, if two of these places are in another order than before: "the program at `calm`
