@@ -34,6 +34,7 @@ export class Situations {
     context.setDefaultTimeout(0); // no timeout, so that no test fails on a busy machine; ctest ends a test that waits forever
     const page = await context.newPage();
     const said = [];
+    const late = setTimeout(() => console.log(`still in: ${title} (${name})`), 100000);
     const address = pathToFileURL(join(this.folder, `${name}.html`)).href;
     page.on('console', (message) => said.push(`console: ${message.text()}`));
     page.on('pageerror', (error) => said.push(`error: ${error.message}`));
@@ -49,6 +50,7 @@ export class Situations {
       await page.screenshot({ path: join(this.folder, `failed_${this.failed}.png`) });
     }
     await context.close();
+    clearTimeout(late);
   }
 
   shot(page, name) {
