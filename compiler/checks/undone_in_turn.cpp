@@ -83,12 +83,20 @@ private:
   void look_at(const Undoer& one, const std::vector<Undoer>& others) {
     for (const Undoer& other : others) {
       if (!(one.task < other.task)) continue;
-      if (++pairs_ > most_pairs) return;
+      if (++pairs_ > most_pairs) return leave_open(one, other);
       if (undoing(other, one).empty() || undoing(one, other).empty() || !may_run_together(one, other)) continue;
       const std::optional<ProviderId> first = causer(one, other), second = causer(other, one);
       if (!first || !second || model_.providers[*first].group == model_.providers[*second].group) continue;
       return report(one, *first, other, *second, undoing(other, one));
     }
+  }
+
+  /// Recorded once for all pairs from there on.
+  void leave_open(const Undoer& one, const Undoer& other) {
+    if (std::exchange(is_open_, true)) return;
+    shared_.budget().leave_open(one.entry->span,
+                                fmt::format("whether two tasks end each other in turn, from {} and {} on",
+                                            name_of(model_, one.want->waiter), name_of(model_, other.want->waiter)));
   }
 
   bool may_run_together(const Undoer& one, const Undoer& other) const {
@@ -148,6 +156,7 @@ private:
   std::map<std::pair<StateId, StateId>, std::vector<Undoer>> undoers_;
   std::set<std::pair<ProviderId, ProviderId>> seen_;
   std::size_t pairs_ = 0; ///< looked at so far
+  bool is_open_ = false;  ///< there are more than can be looked at
 };
 
 } // namespace

@@ -153,6 +153,9 @@ std::optional<std::vector<PackSpec>> read_packs(Reader& reader, const YamlNode* 
   if (!reader.is_mapping(node, "packs", "a mapping of names to tasks",
                          list ? "give each pack a name: `packs: {attack: [Kick, Walk]}`" : ""))
     return std::nullopt;
+  if (node->pairs.empty())
+    reader.error("missing_key", node->span, "`packs` needs a pack",
+                 "each run requests one of them, whole: for example `{attack: [Kick, Walk]}`; or leave `packs` out");
   std::vector<PackSpec> packs;
   for (const YamlPair& pair : node->pairs) {
     PackSpec pack{reader.name(pair), {}, pair.span};

@@ -29,7 +29,7 @@ export class LiveBar {
   private readonly status = make('p', { class: 'live-state', role: 'status', 'data-state': 'connecting' }, this.sign, this.about);
   private readonly warning = make('p', { hidden: '' });
   private readonly choice = make('select', { id: 'why-group' });
-  private readonly answer = make('div', { id: 'why-answer', role: 'status' }, make('p', { class: 'hint' }, 'Click a box in the picture, or choose a group here: the program says why it runs, or what it waits for.'));
+  private readonly answer = make('div', { id: 'why-answer', role: 'status', tabindex: '0', 'aria-label': 'Answer' }, make('p', { class: 'hint' }, 'Click a box in the picture, or choose a group here: the program says why it runs, or what it waits for.'));
   private state: State = 'connecting';
   private behindUntil = 0;
   private isIdle = false; // the program takes no steps

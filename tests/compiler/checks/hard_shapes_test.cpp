@@ -329,6 +329,27 @@ TEST_CASE("of as many waiting tasks as promises the findings grow only with the 
   CHECK(count(pushing(150, 150)).at("push_inversion") == std::pair<std::size_t, std::size_t>{149, 149});
 }
 
+TEST_CASE("of more pairs of tasks that may end each other in turn than are looked at, the rest is left open") {
+  std::string text = "states:\n  Base: {values: [rolling, still], initial: rolling}\n"
+                     "  Arm: {values: [out, folded], initial: out}\n"
+                     "  Mode: {values: [pick, drive], initial: pick, external: true}\n"
+                     "roots: {Wheels: {priority: 2}, Joints: {priority: 1}";
+  std::string groups = "groups:\n  Wheels: {providers: [{name: go}, {name: brake, causing: [Base == still]}]}\n"
+                       "  Joints: {providers: [{name: go}, {name: fold, causing: [Arm == folded]}]}\n";
+  for (std::size_t i = 0; i < 101; ++i) {
+    text += fmt::format(", Pick{0}: {{priority: {1}}}, Drive{0}: {{priority: {2}}}", i, 10 + i, 200 + i);
+    groups += fmt::format("  Pick{0}: {{when: [Base == still, Mode == pick], sets: [Arm == out]}}\n"
+                          "  Drive{0}: {{when: [Arm == folded, Mode == drive], sets: [Base == rolling]}}\n",
+                          i);
+  }
+  const tests::CheckedText checked = tests::check_text(text + "}\n" + groups);
+  std::vector<std::string> open;
+  for (const dsl::Diagnostic& finding : checked.checked.findings)
+    if (finding.id == "not_decided") open.push_back(finding.message);
+  CHECK(open == std::vector<std::string>{"whether two tasks end each other in turn, from `Drive80` and `Pick90` on was "
+                                         "not decided"});
+}
+
 TEST_CASE("a task that eight hundred others request, and that requests each of them, is one cycle") {
   std::string text = "roots: [Hub]\ngroups:\n  Hub: {tasks: [" + names(0, 800) + "]}\n";
   for (std::size_t i = 0; i < 800; ++i) text += fmt::format("  T{}: {{tasks: [Hub]}}\n", i);

@@ -155,7 +155,7 @@ TEST_CASE("What is wrong in an assertion is reported at its place") {
 
 TEST_CASE("All mistakes of a file are found in one run") {
   const Read read =
-      read_body("states:\n  S: {}\ngroups:\n  A: {needs: B}\n  C: {when: [S = x], tasks: [D], packs: {}}\n");
+      read_body("states:\n  S: {}\ngroups:\n  A: {needs: B}\n  C: {when: [S = x], tasks: [D], packs: {p: [D]}}\n");
   CHECK(read.findings() ==
         "4:3 `S` missing_key: state `S` needs `values`, `range` or `type` (for example `values: [low, high]`, or "
         "`range: [0, 100]`)\n"

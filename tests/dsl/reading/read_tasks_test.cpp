@@ -171,4 +171,7 @@ TEST_CASE("Packs are lists or mappings of tasks by name") {
   CHECK(read_body("groups:\n  G: {packs: {rest: }}\n").findings() ==
         "4:15 `rest` wrong_node_kind: `rest`: expected a list of groups or a mapping, found nothing (an empty one is "
         "`[]`)\n");
+  CHECK(read_body("groups:\n  G: {packs: {}}\n").findings() ==
+        "4:14 `{}` missing_key: `packs` needs a pack (each run requests one of them, whole: for example `{attack: [Kick, "
+        "Walk]}`; or leave `packs` out)\n");
 }
