@@ -129,7 +129,7 @@ await situation('what waits says for which state, what that is worth, and who co
   await shot(page, 'waits');
 });
 
-await situation('a click on a box says why, also where it is a link, and so does a choice by keyboard', [live], {}, async ({ page }) => {
+await situation('a click on a box says why, also where it is a link, and so does a choice by keyboard, which goes on to the answer', [live], {}, async ({ page }) => {
   await node(page, 'Open').click();
   await sees(page, '#why-answer', /^Open waits \(Deliver>Open\): until Door == open, .*\(asked at .*\)\n+Door is shut\nOpen\.unlocking could cause it, and is disabled$/s);
   await page.locator('#why-group').focus();
@@ -138,6 +138,8 @@ await situation('a click on a box says why, also where it is a link, and so does
   await page.keyboard.press('Tab');
   await page.keyboard.press('Enter');
   await sees(page, '#why-answer', /^Sing runs/);
+  await page.keyboard.press('Tab'); // a long answer is scrolled by keyboard
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'why-answer');
 });
 
 for (const [screen, viewport] of Object.entries({ 'a laptop': { width: 1366, height: 768 }, 'a phone': { width: 390, height: 844 } })) {
