@@ -3,6 +3,7 @@
 #include "compiler/explore/scenario_draft.hpp"
 
 #include "dsl/lexical/duration.hpp"
+#include "dsl/yaml/yaml_text.hpp"
 
 #include <fmt/format.h>
 
@@ -55,7 +56,7 @@ bool ScenarioDraft::input(const Taken& taken) {
     break;
   case Kind::cancel:
     begin_step(taken);
-    steps_.back().push_back("cancel: " + words_.group(g_.tables.edges[row].target));
+    steps_.back().push_back("cancel: " + dsl::yaml_word(words_.group(g_.tables.edges[row].target)));
     break;
   case Kind::set:
     begin_step(taken);
@@ -64,7 +65,7 @@ bool ScenarioDraft::input(const Taken& taken) {
     break;
   case Kind::fire:
     begin_step(taken);
-    steps_.back().push_back("trigger: " + m_.triggers[TriggerId{row}].name);
+    steps_.back().push_back("trigger: " + dsl::yaml_word(m_.triggers[TriggerId{row}].name));
     break;
   case Kind::wake: {
     const LastRun& last = last_run_[row];

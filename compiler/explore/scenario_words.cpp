@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/explore/scenario_words.hpp"
 
+#include "dsl/yaml/yaml_text.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -26,7 +28,7 @@ std::string ScenarioWords::set(const Puts& puts) const {
   std::vector<std::string> out;
   for (const Put& put : puts) {
     const State& state = m_.states[StateId{put.state}];
-    out.push_back(fmt::format("{}: {}", state.name.value, state.value_text(put.value)));
+    out.push_back(fmt::format("{}: {}", dsl::yaml_word(state.name.value), dsl::yaml_word(state.value_text(put.value))));
   }
   return fmt::format("set: {{{}}}", fmt::join(out, ", "));
 }
@@ -68,11 +70,11 @@ std::string ScenarioWords::request_entry(const std::vector<Task>& tasks, const R
     if (task.edge.value != request.edge) continue;
     const Index level = request.level - g_.tables.edges[request.edge].levels.begin;
     for (std::size_t i = 1; i < task.levels.size() && task.levels.front().level != level; ++i) {
-      if (task.levels[i].level == level) words = {"level: " + task.levels[i].name};
+      if (task.levels[i].level == level) words = {"level: " + dsl::yaml_word(task.levels[i].name)};
     }
   }
   if (keep) words.emplace_back("keep: true");
-  const std::string& name = group(g_.tables.edges[request.edge].target);
+  const std::string name = dsl::yaml_word(group(g_.tables.edges[request.edge].target));
   return words.empty() ? name : fmt::format("{}: {{{}}}", name, fmt::join(words, ", "));
 }
 
@@ -104,7 +106,7 @@ void ScenarioWords::answer(const Provider& row, const RequestedPack& requests, b
       fewest = each.tasks.size();
       pack = &each;
     }
-    words.push_back("pack: " + pack->name);
+    words.push_back("pack: " + dsl::yaml_word(pack->name));
     for (const RequestedLevel& request : requests) {
       const std::string word = request_entry(pack->tasks, request, kept);
       if (word.find(':') != std::string::npos) entries.push_back(word);
@@ -113,7 +115,7 @@ void ScenarioWords::answer(const Provider& row, const RequestedPack& requests, b
     std::vector<std::string> left_out;
     for (const Task& task : pack->tasks) {
       if (std::none_of(requests.begin(), requests.end(), [&](const auto& request) { return has(task, request); }))
-        left_out.push_back(m_.groups[task.target].name.value);
+        left_out.push_back(dsl::yaml_word(m_.groups[task.target].name.value));
     }
     if (!left_out.empty()) words.push_back(fmt::format("without: [{}]", fmt::join(left_out, ", ")));
     return;

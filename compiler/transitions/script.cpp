@@ -19,14 +19,16 @@ namespace director::compiler::transitions {
 
 namespace {
 
-const std::string& name_of(const Model& model, const Task& task) { return model.groups[task.target].name.value; }
+std::string name_of(const Model& model, const Task& task) {
+  return dsl::yaml_word(model.groups[task.target].name.value);
+}
 
 /// `{Motion: still, Grip: open}`, with the first value of each; empty if there is none.
 std::string settings(const Model& model, const Values& values) {
   std::vector<std::string> pairs;
   for (const auto& [id, value] : values) {
     const State& state = model.states[id];
-    pairs.push_back(fmt::format("{}: {}", state.name.value, dsl::yaml_word(state.value_text(value))));
+    pairs.push_back(fmt::format("{}: {}", dsl::yaml_word(state.name.value), dsl::yaml_word(state.value_text(value))));
   }
   return fmt::format("{{{}}}", fmt::join(pairs, ", "));
 }
@@ -316,7 +318,7 @@ std::string settings_step(const Model& model, const Values& values) {
 }
 
 std::string request_step(const Model& model, const Way& way, const Values& values) {
-  const std::string& name = name_of(model, *way.root);
+  const std::string name = name_of(model, *way.root);
   if (values.empty()) return fmt::format("  - request: {}\n", name);
   return fmt::format("  - inputs: [{{set: {}}}, {{request: {}}}]\n", settings(model, values), name);
 }
@@ -328,7 +330,7 @@ std::string given_text(const Model& model, const Values& values) {
 std::string done_step() { return "  - advance: 1 ms\n"; }
 
 std::string entry_text(const Model& model, ProviderId id, const std::vector<std::string>& cases) {
-  std::string out = fmt::format("  {}.{}:\n", model.group_of(id).name.value, dsl::yaml_word(model.providers[id].name));
+  std::string out = fmt::format("  {}.{}:\n", model.group_of(id).name.value, model.providers[id].name);
   for (const std::string& each : cases) out += fmt::format("    - {}\n", each);
   return out;
 }

@@ -112,10 +112,23 @@ TEST_CASE("a refuted `beats` names the task that is blocked, the group, its hold
         "`B`, with priority 2, goes before `A`, with priority 1\n");
   // Who holds the winner itself is above it.
   CHECK(told("roots: {A: {priority: 1}, B: {priority: 2}}\ngroups: {A: {needs: [C]}, B: {needs: [C]}, C: {}}\n",
-             "{beats: {A: C}}") ==
-        "after request B; request A, `A` does not get `C`, which `B` holds\n"
-        "`B` holds `C`\n"
-        "`B`, with priority 2, goes before `A`, with priority 1\n");
+             "{beats: {A: C}}") == "after request B; request A, `A` does not get `C`, which `B` holds\n"
+                                   "`B` holds `C`\n"
+                                   "`B`, with priority 2, goes before `A`, with priority 1\n");
+}
+
+TEST_CASE("names that YAML reads in another way are quoted where a refutation is a scenario") {
+  const std::string names = R"(
+states: {"On": {values: ["yes", "no"], initial: "no", external: true}}
+triggers: ["Y"]
+roots: {"No": {}, B: {}}
+groups:
+  "No": {providers: [{name: "n", when: ["On == yes"], triggers: ["Y"], packs: {"off": ["True"]}}]}
+  "True": {}
+  B: {}
+)";
+  CHECK(verdict_of(names, R"({never_together: ["True", B]})") ==
+        "refuted: after request \"No\"; request B; set {\"On\": \"yes\"}, two of them are granted");
 }
 
 TEST_CASE("the members of a pack are blocked by what holds what one of them wants, and by nothing else") {
@@ -204,7 +217,7 @@ TEST_CASE("what never runs only because the program disables nothing is said wit
 }
 
 TEST_CASE("what can run is shown by how it comes to run") {
-  CHECK(verdict_of(two, "{can_run: B}") == "proven: it runs after: request B; set {S: y}");
+  CHECK(verdict_of(two, "{can_run: B}") == "proven: it runs after: request B; set {S: \"y\"}");
   CHECK(verdict_of("states: {S: {values: [x, y], initial: x}}\nroots: [A]\n"
                    "groups: {A: {providers: [{name: p, when: [S == x], tasks: [B]}]}, B: {when: [S == y]}}\n",
                    "{can_run: B}") == "refuted: no provider of `B` can ever run");

@@ -26,6 +26,19 @@ TEST_CASE("the name of the behaviour is quoted in scenarios where YAML reads it 
   }
 }
 
+TEST_CASE("names that YAML reads in another way are quoted in scenarios") {
+  const std::string names = R"(states: {"On": {values: ["yes", "no"], initial: "no", external: true}}
+roots: {"No": {priority: 2}, "Yes": {priority: 1}}
+groups:
+  "No": {providers: [{name: "y", when: ["On == yes"], needs: [Legs], packs: {"n": ["True"]}}]}
+  "Yes": {providers: [{name: "on", needs: [Legs], tasks: [Legs]}]}
+  "True": {}
+  Legs: {}
+)";
+  CHECK(cell_words(names, "Yes", "No") ==
+        "hard: No takes at once what Yes holds. Yes and Legs stop. The outside says On == yes.");
+}
+
 TEST_CASE("a row begins with declared values if it can, also where no body sets one of several values then") {
   const std::string trip = R"(states: {Mood: {values: [ok, sad, glad], initial: ok}}
 roots: {Trip: {priority: 1}, Party: {priority: 2}, Guard: {priority: 3}}
