@@ -10,12 +10,14 @@
 #include "compiler/clang/invoke.hpp"
 #include "compiler/clang/subcommands.hpp"
 #include "compiler/clang/user_text.hpp"
+#include "compiler/emit/artefact/notice.hpp"
 
 #include <clang/Basic/DiagnosticParse.h>
 #include <clang/Basic/DiagnosticSema.h>
 #include <clang/Frontend/CompilerInstance.h>
 #include <clang/Frontend/FrontendAction.h>
 #include <clang/Lex/Lexer.h>
+#include <llvm/Support/Path.h>
 
 #include <algorithm>
 #include <tuple>
@@ -122,6 +124,21 @@ private:
 /// The path of a generated file that need not exist on the disk.
 std::string in_memory(const Json& file) { return std::string(virtual_folder) + "/" + file["path"].as_text(); }
 
+/// The folders of the files of the request.
+std::set<std::string> folders_of(const Json& request) {
+  std::set<std::string> out;
+  for (const char* key : {"units", "fresh", "insertions"}) {
+    for (const Json& each : request[key].items())
+      out.insert(llvm::sys::path::parent_path(each["path"].as_text()).str());
+  }
+  return out;
+}
+
+bool is_generated(llvm::vfs::FileSystem& disk, const std::string& path) {
+  const auto text = disk.getBufferForFile(path);
+  return text && compiler::has_notice((*text)->getBuffer());
+}
+
 /// The disk, with the header and its facts, the insertions and the new files of the request.
 Files files_of(const Json& request, const std::string& header) {
   auto memory = llvm::makeIntrusiveRefCnt<llvm::vfs::InMemoryFileSystem>();
@@ -130,6 +147,14 @@ Files files_of(const Json& request, const std::string& header) {
   };
   add(header, request["header"]["text"].as_text());
   add(in_memory(request["facts"]), request["facts"]["text"].as_text());
+  // What was generated before, beside the user's files, is found first by an #include in quotes.
+  const Files disk = ordinary_files();
+  for (const std::string& folder : folders_of(request)) {
+    for (const char* key : {"header", "facts"}) {
+      const std::string path = folder + "/" + request[key]["path"].as_text();
+      if (is_generated(*disk, path)) add(path, request[key]["text"].as_text());
+    }
+  }
   for (const Json& file : request["fresh"].items()) add(file["path"].as_text(), file["text"].as_text());
   const std::vector<compiler::stubs::Insertion> insertions = insertions_in(request["insertions"]);
   for (auto begin = insertions.begin(); begin != insertions.end();) {
@@ -137,7 +162,7 @@ Files files_of(const Json& request, const std::string& header) {
     add(begin->path, user_text(begin->path, {begin, end}).text);
     begin = end;
   }
-  auto out = llvm::makeIntrusiveRefCnt<llvm::vfs::OverlayFileSystem>(ordinary_files());
+  auto out = llvm::makeIntrusiveRefCnt<llvm::vfs::OverlayFileSystem>(disk);
   out->pushOverlay(memory);
   return out;
 }

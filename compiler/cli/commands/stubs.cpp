@@ -173,9 +173,12 @@ private:
     const Merge again = merge(wanted_, then, texts);
     if (!again.insertions.empty() || !again.sources.empty()) {
       const std::string& path = again.insertions.empty() ? again.sources[0].path : again.insertions[0].path;
-      throw refused(compiler::cli::found, fmt::format("nothing is written: what would be added to `{}` would not be "
-                                                      "found there by the compiler; add it by hand",
-                                                      shown_path(path)));
+      throw refused(
+          compiler::cli::found,
+          fmt::format("nothing is written: what would be added to `{}` would not be found there by the compiler; "
+                      "`directorc generate` first if it includes what an earlier version of the behaviour "
+                      "generated, otherwise add it by hand",
+                      shown_path(path)));
     }
     return out;
   }

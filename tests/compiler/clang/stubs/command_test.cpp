@@ -111,6 +111,18 @@ TEST_CASE("what is generated, read as C++17, is reported as not understood") {
   CHECK(shop.stubs("--check").ends_with("directorc: this C++ cannot be read, so nothing is written\nstatus 1\n"));
 }
 
+TEST_CASE("what was generated beside the sources may be of an earlier version of the behaviour") {
+  const Workshop shop;
+  CHECK(shop.stubs() == "new: src/wheels.hpp\nnew: src/wheels.cpp\n");
+  const std::string generate = "cd '" + shop.folder() + "' && '" + (binary_dir() / "bin/directorc").string() +
+                               "' generate cart.yaml -o src > /dev/null 2>&1";
+  REQUIRE(std::system(generate.c_str()) == 0);
+  shop.write("cart.yaml", yaml + "      - {name: coasting}\n");
+  CHECK(shop.stubs() == "added to: src/wheels.cpp\nadded to: src/wheels.hpp\n");
+  CHECK(shop.text("src/wheels.cpp").find("Drive::Coasting& run)") != std::string::npos);
+  CHECK(shop.stubs("--check") == "");
+}
+
 TEST_CASE("what is there is left alone, however often stubs are requested") {
   const Workshop shop;
   CHECK(shop.stubs() == "new: src/wheels.hpp\nnew: src/wheels.cpp\n");
