@@ -8,6 +8,7 @@
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/states/covering.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/reported_pairs.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -94,6 +95,16 @@ const Task& winner_of(const Model& model, const Task& first, const Task& second)
   return rank(first) < rank(second) ? second : first;
 }
 
+/// Whether the one of two members that goes first can run wherever the other one can: `apart`, that one never would.
+bool first_takes_always(const Input& input, const Task& first, const Task& second) {
+  const Task& winner = winner_of(input.model, first, second);
+  const Task& loser = &winner == &first ? second : first;
+  Units& units = input.shared.units();
+  return never_waits(input, winner.target) ||
+         find_covering(input.model, input.facts.values, box_of(input.facts.values, units.region_at_best(loser.target)),
+                       {units.region_at_best(winner.target)}, input.shared.budget()) == Covering::covered;
+}
+
 /// `by_groups`: they exclude each other with all values of states.
 std::string propose(const Input& input, const PackConflict& conflict, bool by_groups) {
   const Model& model = input.model;
@@ -109,7 +120,7 @@ std::string propose(const Input& input, const PackConflict& conflict, bool by_gr
                : "request them in packs of their own, or make all but one of them `apart`, so that each waits for "
                  "itself alone";
   if (conflict.members.size() == 2 && by_groups &&
-      always_takes(&winner_of(model, *conflict.members[0], *conflict.members[1])))
+      first_takes_always(input, *conflict.members[0], *conflict.members[1]))
     return "request them in two packs";
   // Alone, one that never has to wait would need none but the first of its providers.
   if (conflict.members.size() > 2 && std::any_of(conflict.members.begin(), conflict.members.end(), always_takes))

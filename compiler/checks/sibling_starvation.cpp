@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <tuple>
@@ -24,6 +25,18 @@ namespace {
 bool never_runs(const Input& input, EdgeId edge) {
   return input.conflicts.grants().refused().count(edge) != 0 ||
          input.shared.decisions().never_granted(input.model, edge);
+}
+
+/// Whether each provider that requests the loser needs what is taken: while the taker holds it, none of them runs, so
+/// that nothing requests the loser.
+bool needs_it_too(const Model& model, const Loser& loser) {
+  const std::vector<ProviderId>& all = model.groups[*loser.refused.requester].providers;
+  return std::all_of(all.begin(), all.end(), [&](ProviderId id) {
+    const Provider& provider = model.providers[id];
+    const auto requests_it = [&](const Pack& pack) { return pack.requests(loser.refused.task->edge); };
+    return provider.needs_group(loser.taker.group) ||
+           std::none_of(provider.packs.begin(), provider.packs.end(), requests_it);
+  });
 }
 
 /// The help. As a unit of its own, the taking task must also go after the task that leads to the loser.
@@ -91,6 +104,7 @@ void sibling_starvation(const Input& input, Findings& findings) {
     const Taker& taker = loser.taker;
     const EdgeId edge = loser.refused.task->edge;
     if (taker.kind != Taker::Kind::unit || input.facts.excludes(edge)) continue;
+    if (needs_it_too(input.model, loser)) continue;
     if (!reported.emplace(taker.by, taker.over, taker.group).second) continue;
     const bool never = never_runs(input, edge);
     if (!never || lost.count(edge) == 0) all.push_back(&loser);

@@ -137,28 +137,20 @@ std::optional<Before> find_before(const Input& input, ProviderId waiter) {
   return promised;
 }
 
-std::string propose(const Model& model, ProviderId causer, const Obstacles& obstacles,
-                    const std::optional<Before>& before) {
-  if (obstacles.meet && obstacles.all.empty() && before) {
-    const std::string waiter = name_of(model, before->waiter), earlier = name_of(model, before->earlier);
-    if (find_own_step(model, before->waiter) != nullptr) // in front of the others, it would be left as soon as it waits
-      return fmt::format("let {} request a group that waits instead", waiter);
-    if (before->causer)
-      return fmt::format("let {} only choose between {} and {}, each of which requests a group that waits",
-                         name_of(model, model.providers[before->waiter].group), earlier, waiter);
-    return fmt::format(
-        "put {0} before {1}, or choose between the two in a group above, so that {0} waits in a group of "
-        "its own",
-        waiter, earlier);
-  }
-  if (obstacles.meet && (obstacles.none_waits || obstacles.all.empty()))
-    return fmt::format("leave out either the other ways of those that wait for it, or {} and what waits for it",
-                       name_of(model, causer));
-  if (obstacles.all.empty())
-    return fmt::format("request the two side by side{}: a task pushes nothing below itself, nothing above, and nothing "
-                       "that is never requested with it",
-                       obstacles.none_waits ? ", and let those that wait for it have no other way" : "");
-  const Obstacle& obstacle = obstacles.all.front();
+/// What lets the provider wait, and push, although another one comes first.
+std::string propose_order(const Model& model, const Before& before) {
+  const std::string waiter = name_of(model, before.waiter), earlier = name_of(model, before.earlier);
+  if (find_own_step(model, before.waiter) != nullptr) // in front of the others, it would be left as soon as it waits
+    return fmt::format("let {} request a group that waits instead", waiter);
+  if (before.causer)
+    return fmt::format("let {} only choose between {} and {}, each of which requests a group that waits",
+                       name_of(model, model.providers[before.waiter].group), earlier, waiter);
+  return fmt::format("put {0} before {1}, or choose between the two in a group above, so that {0} waits in a group of "
+                     "its own",
+                     waiter, earlier);
+}
+
+std::string propose_rank(const Model& model, const Obstacle& obstacle) {
   if (obstacle.need != nullptr)
     return fmt::format("instead of needing {} here, request it `apart`, with a lower priority",
                        name_of(model, obstacle.need->id));
@@ -170,6 +162,22 @@ std::string propose(const Model& model, ProviderId causer, const Obstacles& obst
   if (obstacle.one_unit || obstacle.waits_with)
     return in_packs(obstacle, fmt::format("make {} `apart`, with a higher priority than {}", first, second));
   return in_packs(obstacle, fmt::format("give {} a higher priority than {}", first, second));
+}
+
+std::string propose(const Model& model, ProviderId causer, const Obstacles& obstacles,
+                    const std::optional<Before>& before) {
+  if (obstacles.meet && obstacles.all.empty() && before) return propose_order(model, *before);
+  if (obstacles.meet && (obstacles.none_waits || obstacles.all.empty()))
+    return fmt::format("leave out either the other ways of those that wait for it, or {} and what waits for it",
+                       name_of(model, causer));
+  if (obstacles.all.empty())
+    return fmt::format("request the two side by side{}: a task pushes nothing below itself, nothing above, and nothing "
+                       "that is never requested with it",
+                       obstacles.none_waits ? ", and let those that wait for it have no other way" : "");
+  const Obstacle& obstacle = obstacles.all.front();
+  const std::string rank = propose_rank(model, obstacle);
+  if (!before || model.providers[before->waiter].group != obstacle.waiter) return rank;
+  return fmt::format("{}; and {}", rank, propose_order(model, *before));
 }
 
 /// Those that may wait for it; for others, whose group can always run another provider, rank does not matter. All of

@@ -3,6 +3,7 @@
 #include "compiler/analysis/words/proposals.hpp"
 
 #include "compiler/analysis/facts/waiting.hpp"
+#include "compiler/analysis/states/sources.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "dsl/source/diagnostic.hpp"
 
@@ -32,6 +33,24 @@ bool may_serve_need(const Model& model, const Facts& facts, ProviderId id) {
   return std::none_of(all.begin(), end, [&](ProviderId earlier) { return can_always_replace(model, earlier, id); });
 }
 
+/// Whether a condition of another group would never hold without what this provider sets.
+bool is_only_source(const Model& model, ProviderId id) {
+  const Provider& provider = model.providers[id];
+  if (provider.sets.empty()) return false;
+  const auto sources = find_sources(model);
+  const auto is_other = [&](const Source& source) { return source.provider != id; };
+  const auto waits_for_it = [&](const ConditionUse& use) {
+    const Condition& condition = model.conditions[use.id];
+    const auto gives = [&](const Source& source) { return !source.values.intersected(condition.accepts).empty(); };
+    const std::vector<Source>& all = sources[condition.state];
+    return std::any_of(all.begin(), all.end(), [&](const Source& each) { return !is_other(each) && gives(each); }) &&
+           std::none_of(all.begin(), all.end(), [&](const Source& each) { return is_other(each) && gives(each); });
+  };
+  return std::any_of(model.providers.begin(), model.providers.end(), [&](const Provider& waiter) {
+    return waiter.group != provider.group && std::any_of(waiter.when.begin(), waiter.when.end(), waits_for_it);
+  });
+}
+
 } // namespace
 
 void propose_or_leave_out(const Model& model, const Facts& facts, ProviderId provider, const std::string& help,
@@ -48,7 +67,8 @@ void propose_or_leave_out(const Model& model, const Facts& facts, ProviderId pro
       return;
     }
   }
-  finding.help = fmt::format("{}, or leave {} out", help, name_of(model, provider));
+  finding.help =
+      is_only_source(model, provider) ? help : fmt::format("{}, or leave {} out", help, name_of(model, provider));
 }
 
 } // namespace director::analysis
