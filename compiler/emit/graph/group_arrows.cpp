@@ -42,6 +42,7 @@ struct Wanted {
     std::size_t pack = 0;
     Manner manner;
     std::string doc; ///< of the task
+    Span span{};
   };
   std::vector<Request> requests;
   Span span{};
@@ -81,7 +82,7 @@ private:
       for (const Task& task : provider.packs[i].tasks) {
         Wanted& wanted = out[task.target];
         if (wanted.requests.empty()) wanted.span = task.span;
-        wanted.requests.push_back({i, manner_of(model_, task, numbers_), task.doc});
+        wanted.requests.push_back({i, manner_of(model_, task, numbers_), task.doc, task.span});
       }
     }
     for (const Use<GroupId>& need : provider.needs) {
@@ -124,6 +125,7 @@ private:
       for (const Wanted::Request& request : wanted.requests) {
         GroupArrow of_pack = all;
         of_pack.pack = request.pack;
+        of_pack.span = request.span;
         of_pack.label = request.manner.text;
         of_pack.optional = request.manner.optional;
         of_pack.apart = request.manner.apart;

@@ -116,6 +116,25 @@ TEST_CASE("every request has its priority, and leaves from the provider or the p
                                          "Kick -> Walk.halting push (Pose == standing) up\n");
 }
 
+TEST_CASE("an arrow of a pack has the place of the task in that pack") {
+  const Picture picture = picture_of(R"(behaviour: packs
+language: 1
+roots: [Play]
+groups:
+  Play:
+    packs:
+      go: {Look: {}}
+      stay: {Look: {optional: true}}
+      rest: {}
+  Look: {}
+)");
+  REQUIRE(picture.arrows.size() == 2);
+  CHECK(picture.arrows[0].about.words == "Play, pack go, requests Look");
+  CHECK(picture.arrows[0].about.line == 7);
+  CHECK(picture.arrows[1].about.words == "Play, pack stay, requests Look, optional");
+  CHECK(picture.arrows[1].about.line == 8);
+}
+
 TEST_CASE("boxes are in their layers, and those with the same requests from the same groups share one") {
   CHECK(boxes_of(picture_of(walker)) == "purpose: [Player] [Cheer]\n"
                                         "skill: [Walk] [Kick] [Look]\n"
