@@ -56,6 +56,26 @@ constexpr std::array<Section, 8> sections{{{"picture", "Picture", pictures_html}
                                            {"assertions", "Assertions", assertions_html},
                                            {"findings", "Findings", findings_html}}};
 
+/// Appends to the title in the list of sections what a reader has to know before he trusts the page.
+void add_count(const Json& all, std::string_view key, std::string_view word, std::string_view words,
+               std::string_view sign, std::string& title) {
+  const auto count = std::count_if(all.items().begin(), all.items().end(),
+                                   [&](const Json& each) { return each[key].as_text() == word; });
+  if (count == 0) return;
+  title += fmt::format("{} {} {} {}", title.find(':') == std::string::npos ? ":" : ",", sign, count,
+                       count == 1 ? word : words);
+}
+
+std::string counted_title(const Section& section, const Json& data) {
+  std::string out{section.title};
+  if (section.id == "assertions") add_count(data["verdicts"], "verdict", "refuted", "refuted", "\u2716", out);
+  if (section.id == "findings") {
+    add_count(data["findings"], "level", "error", "errors", "\u2716", out);
+    add_count(data["findings"], "level", "warning", "warnings", "\u26a0", out);
+  }
+  return out;
+}
+
 } // namespace
 
 std::string message_html(std::string_view message) {
@@ -99,7 +119,7 @@ std::string html_page(const PageInput& input) {
   for (const Section& section : sections) {
     const std::string html = section.html(parts);
     if (html.empty()) continue;
-    nav += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", section.id, section.title);
+    nav += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", section.id, counted_title(section, input.data));
     body += fmt::format(
         "<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n<h2 id=\"{0}-title\">{1}</h2>\n{2}</section>\n",
         section.id, section.title, html);

@@ -22,6 +22,17 @@ foreach(i RANGE 1 80)
   string(APPEND aside "  Thing${i}: {needs: [Part${i}]}\n  Part${i}: {}\n")
 endforeach()
 file(WRITE ${into}/aside.yaml "${aside}")
+set(far "behaviour: far\nlanguage: 1\nroots: {Play: {priority: 2}, Guard: {priority: 1}}\ngroups:\n")
+foreach(root Play Guard)
+  string(APPEND far "  ${root}:\n    tasks:\n")
+  foreach(i RANGE 1 40)
+    string(APPEND far "      ${root}Thing${i}: {priority: ${i}}\n")
+  endforeach()
+  foreach(i RANGE 1 40)
+    string(APPEND far "  ${root}Thing${i}: {}\n")
+  endforeach()
+endforeach()
+file(WRITE ${into}/far.yaml "${far}")
 set(flat "behaviour: flat\nlanguage: 1\nroots: [Play]\ngroups:\n  Play:\n    tasks:\n")
 foreach(i RANGE 1 36)
   string(APPEND flat "      Leaf${i}: {priority: ${i}}\n")
@@ -40,7 +51,7 @@ groups:
   ${name}Below: {}\n")
 file(WRITE ${into}/long_takes.yaml "behaviour: takes\nlanguage: 1\nroots: {${name}First: {priority: 20}, ${name}Second: {priority: 10}}
 groups: {${name}First: {needs: [${name}Below]}, ${name}Second: {needs: [${name}Below]}, ${name}Below: {}}\n")
-execute_process(COMMAND ${DIRECTORC} docs behaviours/soccer/soccer.yaml behaviours/robocup/robocup.yaml ${into}/wide.yaml ${into}/aside.yaml ${into}/flat.yaml ${into}/alone.yaml ${into}/alike.yaml ${into}/exact.yaml ${into}/long_names.yaml ${into}/long_takes.yaml -o ${into}/out
+execute_process(COMMAND ${DIRECTORC} docs behaviours/soccer/soccer.yaml behaviours/robocup/robocup.yaml ${into}/wide.yaml ${into}/aside.yaml ${into}/flat.yaml ${into}/far.yaml ${into}/alone.yaml ${into}/alike.yaml ${into}/exact.yaml ${into}/long_names.yaml ${into}/long_takes.yaml -o ${into}/out
                         "--link=https://git.example.org/{file}#L{line}"
                 WORKING_DIRECTORY ${ROOT} COMMAND_ERROR_IS_FATAL ANY)
 # An assertion of it is refuted, so this ends with 1.

@@ -55,14 +55,14 @@ export class Overview {
   }
 
   private xOf(time: number, width: number): number {
-    const length = Math.max(1, this.recording.ends - this.recording.begins);
+    const length = this.view.last - this.recording.begins;
     return ((time - this.recording.begins) / length) * width;
   }
 
   private go(event: PointerEvent): void {
     this.chosen();
     const box = this.element.getBoundingClientRect();
-    const time = this.recording.begins + ((event.clientX - box.left) / box.width) * (this.recording.ends - this.recording.begins);
+    const time = this.recording.begins + ((event.clientX - box.left) / box.width) * (this.view.last - this.recording.begins);
     this.view.pan((time - (this.view.from + this.view.to) / 2) / this.view.length);
     this.cursor.goToTime(Math.round(time));
     this.changed();

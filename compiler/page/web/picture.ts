@@ -126,7 +126,11 @@ export class Picture {
   }
 
   mark(names: Set<string>): void {
-    for (const [title, node] of this.nodes) node.classList.toggle('found', namesIn(title).some((name) => names.has(name)));
+    const rowsAreGroups = this.name !== 'All groups'; // of a module, or of a layer
+    for (const [title, node] of this.nodes) {
+      const rows = rowsAreGroups ? [...node.querySelectorAll('text')].map((text) => text.textContent ?? '') : [];
+      node.classList.toggle('found', [...namesIn(title), ...rows].some((name) => names.has(name)));
+    }
   }
 
   private makeMovable(layer: SVGGElement): void {
@@ -185,14 +189,20 @@ export class Picture {
     this.motion.scaleExtent([0.2, Math.max(12, (3 * onPaper) / unit)]);
     const [seen, drawn] = [this.frame.clientWidth / unit, scale * view.width];
     const most = Math.max(0, (drawn - seen) / 2); // the largest shift from the middle
-    const aside = Math.max(-most, Math.min(most, scale * (view.width / 2 - this.roots(view.width / 2))));
+    const aside = Math.max(-most, Math.min(most, scale * (view.width / 2 - this.roots(view.width / 2, seen / scale))));
     select(this.svg).call(this.motion.transform, zoomIdentity.translate((view.width - drawn) / 2 + aside, 0).scale(scale));
   }
 
-  /** The mean horizontal position of the groups that the program requests, which have the sign ▼; `otherwise`: if there are none. */
-  private roots(otherwise: number): number {
+  /**
+   * The middle of the groups that the program requests, which have the sign ▼: of all, or if they are further apart than `room`, of most that fit;
+   * `otherwise`: if there are none.
+   */
+  private roots(otherwise: number, room: number): number {
     const all = [...this.nodes.values()].filter((node) => node.querySelector('text')?.textContent?.startsWith('▼')).map((node) => node.getBBox());
-    return all.length === 0 ? otherwise : all.reduce((sum, { x, width }) => sum + x + width / 2, 0) / all.length;
+    const fitting = all.map(({ x: left }) => all.filter(({ x, width }) => x >= left && x + width <= left + room));
+    const most = fitting.reduce((best, each) => (each.length > best.length ? each : best), []);
+    if (most.length === 0) return all.length === 0 ? otherwise : all[0].x + all[0].width / 2;
+    return (Math.min(...most.map(({ x }) => x)) + Math.max(...most.map(({ x, width }) => x + width))) / 2;
   }
 
   /** Moves an element to the middle of the frame if a part of it is outside, and the frame into the viewport. */

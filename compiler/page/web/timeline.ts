@@ -210,7 +210,7 @@ export class Timeline {
     this.tip.hidden = hit === undefined;
     if (!hit) return;
     const { recording } = this.source;
-    const time = `${seconds(hit.from)} to ${seconds(hit.to)}`;
+    const time = hit.from < hit.to ? `${seconds(hit.from)} to ${seconds(hit.to)}` : `from ${seconds(hit.from)} on`;
     if (hit.row.group !== undefined) {
       const standing = recording.standingAt(hit.row.group, hit.event);
       const text = words(recording.names, hit.row.group, standing, standing.mark === 'queued' ? this.why(hit.row.group, hit.event) : undefined);

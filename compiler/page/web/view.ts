@@ -4,6 +4,8 @@
 import type { Recording } from './recording';
 
 const shortest = 200; // microseconds
+const room = 0.02; // of the length
+const mostRoom = 400e3; // microseconds
 const usual = 20e6; // microseconds: how much of a growing recording is shown at first
 
 export class View {
@@ -63,8 +65,12 @@ export class View {
     this.to = this.from + length;
   }
 
-  /** The end of the time that can be shown: at least 1 ms after the beginning, as the length must not be 0. */
+  /**
+   * The end of the time that can be shown: after that of the recording, since what begins there must have a width, and at least 1 ms after the
+   * beginning, as the length must not be 0.
+   */
   get last(): number {
-    return Math.max(this.recording.ends, this.recording.begins + 1000);
+    const { begins, ends } = this.recording;
+    return ends + Math.max(1000, Math.min(mostRoom, (ends - begins) * room));
   }
 }
