@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/exclusion.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/conflicts/pair_help.hpp"
 #include "compiler/analysis/conflicts/ways.hpp"
 #include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/shared/shared.hpp"
@@ -256,6 +257,7 @@ std::string propose(const Input& input, const Pack& pack, const Sides& sides, co
   const Model& model = input.model;
   const Side& first = sides.first;
   const Side& second = sides.second;
+  if (std::string help = apart_to_be_pushed(input.model, first.task, second.task); !help.empty()) return help;
   std::vector<std::string> out;
   if (find_superfluous(input, second).empty() &&
       leaves_all(input, second.ways, first.ways, is_requested_elsewhere(input, first.task))) {

@@ -4,6 +4,7 @@
 
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/conflicts/pack_conflicts.hpp"
+#include "compiler/analysis/conflicts/pair_help.hpp"
 #include "compiler/analysis/conflicts/starving.hpp"
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/needs/needs.hpp"
@@ -119,6 +120,10 @@ std::string propose(const Input& input, const PackConflict& conflict, bool by_gr
                ? "request them in packs of their own"
                : "request them in packs of their own, or make all but one of them `apart`, so that each waits for "
                  "itself alone";
+  if (conflict.members.size() == 2) {
+    std::string help = apart_to_be_pushed(model, *conflict.members[0], *conflict.members[1]);
+    if (!help.empty()) return help;
+  }
   if (conflict.members.size() == 2 && by_groups &&
       first_takes_always(input, *conflict.members[0], *conflict.members[1]))
     return "request them in two packs";

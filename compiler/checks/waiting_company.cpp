@@ -51,7 +51,9 @@ public:
     for (const Task* member : members) {
       for (const Task* other : waiting) {
         if (other->target == member->target) continue;
-        if (share(member->target, other->target) && !sets_what_it_waits_for(member->target, other->target)) continue;
+        if (share(member->target, other->target) &&
+            (need_the_same(member->target, other->target) || !sets_what_it_waits_for(member->target, other->target)))
+          continue;
         if (takes_from_causers(member->target, other->target) || takes_from_causers(other->target, member->target))
           continue;
         const auto where = find_held_back(member->target, other->target, region);
@@ -96,6 +98,14 @@ private:
     const Claims& first = input_.shared.claims(a);
     const std::vector<GroupId>& second = input_.shared.claims(b).groups();
     return std::any_of(second.begin(), second.end(), [&](GroupId group) { return first.contains(group); });
+  }
+
+  /// Whether some choice for each of them needs one group: by itself, the member would take that for ever.
+  bool need_the_same(GroupId a, GroupId b) const {
+    const std::vector<GroupId>& first = input_.shared.units().needed(a);
+    const std::vector<GroupId>& second = input_.shared.units().needed(b);
+    return std::any_of(first.begin(), first.end(),
+                       [&](GroupId group) { return std::binary_search(second.begin(), second.end(), group); });
   }
 
   /// Whether it may take what a provider needs that the other one pushes: it would, if the two did not wait together.
