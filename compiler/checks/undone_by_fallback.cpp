@@ -84,8 +84,12 @@ private:
 
   void report(const Granted& granted, const Want& want, ProviderId causer, const Use<GroupId>& need,
               const Fallback& fallback) {
-    seen_.insert({need.span, want.condition.span});
-    const std::string causing = name_of(model_, causer), lost = name_of(model_, need.id);
+    std::vector<std::string> names;
+    for (const Use<GroupId>* each : granted.takings.needs_taken(causer)) {
+      seen_.insert({each->span, want.condition.span});
+      names.push_back(name_of(model_, each->id));
+    }
+    const std::string causing = name_of(model_, causer), lost = list_of(names);
     const std::string set = fmt::format("{} may {} {}", name_of(model_, fallback.provider),
                                         fallback.promised ? "cause" : "set", name_of(model_, fallback.entry.id));
     dsl::Diagnostic& finding = findings_.add(

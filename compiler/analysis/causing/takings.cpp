@@ -20,6 +20,14 @@ void add_taking(const Model& model, const Want& want, ProviderId causer, Taking 
   for (dsl::Note& note : how.notes) finding.notes.push_back(std::move(note));
 }
 
+std::vector<const Use<GroupId>*> Takings::needs_taken(ProviderId id) const {
+  std::vector<const Use<GroupId>*> out;
+  for (const Use<GroupId>& need : model_.providers[id].needs) {
+    if (part_taken(need.id)) out.push_back(&need);
+  }
+  return out;
+}
+
 const Use<GroupId>* Takings::need_taken(ProviderId id) const {
   const std::vector<Use<GroupId>>& needs = model_.providers[id].needs;
   const auto at = std::find_if(needs.begin(), needs.end(),

@@ -32,7 +32,9 @@ public:
 
   /// Whether the task, or one below it, may hold the group itself.
   bool takes(GroupId group) const { return claims_.contains(group); }
-  /// The provider's first need that leads to a group which is certainly taken.
+  /// The provider's needs that lead to a group which is certainly taken.
+  std::vector<const Use<GroupId>*> needs_taken(ProviderId id) const;
+  /// The first of them; null: there is none.
   const Use<GroupId>* need_taken(ProviderId id) const;
   /// How that need is lost.
   Taking way_to(const Use<GroupId>& need) const;

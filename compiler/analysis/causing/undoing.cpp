@@ -2,27 +2,58 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/undoing.hpp"
 
+#include "compiler/analysis/states/choice.hpp"
 #include "compiler/analysis/states/region.hpp"
 #include "compiler/analysis/words/words.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 namespace director::analysis {
+
+namespace {
+
+/// Whether one of these can run wherever the conditions of `here` hold.
+bool cover(const Model& model, const Region& here, const std::vector<Region>& others) {
+  if (std::any_of(others.begin(), others.end(), [&](const Region& each) { return contains(each, here); })) return true;
+  if (others.size() < 2) return false;
+  IdTable<StateId, ValueSet> domains(model.states.size());
+  for (const StateId id : model.states.ids()) domains[id] = model.states[id].domain();
+  Budget budget(Budget::of_any_search);
+  return find_covering(model, here, others, domains, budget) == Covering::covered;
+}
+
+} // namespace
 
 ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId condition, const ValueSet& values) {
   const StateId state = model.conditions[condition].state;
-  ValueSet out = values.without(model.conditions[condition].accepts);
-  const auto accept = [&](const Region& region) {
+  const auto accepted_by = [&](const Region& region) {
     const auto at = region.states.find(state);
-    out = at == region.states.end() ? ValueSet{} : out.without(at->second);
+    return at == region.states.end() ? model.states[state].domain() : at->second;
   };
   const Provider& row = model.providers[provider];
-  if (!row.stay.empty()) accept(region_of(model, row.stay));
+  ValueSet out = values.without(model.conditions[condition].accepts);
+  if (!row.stay.empty()) out = out.without(accepted_by(region_of(model, row.stay)));
   Region here = region_of(model, row.when);
   here.states.erase(state);
-  for (const ProviderId other : model.groups[row.group].providers) {
-    const Region region = region_of(model, model.providers[other].when);
-    if (other != provider && compatible(here, region)) accept(region);
+  std::vector<std::pair<ValueSet, Region>> others; // what each accepts of the state, and its other conditions
+  for (const ProviderId id : model.groups[row.group].providers) {
+    Region region = region_of(model, model.providers[id].when);
+    if (id == provider || !compatible(here, region)) continue;
+    ValueSet accepted = accepted_by(region);
+    region.states.erase(state);
+    others.emplace_back(std::move(accepted), std::move(region));
+  }
+  for (const auto& [accepted, region] : others) {
+    const ValueSet part = out.intersected(accepted);
+    std::vector<Region> regions;
+    for (const auto& [also, other] : others) {
+      if (part.subset_of(also)) regions.push_back(other);
+    }
+    if (!part.empty() && cover(model, here, regions)) out = out.without(part);
   }
   return out;
 }

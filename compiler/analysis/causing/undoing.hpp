@@ -7,7 +7,8 @@
 namespace director::analysis {
 
 /// Of `values` those with which the provider, chosen while its condition held, cannot continue: its `when` and its
-/// `stay` are false, and no other provider of its group accepts them.
+/// `stay` are false, and it is not certain that another provider of its group can run then, as far as its conditions
+/// say.
 ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId condition, const ValueSet& values);
 
 /// Help for a wanted condition that these values make false again.

@@ -153,7 +153,7 @@ groups:
         "main.yaml:6: no provider of `G` can run while `S` is b [uncovered_state]\n");
 }
 
-/// G.one takes what P needs; so K ends, and with it the value of S for which K was pushed.
+/// G.one takes what P needs; so K ends, and with it the value of S that K sets.
 TEST_CASE("what takes control away from a provider before each run is named") {
   const auto findings = [](const std::string& of, const std::string& handler) {
     return tests::check_text("states: {S: {values: [a, b], initial: b" + of + R"(}, T: {values: [p, q], external: true}}
@@ -165,7 +165,7 @@ groups:
       - {name: two, when: [T == q]}
   P: {needs: [R], tasks: [K, R]}
   R: {}
-  K: {)" + handler + R"(providers: [{name: idle}, {name: push, causing: [S == a]}]}
+  K: {)" + handler + R"(sets: [S == a]}
 allow: [uncovered_state]
 because: it waits for both
 )")
