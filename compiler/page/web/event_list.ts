@@ -13,9 +13,10 @@ const rows = 14;
 export class EventList {
   readonly element = make('div', { id: 'events', tabindex: '0', role: 'region', 'aria-label': 'Events' });
   private readonly list = make('ol');
+  private readonly hidden = make('p', { class: 'hint' });
 
   constructor(private readonly recording: Recording, private readonly cursor: Cursor, private readonly filter: Filter, private readonly chosen: () => void) {
-    this.element.append(make('h3', {}, 'Events'), this.list);
+    this.element.append(make('h3', {}, 'Events'), this.hidden, this.list);
   }
 
   show(): void {
@@ -26,6 +27,7 @@ export class EventList {
     const past = events.filter((each) => each <= event).length;
     if (events.length > 0 && event >= this.recording.first && events[past - 1] !== event) events.splice(past, 0, event);
     const shown = events.indexOf(event);
+    this.hidden.textContent = this.filter.hidden.length === 0 ? '' : `Hidden by the filter: ${this.filter.hidden.join(', ')}.`;
     this.list.replaceChildren(...events.map((each, i) => this.row(each, i === shown, each > event)));
     const current = this.list.children[shown] as HTMLElement | undefined;
     if (current) this.element.scrollTop += current.getBoundingClientRect().top - this.element.getBoundingClientRect().top - this.element.clientHeight / 2;

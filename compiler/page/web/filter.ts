@@ -51,6 +51,11 @@ export class Filter {
     return this.order.filter((group) => (event === undefined ? this.shows(group) : !['inactive', 'unknown'].includes(this.recording.standingAt(group, event).mark)));
   }
 
+  /** The kinds of events that are not shown. */
+  get hidden(): string[] {
+    return sorts.filter((sort) => !this.chosenSorts.has(sort)).map((sort) => words[sort]);
+  }
+
   /** The events that are shown, in order. */
   events(): Column<Uint32Array> {
     const { recording } = this;

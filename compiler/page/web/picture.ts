@@ -79,7 +79,7 @@ export class Picture {
    */
   focus(group?: string): void {
     const own = group === undefined ? undefined : this.boxes.get(group);
-    const lines = this.arrows.map(({ from, to, element }) => ({ element, from: this.boxes.get(groupOf(from)), to: this.boxes.get(groupOf(to)), isPush: to.includes('.'), isNeed: this.isNeed(element) }));
+    const lines = this.arrows.map(({ from, to, element }) => ({ element, from: this.boxes.get(groupOf(from)), to: this.boxes.get(groupOf(to)), isPush: this.isPush(element), isNeed: this.isNeed(element) }));
     const beside = new Set<SVGGElement>(); // what an arrow connects with it
     const near = new Set<SVGGElement>();
     const add = (all: Set<SVGGElement>, wanted: (line: (typeof lines)[number]) => boolean, end: 'from' | 'to'): void => {
@@ -111,6 +111,11 @@ export class Picture {
   get outside(): string[] {
     const frame = this.frame.getBoundingClientRect();
     return this.hidden ? [] : [...this.nodes].filter(([, node]) => node.classList.contains(inFront) && !node.classList.contains('chosen') && !isWithin(node.getBoundingClientRect(), frame)).map(([title]) => title);
+  }
+
+  /** Pushes have a colour of their own: palette::push in compiler/emit/graph. */
+  isPush(arrow: Element): boolean {
+    return arrow.querySelector('[stroke="#00704f"], text[fill="#00704f"]') !== null;
   }
 
   /** Needs are blue, also beside a request: palette::need in compiler/emit/graph. */

@@ -50,7 +50,8 @@ interface Arrow {
   from: number[];
   provider: string | undefined; // the active provider that requests or needs by this arrow; undefined: any
   to: number[];
-  pushedTo: string | undefined; // the arrow is a push, to this provider; undefined: a request or need
+  isPush: boolean; // else it is a request or need
+  pushedTo: string | undefined; // a push to this provider; undefined: to any
   bar: SVGElement | undefined;
   shown: string;
 }
@@ -82,7 +83,7 @@ export class PictureMarks {
       const [asked, pushedTo] = to.split('.');
       const groups = groupsOf(asker);
       const provider = groups.length === 1 && this.names.provider(groups[0], row) !== nobody ? row : undefined;
-      this.arrows.push({ element, from: groups, provider, to: groupsOf(asked), pushedTo, bar: undefined, shown: '' });
+      this.arrows.push({ element, from: groups, provider, to: groupsOf(asked), isPush: picture.isPush(element), pushedTo, bar: undefined, shown: '' });
     }
   }
 
@@ -101,13 +102,14 @@ export class PictureMarks {
   }
 
   private box(node: SVGGElement, groups: number[]): Box {
-    const texts = [...node.querySelectorAll('text')].filter((text) => text.getAttribute('font-size') === '12.00');
+    const all = [...node.querySelectorAll('text')];
+    const texts = all.filter((text) => text.getAttribute('font-size') === '12.00');
     const rows = new Map<string, SVGTextElement>();
     const { providers } = this.names.header.groups[groups[0]];
     if (groups.length === 1) for (const text of texts) if (providers.includes(text.textContent ?? '')) rows.set(text.textContent ?? '', text);
     const heads = new Map<number, SVGTextElement>();
     for (const group of rows.size > 0 ? [] : groups) {
-      const text = texts.find((each) => each.textContent === this.names.header.groups[group].name);
+      const text = all.find((each) => each.textContent === this.names.header.groups[group].name); // smaller in boxes of modules and layers
       if (text) heads.set(group, text);
     }
     return { node, groups, heads, rows, fits: new Map(), mark: '', words: '', note: undefined, shown: '' };
@@ -118,7 +120,8 @@ export class PictureMarks {
     const most = standings.reduce<{ group: number; standing: Standing } | undefined>((a, b) => (a && order.indexOf(a.standing.mark) >= order.indexOf(b.standing.mark) ? a : b), undefined);
     const mark = most?.standing.mark ?? '';
     const because = most && mark === 'queued' && event !== undefined ? this.why(most.group, event) : undefined;
-    const note = most && (mark === 'queued' || mark === 'pushed') ? words(this.names, most.group, most.standing, because) : '';
+    const about = most && box.groups.length > 1 ? `${this.names.header.groups[most.group].name}: ` : '';
+    const note = most && (mark === 'queued' || mark === 'pushed') ? about + words(this.names, most.group, most.standing, because) : '';
     const provider = most && most.standing.provider !== nobody ? this.names.header.groups[most.group].providers[most.standing.provider] : '';
     const running = new Set(standings.filter(({ standing }) => standing.mark === 'running' || standing.mark === 'pushed').map(({ group }) => group));
     const shown = `${mark} ${provider} ${note} ${[...running].join()}`;
@@ -206,7 +209,7 @@ export class PictureMarks {
   }
 
   private showArrow(arrow: Arrow, event: number | undefined): void {
-    const mark = event === undefined ? '' : arrow.pushedTo === undefined ? this.markOf(arrow, event) : this.pushMark(arrow, event);
+    const mark = event === undefined ? '' : arrow.isPush ? this.pushMark(arrow, event) : this.markOf(arrow, event);
     if (arrow.shown === mark) return;
     arrow.shown = mark;
     for (const each of order) arrow.element.classList.toggle(`is-${each}`, each === mark);
@@ -235,7 +238,8 @@ export class PictureMarks {
   private pushMark(arrow: Arrow, event: number): Mark {
     for (const to of arrow.to) {
       const { mark, push } = this.recording.standingAt(to, event);
-      if (mark === 'pushed' && push && arrow.from.includes(this.names.targets[push.edge]) && this.names.header.groups[to].providers[push.provider] === arrow.pushedTo) return 'pushed';
+      const isTo = (provider: number): boolean => arrow.pushedTo === undefined || this.names.header.groups[to].providers[provider] === arrow.pushedTo;
+      if (mark === 'pushed' && push && arrow.from.includes(this.names.targets[push.edge]) && isTo(push.provider)) return 'pushed';
     }
     return 'inactive';
   }
