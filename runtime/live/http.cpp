@@ -3,12 +3,14 @@
 //
 // cpp-httplib parses the request and writes the head of the answer, from a text into a text. Its own server is not
 // used: it has a thread for each connection, and reads lines of any length. Features of it that make a small request
-// expensive are disabled: parts of an answer (Range) and compression.
+// expensive are disabled: parts of an answer (Range) and compression. Any Range is ignored, also one that the library
+// would refuse.
 #include "runtime/live/http.hpp"
 
 #include <httplib.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 
 namespace director::live {
@@ -41,6 +43,22 @@ private:
   std::string_view in_;
 };
 
+/// Whether the line is a header of this name, which is in lower case and ends with a colon.
+bool is_header(std::string_view line, std::string_view name) {
+  const auto same = [](char lower, char any) { return lower == std::tolower(static_cast<unsigned char>(any)); };
+  return line.size() >= name.size() && std::equal(name.begin(), name.end(), line.begin(), same);
+}
+
+std::string without_header(std::string_view request, std::string_view name) {
+  std::string out;
+  while (!request.empty()) {
+    const std::string_view line = request.substr(0, std::min(request.find('\n'), request.size() - 1) + 1);
+    if (!is_header(line, name)) out.append(line);
+    request.remove_prefix(line.size());
+  }
+  return out;
+}
+
 } // namespace
 
 class Http::Library final : public httplib::Server {
@@ -55,10 +73,10 @@ public:
   Answer answer(std::string_view request) {
     reply_ = {};
     handler_called_ = false;
-    Text text(request);
-    process(*this, text, [](httplib::Request& read) {
-      read.ranges.clear();
-      for (const char* header : {"Range", "Accept-Encoding", "Expect"}) read.headers.erase(header);
+    const std::string read = without_header(request, "range:");
+    Text text(read);
+    process(*this, text, [](httplib::Request& parsed) {
+      for (const char* header : {"Accept-Encoding", "Expect"}) parsed.headers.erase(header);
     });
     // The library gives no answer to an invalid request.
     if (!handler_called_) return {.head = bare_answer("400 Bad Request", "This is no request of HTTP/1.1.\n")};
@@ -77,6 +95,7 @@ private:
   }
 
   void take(const httplib::Request& from, httplib::Response& to) {
+    if (from.get_header_value_count("Host") > 1) return; // invalid: another program may read the other one
     const auto header = [&](const char* name) { return from.get_header_value(name); };
     Request request{.method = from.method,
                     .path = from.path,

@@ -43,7 +43,7 @@ public:
     std::uint16_t port = 0;            ///< 0: any that is free
     std::size_t queue = 65'536;        ///< events that can wait for the view's thread
     std::size_t memory = 4 << 20;      ///< bytes of events that are kept for late viewers; of all together
-    std::size_t connections = 64;      ///< at a time
+    std::size_t connections = 64;      ///< at a time, at least one
     // Each from a millisecond to a day.
     std::chrono::milliseconds interval{20}; ///< period of messages to viewers
     std::chrono::milliseconds patience{

@@ -166,6 +166,11 @@ TEST_CASE("if viewers use all connections, the next one is refused, and gets a p
   while (!attacked.is_there()) std::this_thread::sleep_for(1ms);
 }
 
+TEST_CASE("a view that may have no connection has one, so that it can be seen") {
+  Attacked attacked({.connections = 0});
+  CHECK(attacked.is_there());
+}
+
 TEST_CASE("many clients that connect and leave at once, also in the middle of an answer, leave nothing behind") {
   Attacked attacked;
   const std::string& url = attacked.view.url();

@@ -57,8 +57,8 @@ TEST_CASE("the answer has neither ranges nor compression, and no request to cont
   const std::string plain = asked.http.answer("GET / HTTP/1.1\r\nHost: a\r\n\r\n").head;
   std::string parts = "Range: bytes=0-1";
   while (parts.size() < 8000) parts += ",0-1";
-  for (const std::string& more :
-       {parts, std::string("Accept-Encoding: gzip, br"), std::string("Expect: 100-continue")}) {
+  for (const std::string& more : {parts, std::string("Range: items=0-5"), std::string("rANGE: bytes=abc"),
+                                  std::string("Accept-Encoding: gzip, br"), std::string("Expect: 100-continue")}) {
     CHECK(asked.http.answer("GET / HTTP/1.1\r\nHost: a\r\n" + more + "\r\n\r\n").head == plain);
   }
 }
@@ -75,8 +75,9 @@ TEST_CASE("a request says whether it has a body, which is not read") {
 
 TEST_CASE("an invalid request is refused without the handler, with an answer") {
   Asked asked;
-  for (const char* request : {"\r\n\r\n", "nonsense\r\n\r\n", "BREW / HTTP/1.1\r\n\r\n", "GET / HTTP/3.0\r\n\r\n",
-                              "PRI * HTTP/2.0\r\n\r\n", "GET /\r\n\r\n", "\x16\x03\x01\r\n\r\n"}) {
+  for (const char* request :
+       {"\r\n\r\n", "nonsense\r\n\r\n", "BREW / HTTP/1.1\r\n\r\n", "GET / HTTP/3.0\r\n\r\n", "PRI * HTTP/2.0\r\n\r\n",
+        "GET /\r\n\r\n", "GET / HTTP/1.1\r\nHost: a\r\nhost: b\r\n\r\n", "\x16\x03\x01\r\n\r\n"}) {
     CAPTURE(request);
     CHECK(asked.http.answer(request).head ==
           "HTTP/1.1 400 Bad Request\r\nConnection: close\r\nContent-Type: text/plain; charset=utf-8\r\n"
