@@ -5,7 +5,7 @@
 
 #include "compiler/diff/side.hpp"
 #include "compiler/graph/topmost.hpp"
-#include "compiler/play/coverage.hpp"
+#include "compiler/play/coverage/coverage.hpp"
 
 #include <compare>
 #include <cstdint>

@@ -6,7 +6,7 @@
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/explore/oscillations.hpp"
-#include "compiler/explore/search.hpp"
+#include "compiler/explore/search/search.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -3,7 +3,7 @@
 // Reports what a complete exploration never reached, and cycles that any exploration saw, as findings. Their pages:
 // compiler/checks/never_runs.md, never_at_rest.md.
 
-#include "compiler/explore/search.hpp"
+#include "compiler/explore/search/search.hpp"
 #include "compiler/model/model.hpp"
 #include "dsl/source/diagnostic.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
-#include "compiler/explore/write_scenario.hpp"
+#include "compiler/explore/scenario/write_scenario.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

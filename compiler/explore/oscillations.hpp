@@ -3,7 +3,7 @@
 // The cycles of a search in which the engine never comes to rest, and the findings about them. The page of these:
 // compiler/checks/never_at_rest.md.
 
-#include "compiler/explore/search.hpp"
+#include "compiler/explore/search/search.hpp"
 #include "dsl/source/diagnostic.hpp"
 
 #include <optional>

@@ -1,8 +1,8 @@
-// Header: compiler/explore/report.hpp. Test: tests/compiler/explore/search_test.cpp.
+// Header: compiler/explore/report.hpp. Test: tests/compiler/explore/search/search_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/explore/report.hpp"
 
-#include "compiler/explore/focus.hpp"
+#include "compiler/explore/environment/focus.hpp"
 #include "compiler/explore/limits.hpp"
 
 #include <fmt/format.h>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/explore/verdict.hpp"
 
-#include "compiler/explore/focus.hpp"
+#include "compiler/explore/environment/focus.hpp"
 #include "compiler/explore/limits.hpp"
-#include "compiler/explore/write_scenario.hpp"
+#include "compiler/explore/scenario/write_scenario.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

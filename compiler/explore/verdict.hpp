@@ -4,7 +4,7 @@
 // scenario that was played, a proof by exploration has visited every state, and a static proof names what it depends
 // on.
 
-#include "compiler/explore/search.hpp"
+#include "compiler/explore/search/search.hpp"
 
 #include <cstddef>
 #include <functional>

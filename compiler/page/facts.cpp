@@ -12,7 +12,7 @@
 #include "compiler/lower/lower.hpp"
 #include "compiler/page/ranks.hpp"
 #include "compiler/page/ruling.hpp"
-#include "compiler/play/coverage.hpp"
+#include "compiler/play/coverage/coverage.hpp"
 #include "compiler/transitions/transitions_json.hpp"
 
 #include <fmt/format.h>

@@ -8,7 +8,7 @@
 #include "compiler/emit/graph/picture_options.hpp"
 #include "compiler/graph/graph.hpp"
 #include "compiler/model/model.hpp"
-#include "compiler/play/coverage.hpp"
+#include "compiler/play/coverage/coverage.hpp"
 
 #include <cstddef>
 #include <string>

@@ -3,7 +3,7 @@
 // An input of a scenario as the records that are posted to an engine.
 
 #include "compiler/play/data_slots.hpp"
-#include "compiler/play/scenario.hpp"
+#include "compiler/play/scenario/scenario.hpp"
 #include "runtime/core/engine/inbox.hpp"
 
 #include <vector>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Callbacks while a scenario is played: called at every run of a body, and after every micro-step of the engine.
 
-#include "compiler/play/scenario.hpp"
+#include "compiler/play/scenario/scenario.hpp"
 #include "runtime/core/engine/engine.hpp"
 
 #include <functional>

@@ -4,7 +4,7 @@
 
 #include "compiler/play/event_converter.hpp"
 #include "compiler/play/onlooker.hpp"
-#include "compiler/play/scenario.hpp"
+#include "compiler/play/scenario/scenario.hpp"
 
 #include <cstdint>
 #include <functional>

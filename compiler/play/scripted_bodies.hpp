@@ -5,7 +5,7 @@
 #include "compiler/lower/lowered.hpp"
 #include "compiler/play/data_slots.hpp"
 #include "compiler/play/onlooker.hpp"
-#include "compiler/play/scenario.hpp"
+#include "compiler/play/scenario/scenario.hpp"
 #include "runtime/core/engine/run.hpp"
 
 namespace director::compiler {

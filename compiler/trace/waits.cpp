@@ -3,7 +3,7 @@
 #include "compiler/trace/waits.hpp"
 
 #include "compiler/lower/row_names.hpp"
-#include "compiler/play/why.hpp"
+#include "compiler/play/why/why.hpp"
 #include "runtime/hosted/trace/run_ends.hpp"
 #include "runtime/hosted/why_notes.hpp"
 

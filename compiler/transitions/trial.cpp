@@ -3,8 +3,8 @@
 #include "compiler/transitions/trial.hpp"
 
 #include "compiler/play/play.hpp"
-#include "compiler/play/resolve_scenario.hpp"
-#include "compiler/play/why.hpp"
+#include "compiler/play/scenario/resolve_scenario.hpp"
+#include "compiler/play/why/why.hpp"
 
 #include <fmt/format.h>
 

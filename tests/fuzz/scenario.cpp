@@ -4,8 +4,8 @@
 // Bytes as a scenario and the behaviour that it names: it is played by the engine, or refused.
 #include "compiler/lower/lower.hpp"
 #include "compiler/pipeline.hpp"
-#include "compiler/play/resolve_scenario.hpp"
-#include "compiler/play/test_scenario.hpp"
+#include "compiler/play/expect/test_scenario.hpp"
+#include "compiler/play/scenario/resolve_scenario.hpp"
 #include "dsl/reading/read_scenario.hpp"
 #include "tests/fuzz/files.hpp"
 

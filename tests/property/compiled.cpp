@@ -4,7 +4,7 @@
 
 #include "compiler/lower/lower.hpp"
 #include "compiler/model/resolve.hpp"
-#include "compiler/play/resolve_scenario.hpp"
+#include "compiler/play/scenario/resolve_scenario.hpp"
 #include "dsl/reading/read_behaviour.hpp"
 #include "dsl/reading/read_scenario.hpp"
 #include "tests/oracle/parts.hpp"

@@ -4,7 +4,7 @@
 
 #include "compiler/lower/lowered.hpp"
 #include "compiler/model/model.hpp"
-#include "compiler/play/scenario.hpp"
+#include "compiler/play/scenario/scenario.hpp"
 #include "dsl/scenario_spec.hpp"
 #include "tests/property/document.hpp"
 

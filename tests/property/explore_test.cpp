@@ -6,8 +6,8 @@
 //   DIRECTOR_SEED   first seed, instead of 1
 //   DIRECTOR_CASES  how many, instead of as many as take half a minute
 #include "compiler/analysis/facts/facts.hpp"
+#include "compiler/explore/scenario/write_scenario.hpp"
 #include "compiler/explore/verdict.hpp"
-#include "compiler/explore/write_scenario.hpp"
 #include "tests/property/engine_run.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/support/environment.hpp"

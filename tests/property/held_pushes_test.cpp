@@ -8,7 +8,7 @@
 //   DIRECTOR_CASES  how many behaviours with such a finding
 //   DIRECTOR_LONG   set: more of them
 //   DIRECTOR_SHOW   set: each behaviour that contradicts its finding
-#include "compiler/explore/search.hpp"
+#include "compiler/explore/search/search.hpp"
 #include "compiler/pipeline.hpp"
 #include "dsl/source/render.hpp"
 #include "tests/property/draft.hpp"

@@ -7,7 +7,7 @@
 //   DIRECTOR_CASES  how many behaviours with such a finding
 //   DIRECTOR_LONG   set: more of them
 //   DIRECTOR_SHOW   set: each behaviour in which it is never seen to wait
-#include "compiler/explore/search.hpp"
+#include "compiler/explore/search/search.hpp"
 #include "compiler/pipeline.hpp"
 #include "dsl/source/render.hpp"
 #include "tests/property/draft.hpp"

@@ -3,7 +3,7 @@
 // What a complete exploration reached, in more detail than it reports: pushes, packs that were granted whole, the
 // values of states, providers that ran below a request.
 
-#include "compiler/explore/search.hpp"
+#include "compiler/explore/search/search.hpp"
 
 #include <array>
 #include <set>

@@ -2,8 +2,8 @@
 // On random behaviours and scenarios: each take-over that happens is one that pages list, and a point of coverage.
 //
 //   DIRECTOR_SEED, DIRECTOR_CASES   as in property_test.cpp
-#include "compiler/play/coverage.hpp"
-#include "compiler/play/coverage_watch.hpp"
+#include "compiler/play/coverage/coverage.hpp"
+#include "compiler/play/coverage/coverage_watch.hpp"
 #include "tests/property/engine_run.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/property/watch.hpp"

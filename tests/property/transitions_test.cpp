@@ -5,7 +5,7 @@
 //
 //   DIRECTOR_SEED, DIRECTOR_CASES   as in property_test.cpp
 //   DIRECTOR_SHOW                   set: each cell that says something else, with its behaviour and its scenario
-#include "compiler/play/resolve_scenario.hpp"
+#include "compiler/play/scenario/resolve_scenario.hpp"
 #include "compiler/transitions/matrix.hpp"
 #include "runtime/core/inspect/view.hpp"
 #include "tests/property/engine_run.hpp"

@@ -3,7 +3,7 @@
 // Two searches of one behaviour, of which one takes every micro-step and the other none that it foresees to end as
 // another.
 
-#include "compiler/explore/search.hpp"
+#include "compiler/explore/search/search.hpp"
 
 #include <string>
 

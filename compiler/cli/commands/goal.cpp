@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/commands/goal.hpp"
 
-#include "compiler/play/names.hpp"
+#include "compiler/play/scenario/names.hpp"
 #include "dsl/lexical/characters.hpp"
 #include "dsl/reading/read_condition.hpp"
 

@@ -11,8 +11,8 @@
 #include "compiler/emit/graph/formats.hpp"
 #include "compiler/explore/limits.hpp"
 #include "compiler/page/facts.hpp"
-#include "compiler/play/moment.hpp"
 #include "compiler/play/play.hpp"
+#include "compiler/play/why/moment.hpp"
 #include "runtime/core/inspect/view.hpp"
 
 #include <fmt/format.h>

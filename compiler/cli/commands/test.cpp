@@ -4,9 +4,9 @@
 #include "compiler/cli/input/load_scenario.hpp"
 #include "compiler/cli/input/named_file.hpp"
 #include "compiler/emit/findings_json.hpp"
-#include "compiler/play/coverage_watch.hpp"
-#include "compiler/play/print_coverage.hpp"
-#include "compiler/play/write_expect.hpp"
+#include "compiler/play/coverage/coverage_watch.hpp"
+#include "compiler/play/coverage/print_coverage.hpp"
+#include "compiler/play/expect/write_expect.hpp"
 #include "dsl/source/colours.hpp"
 #include "dsl/source/harmless.hpp"
 

@@ -1,10 +1,10 @@
 // Header: compiler/cli/options/commands.hpp. Test: tests/compiler/cli/commands/why_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/play/why.hpp"
+#include "compiler/play/why/why.hpp"
 
 #include "compiler/cli/input/load_scenario.hpp"
-#include "compiler/play/names.hpp"
 #include "compiler/play/play.hpp"
+#include "compiler/play/scenario/names.hpp"
 #include "runtime/core/inspect/view.hpp"
 
 #include <fmt/format.h>

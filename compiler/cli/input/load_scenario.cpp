@@ -6,7 +6,7 @@
 #include "compiler/base/seconds.hpp"
 #include "compiler/cli/input/named_file.hpp"
 #include "compiler/lower/lower.hpp"
-#include "compiler/play/resolve_scenario.hpp"
+#include "compiler/play/scenario/resolve_scenario.hpp"
 #include "dsl/reading/read_scenario.hpp"
 #include "dsl/source/load_file.hpp"
 #include "dsl/source/render.hpp"

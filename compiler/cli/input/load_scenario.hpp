@@ -6,7 +6,7 @@
 #include "compiler/graph/graph.hpp"
 #include "compiler/lower/lowered.hpp"
 #include "compiler/play/play.hpp"
-#include "compiler/play/scenario.hpp"
+#include "compiler/play/scenario/scenario.hpp"
 
 #include <set>
 #include <string>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/input/named_groups.hpp"
 
-#include "compiler/play/names.hpp"
+#include "compiler/play/scenario/names.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Header: compiler/cli/system/earlier_outputs.hpp. Test: tests/compiler/cli/commands/explore_test.cpp,
-// tests/compiler/play/moment_test.cpp. SPDX-License-Identifier: MIT
+// tests/compiler/play/why/moment_test.cpp. SPDX-License-Identifier: MIT
 #include "compiler/cli/system/earlier_outputs.hpp"
 
 #include "compiler/base/counted.hpp"

@@ -3,7 +3,7 @@
 // The progress of an exploration on a terminal: one line that is overwritten.
 
 #include "compiler/cli/system/console.hpp"
-#include "compiler/explore/search.hpp"
+#include "compiler/explore/search/search.hpp"
 
 #include <chrono>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The standing of each group: its mark, provider, holder and queued requests. It is derived from events, and at rest equals what the engine's view says
-// (compiler/play/moment.cpp). Two changes have no event of the engine: a group that is no longer requested, and was kept for a possible requester,
+// (compiler/play/why/moment.cpp). Two changes have no event of the engine: a group that is no longer requested, and was kept for a possible requester,
 // stops and is only held as a need; a group whose request was queued or withdrawn continues as a need, with its own requests. Sources report them:
 // - a recording has additional events where that happened: {"event":"held","group":…}, {"event":"stays","group":…} (compiler/trace/waits.hpp);
 // - a running program sends complete lists of standings (runtime/live/feed.hpp); recording.ts adds {"event":"runs","group":…} for a held group that

@@ -7,8 +7,8 @@
 // moves.
 #include "compiler/base/json.hpp"
 #include "compiler/lower/row_names.hpp"
-#include "compiler/play/moment.hpp"
 #include "compiler/play/play.hpp"
+#include "compiler/play/why/moment.hpp"
 #include "compiler/trace/waits.hpp"
 #include "runtime/hosted/trace/json_lines.hpp"
 #include "runtime/live/feed.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/explore/verdict.hpp"
 #include "compiler/lower/lower.hpp"
-#include "compiler/play/resolve_scenario.hpp"
-#include "compiler/play/test_scenario.hpp"
+#include "compiler/play/expect/test_scenario.hpp"
+#include "compiler/play/scenario/resolve_scenario.hpp"
 #include "dsl/reading/read_scenario.hpp"
 #include "tests/compiler/explore/explored.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "compiler/lower/lower.hpp"
 #include "compiler/play/play.hpp"
-#include "compiler/play/resolve_scenario.hpp"
+#include "compiler/play/scenario/resolve_scenario.hpp"
 #include "dsl/reading/read_scenario.hpp"
 #include "tests/compiler/support/compiled.hpp"
 

@@ -5,7 +5,7 @@
 #include "compiler/lower/row_names.hpp"
 #include "compiler/pipeline.hpp"
 #include "compiler/play/play.hpp"
-#include "compiler/play/resolve_scenario.hpp"
+#include "compiler/play/scenario/resolve_scenario.hpp"
 #include "dsl/reading/read_scenario.hpp"
 #include "runtime/core/api/event_names.hpp"
 #include "runtime/hosted/decision_printer.hpp"

@@ -6,7 +6,7 @@
 #include "compiler/lower/lower.hpp"
 #include "compiler/model/resolve.hpp"
 #include "compiler/play/play.hpp"
-#include "compiler/play/resolve_scenario.hpp"
+#include "compiler/play/scenario/resolve_scenario.hpp"
 #include "compiler/play/scripted_bodies.hpp"
 #include "dsl/reading/read_behaviour.hpp"
 #include "dsl/reading/read_scenario.hpp"

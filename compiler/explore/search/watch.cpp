@@ -1,0 +1,305 @@
+// Header: compiler/explore/search/watch.hpp. Test: tests/compiler/explore/verdict_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/explore/search/watch.hpp"
+
+#include "compiler/explore/search/blame.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace director::compiler {
+
+void unite(std::vector<bool>& all, const std::vector<bool>& more) {
+  all.resize(std::max(all.size(), more.size()), false);
+  for (std::size_t i = 0; i < more.size(); ++i) all[i] = all[i] || more[i];
+}
+
+Happened::Happened(const Tables& tables)
+    : ran(tables.providers.size()),
+      requested(tables.edges.size()),
+      granted(tables.edges.size()),
+      runnable(tables.edges.size()) {}
+
+void Happened::add(const Happened& other) {
+  unite(ran, other.ran);
+  unite(requested, other.requested);
+  unite(granted, other.granted);
+  unite(runnable, other.runnable);
+}
+
+bool under(const Engine& engine, Index edge, Index group) {
+  const Tables& t = engine.tables();
+  for (std::size_t steps = 0; edge < t.edges.size() && steps <= t.groups.size(); ++steps) { // limbo ends it
+    const Index requester = t.edges[edge].requester;
+    if (requester == group) return true;
+    if (requester == nil) return false;
+    edge = engine.holder(requester);
+  }
+  return false;
+}
+
+Watch::Watch(const Ground& ground, const std::vector<std::size_t>& assertions)
+    : happened(ground.tables),
+      doubted(ground.model.assertions.size(), false),
+      ground_(ground),
+      before_(ground.tables.groups.size()),
+      values_(ground.tables.states.size()) {
+  for (Index e = 0; e < ground.tables.edges.size(); ++e) waiting_.push_back(e);
+  std::uint64_t bit = 1;
+  for (const std::size_t at : assertions) {
+    const Assertion& assertion = ground.model.assertions[at];
+    One one;
+    one.assertion = at;
+    one.kind = assertion.kind;
+    for (const Use<GroupId>& use : assertion.groups) one.groups.push_back(static_cast<Index>(use.id.value));
+    if (one.kind == Assertion::Kind::soft) {
+      assert(bit != 0); // search() checks no more of them at once
+      one.ran_since = bit;
+      one.active_since = bit << 1;
+      bit <<= 2;
+      minds_puts_ = true;
+    }
+    watched_.push_back(std::move(one));
+  }
+}
+
+void Watch::before(const Machine& machine, std::uint64_t bits) {
+  bits_ = bits;
+  const Engine& engine = machine.engine();
+  for (Index s = 0; s < values_.size(); ++s) values_[s] = engine.value(s);
+  for (Index g = 0; g < before_.size(); ++g) before_[g] = {engine.holder(g), engine.active(g), engine.granted(g)};
+}
+
+std::uint64_t Watch::after(const Machine& machine, std::vector<std::size_t>& seen) {
+  std::uint64_t bits = bits_;
+  for (const One& one : watched_) {
+    bool is_seen = false;
+    switch (one.kind) {
+    case Assertion::Kind::never_together: is_seen = together(one, machine); break;
+    case Assertion::Kind::beats: is_seen = machine.phase() == Phase::rest && blocked(one, machine); break;
+    case Assertion::Kind::can_run:
+      is_seen = std::any_of(machine.actions().begin(), machine.actions().end(), [&](const Action& action) {
+        return action.kind == Action::Kind::run && action.group == one.groups.front();
+      });
+      break;
+    case Assertion::Kind::soft:
+      bits = remember(one, machine, bits);
+      is_seen = (bits & (one.ran_since | one.active_since)) == 0 && hard_cut(one, machine);
+      if (machine.engine().granted(one.groups.back()) || !requested(one.groups.back(), machine)) bits &= ~one.ran_since;
+      if (machine.engine().active(one.groups.front()) != before_[one.groups.front()].active) bits &= ~one.active_since;
+      break;
+    }
+    if (is_seen) seen.push_back(one.assertion);
+  }
+  note(machine);
+  return bits;
+}
+
+bool Watch::together(const One& one, const Machine& machine) const {
+  return std::count_if(one.groups.begin(), one.groups.end(),
+                       [&](Index group) { return machine.engine().granted(group); }) > 1;
+}
+
+/// At rest: a task of the first one's side is blocked by a group that the second one's side holds.
+bool Watch::blocked(const One& one, const Machine& machine) {
+  const Engine& engine = machine.engine();
+  const Tables& t = ground_.tables;
+  for (Index edge = 0; edge < t.edges.size(); ++edge) {
+    if (engine.queued(edge).why != Why::blocked || engine.state(edge) != RunState::queued) continue;
+    if (t.edges[edge].target != one.groups.front() && !under(engine, edge, one.groups.front())) continue;
+    switch (find_blame(engine, edge, one.groups.front(), one.groups.back())) {
+    case Blame::loser: blocked_request = edge; return true;
+    case Blame::shared: doubted[one.assertion] = true; break;
+    case Blame::others: break;
+    }
+  }
+  return false;
+}
+
+bool Watch::requested(Index group, const Machine& machine) const {
+  const auto edges = ground_.tables.list(ground_.tables.groups[group].requesters);
+  return std::any_of(edges.begin(), edges.end(),
+                     [&](Index edge) { return machine.engine().state(edge) != RunState::none; });
+}
+
+/// Whether a causing provider of the first one ran while the second one is requested; or it set its state and has been
+/// active since.
+std::uint64_t Watch::remember(const One& one, const Machine& machine, std::uint64_t bits) const {
+  for (const Action& action : machine.actions()) {
+    if (action.kind != Action::Kind::run || action.group != one.groups.front() || !causes(action.provider)) continue;
+    if (requested(one.groups.back(), machine)) bits |= one.ran_since;
+    for (const Put& put : ground_.bodies[action.provider].puts[action.puts]) {
+      if (keeps_promise(action.provider, put)) bits |= one.active_since;
+    }
+  }
+  return bits;
+}
+
+bool Watch::keeps_promise(Index provider, const Put& put) const {
+  const Model& model = ground_.model;
+  const std::vector<ConditionUse>& promises = model.providers[ProviderId{provider}].causing;
+  return std::any_of(promises.begin(), promises.end(), [&](const ConditionUse& promise) {
+    const Condition& condition = model.conditions[promise.id];
+    return condition.state.value == put.state && condition.accepts.contains(put.value);
+  });
+}
+
+namespace {
+
+/// Whether no level of the edge shares a unit with others.
+bool is_apart(const Tables& t, Index edge) {
+  const Range levels = t.edges[edge].levels;
+  for (Index i = levels.begin; i != levels.end; ++i) {
+    if (!t.levels[i].apart) return false;
+  }
+  return true;
+}
+
+} // namespace
+
+/// The value by which was decided who holds what: handlers set others afterwards, and states of a group that stops
+/// return to their first. Empty: it is not known.
+std::optional<std::int32_t> Watch::decided_by(Index state, const Machine& machine) const {
+  const State& row = ground_.model.states[StateId{state}];
+  std::optional<std::int32_t> by_body;
+  bool later = row.of && before_[row.of->id.value].active != nil &&
+               machine.engine().active(static_cast<Index>(row.of->id.value)) == nil;
+  for (const Action& action : machine.actions()) {
+    const Puts& puts = action.kind == Action::Kind::run     ? ground_.bodies[action.provider].puts[action.puts]
+                       : action.kind == Action::Kind::start ? ground_.starting[action.group][action.puts]
+                                                            : ground_.stopping[action.group][action.puts];
+    for (const Put& put : puts) {
+      if (put.state != state) continue;
+      if (action.kind == Action::Kind::run)
+        by_body = put.value;
+      else
+        later = true;
+    }
+  }
+  if (!later) return machine.engine().value(state);
+  if (by_body) return by_body;
+  if (row.external || row.expires) return std::nullopt; // an input may have set it
+  return values_[state];
+}
+
+/// Whether the conditions of this provider let it go on, or begin.
+bool Watch::may_go_on(Index provider, const Machine& machine) const {
+  const Tables& t = ground_.tables;
+  const director::Provider& row = t.providers[provider];
+  const bool was_active = before_[row.group].active == provider;
+  const auto own = t.list(row.causing);
+  const auto holds = [&](Index c) {
+    const std::optional<std::int32_t> value = decided_by(t.conditions[c].state, machine);
+    return !value || t.accepts(t.conditions[c], *value);
+  };
+  const auto when = t.list(row.when), stay = t.list(row.stay);
+  const bool begins = std::all_of(when.begin(), when.end(), [&](Index c) {
+    const bool waived = was_active && std::find(own.begin(), own.end(), t.conditions[c].state) != own.end();
+    return waived || holds(c);
+  });
+  return begins || (was_active && !stay.empty() && std::all_of(stay.begin(), stay.end(), holds));
+}
+
+/// Whether a group that stops does so without the help of others: it is requested no more, by a requester that goes
+/// on, or by the program; or its conditions are lost; or this is so of a group above it, with which it stops.
+bool Watch::ends_by_itself(Index group, const Machine& machine) const {
+  const Engine& engine = machine.engine();
+  const Tables& t = ground_.tables;
+  for (std::size_t steps = 0; group != nil && steps <= t.groups.size(); ++steps) {
+    const Index edge = before_[group].holder;
+    if (edge >= t.edges.size() || !before_[group].granted) return false;
+    const Range providers = t.groups[group].providers;
+    bool may = false;
+    for (Index p = providers.begin; p != providers.end; ++p) may = may || may_go_on(p, machine);
+    if (!may) return true;
+    if (engine.state(edge) != RunState::none) return false;
+    const Index requester = t.edges[edge].requester;
+    if (requester == nil || engine.active(requester) != nil) return true;
+    group = requester;
+  }
+  return false;
+}
+
+/// Whether a group that goes on has let go of what it held by this edge: it requests it no more, and none of its
+/// providers that may run needs it.
+bool Watch::let_go(Index edge, const Machine& machine) const {
+  const Tables& t = ground_.tables;
+  const Index requester = t.edges[edge].requester;
+  if (machine.engine().active(requester) == nil || machine.engine().state(edge) != RunState::none) return false;
+  const Range providers = t.groups[requester].providers;
+  for (Index p = providers.begin; p != providers.end; ++p) {
+    const auto needs = t.list(t.providers[p].needs);
+    if (std::find(needs.begin(), needs.end(), edge) != needs.end() && may_go_on(p, machine)) return false;
+  }
+  return true;
+}
+
+/// Whether the second one is granted, and thereby something is taken that the first one, live, held: a request or need
+/// of it; or something that a group above it held, so that it stops. Not if the first one continues to hold it through
+/// the second one, nor if it would have stopped, or let go of it, without the second one.
+bool Watch::hard_cut(const One& one, const Machine& machine) const {
+  const Engine& engine = machine.engine();
+  const Tables& t = ground_.tables;
+  const Index from = one.groups.front(), to = one.groups.back();
+  if (!engine.granted(to) || before_[to].granted || before_[from].active == nil) return false;
+  const bool stops = engine.active(from) == nil;
+  if (stops && ends_by_itself(from, machine)) return false;
+  // It, and what it was requested for: not if that goes on and requests it no more.
+  std::vector<bool> holders(t.groups.size(), false);
+  for (Index at = from; at != nil && !holders[at];) {
+    holders[at] = true;
+    const Index edge = before_[at].holder;
+    const Index above = stops && edge < t.edges.size() ? t.edges[edge].requester : nil;
+    at = above == nil || engine.active(above) == nil || engine.state(edge) != RunState::none ? above : nil;
+  }
+  // Whether one of these had it: by need or request, or by a member of its unit, which has it by needs.
+  const auto was_theirs = [&](Index edge) {
+    for (std::size_t steps = 0; edge < t.edges.size() && steps <= t.groups.size(); ++steps) {
+      const Index requester = t.edges[edge].requester;
+      if (requester == nil) return false;
+      if (holders[requester])
+        return !let_go(edge, machine) &&
+               (steps == 0 || (engine.active(t.edges[edge].target) == nil && !is_apart(t, edge)));
+      if (steps > 0 && t.edges[edge].levels.begin != t.edges[edge].levels.end) return false;
+      edge = before_[requester].holder;
+    }
+    return false;
+  };
+  for (Index g = 0; g < t.groups.size(); ++g) {
+    const Index was = before_[g].holder, is = engine.holder(g);
+    if (is == was || is >= t.edges.size() || !was_theirs(was)) continue;
+    if ((g == to || under(engine, is, to)) && !under(engine, is, from)) return true;
+  }
+  const Index is = engine.holder(from);
+  return before_[from].holder != is && is < t.edges.size() && under(engine, is, to) && stops;
+}
+
+void Watch::note(const Machine& machine) {
+  const Engine& engine = machine.engine();
+  const Tables& t = ground_.tables;
+  for (const Action& action : machine.actions()) {
+    if (action.kind == Action::Kind::run) happened.ran[action.provider] = true;
+  }
+  const auto met = [&](Index provider) {
+    const auto conditions = t.list(t.providers[provider].when);
+    return std::all_of(conditions.begin(), conditions.end(),
+                       [&](Index c) { return t.accepts(t.conditions[c], engine.value(t.conditions[c].state)); });
+  };
+  for (std::size_t i = 0; i < waiting_.size();) {
+    const Index e = waiting_[i];
+    const RunState state = engine.state(e);
+    if (state != RunState::none) happened.requested[e] = true;
+    if (state == RunState::running) {
+      happened.granted[e] = true;
+      waiting_[i] = waiting_.back();
+      waiting_.pop_back();
+      continue;
+    }
+    ++i;
+    if (state != RunState::queued || happened.runnable[e]) continue;
+    const Range providers = t.groups[t.edges[e].target].providers;
+    for (Index p = providers.begin; p != providers.end; ++p) happened.runnable[e] = happened.runnable[e] || met(p);
+  }
+}
+
+} // namespace director::compiler
