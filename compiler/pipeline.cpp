@@ -6,9 +6,9 @@
 #include "compiler/explore/never_runs.hpp"
 #include "compiler/explore/refuted.hpp"
 #include "compiler/graph/deep_needs.hpp"
-#include "compiler/model/lost_names.hpp"
 #include "compiler/model/named_types.hpp"
-#include "compiler/model/resolve.hpp"
+#include "compiler/model/resolve/lost_names.hpp"
+#include "compiler/model/resolve/resolve.hpp"
 #include "dsl/reading/read_behaviour.hpp"
 
 #include <fmt/format.h>

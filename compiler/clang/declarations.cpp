@@ -7,9 +7,9 @@
 // be trusted. Also a class, or the behaviour itself, that is not declared where a body of it is defined: an #include is
 // missing there, and what follows would count as missing.
 #include "compiler/clang/implementers.hpp"
-#include "compiler/clang/invoke.hpp"
+#include "compiler/clang/parse/invoke.hpp"
+#include "compiler/clang/parse/user_text.hpp"
 #include "compiler/clang/subcommands.hpp"
-#include "compiler/clang/user_text.hpp"
 #include "compiler/emit/artefact/notice.hpp"
 
 #include <clang/Basic/DiagnosticParse.h>

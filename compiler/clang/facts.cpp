@@ -6,11 +6,11 @@
 //
 // Templates are read where they are instantiated. Functions are taken from the file itself, with all that they call as
 // far as bodies are visible here; other files report theirs.
-#include "compiler/clang/book.hpp"
-#include "compiler/clang/contexts.hpp"
-#include "compiler/clang/parse.hpp"
+#include "compiler/clang/ast/contexts.hpp"
+#include "compiler/clang/bodies/book.hpp"
+#include "compiler/clang/parse/parse.hpp"
+#include "compiler/clang/parse/units.hpp"
 #include "compiler/clang/subcommands.hpp"
-#include "compiler/clang/units.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Formats what was inserted into a file with the .clang-format above it. Without one, nothing changes.
+#include "compiler/clang/parse/user_text.hpp"
 #include "compiler/clang/subcommands.hpp"
-#include "compiler/clang/user_text.hpp"
 
 #include <clang/Format/Format.h>
 #include <llvm/Support/Error.h>

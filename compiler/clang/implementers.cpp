@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/clang/implementers.hpp"
 
-#include "compiler/clang/contexts.hpp"
+#include "compiler/clang/ast/contexts.hpp"
 
 #include <clang/AST/ASTContext.h>
 #include <clang/AST/CXXInheritance.h>

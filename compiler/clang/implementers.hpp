@@ -4,7 +4,7 @@
 // meant as such: names, places, and what is needed to add another function beside them.
 
 #include "compiler/clang/findings.hpp"
-#include "compiler/clang/structure.hpp"
+#include "compiler/clang/parse/structure.hpp"
 
 #include <clang/AST/ASTConsumer.h>
 

@@ -3,10 +3,10 @@
 //
 // Looks up names of types by writing them into a C++ file behind the headers, one alias a line: Clang then shows what
 // each is, or, in the line of the alias, why there is no such type.
-#include "compiler/clang/parse.hpp"
-#include "compiler/clang/places.hpp"
+#include "compiler/clang/ast/places.hpp"
+#include "compiler/clang/parse/parse.hpp"
+#include "compiler/clang/parse/units.hpp"
 #include "compiler/clang/subcommands.hpp"
-#include "compiler/clang/units.hpp"
 #include "dsl/lexical/cpp_type.hpp"
 #include "dsl/lexical/names.hpp"
 

@@ -1,4 +1,4 @@
-// Header: compiler/model/named_types.hpp. Test: tests/compiler/model/types_test.cpp.
+// Header: compiler/model/named_types.hpp. Test: tests/compiler/model/resolve/types_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/model/named_types.hpp"
 

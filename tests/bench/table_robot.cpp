@@ -3,7 +3,7 @@
 #include "tests/bench/table_robot.hpp"
 
 #include "compiler/lower/lower.hpp"
-#include "compiler/model/resolve.hpp"
+#include "compiler/model/resolve/resolve.hpp"
 #include "dsl/reading/read_behaviour.hpp"
 #include "dsl/source/render.hpp"
 

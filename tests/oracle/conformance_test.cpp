@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "compiler/model/resolve.hpp"
+#include "compiler/model/resolve/resolve.hpp"
 #include "dsl/reading/read_behaviour.hpp"
 #include "dsl/reading/read_scenario.hpp"
 #include "tests/oracle/scripted.hpp"

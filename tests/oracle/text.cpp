@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/oracle/text.hpp"
 
-#include "compiler/model/resolve.hpp"
+#include "compiler/model/resolve/resolve.hpp"
 #include "dsl/reading/read_behaviour.hpp"
 
 #include <stdexcept>

@@ -3,7 +3,7 @@
 #include "tests/property/compiled.hpp"
 
 #include "compiler/lower/lower.hpp"
-#include "compiler/model/resolve.hpp"
+#include "compiler/model/resolve/resolve.hpp"
 #include "compiler/play/scenario/resolve_scenario.hpp"
 #include "dsl/reading/read_behaviour.hpp"
 #include "dsl/reading/read_scenario.hpp"

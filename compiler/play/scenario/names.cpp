@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/play/scenario/names.hpp"
 
-#include "compiler/model/no_such_value.hpp"
+#include "compiler/model/resolve/no_such_value.hpp"
 #include "dsl/lexical/suggest.hpp"
 #include "dsl/source/shortened.hpp"
 

@@ -3,7 +3,7 @@
 #include "tests/compiler/stubs/behaviour.hpp"
 
 #include "compiler/lower/lower.hpp"
-#include "compiler/model/resolve.hpp"
+#include "compiler/model/resolve/resolve.hpp"
 #include "dsl/reading/read_behaviour.hpp"
 
 #include <catch2/catch.hpp>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // A behaviour from its text to its Model, for tests of later stages.
 
-#include "compiler/model/resolve.hpp"
+#include "compiler/model/resolve/resolve.hpp"
 #include "dsl/reading/read_behaviour.hpp"
 #include "dsl/source/render.hpp"
 

@@ -4,7 +4,7 @@
 // functions below between the player of scenarios and the engine (--wrap, see CMakeLists.txt).
 
 #include "compiler/lower/lower.hpp"
-#include "compiler/model/resolve.hpp"
+#include "compiler/model/resolve/resolve.hpp"
 #include "compiler/play/play.hpp"
 #include "compiler/play/scenario/resolve_scenario.hpp"
 #include "compiler/play/scripted_bodies.hpp"
