@@ -3,6 +3,7 @@
 //
 // The insertions are known, so no lines need to be compared: a line with text inserted into it is removed and added
 // again as several; a line with text inserted after it remains.
+#include "compiler/base/hunks.hpp"
 #include "compiler/stubs/insertion.hpp"
 
 #include <fmt/format.h>
@@ -12,8 +13,6 @@
 namespace director::compiler::stubs {
 
 namespace {
-
-constexpr std::size_t context = 3; ///< lines shown around a difference
 
 /// With their line breaks; the last one may have none.
 std::vector<std::string_view> lines_with_breaks(std::string_view text) {
@@ -74,40 +73,16 @@ std::vector<Edit> edits_of(std::string_view text, const std::vector<Insertion>& 
   return out;
 }
 
-std::string line_text(const Edit& edit) {
-  const bool whole = edit.line.ends_with('\n');
-  return fmt::format("{}{}{}", edit.sign, edit.line, whole ? "" : "\n\\ No newline at end of file\n");
-}
-
-/// `4,7`, the line numbers of a hunk; the line before if it is empty.
-std::string extent(std::size_t first, std::size_t count) {
-  return fmt::format("{},{}", count == 0 ? first - 1 : first, count);
-}
-
-std::string hunks(const std::vector<Edit>& edits) {
-  const auto changes = [&](std::size_t i) { return edits[i].sign != ' '; };
+/// The lines of the hunks, each with its line break.
+std::string text_of_hunks(const std::vector<Edit>& edits) {
+  const std::string unended = "\n\\ No newline at end of file";
+  std::vector<std::string> lines;
+  for (const Edit& edit : edits)
+    lines.push_back(edit.line.ends_with('\n') ? edit.line.substr(0, edit.line.size() - 1) : edit.line + unended);
+  std::vector<DiffLine> all;
+  for (std::size_t i = 0; i < edits.size(); ++i) all.push_back({edits[i].sign, lines[i]});
   std::string out;
-  std::size_t old_line = 1, new_line = 1, counted = 0;
-  for (std::size_t i = 0; i < edits.size(); ++i) {
-    if (!changes(i)) continue;
-    const std::size_t begin = std::max(i - std::min(i, context), counted);
-    std::size_t last = i;
-    for (std::size_t j = i; j < edits.size() && j <= last + 2 * context; ++j)
-      if (changes(j)) last = j;
-    const std::size_t end = std::min(last + context + 1, edits.size());
-    for (; counted < begin; ++counted) ++old_line, ++new_line;
-    std::size_t removed = 0, added = 0;
-    std::string body;
-    for (; counted < end; ++counted) {
-      removed += edits[counted].sign != '+' ? 1 : 0;
-      added += edits[counted].sign != '-' ? 1 : 0;
-      body += line_text(edits[counted]);
-    }
-    out += fmt::format("@@ -{} +{} @@\n{}", extent(old_line, removed), extent(new_line, added), body);
-    old_line += removed;
-    new_line += added;
-    i = end - 1;
-  }
+  for (const std::string& line : hunks(all)) out.append(line).push_back('\n');
   return out;
 }
 
@@ -117,12 +92,12 @@ std::string_view path_in_diff(std::string_view path) { return path.substr(path.s
 
 std::string diff(const std::string& path, std::string_view text, const std::vector<Insertion>& insertions) {
   const std::string_view name = path_in_diff(path);
-  return fmt::format("--- a/{0}\n+++ b/{0}\n{1}", name, hunks(edits_of(text, insertions)));
+  return fmt::format("--- a/{0}\n+++ b/{0}\n{1}", name, text_of_hunks(edits_of(text, insertions)));
 }
 
 std::string diff_of_new(const std::string& path, std::string_view text) {
   return fmt::format("--- /dev/null\n+++ b/{}\n{}", path_in_diff(path),
-                     hunks(edits_of({}, {{path, 0, std::string(text)}})));
+                     text_of_hunks(edits_of({}, {{path, 0, std::string(text)}})));
 }
 
 } // namespace director::compiler::stubs

@@ -13,22 +13,6 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// The edits that are shown: the changes, and the lines close to one.
-std::vector<bool> shown(const std::vector<DiffLine>& all) {
-  std::vector<bool> out(all.size(), false);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].sign == ' ') continue;
-    const std::size_t end = std::min(all.size(), i + diff_context + 1);
-    for (std::size_t k = i - std::min(i, diff_context); k < end; ++k) out[k] = true;
-  }
-  return out;
-}
-
-std::string range(std::size_t before, std::size_t count) {
-  const std::size_t first = count == 0 ? before : before + 1;
-  return count == 1 ? std::to_string(first) : fmt::format("{},{}", first, count);
-}
-
 } // namespace
 
 /// What both begin and end with is equal in any shortest difference.
@@ -73,27 +57,9 @@ std::vector<DiffLine> line_diff(const Lines& from, const Lines& to) {
 
 std::vector<std::string> unified_diff(const Lines& expected, const Lines& happened, std::size_t most_lines) {
   if (expected == happened) return {};
-  const std::vector<DiffLine> all = line_diff(expected, happened);
-  const std::vector<bool> visible = shown(all);
   Lines out{"--- expected", "+++ happened"};
-  std::size_t in_expected = 0, in_happened = 0;
-  for (std::size_t i = 0; i < all.size();) {
-    if (!visible[i]) {
-      ++i, ++in_expected, ++in_happened; // only equal lines are left out
-      continue;
-    }
-    Lines hunk;
-    std::size_t removed = 0, added = 0;
-    for (; i < all.size() && visible[i]; ++i) {
-      hunk.push_back(all[i].sign + std::string(all[i].line));
-      if (all[i].sign != '+') ++removed;
-      if (all[i].sign != '-') ++added;
-    }
-    out.push_back(fmt::format("@@ -{} +{} @@", range(in_expected, removed), range(in_happened, added)));
-    out.insert(out.end(), hunk.begin(), hunk.end());
-    in_expected += removed;
-    in_happened += added;
-  }
+  const Lines all = hunks(line_diff(expected, happened));
+  out.insert(out.end(), all.begin(), all.end());
   if (out.size() > most_lines) {
     const std::size_t more = out.size() - most_lines;
     out.resize(most_lines);

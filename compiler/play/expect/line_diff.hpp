@@ -3,21 +3,12 @@
 // The difference of two lists of lines, as a unified diff: everything outside of their longest common subsequence. By
 // the simple quadratic table, because a step has few lines.
 
-#include <cstddef>
-#include <string>
-#include <string_view>
-#include <vector>
+#include "compiler/base/hunks.hpp"
 
 namespace director::compiler {
 
-inline constexpr std::size_t diff_context = 3; ///< equal lines shown around a difference
 inline constexpr std::size_t most_diff_cells =
     4'000'000; ///< of the table; above it everything between the equal ends differs
-
-struct DiffLine {
-  char sign; ///< ' ', '-' or '+'
-  std::string_view line;
-};
 
 /// The lines of both lists in order, each with its sign.
 std::vector<DiffLine> line_diff(const std::vector<std::string>& from, const std::vector<std::string>& to);

@@ -19,7 +19,7 @@ TEST_CASE("places that are far apart are hunks of their own") {
 
 TEST_CASE("a line that something is put into comes back in several") {
   CHECK(diff("a", "struct A {};\n", {{"a", 10, "\n  int b;\n"}}) ==
-        "--- a/a\n+++ b/a\n@@ -1,1 +1,3 @@\n-struct A {};\n+struct A {\n+  int b;\n+};\n");
+        "--- a/a\n+++ b/a\n@@ -1 +1,3 @@\n-struct A {};\n+struct A {\n+  int b;\n+};\n");
 }
 
 TEST_CASE("a file without a line break at its end keeps none") {
