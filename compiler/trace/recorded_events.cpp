@@ -1,0 +1,104 @@
+// Header: compiler/trace/recorded_events.hpp. Test: tests/compiler/cli/commands/trace_test.cpp.
+// SPDX-License-Identifier: MIT
+#include "compiler/trace/recorded_events.hpp"
+
+#include "compiler/trace/level_map.hpp"
+#include "runtime/hosted/trace/json_lines.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace director::compiler {
+
+namespace {
+
+/// Why a request is not replayed.
+constexpr const char* untold =
+    "the level of this request cannot be told: no level of the pack has the recorded name, or means the same; or the "
+    "recorded one has several names";
+
+using Kind = Event::Kind;
+
+bool has_level(const Event& event) {
+  return event.kind == Kind::ask || event.kind == Kind::keep ||
+         (event.kind == Kind::input && event.input == Event::Input::request);
+}
+
+} // namespace
+
+RecordedEvents::RecordedEvents(TraceLines& lines, const director::Names& names, const director::Names* recorded)
+    : lines_(lines),
+      names_(names),
+      recorded_names_(recorded == nullptr ? names : *recorded),
+      is_other_(recorded != nullptr),
+      maps_levels_(is_other_ && !recorded->level_uses.empty()),
+      lookup_(names_),
+      recorded_lookup_(recorded_names_) {}
+
+const RecordedEvent* RecordedEvents::ahead(std::size_t places) {
+  while (waiting_.size() <= places) {
+    std::optional<TraceLine> line = lines_.next();
+    if (!line) return nullptr;
+    RecordedEvent recorded;
+    recorded.line = line->number;
+    recorded.text = std::move(line->text);
+    recorded.dropped = line->dropped;
+    if (line->dropped == 0) {
+      Lookup::Found found = maps_levels_ ? lookup_.event_without_level(line->json) : lookup_.event(line->json);
+      recorded.was = is_other_ ? recorded_lookup_.event(line->json) : found;
+      recorded.event = found.event;
+      recorded.problem = std::move(found.problem);
+      if (maps_levels_ && recorded.problem.empty()) find_level(recorded);
+      const bool is_valid = recorded.problem.empty();
+      bool skips = is_valid && (recorded.event.kind == Kind::exhausted || recorded.event.kind == Kind::lost);
+      if (skips) {
+        recorded.problem = damage_of(recorded);
+        skips = recorded.problem.empty();
+      }
+      if (recorded.problem.empty() && (recorded.event.kind == Kind::exhausted || recorded.event.kind == Kind::fault))
+        early_ends_.push_back(recorded.event);
+      if (skips) continue;
+    }
+    waiting_.push_back(std::move(recorded));
+  }
+  return &waiting_[places];
+}
+
+void RecordedEvents::find_level(RecordedEvent& recorded) {
+  if (recorded.event.kind == Kind::answer) answer_ = recorded.was.event;
+  if (!has_level(recorded.event)) return;
+  recorded.problem = recorded.was.problem;
+  if (!recorded.problem.empty()) return;
+  recorded.event.level = same_level(recorded_names_, recorded.was.event, answer_, names_, recorded.event.edge);
+  recorded.is_untold = recorded.event.level == nil;
+  if (recorded.is_untold) recorded.problem = untold;
+}
+
+bool RecordedEvents::bring_forward(const std::string& line) {
+  for (std::size_t i = 0; const RecordedEvent* const each = ahead(i); ++i) {
+    const Kind kind = each->event.kind;
+    const bool is_request = kind == Kind::ask || kind == Kind::keep || kind == Kind::withdraw;
+    if (!is_request || each->dropped != 0 || (!each->problem.empty() && !each->is_untold)) break;
+    if (!each->is_untold && line != expected(*each)) continue;
+    const auto at = waiting_.begin() + static_cast<std::ptrdiff_t>(i);
+    std::rotate(waiting_.begin(), at, at + 1);
+    return true;
+  }
+  return false;
+}
+
+std::string RecordedEvents::expected(const RecordedEvent& recorded) const {
+  if (!maps_levels_ || !recorded.problem.empty() || !has_level(recorded.event)) return recorded.text;
+  std::string out;
+  append_event(recorded.event, names_, out);
+  return out;
+}
+
+std::string RecordedEvents::damage_of(const RecordedEvent& recorded) const {
+  if (!recorded.was.problem.empty()) return recorded.was.problem;
+  std::string written;
+  append_event(recorded.was.event, recorded_names_, written);
+  return written == recorded.text ? "" : "a recorder would have written it as " + written;
+}
+
+} // namespace director::compiler
