@@ -24,6 +24,18 @@ bool has_level(const Event& event) {
          (event.kind == Kind::input && event.input == Event::Input::request);
 }
 
+/// Whether it comes from the program, a body or a handler.
+bool is_given(const Event& event) {
+  switch (event.kind) {
+  case Kind::ask:
+  case Kind::keep:
+  case Kind::assign:
+  case Kind::given: return true;
+  case Kind::input: return event.input >= Event::Input::request && event.input <= Event::Input::disable;
+  default: return false;
+  }
+}
+
 } // namespace
 
 RecordedEvents::RecordedEvents(TraceLines& lines, const director::Names& names, const director::Names* recorded)
@@ -49,6 +61,7 @@ const RecordedEvent* RecordedEvents::ahead(std::size_t places) {
       recorded.event = found.event;
       recorded.problem = std::move(found.problem);
       if (maps_levels_ && recorded.problem.empty()) find_level(recorded);
+      recorded.is_impossible = !recorded.problem.empty() && recorded.was.problem.empty() && is_given(recorded.was.event);
       const bool is_valid = recorded.problem.empty();
       bool skips = is_valid && (recorded.event.kind == Kind::exhausted || recorded.event.kind == Kind::lost);
       if (skips) {
@@ -70,16 +83,15 @@ void RecordedEvents::find_level(RecordedEvent& recorded) {
   recorded.problem = recorded.was.problem;
   if (!recorded.problem.empty()) return;
   recorded.event.level = same_level(recorded_names_, recorded.was.event, answer_, names_, recorded.event.edge);
-  recorded.is_untold = recorded.event.level == nil;
-  if (recorded.is_untold) recorded.problem = untold;
+  if (recorded.event.level == nil) recorded.problem = untold;
 }
 
 bool RecordedEvents::bring_forward(const std::string& line) {
   for (std::size_t i = 0; const RecordedEvent* const each = ahead(i); ++i) {
-    const Kind kind = each->event.kind;
+    const Kind kind = each->was.event.kind;
     const bool is_request = kind == Kind::ask || kind == Kind::keep || kind == Kind::withdraw;
-    if (!is_request || each->dropped != 0 || (!each->problem.empty() && !each->is_untold)) break;
-    if (!each->is_untold && line != expected(*each)) continue;
+    if (!is_request || each->dropped != 0 || (!each->problem.empty() && !each->is_impossible)) break;
+    if (!each->is_impossible && line != expected(*each)) continue;
     const auto at = waiting_.begin() + static_cast<std::ptrdiff_t>(i);
     std::rotate(waiting_.begin(), at, at + 1);
     return true;

@@ -17,8 +17,9 @@ struct RecordedEvent {
   Event event;          ///< with the rows of the behaviour that is played
   Lookup::Found was;    ///< with the rows of the recorded one; its problem: no recorder has written this line
   std::uint64_t dropped = 0;
-  std::string problem;    ///< why the behaviour that is played has no such event
-  bool is_untold = false; ///< the problem is that its level cannot be told
+  std::string problem; ///< why the behaviour that is played has no such event
+  /// It is no decision: an input, or what a body or handler requested or set, which cannot be replayed.
+  bool is_impossible = false;
 };
 
 class RecordedEvents {
@@ -31,7 +32,7 @@ public:
   const RecordedEvent* ahead(std::size_t places);
   void pop() { waiting_.pop_front(); }
   /// Whether a later one of the requests of the same run has this line: their order is that of their declaration, and
-  /// no decision. This one, or one whose level cannot be told, becomes the next.
+  /// no decision. This one, or one that is impossible, becomes the next.
   bool bring_forward(const std::string& line);
 
   /// The line, as it is written with the levels of the behaviour that is played.

@@ -46,8 +46,8 @@ public:
   }
 
   Replayed play() {
-    out_.begins_later =
-        ahead(0) != nullptr && ahead(0)->dropped == 0 && ahead(0)->problem.empty() && !is(ahead(0), Kind::begin);
+    if (const RecordedEvent* const first = ahead(0))
+      out_.begins_later = first->dropped == 0 && first->was.problem.empty() && first->was.event.kind != Kind::begin;
     give();
     std::uint32_t silent = 0;
     while (!over_) {
@@ -116,6 +116,11 @@ private:
 
   static bool is(const RecordedEvent* recorded, Kind kind) {
     return recorded != nullptr && recorded->dropped == 0 && recorded->problem.empty() && recorded->event.kind == kind;
+  }
+
+  /// An impossible event at this micro-step, or one that the engine has left behind.
+  static bool is_impossible(const RecordedEvent& recorded, std::uint64_t micro_step) {
+    return recorded.is_impossible && recorded.was.event.micro_step <= micro_step;
   }
 
   // Inputs.
@@ -198,7 +203,10 @@ private:
     }
     if (over_ || !is(ahead(0), Kind::answer)) return run.keep();
     const Event answer = ahead(0)->event;
-    for (std::size_t i = 1; ahead(i) != nullptr && ahead(i)->problem.empty() && ask(run, ahead(i)->event); ++i) {}
+    for (std::size_t i = 1; const RecordedEvent* const each = ahead(i); ++i) {
+      if (is_impossible(*each, engine_.micro_steps())) continue; // the replay ends there
+      if (!each->problem.empty() || !ask(run, each->event)) break;
+    }
     switch (answer.outcome) {
     case Outcome::Kind::pack: return run.pack(answer.pack);
     case Outcome::Kind::done: return run.done();
@@ -245,7 +253,9 @@ private:
       else
         handling.refuse(event.state, event.value);
     }
-    if (!over_ && own(Kind::fault)) handling.fault();
+    if (over_ || ahead(0) == nullptr) return;
+    if (is_impossible(*ahead(0), engine_.micro_steps())) return differ(nullptr);
+    if (own(Kind::fault)) handling.fault();
   }
 
   // Events of the engine.
@@ -260,12 +270,12 @@ private:
       over_ = true;
       return;
     }
-    if (recorded->is_untold) return differ(nullptr);
+    if (is_impossible(*recorded, event.micro_step)) return differ(nullptr);
     line_.clear();
     append_event(event, names_, line_);
     if (line_ != events_.expected(*recorded) && !(events_.is_other() && events_.bring_forward(line_))) return differ(&event);
     recorded = ahead(0);
-    if (recorded->is_untold) return differ(nullptr);
+    if (recorded->is_impossible) return differ(nullptr);
     if (events_.is_other()) {
       const std::string damage = events_.damage_of(*recorded);
       if (!damage.empty()) return cannot_read(recorded->line, damage);
@@ -298,7 +308,7 @@ private:
     } else {
       found.recorded = words_of(was, events_.recorded_names());
       found.replayed = recorded.problem.empty() ? "nothing" : recorded.problem;
-      found.is_untold = recorded.is_untold;
+      found.is_impossible = recorded.is_impossible;
     }
     out_.difference = found;
   }

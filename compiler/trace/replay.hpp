@@ -23,8 +23,9 @@ struct Replayed {
     Time time = 0;
     std::string recorded, replayed;           ///< in words
     std::string recorded_line, replayed_line; ///< as in a trace; empty: the behaviour has no such event
-    /// Nothing was decided: the recorded request may be at any level of this version. `replayed` says why.
-    bool is_untold = false;
+    /// Nothing was decided: what was recorded is an input, or an answer of a body, that this version cannot have.
+    /// `replayed` says why.
+    bool is_impossible = false;
   };
 
   std::size_t events = 0; ///< that are the same

@@ -29,7 +29,7 @@ std::string to_text(const Replayed& replayed, const std::string& trace, const st
   } else if (replayed.difference) {
     const Replayed::Difference& it = *replayed.difference;
     out += fmt::format("{}:{}: event {}, at {} s, {}{}\n", trace, it.line, it.event, in_seconds(it.time),
-                       it.is_untold ? "cannot be replayed" : "is decided otherwise", version);
+                       it.is_impossible ? "cannot be replayed" : "is decided otherwise", version);
     out += fmt::format("  recorded: {}\n  replayed: {}\n", it.recorded, it.replayed);
     out += fmt::format("  {} before it {} the same\n", many_counted(replayed.events, "event"),
                        replayed.events == 1 ? "is" : "are");
@@ -63,7 +63,7 @@ Json to_json(const Replayed& replayed, const std::string& trace, const std::stri
                                         {"time_us", Json::number(it.time)},
                                         {"recorded", event(it.recorded_line)},
                                         {"replayed", event(it.replayed_line)}}));
-    if (it.is_untold) out.add("untold", Json::text(it.replayed));
+    if (it.is_impossible) out.add("cannot_be_replayed", Json::text(it.replayed));
   }
   if (!replayed.problem.empty())
     out.add("unreadable",
