@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace director::compiler {
 
@@ -38,14 +39,16 @@ bool is_given(const Event& event) {
 
 } // namespace
 
-RecordedEvents::RecordedEvents(TraceLines& lines, const director::Names& names, const director::Names* recorded)
+RecordedEvents::RecordedEvents(TraceLines& lines, const Model& model, const director::Names& names,
+                               const director::Names* recorded)
     : lines_(lines),
       names_(names),
       recorded_names_(recorded == nullptr ? names : *recorded),
       is_other_(recorded != nullptr),
       maps_levels_(is_other_ && !recorded->level_uses.empty()),
       lookup_(names_),
-      recorded_lookup_(recorded_names_) {}
+      recorded_lookup_(recorded_names_),
+      permits_(model, recorded_names_) {}
 
 const RecordedEvent* RecordedEvents::ahead(std::size_t places) {
   while (waiting_.size() <= places) {
@@ -61,7 +64,7 @@ const RecordedEvent* RecordedEvents::ahead(std::size_t places) {
       recorded.event = found.event;
       recorded.problem = std::move(found.problem);
       if (maps_levels_ && recorded.problem.empty()) find_level(recorded);
-      recorded.is_impossible = !recorded.problem.empty() && recorded.was.problem.empty() && is_given(recorded.was.event);
+      if (recorded.was.problem.empty()) judge(recorded);
       const bool is_valid = recorded.problem.empty();
       bool skips = is_valid && (recorded.event.kind == Kind::exhausted || recorded.event.kind == Kind::lost);
       if (skips) {
@@ -75,6 +78,33 @@ const RecordedEvent* RecordedEvents::ahead(std::size_t places) {
     waiting_.push_back(std::move(recorded));
   }
   return &waiting_[places];
+}
+
+void RecordedEvents::judge(RecordedEvent& recorded) {
+  if (std::optional<Permits::Refusal> refusal = permits_.refusal(recorded.was.event)) {
+    recorded.problem = std::move(refusal->why);
+    recorded.help = std::move(refusal->help);
+    recorded.is_impossible = true;
+  } else {
+    recorded.is_impossible = !recorded.problem.empty() && is_given(recorded.was.event);
+  }
+}
+
+bool RecordedEvents::leaves_out_too_much() {
+  std::vector<Event> requests;
+  for (std::size_t i = 1;; ++i) {
+    const RecordedEvent* const each = ahead(i);
+    if (each == nullptr || each->dropped != 0 || !each->was.problem.empty()) return false; // there may be more
+    const Event& event = each->was.event;
+    if (event.micro_step != ahead(0)->was.event.micro_step) break;
+    if (event.kind == Kind::ask || event.kind == Kind::keep) requests.push_back(event);
+  }
+  std::optional<Permits::Refusal> refusal = permits_.left_out(ahead(0)->was.event, requests);
+  if (!refusal) return false;
+  waiting_.front().problem = std::move(refusal->why);
+  waiting_.front().help = std::move(refusal->help);
+  waiting_.front().is_impossible = true;
+  return true;
 }
 
 void RecordedEvents::find_level(RecordedEvent& recorded) {

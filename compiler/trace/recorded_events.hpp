@@ -4,6 +4,7 @@
 // recorded.
 
 #include "compiler/trace/lookup.hpp"
+#include "compiler/trace/permits.hpp"
 #include "compiler/trace/trace_lines.hpp"
 
 #include <deque>
@@ -20,16 +21,20 @@ struct RecordedEvent {
   std::string problem; ///< why the behaviour that is played has no such event
   /// It is no decision: an input, or what a body or handler requested or set, which cannot be replayed.
   bool is_impossible = false;
+  std::string help; ///< what to do about the problem; may be empty
 };
 
 class RecordedEvents {
 public:
-  /// `names`: of the behaviour to play. `recorded`: of the recorded one if that is another version; null: the same.
-  RecordedEvents(TraceLines& lines, const director::Names& names, const director::Names* recorded);
+  /// `model`, `names`: of the behaviour to play. `recorded`: of the recorded one if that is another version; null: the
+  /// same.
+  RecordedEvents(TraceLines& lines, const Model& model, const director::Names& names, const director::Names* recorded);
 
   /// The event so many places ahead; null: there is none. Events about the recorder, a full inbox or an exhausted
   /// budget are skipped: they decide nothing.
   const RecordedEvent* ahead(std::size_t places);
+  /// Whether the next event is an answer that is impossible for what its requests, behind it, leave out.
+  bool leaves_out_too_much();
   void pop() { waiting_.pop_front(); }
   /// Whether a later one of the requests of the same run has this line: their order is that of their declaration, and
   /// no decision. This one, or one that is impossible, becomes the next.
@@ -46,6 +51,7 @@ public:
   std::deque<Event>& early_ends() { return early_ends_; }
 
 private:
+  void judge(RecordedEvent& recorded);
   void find_level(RecordedEvent& recorded);
 
   TraceLines& lines_;
@@ -54,6 +60,7 @@ private:
   const bool is_other_;
   const bool maps_levels_; ///< another version, and the trace says what its levels mean
   const Lookup lookup_, recorded_lookup_;
+  Permits permits_;
   Event answer_; ///< the last recorded one, with the rows of the recorded version
   std::deque<RecordedEvent> waiting_;
   std::deque<Event> early_ends_;

@@ -32,12 +32,13 @@ using Kind = Event::Kind;
 
 class Replayer {
 public:
-  Replayer(TraceLines& lines, const director::Names& names, ReplayWatch* watch, const director::Names* recorded)
+  Replayer(TraceLines& lines, const Model& model, const director::Names& names, ReplayWatch* watch,
+           const director::Names* recorded)
       : lines_(lines),
         watch_(watch),
         names_(names),
         tables_(*names.tables),
-        events_(lines, names, recorded),
+        events_(lines, model, names, recorded),
         cells_(most_records),
         inbox_(cells_),
         memory_(tables_),
@@ -202,6 +203,10 @@ private:
       run.refuse(refused.state, refused.value);
     }
     if (over_ || !is(ahead(0), Kind::answer)) return run.keep();
+    if (events_.leaves_out_too_much()) {
+      differ(nullptr);
+      return run.keep();
+    }
     const Event answer = ahead(0)->event;
     for (std::size_t i = 1; const RecordedEvent* const each = ahead(i); ++i) {
       if (is_impossible(*each, engine_.micro_steps())) continue; // the replay ends there
@@ -273,7 +278,8 @@ private:
     if (is_impossible(*recorded, event.micro_step)) return differ(nullptr);
     line_.clear();
     append_event(event, names_, line_);
-    if (line_ != events_.expected(*recorded) && !(events_.is_other() && events_.bring_forward(line_))) return differ(&event);
+    if (line_ != events_.expected(*recorded) && !(events_.is_other() && events_.bring_forward(line_)))
+      return differ(&event);
     recorded = ahead(0);
     if (recorded->is_impossible) return differ(nullptr);
     if (events_.is_other()) {
@@ -296,7 +302,8 @@ private:
     over_ = true;
     const RecordedEvent& recorded = *ahead(0);
     const Event& was = recorded.was.event;
-    if (const std::string damage = events_.damage_of(recorded); !damage.empty()) return cannot_read(recorded.line, damage);
+    if (const std::string damage = events_.damage_of(recorded); !damage.empty())
+      return cannot_read(recorded.line, damage);
     Replayed::Difference found;
     found.event = recorded.line - 1; // behind the header
     found.line = recorded.line;
@@ -309,6 +316,7 @@ private:
       found.recorded = words_of(was, events_.recorded_names());
       found.replayed = recorded.problem.empty() ? "nothing" : recorded.problem;
       found.is_impossible = recorded.is_impossible;
+      found.help = recorded.help;
     }
     out_.difference = found;
   }
@@ -329,8 +337,9 @@ private:
 
 } // namespace
 
-Replayed replay(TraceLines& lines, const director::Names& names, ReplayWatch* watch, const director::Names* recorded) {
-  return Replayer(lines, names, watch, recorded).play();
+Replayed replay(TraceLines& lines, const Model& model, const director::Names& names, ReplayWatch* watch,
+                const director::Names* recorded) {
+  return Replayer(lines, model, names, watch, recorded).play();
 }
 
 } // namespace director::compiler

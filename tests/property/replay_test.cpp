@@ -90,7 +90,7 @@ std::string record_in_short_steps(const Compiled& compiled, Random& random, std:
 director::compiler::Replayed replay(const std::string& recorded, const Compiled& compiled) {
   const director::compiler::RowNames rows(compiled.model, compiled.lowered);
   director::compiler::TraceLines lines(recorded);
-  return director::compiler::replay(lines, rows.names());
+  return director::compiler::replay(lines, compiled.model, rows.names());
 }
 
 std::vector<std::string> lines_of(const std::string& text) {

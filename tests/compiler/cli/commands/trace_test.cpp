@@ -424,10 +424,10 @@ TEST_CASE("a header that does not belong to its fingerprint, or to the events, i
         changed);
   CHECK(world.directorc({"trace", "bad.jsonl", "--to=html", "-o", "page.html"}) == 1);
   CHECK(world.err == changed);
-  CHECK(with(R"({"name":"Wheels","providers":["default"]})", R"({"name":"Wheels","providers":["dafault"]})",
-             "other.yaml")
-            .starts_with("bad.jsonl:14: error: this line cannot be read: the behaviour has no provider called `default`"
-                         "\n"));
+  CHECK(
+      with(R"({"name":"Wheels","providers":["default"]})", R"({"name":"Wheels","providers":["dafault"]})", "other.yaml")
+          .starts_with("bad.jsonl:14: error: this line cannot be read: the behaviour has no provider called `default`"
+                       "\n"));
   CHECK(with("\"fingerprint\":\"", "\"fingerprint\":\"x", "rover.yaml") ==
         "bad.jsonl:1: error: the header has no fingerprint, which is 16 hexadecimal digits\n");
   std::string wide = trace; // blanks are no damage
@@ -528,7 +528,8 @@ TEST_CASE("a version without something that was recorded") {
 )");
 }
 
-TEST_CASE("of an answer that a version cannot give, the request or value that it does not have is told, not the first") {
+TEST_CASE(
+    "of an answer that a version cannot give, the request or value that it does not have is told, not the first") {
   World world;
   const std::string head = "behaviour: lamp\nlanguage: 1\n", zap = "states: {Zap: {values: [p, q], initial: p}, ";
   const std::string of_bulb = "roots: [Shine]\ngroups:\n  Shine: {tasks: [Bulb, Fan]}\n  Bulb: {sets: [Zap, Glow]}\n"
@@ -543,21 +544,25 @@ TEST_CASE("of an answer that a version cannot give, the request or value that it
     CHECK(world.directorc({"replay", "run.jsonl", "--behaviour=other.yaml"}) == 1);
     return world.err + world.out;
   };
-  CHECK(replay(zap + "Glow: {values: [none, faint], initial: none}}\nroots: [Shine]\ngroups:\n"
-                     "  Shine: {tasks: [Bulb]}\n  Bulb: {sets: [Zap, Glow]}\n") ==
-        R"(run.jsonl:8: event 7, at 0.000000 s, cannot be replayed by `other.yaml`, another version than the one recorded
+  CHECK(
+      replay(zap + "Glow: {values: [none, faint], initial: none}}\nroots: [Shine]\ngroups:\n"
+                   "  Shine: {tasks: [Bulb]}\n  Bulb: {sets: [Zap, Glow]}\n") ==
+      R"(run.jsonl:8: event 7, at 0.000000 s, cannot be replayed by `other.yaml`, another version than the one recorded
   recorded: ask Shine>Fan
   replayed: the behaviour has no task called `Shine>Fan`
   6 events before it are the same
 )");
-  CHECK(replay(zap + "Glow: {values: [none, dim], initial: none}}\n" + of_bulb) ==
-        R"(run.jsonl:14: event 13, at 0.000000 s, cannot be replayed by `other.yaml`, another version than the one recorded
+  CHECK(
+      replay(zap + "Glow: {values: [none, dim], initial: none}}\n" + of_bulb) ==
+      R"(run.jsonl:14: event 13, at 0.000000 s, cannot be replayed by `other.yaml`, another version than the one recorded
   recorded: assign Glow faint
-  replayed: `Glow` cannot be `faint`
+  replayed: `faint` is no value of the state `Glow`: its values are none, dim
+  help: write one of them, or add it to the `values`
   12 events before it are the same
 )");
   CHECK(world.directorc({"replay", "run.jsonl", "--behaviour=other.yaml", "--format=json"}) == 1);
-  CHECK(world.out.ends_with("\"replayed\":null},\"cannot_be_replayed\":\"`Glow` cannot be `faint`\"}\n"));
+  CHECK(world.out.ends_with("\"replayed\":null},\"cannot_be_replayed\":\"`faint` is no value of the state `Glow`: its "
+                            "values are none, dim\",\"help\":\"write one of them, or add it to the `values`\"}\n"));
 }
 
 TEST_CASE("of two inputs that were taken together, the one that a version does not have is told") {
