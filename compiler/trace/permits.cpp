@@ -36,6 +36,8 @@ std::optional<Permits::Refusal> Permits::refusal(const Event& event) {
   case Kind::ask:
   case Kind::keep: return of_request(event);
   case Kind::assign: return event.provider == nil ? of_handler_setting(event) : of_body_setting(event);
+  case Kind::given: return of_value(event);
+  case Kind::input: return event.input == Event::Input::set ? of_input(event) : std::nullopt;
   default: return {};
   }
 }
@@ -116,6 +118,14 @@ std::string Permits::value_text(const Event& event) const {
   return name.empty() ? std::to_string(event.value) : std::string(name);
 }
 
+std::optional<Permits::Refusal> Permits::of_value(const Event& event) const {
+  const Word name = word(n_.state(n_.self, event.state));
+  if (event.value == unset || !model_.find_state(name.value)) return {};
+  std::vector<dsl::Diagnostic> faults;
+  Names(model_, faults).setting({name, word(value_text(event))});
+  return first_of(faults);
+}
+
 std::optional<Permits::Refusal> Permits::of_body_setting(const Event& event) const {
   const std::optional<ProviderId> id = provider_of(event);
   const Word state = word(n_.state(n_.self, event.state));
@@ -151,6 +161,16 @@ std::optional<Permits::Refusal> Permits::of_handler(const Event& event) const {
   const char* const which = name_of(event.kind);
   return Refusal{fmt::format("the group `{}` has no {} handler", group->name.value, which),
                  fmt::format("`{}: true` at the group declares one", which)};
+}
+
+std::optional<Permits::Refusal> Permits::of_input(const Event& event) const {
+  const std::optional<StateId> id = model_.find_state(n_.state(n_.self, event.state));
+  if (!id) return {};
+  if (!model_.states[*id].external)
+    return Refusal{
+        fmt::format("the program sets only external states, and `{}` is not one", model_.states[*id].name.value),
+        "`external: true` at the state declares it"};
+  return of_value(event);
 }
 
 } // namespace director::compiler

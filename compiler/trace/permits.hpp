@@ -32,6 +32,8 @@ private:
   std::optional<Refusal> of_request(const Event& event) const;
   std::optional<Refusal> of_body_setting(const Event& event) const;
   std::optional<Refusal> of_handler_setting(const Event& event) const;
+  std::optional<Refusal> of_value(const Event& event) const;
+  std::optional<Refusal> of_input(const Event& event) const;
   std::optional<Refusal> of_handler(const Event& event) const;
   std::optional<ProviderId> provider_of(const Event& event) const;
   const Pack* pack_of(const Provider& provider, const Event& answer) const;

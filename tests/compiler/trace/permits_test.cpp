@@ -61,6 +61,23 @@ TEST_CASE("what a version declares as the recorded one did is replayed") {
   CHECK(replayed_with("range: [0, 9]", "range: [0, 7]") == same);
 }
 
+TEST_CASE("a number outside of a state's range is not replayed, whether it was given, an input, or set by a body") {
+  CHECK(replayed_with("range: [0, 9]", "range: [0, 6]") ==
+        declared_otherwise("3: event 2",
+                           "  recorded: given Pot 7\n"
+                           "  replayed: `7` is no value of the state `Pot`: its values are the whole numbers from 0 to "
+                           "6\n"
+                           "  help: write one of them, or widen the `range`\n",
+                           "1 event before it is the same\n"));
+  CHECK(replayed_with("range: [0, 100]", "range: [0, 50]") ==
+        declared_otherwise("18: event 17",
+                           "  recorded: > set {Heat: 80}\n"
+                           "  replayed: `80` is no value of the state `Heat`: its values are the whole numbers from 0 "
+                           "to 50\n"
+                           "  help: write one of them, or widen the `range`\n",
+                           "16 events before it are the same\n"));
+}
+
 TEST_CASE("a value that a body or handler does not declare any more is not replayed") {
   CHECK(replayed_with("sets: [Pot <= 5]", "sets: [Pot == 4]") ==
         declared_otherwise("14: event 13",
@@ -93,6 +110,11 @@ TEST_CASE("what only another version has is told with its place") {
                             "  6 events before it are the same\n"));
   CHECK(replayed_with("both: {Cook: {}, Wash: {}}, one: {Wash: {}}", "all: {Cook: {}, Wash: {}}")
             .starts_with("0\nrun.jsonl: 24 events, all the same"));
+  CHECK(replayed_with("external: true", "external: false") ==
+        other("18: event 17", "  recorded: > set {Heat: 80}\n"
+                              "  replayed: the program sets only external states, and `Heat` is not one\n"
+                              "  help: `external: true` at the state declares it\n"
+                              "  16 events before it are the same\n"));
   CHECK(replayed_with("stop: {sets: [Pot == 3]}, ", "") == other("23: event 22",
                                                                  "  recorded: stop Cook\n"
                                                                  "  replayed: the group `Cook` has no stop handler\n"
