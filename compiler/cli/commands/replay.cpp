@@ -59,7 +59,10 @@ Json to_json(const Replayed& replayed, const std::string& trace, const std::stri
                            {"other_version", Json::boolean(other)},
                            {"events", Json::count(replayed.events)},
                            {"dropped", Json::number(static_cast<std::int64_t>(replayed.dropped))}});
-  if (replayed.difference) {
+  if (replayed.difference && replayed.begins_later) {
+    out.add("begins_in_the_middle", Json::object({{"line", Json::count(replayed.difference->line)},
+                                                  {"time_us", Json::number(replayed.difference->time)}}));
+  } else if (replayed.difference) {
     const Replayed::Difference& it = *replayed.difference;
     const auto event = [](const std::string& line) { return parse_json(line).value_or(Json{}); };
     out.add("difference", Json::object({{"line", Json::count(it.line)},

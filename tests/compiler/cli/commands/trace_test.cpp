@@ -607,6 +607,9 @@ TEST_CASE("a trace that begins in the middle cannot be replayed, and this is the
       R"(late.jsonl:2: the trace begins in the middle, at 1.000000 s: its first event is not `begin`, so the state before it is not known, and it cannot be replayed
   its recorder was made later than the first step, the program loaded a saved state before that, or lines at the beginning of the trace are missing
 )");
+  CHECK(world.directorc({"replay", "late.jsonl", "--format=json"}) == 1);
+  CHECK(world.out == "{\"trace\":\"late.jsonl\",\"behaviour\":\"rover.yaml\",\"other_version\":false,\"events\":0,"
+                     "\"dropped\":0,\"begins_in_the_middle\":{\"line\":2,\"time_us\":1000000}}\n");
   CHECK(world.directorc({"trace", "late.jsonl"}) == 0);
 }
 
