@@ -11,13 +11,11 @@
 #include "compiler/trace/replay.hpp"
 
 #include "compiler/trace/event_words.hpp"
-#include "compiler/trace/level_map.hpp"
-#include "compiler/trace/lookup.hpp"
+#include "compiler/trace/recorded_events.hpp"
 #include "runtime/core/engine/engine.hpp"
 #include "runtime/hosted/engine_memory.hpp"
 #include "runtime/hosted/trace/json_lines.hpp"
 
-#include <algorithm>
 #include <deque>
 #include <tuple>
 #include <utility>
@@ -30,25 +28,17 @@ namespace {
 constexpr std::size_t most_records = 4096;           ///< of one input
 constexpr std::uint32_t most_silent_steps = 100'000; ///< micro-steps without an event
 
-/// Why a request is not replayed.
-constexpr const char* untold =
-    "the level of this request cannot be told: no level of the pack has the recorded name, or means the same; or the "
-    "recorded one has several names";
-
 using Kind = Event::Kind;
 
 class Replayer {
 public:
-  Replayer(TraceLines& lines, const director::Names& names, ReplayWatch* watch, const director::Names* recorded)
+  Replayer(TraceLines& lines, const Model& model, const director::Names& names, ReplayWatch* watch,
+           const director::Names* recorded)
       : lines_(lines),
         watch_(watch),
         names_(names),
-        recorded_names_(recorded == nullptr ? names : *recorded),
-        is_other_(recorded != nullptr),
-        maps_levels_(is_other_ && !recorded->level_uses.empty()),
         tables_(*names.tables),
-        lookup_(names),
-        recorded_lookup_(recorded_names_),
+        events_(lines, model, names, recorded),
         cells_(most_records),
         inbox_(cells_),
         memory_(tables_),
@@ -57,12 +47,12 @@ public:
   }
 
   Replayed play() {
-    out_.begins_later =
-        ahead(0) != nullptr && ahead(0)->dropped == 0 && ahead(0)->problem.empty() && !is(ahead(0), Kind::begin);
+    if (const RecordedEvent* const first = ahead(0))
+      out_.begins_later = first->dropped == 0 && first->was.problem.empty() && first->was.event.kind != Kind::begin;
     give();
     std::uint32_t silent = 0;
     while (!over_) {
-      const Recorded* const next = coming();
+      const RecordedEvent* const next = coming();
       if (next == nullptr) break;
       const std::uint64_t steps = engine_.micro_steps();
       const std::size_t events = out_.events;
@@ -78,24 +68,15 @@ public:
   }
 
 private:
-  struct Recorded {
-    std::size_t line = 0;
-    std::string text;
-    Json json;
-    Event event;
-    std::uint64_t dropped = 0;
-    std::string problem;    ///< why this behaviour has no such event
-    bool is_untold = false; ///< the problem is that its level cannot be told
-  };
-
   /// Makes one micro-step, in the step of this event or, if what is left of the step before has no event, in that.
-  void step(const Recorded& next) {
+  void step(const RecordedEvent& next) {
     const std::uint64_t before = engine_.micro_steps();
     bool continues = false;
-    for (; !early_ends_.empty() && early_ends_.front().micro_step <= before; early_ends_.pop_front())
-      continues = early_ends_.front().micro_step == before;
-    const bool is_silent = !early_ends_.empty() && early_ends_.front().micro_step < next.event.micro_step;
-    const Event of = is_silent ? early_ends_.front() : next.event;
+    std::deque<Event>& early = events_.early_ends();
+    for (; !early.empty() && early.front().micro_step <= before; early.pop_front())
+      continues = early.front().micro_step == before;
+    const bool is_silent = !early.empty() && early.front().micro_step < next.event.micro_step;
+    const Event of = is_silent ? early.front() : next.event;
     // Only what handlers set is taken before an input: the micro-step belongs to an earlier step, of an unknown time.
     const bool is_earlier = from_outside(of) && of.micro_step > before + 2;
     if (before != 0 && (!continues || is_earlier) && of.micro_step > before + 1) engine_.step();
@@ -116,45 +97,11 @@ private:
 
   // The trace.
 
-  /// The event so many places ahead; null: there is none. Events about the recorder, a full inbox or an exhausted
-  /// budget are skipped: they decide nothing.
-  const Recorded* ahead(std::size_t places) {
-    while (waiting_.size() <= places) {
-      std::optional<TraceLine> line = lines_.next();
-      if (!line) return nullptr;
-      Recorded recorded{line->number, std::move(line->text), std::move(line->json), {}, line->dropped, {}};
-      if (line->dropped == 0) {
-        Lookup::Found found = maps_levels_ ? lookup_.event_without_level(recorded.json) : lookup_.event(recorded.json);
-        recorded.event = found.event;
-        recorded.problem = std::move(found.problem);
-        if (maps_levels_ && recorded.problem.empty()) find_level(recorded);
-        bool skips = is(&recorded, Kind::exhausted) || is(&recorded, Kind::lost);
-        if (skips) {
-          recorded.problem = damage_of(recorded, recorded_lookup_.event(recorded.json));
-          skips = recorded.problem.empty();
-        }
-        if (is(&recorded, Kind::exhausted) || is(&recorded, Kind::fault)) early_ends_.push_back(recorded.event);
-        if (skips) continue;
-      }
-      waiting_.push_back(std::move(recorded));
-    }
-    return &waiting_[places];
-  }
-
-  void find_level(Recorded& recorded) {
-    if (recorded.event.kind == Kind::answer) answer_ = recorded_lookup_.event(recorded.json).event;
-    if (!has_level(recorded.event)) return;
-    const Lookup::Found was = recorded_lookup_.event(recorded.json);
-    recorded.problem = was.problem;
-    if (!was.problem.empty()) return;
-    recorded.event.level = same_level(recorded_names_, was.event, answer_, names_, recorded.event.edge);
-    recorded.is_untold = recorded.event.level == nil;
-    if (recorded.is_untold) recorded.problem = untold;
-  }
+  const RecordedEvent* ahead(std::size_t places) { return events_.ahead(places); }
 
   /// The next event; null: the trace ends here.
-  const Recorded* coming() {
-    const Recorded* const next = ahead(0);
+  const RecordedEvent* coming() {
+    const RecordedEvent* const next = ahead(0);
     if (next == nullptr) {
       if (!lines_.problem().empty()) cannot_read(lines_.number(), lines_.problem());
     } else if (next->dropped != 0) {
@@ -168,13 +115,13 @@ private:
     return nullptr;
   }
 
-  static bool is(const Recorded* recorded, Kind kind) {
+  static bool is(const RecordedEvent* recorded, Kind kind) {
     return recorded != nullptr && recorded->dropped == 0 && recorded->problem.empty() && recorded->event.kind == kind;
   }
 
-  static bool has_level(const Event& event) {
-    return event.kind == Kind::ask || event.kind == Kind::keep ||
-           (event.kind == Kind::input && event.input == Event::Input::request);
+  /// An impossible event at this micro-step, or one that the engine has left behind.
+  static bool is_impossible(const RecordedEvent& recorded, std::uint64_t micro_step) {
+    return recorded.is_impossible && recorded.was.event.micro_step <= micro_step;
   }
 
   // Inputs.
@@ -256,8 +203,15 @@ private:
       run.refuse(refused.state, refused.value);
     }
     if (over_ || !is(ahead(0), Kind::answer)) return run.keep();
+    if (events_.leaves_out_too_much()) {
+      differ(nullptr);
+      return run.keep();
+    }
     const Event answer = ahead(0)->event;
-    for (std::size_t i = 1; ahead(i) != nullptr && ahead(i)->problem.empty() && ask(run, ahead(i)->event); ++i) {}
+    for (std::size_t i = 1; const RecordedEvent* const each = ahead(i); ++i) {
+      if (is_impossible(*each, engine_.micro_steps())) continue; // the replay ends there
+      if (!each->problem.empty() || !ask(run, each->event)) break;
+    }
     switch (answer.outcome) {
     case Outcome::Kind::pack: return run.pack(answer.pack);
     case Outcome::Kind::done: return run.done();
@@ -304,7 +258,9 @@ private:
       else
         handling.refuse(event.state, event.value);
     }
-    if (!over_ && own(Kind::fault)) handling.fault();
+    if (over_ || ahead(0) == nullptr) return;
+    if (is_impossible(*ahead(0), engine_.micro_steps())) return differ(nullptr);
+    if (own(Kind::fault)) handling.fault();
   }
 
   // Events of the engine.
@@ -313,48 +269,26 @@ private:
 
   void tell(const Event& event) {
     if (over_ || event.kind == Kind::exhausted) return;
-    const Recorded* recorded = ahead(0);
+    const RecordedEvent* recorded = ahead(0);
     if (recorded == nullptr || recorded->dropped != 0) {
       coming(); // the trace ended in the middle of a micro-step
       over_ = true;
       return;
     }
-    if (recorded->is_untold) return differ(nullptr);
+    if (is_impossible(*recorded, event.micro_step)) return differ(nullptr);
     line_.clear();
     append_event(event, names_, line_);
-    if (line_ != expected(*recorded) && !(is_other_ && comes_later())) return differ(&event);
+    if (line_ != events_.expected(*recorded) && !(events_.is_other() && events_.bring_forward(line_)))
+      return differ(&event);
     recorded = ahead(0);
-    if (recorded->is_untold) return differ(nullptr);
-    if (is_other_) {
-      const std::string damage = damage_of(*recorded, recorded_lookup_.event(recorded->json));
+    if (recorded->is_impossible) return differ(nullptr);
+    if (events_.is_other()) {
+      const std::string damage = events_.damage_of(*recorded);
       if (!damage.empty()) return cannot_read(recorded->line, damage);
     }
     if (watch_ != nullptr) watch_->event(event, recorded->line);
-    waiting_.pop_front();
+    events_.pop();
     ++out_.events;
-  }
-
-  /// The recorded line, as it is written with the levels of this version.
-  std::string expected(const Recorded& recorded) const {
-    if (!maps_levels_ || !recorded.problem.empty() || !has_level(recorded.event)) return recorded.text;
-    std::string out;
-    append_event(recorded.event, names_, out);
-    return out;
-  }
-
-  /// Whether the event is a later one of the requests of the same run: their order is that of their declaration, and
-  /// no decision. This one, or one whose level cannot be told, becomes the next.
-  bool comes_later() {
-    for (std::size_t i = 0; const Recorded* const each = ahead(i); ++i) {
-      const Kind kind = each->event.kind;
-      const bool is_request = kind == Kind::ask || kind == Kind::keep || kind == Kind::withdraw;
-      if (!is_request || each->dropped != 0 || (!each->problem.empty() && !each->is_untold)) break;
-      if (!each->is_untold && line_ != expected(*each)) continue;
-      const auto at = waiting_.begin() + static_cast<std::ptrdiff_t>(i);
-      std::rotate(waiting_.begin(), at, at + 1);
-      return true;
-    }
-    return false;
   }
 
   void cannot_read(std::size_t line, std::string problem) {
@@ -363,32 +297,26 @@ private:
     out_.problem_line = line;
   }
 
-  /// Why no recorder of the recorded behaviour has written this line; empty: one may have.
-  std::string damage_of(const Recorded& recorded, const Lookup::Found& event) const {
-    if (!event.problem.empty()) return event.problem;
-    std::string written;
-    append_event(event.event, recorded_names_, written);
-    return written == recorded.text ? "" : "a recorder would have written it as " + written;
-  }
-
   /// It differs from what is recorded next. `event`: the engine's event; null: none.
   void differ(const Event* event) {
     over_ = true;
-    const Recorded& recorded = *ahead(0);
-    const Lookup::Found was = recorded_lookup_.event(recorded.json);
-    if (const std::string damage = damage_of(recorded, was); !damage.empty()) return cannot_read(recorded.line, damage);
+    const RecordedEvent& recorded = *ahead(0);
+    const Event& was = recorded.was.event;
+    if (const std::string damage = events_.damage_of(recorded); !damage.empty())
+      return cannot_read(recorded.line, damage);
     Replayed::Difference found;
     found.event = recorded.line - 1; // behind the header
     found.line = recorded.line;
-    found.time = event != nullptr ? event->time : was.event.time;
+    found.time = event != nullptr ? event->time : was.time;
     found.recorded_line = recorded.text;
     if (event != nullptr) {
       found.replayed_line = line_;
-      std::tie(found.recorded, found.replayed) = words_of_both(was.event, recorded_names_, *event, names_);
+      std::tie(found.recorded, found.replayed) = words_of_both(was, events_.recorded_names(), *event, names_);
     } else {
-      found.recorded = words_of(was.event, recorded_names_);
+      found.recorded = words_of(was, events_.recorded_names());
       found.replayed = recorded.problem.empty() ? "nothing" : recorded.problem;
-      found.is_untold = recorded.is_untold;
+      found.is_impossible = recorded.is_impossible;
+      found.help = recorded.help;
     }
     out_.difference = found;
   }
@@ -396,16 +324,10 @@ private:
   TraceLines& lines_;
   ReplayWatch* const watch_;
   const director::Names names_;
-  const director::Names recorded_names_;
-  const bool is_other_;    ///< another version was recorded
-  const bool maps_levels_; ///< ... and the trace says what its levels mean
   const Tables& tables_;
-  Lookup lookup_, recorded_lookup_;
-  Event answer_; ///< the last recorded one, with the rows of the recorded version
-  std::deque<Recorded> waiting_;
+  RecordedEvents events_;
   Replayed out_;
   bool over_ = false;
-  std::deque<Event> early_ends_; ///< the last events of steps that ended before they were at rest, from here on
   std::string line_;
   std::vector<Inbox::Cell> cells_;
   Inbox inbox_;
@@ -415,8 +337,9 @@ private:
 
 } // namespace
 
-Replayed replay(TraceLines& lines, const director::Names& names, ReplayWatch* watch, const director::Names* recorded) {
-  return Replayer(lines, names, watch, recorded).play();
+Replayed replay(TraceLines& lines, const Model& model, const director::Names& names, ReplayWatch* watch,
+                const director::Names* recorded) {
+  return Replayer(lines, model, names, watch, recorded).play();
 }
 
 } // namespace director::compiler

@@ -4,6 +4,7 @@
 // answers, and every event of the engine must equal the recorded one. If a version of the behaviour decides differently
 // the replay ends, because the further answers of bodies are unknown.
 
+#include "compiler/model/model.hpp"
 #include "compiler/trace/trace_lines.hpp"
 #include "runtime/core/base/observer.hpp"
 #include "runtime/core/inspect/view.hpp"
@@ -23,8 +24,10 @@ struct Replayed {
     Time time = 0;
     std::string recorded, replayed;           ///< in words
     std::string recorded_line, replayed_line; ///< as in a trace; empty: the behaviour has no such event
-    /// Nothing was decided: the recorded request may be at any level of this version. `replayed` says why.
-    bool is_untold = false;
+    /// Nothing was decided: what was recorded is an input, or an answer of a body, that this version cannot have.
+    /// `replayed` says why, and `help` what to do, if anything is to be said.
+    bool is_impossible = false;
+    std::string help;
   };
 
   std::size_t events = 0; ///< that are the same
@@ -47,9 +50,9 @@ protected:
   ~ReplayWatch() = default;
 };
 
-/// `lines`: behind the header. `names`: of the behaviour to play, with tables. `watch`: null: none. `recorded`: of the
-/// recorded behaviour if that is another version, to distinguish a damaged line; null: the same one.
-Replayed replay(TraceLines& lines, const director::Names& names, ReplayWatch* watch = nullptr,
+/// `lines`: behind the header. `model`, `names`: of the behaviour to play, with tables. `watch`: null: none.
+/// `recorded`: of the recorded behaviour if that is another version, to distinguish a damaged line; null: the same one.
+Replayed replay(TraceLines& lines, const Model& model, const director::Names& names, ReplayWatch* watch = nullptr,
                 const director::Names* recorded = nullptr);
 
 } // namespace director::compiler

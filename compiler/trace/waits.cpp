@@ -149,7 +149,7 @@ private:
 
 Waits find_waits(TraceLines& lines, const Model& model, const Lowered& lowered, const dsl::Sources& sources) {
   Asking asking(model, lowered, sources);
-  const Replayed replayed = replay(lines, asking.names(), &asking);
+  const Replayed replayed = replay(lines, model, asking.names(), &asking);
   return asking.found(replayed);
 }
 

@@ -9,6 +9,7 @@
 #include "compiler/play/scripted_bodies.hpp"
 #include "compiler/trace/lookup.hpp"
 #include "compiler/trace/replay.hpp"
+#include "compiler/trace/trace_order.hpp"
 #include "runtime/core/engine/engine.hpp"
 #include "runtime/hosted/engine_memory.hpp"
 #include "runtime/hosted/trace/json_lines.hpp"
@@ -90,7 +91,7 @@ std::string record_in_short_steps(const Compiled& compiled, Random& random, std:
 director::compiler::Replayed replay(const std::string& recorded, const Compiled& compiled) {
   const director::compiler::RowNames rows(compiled.model, compiled.lowered);
   director::compiler::TraceLines lines(recorded);
-  return director::compiler::replay(lines, rows.names());
+  return director::compiler::replay(lines, compiled.model, rows.names());
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -114,6 +115,18 @@ std::string written_again(const std::string& recorded, const Compiled& compiled)
     director::append_event(lookup.event(line->json).event, names, out);
     out += '\n';
   }
+  return out;
+}
+
+/// What `directorc trace` would say of the order of these lines.
+std::string order_problem(const std::string& recorded, const Compiled& compiled) {
+  const director::compiler::RowNames rows(compiled.model, compiled.lowered);
+  const director::Names names = rows.names();
+  const director::compiler::Lookup lookup(names);
+  director::compiler::TraceLines lines(recorded);
+  director::compiler::TraceOrder order;
+  std::string out;
+  while (const auto line = lines.next()) out += order.problem_of(lookup.event(line->json).event);
   return out;
 }
 
@@ -142,6 +155,7 @@ TEST_CASE(
     REQUIRE(result.compiled);
     const std::string recorded = record(*result.compiled);
     CHECK(written_again(recorded, *result.compiled) == recorded); // otherwise it would count as damaged
+    CHECK(order_problem(recorded, *result.compiled).empty());
     const auto replayed = replay(recorded, *result.compiled);
     if (replayed.difference)
       FAIL("line " << replayed.difference->line << "\n"
@@ -192,6 +206,7 @@ TEST_CASE("a replay of steps that ended early, and went on with an input, is equ
     Random random(seed);
     const std::string recorded = record_in_short_steps(*result.compiled, random, early);
     INFO(recorded);
+    CHECK(order_problem(recorded, *result.compiled).empty());
     const auto replayed = replay(recorded, *result.compiled);
     if (replayed.difference)
       FAIL("line " << replayed.difference->line << "\n"

@@ -29,11 +29,15 @@ std::string to_text(const Replayed& replayed, const std::string& trace, const st
   } else if (replayed.difference) {
     const Replayed::Difference& it = *replayed.difference;
     out += fmt::format("{}:{}: event {}, at {} s, {}{}\n", trace, it.line, it.event, in_seconds(it.time),
-                       it.is_untold ? "cannot be replayed" : "is decided otherwise", version);
+                       it.is_impossible ? "cannot be replayed" : "is decided otherwise",
+                       it.is_impossible && !other ? fmt::format(" by `{}`", behaviour) : version);
     out += fmt::format("  recorded: {}\n  replayed: {}\n", it.recorded, it.replayed);
+    if (!it.help.empty()) out += fmt::format("  help: {}\n", it.help);
     out += fmt::format("  {} before it {} the same\n", many_counted(replayed.events, "event"),
                        replayed.events == 1 ? "is" : "are");
-    if (!other) // which decides the same every time
+    if (!other && it.is_impossible)
+      out += "  it decides as the version that was recorded, but declares something else, or the line was changed\n";
+    else if (!other) // which decides the same every time
       out +=
           "  it is the version that was recorded: lines of the trace are missing or were changed, the program loaded "
           "another state there, or another version of Director recorded it\n";
@@ -55,7 +59,10 @@ Json to_json(const Replayed& replayed, const std::string& trace, const std::stri
                            {"other_version", Json::boolean(other)},
                            {"events", Json::count(replayed.events)},
                            {"dropped", Json::number(static_cast<std::int64_t>(replayed.dropped))}});
-  if (replayed.difference) {
+  if (replayed.difference && replayed.begins_later) {
+    out.add("begins_in_the_middle", Json::object({{"line", Json::count(replayed.difference->line)},
+                                                  {"time_us", Json::number(replayed.difference->time)}}));
+  } else if (replayed.difference) {
     const Replayed::Difference& it = *replayed.difference;
     const auto event = [](const std::string& line) { return parse_json(line).value_or(Json{}); };
     out.add("difference", Json::object({{"line", Json::count(it.line)},
@@ -63,7 +70,8 @@ Json to_json(const Replayed& replayed, const std::string& trace, const std::stri
                                         {"time_us", Json::number(it.time)},
                                         {"recorded", event(it.recorded_line)},
                                         {"replayed", event(it.replayed_line)}}));
-    if (it.is_untold) out.add("untold", Json::text(it.replayed));
+    if (it.is_impossible) out.add("cannot_be_replayed", Json::text(it.replayed));
+    if (!it.help.empty()) out.add("help", Json::text(it.help));
   }
   if (!replayed.problem.empty())
     out.add("unreadable",
@@ -88,7 +96,7 @@ int run(const Replay& request, Console& console) {
   TraceLines lines(trace.text);
   lines.next(); // the header
   const director::Names recorded = trace.recorded->names();
-  const Replayed replayed = replay(lines, rows.names(), nullptr, other ? &recorded : nullptr);
+  const Replayed replayed = replay(lines, of.checked.model, rows.names(), nullptr, other ? &recorded : nullptr);
   // A replay reads ahead: a fault behind its end is not reported.
   if (!replayed.problem.empty())
     print_unreadable(request.trace, replayed.problem_line, replayed.problem, console);

@@ -6,6 +6,7 @@
 #include "compiler/cli/input/load_trace.hpp"
 #include "compiler/emit/artefact/notice.hpp"
 #include "compiler/trace/lookup.hpp"
+#include "compiler/trace/trace_order.hpp"
 #include "dsl/source/harmless.hpp"
 #include "runtime/hosted/decision_printer.hpp"
 #include "runtime/hosted/trace/event_text.hpp"
@@ -90,12 +91,21 @@ int run(const Trace& request, Console& console) {
   else
     format->begin(out);
   int status = clean;
+  TraceOrder order;
+  bool is_in_order = true;
   while (const std::optional<TraceLine> line = lines.next()) {
     const Lookup::Found event = line->dropped == 0 ? event_of(*line, lookup, names) : Lookup::Found{};
     if (!event.problem.empty()) {
       print_unreadable(request.file, line->number, event.problem, console);
       status = found;
       break;
+    }
+    if (line->dropped != 0) {
+      order.gap();
+    } else if (const std::string problem = order.problem_of(event.event); !problem.empty() && is_in_order) {
+      print_out_of_order(request.file, line->number, problem, console);
+      is_in_order = false;
+      status = found;
     }
     if (as_it_is)
       copy(*line);

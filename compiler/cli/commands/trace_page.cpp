@@ -42,6 +42,9 @@ std::string end_of(const Waits& waits) {
                        replayed.problem_line);
   if (replayed.difference && replayed.begins_later)
     return "the trace begins in the middle, so that it cannot be played again: why something waits is not known";
+  if (replayed.difference && replayed.difference->is_impossible)
+    return fmt::format("from {} s on it cannot be played again, since {}; why something waits is not known",
+                       in_seconds(replayed.difference->time), replayed.difference->replayed);
   if (replayed.difference)
     return fmt::format(
         "from {} s on it is decided otherwise when it is played again, so why something waits is not known",

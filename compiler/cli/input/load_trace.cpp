@@ -35,6 +35,13 @@ void print_unreadable(const std::string& file, std::size_t line, const std::stri
                             shown_path(file), line, problem, line - 1, for_shell(shown_path(file))));
 }
 
+void print_out_of_order(const std::string& file, std::size_t line, const std::string& problem, Console& console) {
+  print_message(console, fmt::format("{0}:{1}: error: {2}\n"
+                                     "  help: a recorder writes every event, in the order in which it happened, and "
+                                     "says where it dropped some; what is printed behind this line may be wrong\n",
+                                     shown_path(file), line, problem));
+}
+
 LoadedTrace load_trace(const std::string& file, Console& console) {
   LoadedTrace out;
   auto read = console.files.read(file, most_bytes);

@@ -47,4 +47,7 @@ bool print_end(const TraceLines& lines, const std::string& file, Console& consol
 /// Prints that a line behind the header cannot be read, why, and what to do.
 void print_unreadable(const std::string& file, std::size_t line, const std::string& problem, Console& console);
 
+/// Prints that lines are missing in front of this one, or in another order.
+void print_out_of_order(const std::string& file, std::size_t line, const std::string& problem, Console& console);
+
 } // namespace director::compiler::cli

@@ -152,7 +152,7 @@ bool tell(const director::property::Documents& documents, std::uint64_t seed, co
   sources.add("behaviour.yaml", to_yaml(documents.behaviour));
   const Waits waits = find_waits(asked, result.compiled->model, result.compiled->lowered, sources);
   Telling telling(*result.compiled, rows, waits);
-  replay(lines, rows.names(), &telling);
+  replay(lines, result.compiled->model, rows.names(), &telling);
   telling.end();
   return true;
 }

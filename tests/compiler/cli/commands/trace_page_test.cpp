@@ -155,6 +155,24 @@ TEST_CASE("if a replay differs the page reports it, and is written") {
         "something waits is not known\n");
 }
 
+TEST_CASE("if the behaviour forbids now what was recorded, the page says so, and is written") {
+  World world;
+  const std::string lamp = "behaviour: lamp\nlanguage: 1\nstates: {Glow: {range: [0, 9], initial: 0}}\nroots: [Shine]\n"
+                           "groups: {Shine: {sets: [Glow]}}\n";
+  world.files.add("lamp.yaml", lamp);
+  world.files.add("s.yaml", "scenario: light\nbehaviour: lamp.yaml\nscript: {Shine: {set: {Glow: 8}}}\n"
+                            "steps: [{request: Shine}]\n");
+  REQUIRE(world.directorc({"simulate", "s.yaml", "--trace", "run.jsonl"}) == 0);
+  world.files.add("run.jsonl", trace_of(world));
+  std::string other = lamp;
+  other.replace(other.find("[Glow]"), 6, "[Glow == 7]");
+  world.files.add("lamp.yaml", other);
+  CHECK(world.directorc({"trace", "run.jsonl", "--to=html", "-o", "run.html"}) == 0);
+  CHECK(world.err ==
+        "run.jsonl:7: note: from 0.000000 s on it cannot be played again, since `Shine` sets `Glow` to `8`, "
+        "which it does not declare; why something waits is not known\n");
+}
+
 TEST_CASE("the page of a trace that begins in the middle says so, also beside the timeline") {
   World world = with_recording();
   const std::string whole = trace_of(world);

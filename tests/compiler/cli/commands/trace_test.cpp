@@ -424,10 +424,10 @@ TEST_CASE("a header that does not belong to its fingerprint, or to the events, i
         changed);
   CHECK(world.directorc({"trace", "bad.jsonl", "--to=html", "-o", "page.html"}) == 1);
   CHECK(world.err == changed);
-  CHECK(with(R"({"name":"Wheels","providers":["default"]})", R"({"name":"Wheels","providers":["dafault"]})",
-             "other.yaml")
-            .starts_with("bad.jsonl:14: error: this line cannot be read: the behaviour has no provider called `default`"
-                         "\n"));
+  CHECK(
+      with(R"({"name":"Wheels","providers":["default"]})", R"({"name":"Wheels","providers":["dafault"]})", "other.yaml")
+          .starts_with("bad.jsonl:14: error: this line cannot be read: the behaviour has no provider called `default`"
+                       "\n"));
   CHECK(with("\"fingerprint\":\"", "\"fingerprint\":\"x", "rover.yaml") ==
         "bad.jsonl:1: error: the header has no fingerprint, which is 16 hexadecimal digits\n");
   std::string wide = trace; // blanks are no damage
@@ -521,10 +521,65 @@ TEST_CASE("a version without something that was recorded") {
   CHECK(world.directorc({"replay", "run.jsonl", "--behaviour=other.yaml"}) == 1);
   CHECK(
       world.out ==
-      R"(run.jsonl:7: event 6, at 0.000000 s, is decided otherwise by `other.yaml`, another version than the one recorded
+      R"(run.jsonl:7: event 6, at 0.000000 s, cannot be replayed by `other.yaml`, another version than the one recorded
   recorded: ask Explore>Drive
   replayed: the behaviour has no task called `Explore>Drive`
   5 events before it are the same
+)");
+}
+
+TEST_CASE(
+    "of an answer that a version cannot give, the request or value that it does not have is told, not the first") {
+  World world;
+  const std::string head = "behaviour: lamp\nlanguage: 1\n", zap = "states: {Zap: {values: [p, q], initial: p}, ";
+  const std::string of_bulb = "roots: [Shine]\ngroups:\n  Shine: {tasks: [Bulb, Fan]}\n  Bulb: {sets: [Zap, Glow]}\n"
+                              "  Fan: {}\n";
+  world.files.add("lamp.yaml", head + zap + "Glow: {values: [none, faint], initial: none}}\n" + of_bulb);
+  world.files.add("s.yaml", "scenario: light\nbehaviour: lamp.yaml\nscript: {Bulb: {set: {Zap: q, Glow: faint}}}\n"
+                            "steps: [{request: Shine}]\n");
+  REQUIRE(world.directorc({"simulate", "s.yaml", "--trace", "run.jsonl"}) == 0);
+  world.files.add("run.jsonl", trace_in(world));
+  const auto replay = [&](const std::string& other) {
+    world.files.add("other.yaml", head + other);
+    CHECK(world.directorc({"replay", "run.jsonl", "--behaviour=other.yaml"}) == 1);
+    return world.err + world.out;
+  };
+  CHECK(
+      replay(zap + "Glow: {values: [none, faint], initial: none}}\nroots: [Shine]\ngroups:\n"
+                   "  Shine: {tasks: [Bulb]}\n  Bulb: {sets: [Zap, Glow]}\n") ==
+      R"(run.jsonl:8: event 7, at 0.000000 s, cannot be replayed by `other.yaml`, another version than the one recorded
+  recorded: ask Shine>Fan
+  replayed: the behaviour has no task called `Shine>Fan`
+  6 events before it are the same
+)");
+  CHECK(
+      replay(zap + "Glow: {values: [none, dim], initial: none}}\n" + of_bulb) ==
+      R"(run.jsonl:14: event 13, at 0.000000 s, cannot be replayed by `other.yaml`, another version than the one recorded
+  recorded: assign Glow faint
+  replayed: `faint` is no value of the state `Glow`: its values are none, dim
+  help: write one of them, or add it to the `values`
+  12 events before it are the same
+)");
+  CHECK(world.directorc({"replay", "run.jsonl", "--behaviour=other.yaml", "--format=json"}) == 1);
+  CHECK(world.out.ends_with("\"replayed\":null},\"cannot_be_replayed\":\"`faint` is no value of the state `Glow`: its "
+                            "values are none, dim\",\"help\":\"write one of them, or add it to the `values`\"}\n"));
+}
+
+TEST_CASE("of two inputs that were taken together, the one that a version does not have is told") {
+  World world;
+  const std::string head = "behaviour: lamp\nlanguage: 1\n";
+  world.files.add("lamp.yaml", head + "roots: [Shine, Blow]\ngroups: {Shine: {}, Blow: {}}\n");
+  world.files.add("s.yaml", "scenario: both\nbehaviour: lamp.yaml\nsteps: [{request: [Shine, Blow]}]\n");
+  REQUIRE(world.directorc({"simulate", "s.yaml", "--trace", "run.jsonl"}) == 0);
+  world.files.add("run.jsonl", trace_in(world));
+  world.files.add("other.yaml", head + "roots: [Shine]\ngroups: {Shine: {}}\n");
+  CHECK(world.directorc({"replay", "run.jsonl", "--behaviour=other.yaml"}) == 1);
+  CHECK(
+      world.out ==
+      R"(run.jsonl:4: event 3, at 0.000000 s, cannot be replayed by `other.yaml`, another version than the one recorded
+  recorded: > request Blow
+  replayed: the behaviour has no task called `root>Blow`
+  2 events before it are the same
 )");
 }
 
@@ -552,6 +607,9 @@ TEST_CASE("a trace that begins in the middle cannot be replayed, and this is the
       R"(late.jsonl:2: the trace begins in the middle, at 1.000000 s: its first event is not `begin`, so the state before it is not known, and it cannot be replayed
   its recorder was made later than the first step, the program loaded a saved state before that, or lines at the beginning of the trace are missing
 )");
+  CHECK(world.directorc({"replay", "late.jsonl", "--format=json"}) == 1);
+  CHECK(world.out == "{\"trace\":\"late.jsonl\",\"behaviour\":\"rover.yaml\",\"other_version\":false,\"events\":0,"
+                     "\"dropped\":0,\"begins_in_the_middle\":{\"line\":2,\"time_us\":1000000}}\n");
   CHECK(world.directorc({"trace", "late.jsonl"}) == 0);
 }
 
