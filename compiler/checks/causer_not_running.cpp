@@ -1,5 +1,6 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/causer_not_running.md.
 // SPDX-License-Identifier: MIT
+#include "compiler/analysis/clashes/holdings.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/requests/company.hpp"
 #include "compiler/analysis/shared/shared.hpp"
@@ -100,15 +101,28 @@ private:
                                                       name_of(model_, task.target), list_of(brought, "or"),
                                                       name_of(model_, request.task->target))});
     }
-    finding.help =
-        !held_back.empty() ? set_apart(request, held_back)
-        : leads_back(model_.providers[causer].group, chain)
-            ? fmt::format("let the program request {} too, with a lower priority: a push never starts a group", group)
-        : request.pack->name.empty()
-            ? fmt::format("say with `packs` that {} is requested too{}: a push never starts a group", group,
-                          must_be_apart(request, causer) ? ", `apart` and with a lower priority" : "")
-            : fmt::format("request {} too, here{}, `apart` and with a lower priority: a push never starts a group",
-                          group, would_be_stopped(model_.providers[causer].group, waiting) ? "" : " or above");
+    finding.help = !held_back.empty() ? set_apart(request, held_back)
+                   : leads_back(model_.providers[causer].group, chain)
+                       ? fmt::format("let the program request {} too, with a lower priority", group)
+                   : request.pack->name.empty()
+                       ? fmt::format("say with `packs` that {} is requested too{}", group,
+                                     must_be_apart(request, causer) ? ", `apart` and with a lower priority" : "")
+                       : fmt::format("request {} too, here{}, `apart` and with a lower priority", group,
+                                     would_be_stopped(model_.providers[causer].group, waiting) ? "" : " or above");
+    add_kept(*request.requester, causers, causer, finding);
+    if (held_back.empty()) finding.help += ": a push never starts a group";
+  }
+
+  /// Requested there, it could not run either.
+  void add_kept(ProviderId requester, const std::vector<ProviderId>& causers, ProviderId causer,
+                dsl::Diagnostic& finding) const {
+    const auto kept = [&](ProviderId id) { return find_kept_need(model_, shared_, requester, id); };
+    if (!std::all_of(causers.begin(), causers.end(), [&](ProviderId id) { return kept(id).has_value(); })) return;
+    const KeptNeed one = *kept(causer);
+    finding.notes.push_back(one.needed);
+    finding.notes.push_back(one.kept);
+    finding.help += fmt::format(", and let {} or {} do without {}", name_of(model_, causer), name_of(model_, requester),
+                                name_of(model_, one.group));
   }
 
   /// Whether it would not pass to an entry above the waiting task at once, as that task may take what it has to have

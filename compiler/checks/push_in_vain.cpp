@@ -1,7 +1,10 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/push_in_vain.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/clashes/exclusions.hpp"
+#include "compiler/analysis/clashes/holdings.hpp"
+#include "compiler/analysis/clashes/losses.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/requests/company.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/at_rest.hpp"
 #include "compiler/analysis/states/sources.hpp"
@@ -12,8 +15,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace director::checks {
@@ -131,6 +137,81 @@ void look_at_steps(const Input& input, Findings& findings) {
   }
 }
 
+/// What the pushed provider needs is kept by the one that requests the task, though not by all that do.
+class KeptWhileRequested {
+public:
+  KeptWhileRequested(const Input& input, Findings& findings)
+      : input_(input),
+        model_(input.model),
+        losses_(input.model, input.graph, input.facts, input.shared),
+        findings_(findings) {
+    for (const Clash& clash : input.conflicts.clashes()) seen_.insert(clash.second.span);
+    for (const Loser& loser : input.conflicts.losers()) starving_.insert({loser.above, loser.refused.task->target});
+  }
+
+  void look_at(const Wanting& wanting) {
+    for (const Want& want : wanting.wants) {
+      if (want.waiter != wanting.provider || seen_.count(want.condition.span) != 0) continue;
+      for (const Request& request : input_.shared.requests().of(wanting.task)) {
+        if (!request.requester || !are_kept(*request.requester, want.causers) || !waits_here(request, want)) continue;
+        report(request, want);
+        break;
+      }
+    }
+  }
+
+private:
+  std::optional<KeptNeed> kept(ProviderId above, ProviderId causer) const {
+    return find_kept_need(model_, input_.shared, above, causer);
+  }
+
+  bool are_kept(ProviderId above, const std::vector<ProviderId>& causers) const {
+    return !model_.providers[above].needs.empty() &&
+           std::all_of(causers.begin(), causers.end(), [&](ProviderId id) { return kept(above, id).has_value(); });
+  }
+
+  /// Whether it waits there for what only these cause, and one of them is requested: otherwise that is the finding.
+  bool waits_here(const Request& request, const Want& want) const {
+    std::vector<GroupId> groups;
+    for (const ProviderId id : want.causers) {
+      const GroupId group = model_.providers[id].group;
+      if (input_.shared.promises().explained.contains(id) || starving_.count({*request.requester, group}) != 0)
+        return false;
+      groups.push_back(group);
+    }
+    if (losses_.comes_otherwise(want) ||
+        !input_.shared.standstill().may_wait(request, want.waiter, want.condition, groups))
+      return false;
+    const bool is_root = std::any_of(model_.roots.begin(), model_.roots.end(), [&](const Task& root) {
+      return std::find(groups.begin(), groups.end(), root.target) != groups.end();
+    });
+    return is_root || Company(model_, input_.facts, input_.shared.requests(), groups).find_bare_chain(request).empty();
+  }
+
+  void report(const Request& request, const Want& want) {
+    seen_.insert(want.condition.span);
+    const ProviderId above = *request.requester, causer = want.causers.front();
+    const KeptNeed one = *kept(above, causer);
+    const std::string keeper = name_of(model_, above), by = name_of(model_, causer), group = name_of(model_, one.group);
+    dsl::Diagnostic& finding =
+        findings_.add(want.condition.span,
+                      fmt::format("{} waits for {} in vain while {} keeps {}, which {} needs",
+                                  name_of(model_, want.waiter), name_of(model_, want.condition.id), keeper, group, by));
+    finding.notes.push_back(causes(model_, causer, want.condition.id));
+    finding.notes.push_back(one.needed);
+    finding.notes.push_back(one.kept);
+    finding.notes.push_back(requests(model_, above, *request.task));
+    finding.help = fmt::format("let {} or {} do without {}", by, keeper, group);
+  }
+
+  const Input& input_;
+  const Model& model_;
+  const Losses losses_;
+  Findings& findings_;
+  std::set<dsl::Span> seen_;                          ///< conditions with a finding
+  std::set<std::pair<ProviderId, GroupId>> starving_; ///< groups that never run below this provider (self_conflict)
+};
+
 } // namespace
 
 void push_in_vain(const Input& input, Findings& findings) {
@@ -142,6 +223,8 @@ void push_in_vain(const Input& input, Findings& findings) {
     add_parties(model, clash, finding);
     finding.help = help_of(model, clash);
   }
+  KeptWhileRequested kept(input, findings);
+  for (const Wanting& wanting : input.shared.wants()) kept.look_at(wanting);
 }
 
 } // namespace director::checks

@@ -9,7 +9,7 @@
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/shared/shared.hpp"
-#include "compiler/analysis/states/covering.hpp"
+#include "compiler/analysis/states/choice.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/reported_pairs.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -102,8 +102,8 @@ bool first_takes_always(const Input& input, const Task& first, const Task& secon
   const Task& loser = &winner == &first ? second : first;
   Units& units = input.shared.units();
   return never_waits(input, winner.target) ||
-         find_covering(input.model, input.facts.values, box_of(input.facts.values, units.region_at_best(loser.target)),
-                       {units.region_at_best(winner.target)}, input.shared.budget()) == Covering::covered;
+         find_covering(input.model, units.region_at_best(loser.target), {units.region_at_best(winner.target)},
+                       input.facts.values, input.shared.budget()) == Covering::covered;
 }
 
 /// `by_groups`: they exclude each other with all values of states.

@@ -3,6 +3,7 @@
 #include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/clashes/granted.hpp"
 #include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -95,7 +96,7 @@ private:
     dsl::Diagnostic& finding = findings_.add(
         need.span, fmt::format("{} loses {} when {}, which waits for {}; instead of it {}: the two go round", causing,
                                lost, is_granted(model_, granted), name_of(model_, want.condition.id), set));
-    add_taking(model_, want, causer, granted.takings.way_to(need), finding);
+    add_taking(model_, want, causes(model_, causer, want.condition.id), granted.takings.way_to(need), finding);
     finding.notes.push_back({fallback.entry.span, set});
     finding.help = fmt::format("let {} do without {}, or {}", causing, lost, stay_help(model_, want, fallback.values));
   }

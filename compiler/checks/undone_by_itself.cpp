@@ -4,6 +4,7 @@
 #include "compiler/analysis/chains/runs_below.hpp"
 #include "compiler/analysis/clashes/granted.hpp"
 #include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/states/sources.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -31,6 +33,31 @@ public:
     for (const GroupId group : granted.below.groups()) {
       if (group != granted.waits) look_below(granted, want, group);
     }
+  }
+
+  /// The task ends the condition, and what causes it goes first, so that nobody pushes it.
+  void look_at_unpushed(ProviderId waiter, const ConditionUse& use, const ConditionUse& entry) {
+    const StateId state = model_.conditions[use.id].state;
+    if (model_.conditions[entry.id].state != state || !facts_.impossible_of(waiter).empty()) return;
+    const ValueSet values = undoing_values(model_, waiter, use.id, model_.conditions[entry.id].accepts);
+    if (values.empty()) return;
+    const auto [at, is_new] = only_causers_.try_emplace(use.id);
+    if (is_new) at->second = find_only_causer(use.id);
+    const std::optional<ProviderId> causer = at->second;
+    if (!causer || !runs_once(*causer)) return;
+    const GroupId group = model_.providers[*causer].group;
+    const Task* const first = root_before(group, model_.providers[waiter].group);
+    if (first == nullptr || !seen_.insert({entry.span, use.span}).second) return;
+    const std::string name = name_of(model_, waiter), causing = name_of(model_, *causer);
+    dsl::Diagnostic& finding = findings_.add(
+        entry.span,
+        fmt::format("{} may set {}, and then {} is cut off, perhaps for ever: it cannot push {}, which causes {}", name,
+                    name_of(model_, entry.id), name, causing, name_of(model_, use.id)));
+    finding.notes.push_back(runs_only_while(model_, waiter, use));
+    finding.notes.push_back(causes(model_, *causer, use.id));
+    finding.notes.push_back({first->span, fmt::format("{} goes before {}", name_of(model_, group),
+                                                      name_of(model_, model_.providers[waiter].group))});
+    finding.help = stay_help(model_, {waiter, use, {}}, values);
   }
 
   /// The start of a task below ends the condition, and its stop brings it back, without a push.
@@ -62,6 +89,53 @@ private:
     add_chain(model_, below.path(group), finding.notes);
     finding.notes.push_back(*back);
     finding.help = stay_help(model_, want, values);
+  }
+
+  /// The provider that causes the condition, if nothing else can make it true after the start.
+  std::optional<ProviderId> find_only_causer(ConditionId id) {
+    const Condition& condition = model_.conditions[id];
+    if (model_.states[condition.state].of) return std::nullopt; // it begins again
+    if (!sources_) sources_ = find_sources(model_);
+    std::optional<ProviderId> out;
+    for (const Source& source : (*sources_)[condition.state]) {
+      if (source.kind == Source::Kind::initial || source.values.intersected(condition.accepts).empty()) continue;
+      if (source.kind != Source::Kind::causing || (out && out != source.provider)) return std::nullopt;
+      out = source.provider;
+    }
+    return out && model_.causes(*out, id) ? out : std::nullopt;
+  }
+
+  /// Whether it is chosen from the start, and runs again only if the body or a new task says so.
+  bool runs_once(ProviderId id) const {
+    const Provider& row = model_.providers[id];
+    return facts_.chosen.contains(id) && model_.groups[row.group].providers.size() == 1 && row.when.empty() &&
+           row.needs.empty() && row.packs.empty() && row.triggers.empty() && !row.every;
+  }
+
+  /// The root of the first group, if each is requested only as a root, and it goes before the other one.
+  const Task* root_before(GroupId first, GroupId second) const {
+    const auto root_of = [&](GroupId group) -> const Task* {
+      const Group& row = model_.groups[group];
+      if (!std::all_of(row.requesters.begin(), row.requesters.end(),
+                       [&](EdgeId edge) { return !model_.edges[edge].requester; }))
+        return nullptr;
+      const auto at = std::find_if(model_.roots.begin(), model_.roots.end(),
+                                   [&](const Task& root) { return root.target == group; });
+      return at == model_.roots.end() ? nullptr : &*at;
+    };
+    const Task *a = root_of(first), *b = root_of(second);
+    return a != nullptr && b != nullptr && goes_before(*a, *b) ? a : nullptr;
+  }
+
+  /// At every level of both.
+  bool goes_before(const Task& first, const Task& second) const {
+    const auto& firsts = model_.edges[first.edge].levels;
+    const auto& seconds = model_.edges[second.edge].levels;
+    return std::all_of(firsts.begin(), firsts.end(), [&](const Level& a) {
+      return std::all_of(seconds.begin(), seconds.end(), [&](const Level& b) {
+        return a.optional == b.optional ? a.priority > b.priority : b.optional;
+      });
+    });
   }
 
   /// How the stop of the group makes the condition true.
@@ -141,6 +215,8 @@ private:
   const Facts& facts_;
   Findings& findings_;
   std::set<std::pair<dsl::Span, dsl::Span>> seen_;
+  std::optional<IdTable<StateId, std::vector<Source>>> sources_;
+  std::map<ConditionId, std::optional<ProviderId>> only_causers_;
 };
 
 /// The states that some start handler sets.
@@ -162,6 +238,13 @@ void undone_by_itself(const Input& input, Findings& findings) {
       for (const Want& want : wanting.wants) {
         if (want.waiter == wanting.provider) undone.look_at(granted, want);
       }
+    }
+  }
+  for (const ProviderId id : input.model.providers.ids()) {
+    if (!input.facts.chosen.contains(id)) continue;
+    const compiler::Provider& provider = input.model.providers[id];
+    for (const ConditionUse& use : provider.when) {
+      for (const ConditionUse& entry : provider.sets) undone.look_at_unpushed(id, use, entry);
     }
   }
   const IdSet<StateId> by_starts = states_of_starts(input.model);

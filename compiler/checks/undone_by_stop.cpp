@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/clashes/granted.hpp"
+#include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -30,6 +31,7 @@ public:
       : model_(input.model),
         facts_(input.facts),
         shared_(input.shared),
+        grants_(input.conflicts.grants()),
         findings_(findings),
         stopping_(input.model.states.size()) {
     for (const GroupId group : model_.groups.ids()) {
@@ -42,6 +44,7 @@ public:
     }
   }
 
+  /// What is caused by a push.
   void look_at(const Wanting& wanting) {
     std::vector<Granted> granted;
     for (const Want& want : wanting.wants) {
@@ -52,12 +55,39 @@ public:
     }
   }
 
-private:
-  void look_at(const Granted& granted, const Want& want, StateId state) {
-    for (const ProviderId causer : want.causers) {
+  /// What a group that goes after the task sets without a push.
+  void look_at_unpushed(ProviderId waiter) {
+    const GroupId task = model_.providers[waiter].group;
+    if (!may_be_granted_alone(task) || !takes_all(waiter) || never_runs(waiter)) return;
+    std::optional<Granted> granted;
+    for (const ConditionUse& use : model_.providers[waiter].when) {
+      const StateId state = model_.conditions[use.id].state;
       for (const GroupId stopped : stopping_[state]) {
-        if (stopped == model_.providers[causer].group)
-          look_at_stop(granted, want, causer, stopped, state, {});
+        if (stopped == task) continue;
+        if (!granted) granted.emplace(granted_alone(model_, shared_, task));
+        if (!takes_from(granted->takings, stopped) || is_kept_off(waiter, stopped)) continue;
+        for (const StopValue& stop : stop_values(stopped, state)) {
+          const std::optional<Setting> setting = find_setting(waiter, use, stopped, stop);
+          if (!setting || !shared_.chains().may_beat(task, stopped)) continue;
+          look_at_stop(*granted, {waiter, use, {}}, *setting, stopped, stop, {});
+        }
+      }
+    }
+  }
+
+private:
+  /// A provider that makes a condition true, and how that is said.
+  struct Setting {
+    ProviderId provider{};
+    dsl::Note note;
+  };
+
+  void look_at(const Granted& granted, const Want& want, StateId state) {
+    for (const ProviderId id : want.causers) {
+      const Setting causer{id, causes(model_, id, want.condition.id)};
+      for (const GroupId stopped : stopping_[state]) {
+        if (stopped == model_.providers[id].group)
+          look_at_stops(granted, want, causer, stopped, state, {});
         else
           look_below(granted, want, causer, stopped, state);
       }
@@ -69,38 +99,105 @@ private:
     if (std::find(groups.begin(), groups.end(), group) == groups.end()) groups.push_back(group);
   }
 
-  void look_below(const Granted& granted, const Want& want, ProviderId causer, GroupId stopped, StateId state) {
-    for (const Pack& pack : model_.providers[causer].packs) {
+  void look_below(const Granted& granted, const Want& want, const Setting& causer, GroupId stopped, StateId state) {
+    for (const Pack& pack : model_.providers[causer.provider].packs) {
       for (const Task& task : pack.tasks) {
         const Claims& claims = shared_.claims(task.target);
         if (!claims.contains(stopped)) continue;
         const RunsBelow below(shared_.branches(), claims, task.target);
         if (!below.contains(stopped)) continue;
         std::vector<ChainStep> chain = below.path(stopped);
-        chain.insert(chain.begin(), {model_.providers[causer].group, task.target, false, task.span});
-        look_at_stop(granted, want, causer, stopped, state, chain);
+        chain.insert(chain.begin(), {model_.providers[causer.provider].group, task.target, false, task.span});
+        look_at_stops(granted, want, causer, stopped, state, chain);
       }
     }
   }
 
   /// `chain`: from the causing group to the one that stops; empty: that is the causing group itself.
-  void look_at_stop(const Granted& granted, const Want& want, ProviderId causer, GroupId stopped, StateId state,
-                    const std::vector<ChainStep>& chain) {
-    for (const StopValue& stop : stop_values(stopped, state)) {
-      const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, stop.values);
-      if (values.empty() || seen_.count({stop.span, want.condition.span}) != 0) continue;
-      Search search{causer, {}, {}};
-      std::optional<Taking> how = why_stopped(granted, stopped, search);
-      if (!how) continue;
-      std::vector<dsl::Note> notes;
-      add_chain(model_, chain, notes);
-      const auto is_told = [&](const dsl::Note& note) {
-        return std::any_of(notes.begin(), notes.end(), [&](const dsl::Note& told) { return told.span == note.span; });
-      };
-      how->notes.erase(std::remove_if(how->notes.begin(), how->notes.end(), is_told), how->notes.end());
-      how->notes.insert(how->notes.begin(), notes.begin(), notes.end());
-      report(granted, want, causer, stop, values, std::move(*how));
+  void look_at_stops(const Granted& granted, const Want& want, const Setting& causer, GroupId stopped, StateId state,
+                     const std::vector<ChainStep>& chain) {
+    for (const StopValue& stop : stop_values(stopped, state)) look_at_stop(granted, want, causer, stopped, stop, chain);
+  }
+
+  void look_at_stop(const Granted& granted, const Want& want, const Setting& causer, GroupId stopped,
+                    const StopValue& stop, const std::vector<ChainStep>& chain) {
+    const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, stop.values);
+    if (values.empty() || seen_.count({stop.span, want.condition.span}) != 0) return;
+    Search search{causer.provider, {}, {}};
+    std::optional<Taking> how = why_stopped(granted, stopped, search);
+    if (!how) return;
+    std::vector<dsl::Note> notes;
+    add_chain(model_, chain, notes);
+    const auto is_told = [&](const dsl::Note& note) {
+      return std::any_of(notes.begin(), notes.end(), [&](const dsl::Note& told) { return told.span == note.span; });
+    };
+    how->notes.erase(std::remove_if(how->notes.begin(), how->notes.end(), is_told), how->notes.end());
+    how->notes.insert(how->notes.begin(), notes.begin(), notes.end());
+    report(granted, want, causer, stop, values, std::move(*how));
+  }
+
+  /// Otherwise what its unit lacks may be something else.
+  bool may_be_granted_alone(GroupId task) const {
+    const std::vector<Request>& requests = shared_.requests().of(task);
+    return std::any_of(requests.begin(), requests.end(), [&](const Request& request) {
+      return !request.requester || !model_.may_be_member(*request.task);
+    });
+  }
+
+  /// Whether no other provider of the group takes anything.
+  bool takes_all(ProviderId id) const {
+    const std::vector<ProviderId>& all = model_.group_of(id).providers;
+    return std::all_of(all.begin(), all.end(), [&](ProviderId other) {
+      const Provider& row = model_.providers[other];
+      return other == id || !facts_.active.contains(other) || (row.needs.empty() && row.packs.empty());
+    });
+  }
+
+  /// Whether the group, or a need of it, is taken. Few are, of all that may set one state.
+  bool takes_from(const Takings& takings, GroupId group) const {
+    const std::vector<ProviderId>& all = model_.groups[group].providers;
+    return takings.takes(group) ||
+           std::any_of(all.begin(), all.end(), [&](ProviderId id) { return takings.need_taken(id) != nullptr; });
+  }
+
+  /// Whether all that request the group need what the waiting provider needs.
+  bool is_kept_off(ProviderId waiter, GroupId group) const {
+    const std::vector<Use<GroupId>>& needs = model_.providers[waiter].needs;
+    const std::vector<Request>& requests = shared_.requests().of(group);
+    return std::all_of(requests.begin(), requests.end(), [&](const Request& request) {
+      return request.requester && std::any_of(needs.begin(), needs.end(), [&](const Use<GroupId>& need) {
+               return shared_.indispensable().needs_contain(model_.providers[*request.requester], need.id);
+             });
+    });
+  }
+
+  /// Because of its conditions, or of what is held above it: other checks report that.
+  bool never_runs(ProviderId id) const {
+    return !facts_.impossible_of(id).empty() || grants_.idle().count(id) != 0 ||
+           !grants_.is_tried(model_.providers[id].group);
+  }
+
+  /// The first provider that the stopped group chooses when its stop has made the condition false, if that makes it
+  /// true again.
+  std::optional<Setting> find_setting(ProviderId waiter, const ConditionUse& use, GroupId stopped,
+                                      const StopValue& stop) const {
+    const StateId state = model_.conditions[use.id].state;
+    const ValueSet values = stop.values.without(model_.conditions[use.id].accepts);
+    if (values.empty()) return std::nullopt;
+    Region here = region_of(model_, model_.providers[waiter].when);
+    here.states.insert_or_assign(state, values);
+    for (const ProviderId id : model_.groups[stopped].providers) {
+      const Provider& row = model_.providers[id];
+      const Region own = region_of(model_, row.when);
+      if (!facts_.chosen.contains(id) || never_runs(id) || !compatible(here, own)) continue;
+      for (const ConditionUse& entry : row.sets) {
+        if (model_.satisfies(entry.id, use.id))
+          return Setting{id,
+                         {entry.span, fmt::format("{} may set {}", name_of(model_, id), name_of(model_, entry.id))}};
+      }
+      if (contains(own, here)) break;
     }
+    return std::nullopt;
   }
 
   std::vector<StopValue> stop_values(GroupId id, StateId state) const {
@@ -191,19 +288,20 @@ private:
            });
   }
 
-  void report(const Granted& granted, const Want& want, ProviderId causer, const StopValue& stop,
+  void report(const Granted& granted, const Want& want, const Setting& causer, const StopValue& stop,
               const ValueSet& values, Taking how) {
     seen_.insert({stop.span, want.condition.span});
-    dsl::Diagnostic& finding =
-        findings_.add(stop.span, fmt::format("{}, and it is stopped when {}, which waits for {}: the two go round",
-                                             stop.what, is_granted(model_, granted), name_of(model_, want.condition.id)));
-    add_taking(model_, want, causer, std::move(how), finding);
+    dsl::Diagnostic& finding = findings_.add(
+        stop.span, fmt::format("{}, and it is stopped when {}, which waits for {}: the two go round", stop.what,
+                               is_granted(model_, granted), name_of(model_, want.condition.id)));
+    add_taking(model_, want, causer.note, std::move(how), finding);
     finding.help = stay_help(model_, want, values);
   }
 
   const Model& model_;
   const Facts& facts_;
   const Shared& shared_;
+  const Grants& grants_;
   Findings& findings_;
   IdTable<StateId, std::vector<GroupId>> stopping_; ///< groups whose stop may set it
   std::set<std::pair<dsl::Span, dsl::Span>> seen_;
@@ -214,6 +312,9 @@ private:
 void undone_by_stop(const Input& input, Findings& findings) {
   UndoneByStop undone(input, findings);
   for (const Wanting& wanting : input.shared.wants()) undone.look_at(wanting);
+  for (const ProviderId id : input.model.providers.ids()) {
+    if (input.facts.chosen.contains(id)) undone.look_at_unpushed(id);
+  }
 }
 
 } // namespace director::checks

@@ -12,11 +12,11 @@
 
 namespace director::analysis {
 
-void add_taking(const Model& model, const Want& want, ProviderId causer, Taking how, dsl::Diagnostic& finding) {
+void add_taking(const Model& model, const Want& want, dsl::Note source, Taking how, dsl::Diagnostic& finding) {
   finding.rules_out = std::move(how.requests);
   finding.rules_out.push_back(want.condition.span);
   finding.notes.push_back(runs_only_while(model, want.waiter, want.condition));
-  finding.notes.push_back(causes(model, causer, want.condition.id));
+  finding.notes.push_back(std::move(source));
   for (dsl::Note& note : how.notes) finding.notes.push_back(std::move(note));
 }
 

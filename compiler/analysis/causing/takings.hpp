@@ -19,7 +19,8 @@ struct Taking {
 };
 
 /// Adds to a finding, that the condition becomes false because of what the granted task takes, where this happens.
-void add_taking(const Model& model, const Want& want, ProviderId causer, Taking how, dsl::Diagnostic& finding);
+/// `source`: what makes the condition true.
+void add_taking(const Model& model, const Want& want, dsl::Note source, Taking how, dsl::Diagnostic& finding);
 
 class Takings {
 public:

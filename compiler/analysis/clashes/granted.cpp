@@ -25,9 +25,13 @@ Granted grant(const Model& model, const Shared& shared, GroupId waits, GroupId t
 
 } // namespace
 
+Granted granted_alone(const Model& model, const Shared& shared, GroupId task) {
+  return grant(model, shared, task, task, nullptr);
+}
+
 std::vector<Granted> granted_with(const Model& model, const Shared& shared, GroupId task) {
   std::vector<Granted> out;
-  out.push_back(grant(model, shared, task, task, nullptr));
+  out.push_back(granted_alone(model, shared, task));
   for (const Request& request : shared.requests().of(task)) {
     if (!request.requester || request.pack->name.empty() || !model.is_always_member(*request.task)) continue;
     for (const Task* member : unit_members(model, *request.pack)) {

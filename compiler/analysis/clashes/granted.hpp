@@ -22,6 +22,9 @@ struct Granted {
   bool is_other() const { return member != nullptr; }
 };
 
+/// The task itself.
+Granted granted_alone(const Model& model, const Shared& shared, GroupId task);
+
 /// First the task itself, then the members of its units in named packs. Of a flat list, it depends on the body which
 /// tasks are granted together.
 std::vector<Granted> granted_with(const Model& model, const Shared& shared, GroupId task);

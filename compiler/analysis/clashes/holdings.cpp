@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace director::analysis {
 
@@ -42,6 +43,19 @@ std::vector<Holding> holdings_of(const Model& model, const Shared& shared, Provi
     if (is_in_every_pack(model, provider.packs, task)) take(task.target, task.span, false);
   }
   return out;
+}
+
+std::optional<KeptNeed> find_kept_need(const Model& model, const Shared& shared, ProviderId above,
+                                       ProviderId provider) {
+  if (model.providers[above].needs.empty() || model.providers[provider].needs.empty()) return std::nullopt;
+  const std::vector<Holding> kept = holdings_of(model, shared, above);
+  for (Holding& needed : holdings_of(model, shared, provider)) {
+    const auto at = std::find_if(kept.begin(), kept.end(), [&](const Holding& one) {
+      return needed.by_need && one.by_need && one.group == needed.group;
+    });
+    if (at != kept.end()) return KeptNeed{needed.group, std::move(needed.note), at->note};
+  }
+  return std::nullopt;
 }
 
 bool leads_to(const Model& model, const Shared& shared, ProviderId provider, GroupId group) {

@@ -5,6 +5,7 @@
 #include "compiler/analysis/input.hpp"
 #include "dsl/source/diagnostic.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace director::analysis {
@@ -17,6 +18,13 @@ struct Holding {
 
 /// By its needs and by what each of its packs requests, each with what that cannot run without.
 std::vector<Holding> holdings_of(const Model& model, const Shared& shared, ProviderId provider);
+
+/// A group that one provider needs, and another one, above it, keeps by a need of its own.
+struct KeptNeed {
+  GroupId group{};
+  dsl::Note needed, kept;
+};
+std::optional<KeptNeed> find_kept_need(const Model& model, const Shared& shared, ProviderId above, ProviderId provider);
 
 /// Whether it requests the group, or a group that may lead to it.
 bool leads_to(const Model& model, const Shared& shared, ProviderId provider, GroupId group);

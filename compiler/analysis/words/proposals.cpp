@@ -38,13 +38,14 @@ bool is_only_source(const Model& model, ProviderId id) {
   const Provider& provider = model.providers[id];
   if (provider.sets.empty()) return false;
   const auto sources = find_sources(model);
-  const auto is_other = [&](const Source& source) { return source.provider != id; };
+  const auto is_own = [&](const Source& source) { return source.provider == id; };
   const auto waits_for_it = [&](const ConditionUse& use) {
     const Condition& condition = model.conditions[use.id];
-    const auto gives = [&](const Source& source) { return !source.values.intersected(condition.accepts).empty(); };
-    const std::vector<Source>& all = sources[condition.state];
-    return std::any_of(all.begin(), all.end(), [&](const Source& each) { return !is_other(each) && gives(each); }) &&
-           std::none_of(all.begin(), all.end(), [&](const Source& each) { return is_other(each) && gives(each); });
+    std::vector<Source> giving;
+    for (const Source& each : sources[condition.state]) {
+      if (!each.values.intersected(condition.accepts).empty()) giving.push_back(each);
+    }
+    return !giving.empty() && std::all_of(giving.begin(), giving.end(), is_own);
   };
   return std::any_of(model.providers.begin(), model.providers.end(), [&](const Provider& waiter) {
     return waiter.group != provider.group && std::any_of(waiter.when.begin(), waiter.when.end(), waits_for_it);
