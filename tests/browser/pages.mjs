@@ -460,14 +460,14 @@ await situation('a picture of sixty groups side by side begins in its middle, wi
   assert.deepEqual(await beyond(page), []);
 });
 
-for (const [name, tasks, seen] of [['aside', 'what the program requests', 1], ['far', 'one of the tasks of the program, if they are too far apart', 1]]) {
+for (const [name, tasks] of [['aside', 'what the program requests'], ['far', 'one of the tasks of the program, if they are too far apart']]) {
   await situation(`a picture that is wider than its frame begins at ${tasks}`, name, {}, async (page) => {
     const within = await page.evaluate(() => {
       const frame = document.querySelector('.picture').getBoundingClientRect();
       const roots = [...document.querySelectorAll('.picture g.node')].filter((node) => node.textContent.includes('▼'));
       return roots.map((node) => node.getBoundingClientRect()).filter(({ left, right }) => left >= frame.left && right <= frame.right).length;
     });
-    assert.equal(within, seen);
+    assert.equal(within, 1);
     await shot(page, name);
   });
 }
