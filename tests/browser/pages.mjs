@@ -246,6 +246,23 @@ await situation('a cell explains itself, with a scenario; arrow keys go to its n
   assert.equal(await page.locator('.matrix a[tabindex="0"]').count(), 1);
 });
 
+await situation('while a cell is explained, the names of the columns, the cell and the explanation are in sight', 'robocup', {}, async (page) => {
+  for (const row of [1, 12, 30]) {
+    await click(page.locator(`.matrix tbody tr:nth-child(${row}) td:nth-of-type(3) a`));
+    const seen = await page.evaluate(() => {
+      const [head, cell, panel] = ['.matrix thead th', '.matrix td[aria-current]', '#cell p'].map((each) => document.querySelector(each).getBoundingClientRect());
+      return { head: head.top, below: cell.top - head.bottom, panel: innerHeight - panel.bottom };
+    });
+    assert.ok(seen.head >= 0 && seen.below >= -1 && seen.panel >= 0, `${row}: ${JSON.stringify(seen)}`);
+    await shot(page, `robocup_cell_${row}`);
+  }
+});
+
+await situation('what a small matrix is of is said in few lines', 'alike', {}, async (page) => {
+  const { height } = await page.locator('.matrix caption').boundingBox();
+  assert.ok(height <= 50, `${height}`);
+});
+
 await situation('of any two groups the page says who goes first, and what decides, in either order', 'soccer', {}, async (page) => {
   const ask = async (first, second) => {
     await page.getByLabel('Who goes first,').fill(first);
