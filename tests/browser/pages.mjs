@@ -506,12 +506,26 @@ for (const width of [390, 1280]) {
       const [sign, words] = [...row.children].map((each) => each.getBoundingClientRect());
       return { text: row.textContent, sample: row.querySelectorAll('svg :is(polyline, text)').length, beside: sign.right <= words.left && Math.abs(sign.top - words.top) < 2, right: words.right, size: parseFloat(getComputedStyle(row).fontSize) };
     }));
-    assert.deepEqual(rows.map(({ text, sample }) => `${sample} ${text}`), ['2 ▶requests', '2 ●needs: holds it while it runs', '0 thick framethe program itself requests it']);
+    assert.deepEqual(rows.map(({ text, sample }) => `${sample} ${text}`), ['2 ▶requests', '2 ●needs: holds it while it runs', '0 thick framethe program itself requests it', '0 outer framethe focus, or found by the search']);
     for (const { beside, right, size } of rows) assert.ok(beside && right <= width && size >= 12, `${beside} ${right} ${size}`);
     assert.equal(await page.locator('.picture svg g.graph > text').count(), 0);
     await shot(page, `aside_${width}`);
   });
 }
+
+await situation('a picture without signs has no title either, as nothing is below it', 'no_roots', {}, async (page) => {
+  assert.deepEqual(await page.locator('.picture svg text').allTextContents(), ['Only']);
+  assert.equal(await page.locator('.signs').count(), 0);
+});
+
+await situation('the focus and what is found have an outer frame, and no thick one, which is of what the program requests', 'soccer', {}, async (page) => {
+  const look = (name) => page.locator(`.holder:not([hidden]) g.node:has(> title:text-is("${name}"))`).evaluate((node) => [getComputedStyle(node).outlineStyle, getComputedStyle(node.querySelector('path')).strokeWidth]);
+  const [, usual] = await look('Kick');
+  await click(page.locator('#group-Kick button.focus'));
+  assert.deepEqual([await look('Kick'), await look('KickTo')], [['solid', usual], ['none', usual]]);
+  await page.fill('#search', 'kickto');
+  assert.deepEqual(await look('KickTo'), ['solid', usual]);
+});
 
 await situation('a flat picture that has room in height begins at a size that can be read, though half of that would show all of it', 'flat', {}, async (page) => {
   const heights = await page.locator('.picture g.node text').evaluateAll((all) => all.map((text) => text.getBoundingClientRect().height));
