@@ -337,6 +337,20 @@ await situation('by module and by layer too the picture shows which groups run, 
   }
 });
 
+await situation('with a focus the note of the group is in the frame too', 'minute', {}, async (page) => {
+  await goToPush(page);
+  for (const group of ['Kick', 'Walk']) {
+    await page.locator(`#group-${group} button.focus`).evaluate((button) => button.click());
+    await frame(page);
+    const beyond = await page.locator('.holder:not([hidden]) .note').evaluateAll((all) => all.filter((note) => {
+      const [paper, frame] = [note, note.closest('.picture')].map((each) => each.getBoundingClientRect());
+      return paper.left < frame.left || paper.right > frame.right || paper.top < frame.top || paper.bottom > frame.bottom;
+    }).map((note) => note.textContent));
+    assert.deepEqual(beyond, []);
+    await all.shot(page, `minute_focus_${group}`);
+  }
+});
+
 await situation('the filter is whole on the screen, where it is narrow too', 'minute', {}, async (page) => {
   await page.locator('.filter summary').click();
   for (const width of [1040, 1280, 1400]) {

@@ -39,6 +39,7 @@ export class Picture {
   readonly arrows: { from: string; to: string; element: SVGGElement }[] = []; // and their labels; the ends are as in endsOf()
   private readonly boxes = new Map<string, SVGGElement>(); // by group; several groups may share a box, `LeftArm, RightArm`
   private readonly motion = zoom<SVGSVGElement, unknown>();
+  readonly notes = new Map<Element, Element>(); // by box: what stands beside it (picture_marks.ts)
   private pending?: () => void; // centres what was focused while this picture was hidden
   reveal: () => void = () => undefined; // shows this picture instead of the others
 
@@ -231,7 +232,7 @@ export class Picture {
     const matrix = this.svg.getScreenCTM();
     if (!matrix || matrix.a === 0) return;
     const around = (nodes: Element[]): DOMRect => {
-      const boxes = nodes.map((each) => each.getBoundingClientRect());
+      const boxes = nodes.flatMap((each) => [each, this.notes.get(each) ?? []].flat()).map((each) => each.getBoundingClientRect());
       const [left, top] = [Math.min(...boxes.map((box) => box.left)), Math.min(...boxes.map((box) => box.top))];
       return new DOMRect(left, top, Math.max(...boxes.map((box) => box.right)) - left, Math.max(...boxes.map((box) => box.bottom)) - top);
     };
