@@ -527,6 +527,24 @@ await situation('the focus and what is found have an outer frame, and no thick o
   assert.deepEqual(await look('KickTo'), ['solid', usual]);
 });
 
+for (const [name, parts] of [['alone', 0], ['flat', 4]]) {
+  await situation(`a picture that would be too small on paper is printed in parts too, all of which have something of the next (${parts})`, name, {}, async (page) => {
+    await page.emulateMedia({ media: 'print' });
+    await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+    const views = await page.locator('.pieces svg').evaluateAll((all) => all.map((each) => each.viewBox.baseVal).map(({ x, width }) => [x, x + width]));
+    assert.equal(views.length, parts);
+    if (parts === 0) return;
+    const whole = await page.locator('.picture svg').evaluate((svg) => svg.viewBox.baseVal.width);
+    const ends = views.map(([, end]) => end);
+    assert.deepEqual([views[0][0], Math.round(ends.at(-1))], [0, Math.round(whole)]);
+    for (const [i, [x, end]] of views.entries()) assert.ok(end - x <= 961 && (i === 0 || x <= ends[i - 1] - 100), `${x} ${end}`);
+    for (const name of ['Play', 'Leaf1', 'Leaf36']) assert.equal(await page.locator(`.pieces g.node > title:text-is("${name}")`).count(), parts);
+    await shot(page, `${name}_print`);
+    await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+    assert.equal(await page.locator('.pieces svg').count(), 0);
+  });
+}
+
 await situation('a flat picture that has room in height begins at a size that can be read, though half of that would show all of it', 'flat', {}, async (page) => {
   const heights = await page.locator('.picture g.node text').evaluateAll((all) => all.map((text) => text.getBoundingClientRect().height));
   assert.ok(Math.max(...heights) >= 10, `${Math.max(...heights)}`);

@@ -5,6 +5,7 @@ import { select } from 'd3-selection';
 import { zoom, zoomIdentity } from 'd3-zoom';
 import { button, make } from './elements';
 import { takeLegend } from './legend';
+import { addPieces } from './pieces';
 
 const inFront = 'near';
 
@@ -57,6 +58,7 @@ export class Picture {
     }
     this.legend = takeLegend(this.svg, layer);
     if (this.legend) frame.after(this.legend);
+    addPieces(this.svg, layer, frame);
     this.makeMovable(layer);
     this.tools = this.makeTools();
     frame.before(this.tools);
