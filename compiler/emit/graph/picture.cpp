@@ -311,7 +311,10 @@ private:
         box.about = words_.at(fmt::format("{}: there is no such group", request.name), request.span);
         picture_.boxes.push_back(std::move(box));
       }
-      if (!request.from) continue;
+      if (!request.from) {
+        picture_.boxes[at->second].requested = request.priorities;
+        continue;
+      }
       PictureArrow arrow;
       arrow.from.box = box_of_[*request.from];
       const PictureBox& from = picture_.boxes[arrow.from.box];
