@@ -249,8 +249,9 @@ private:
     for (const GroupArrow& from_groups : arrows_) {
       PictureArrow arrow = placed(from_groups);
       const bool folded = options_.fold != Fold::nothing;
-      if (folded && arrow.from.box == arrow.to.box) continue;
-      const bool pushes = from_groups.kind == ArrowKind::push || from_groups.kind == ArrowKind::take;
+      const bool takes = from_groups.kind == ArrowKind::take;
+      const bool pushes = from_groups.kind == ArrowKind::push || takes;
+      if (folded && !takes && arrow.from.box == arrow.to.box) continue; // who may take within a box is told
       const int kind = !folded || pushes ? static_cast<int>(from_groups.kind) : -1;
       const auto [found, fresh] = places.try_emplace({arrow.from, arrow.to, kind, folded ? std::string{} : arrow.label},
                                                      picture_.arrows.size());
