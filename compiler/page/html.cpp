@@ -5,6 +5,7 @@
 // only the script and the style whose hashes it has.
 #include "compiler/base/html.hpp"
 
+#include "compiler/base/counted.hpp"
 #include "compiler/base/packed.hpp"
 #include "compiler/base/sha256.hpp"
 #include "compiler/emit/artefact/notice.hpp"
@@ -57,21 +58,22 @@ constexpr std::array<Section, 8> sections{{{"picture", "Picture", pictures_html}
                                            {"findings", "Findings", findings_html}}};
 
 /// Appends to the title in the list of sections what a reader has to know before he trusts the page.
-void add_count(const Json& all, std::string_view key, std::string_view word, std::string_view words,
-               std::string_view sign, std::string& title) {
+void add_count(const Json& all, std::string_view key, std::string_view value, std::string_view sign,
+               std::string (*words)(std::uint64_t count, std::string_view value), std::string& title) {
   const auto count = std::count_if(all.items().begin(), all.items().end(),
-                                   [&](const Json& each) { return each[key].as_text() == word; });
+                                   [&](const Json& each) { return each[key].as_text() == value; });
   if (count == 0) return;
-  title += fmt::format("{} {} {} {}", title.find(':') == std::string::npos ? ":" : ",", sign, count,
-                       count == 1 ? word : words);
+  title += fmt::format("{} {} {}", title.find(':') == std::string::npos ? ":" : ",", sign,
+                       words(static_cast<std::uint64_t>(count), value));
 }
 
 std::string counted_title(const Section& section, const Json& data) {
   std::string out{section.title};
-  if (section.id == "assertions") add_count(data["verdicts"], "verdict", "refuted", "refuted", "\u2716", out);
+  const auto as_is = [](std::uint64_t count, std::string_view value) { return fmt::format("{} {}", count, value); };
+  if (section.id == "assertions") add_count(data["verdicts"], "verdict", "refuted", "\u2716", as_is, out);
   if (section.id == "findings") {
-    add_count(data["findings"], "level", "error", "errors", "\u2716", out);
-    add_count(data["findings"], "level", "warning", "warnings", "\u26a0", out);
+    add_count(data["findings"], "level", "error", "\u2716", counted, out);
+    add_count(data["findings"], "level", "warning", "\u26a0", counted, out);
   }
   return out;
 }

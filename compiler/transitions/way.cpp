@@ -9,6 +9,7 @@
 // decides: each choice that has other values is one to try.
 #include "compiler/transitions/way.hpp"
 
+#include "compiler/analysis/states/sources.hpp"
 #include "compiler/model/causers.hpp"
 
 #include <algorithm>
@@ -105,7 +106,13 @@ void add_ways(const Model& model, const std::vector<GroupId>& chain, Packs which
 
 class Wants {
 public:
-  Wants(const Model& model, Assume assume) : model_(model), assume_(assume) {}
+  Wants(const Model& model, Assume assume) : model_(model), assume_(assume), has_(model.states.size()) {
+    if (assume == Assume::nothing) return;
+    const IdTable<StateId, std::vector<analysis::Source>> sources = analysis::find_sources(model);
+    for (const StateId id : model.states.ids()) {
+      for (const analysis::Source& source : sources[id]) has_[id] = has_[id].united(source.values);
+    }
+  }
 
   /// First without what the other tasks of the units want: it may come by a push. Last also with what those want that
   /// can be pushed.
@@ -136,6 +143,10 @@ public:
 
 private:
   bool may_choose(const State& state) const { return state.external || assume_ == Assume::inside; }
+  /// A state that only bodies set may begin with a value that it can get.
+  ValueSet choices_of(StateId id) const {
+    return model_.states[id].external ? model_.states[id].domain() : has_[id];
+  }
 
   /// False: no value meets all conditions.
   bool want(const std::vector<ConditionUse>& uses) {
@@ -148,7 +159,7 @@ private:
           open(causers_[use.id]);
         continue;
       }
-      ValueSet& set = wanted_.try_emplace(condition.state, state.domain()).first->second;
+      ValueSet& set = wanted_.try_emplace(condition.state, choices_of(condition.state)).first->second;
       set = set.intersected(condition.accepts);
       possible = possible && !set.empty();
     }
@@ -254,7 +265,7 @@ private:
       const State& state = model_.states[condition.state];
       if (!may_choose(state)) continue;
       const std::map<StateId, ValueSet> before = wanted_;
-      ValueSet& set = wanted_.try_emplace(condition.state, state.domain()).first->second;
+      ValueSet& set = wanted_.try_emplace(condition.state, choices_of(condition.state)).first->second;
       set = set.without(condition.accepts);
       if (!set.empty() && avoid(0)) return true;
       wanted_ = before;
@@ -264,6 +275,7 @@ private:
 
   const Model& model_;
   const Assume assume_;
+  IdTable<StateId, ValueSet> has_; ///< with Assume::inside: what each state may have
   std::vector<ProviderId> avoided_;
   std::vector<std::vector<ProviderId>> open_;
   std::map<StateId, ValueSet> wanted_;

@@ -49,7 +49,8 @@ struct Outside {
   Values given;                       ///< likewise the initial values of states that only bodies set
 };
 
-/// Whether states that only bodies set may begin with the wanted values, or all of them with the declared ones.
+/// Whether states that only bodies set may begin with the wanted values, if bodies set them, or all with the declared
+/// ones.
 enum class Assume : bool { nothing, inside };
 
 /// The values to try, the likeliest first; empty if none are suitable. At most `most_outsides`.

@@ -15,6 +15,7 @@ endforeach()
 file(WRITE ${into}/wide.yaml "${wide}")
 file(WRITE ${into}/exact.yaml "behaviour: exact\nlanguage: 1\nroots: [KickTo, Kick, kicks]\ngroups: {KickTo: {}, Kick: {}, kicks: {}}\n")
 file(WRITE ${into}/alone.yaml "behaviour: alone\nlanguage: 1\nroots: [Only]\ngroups:\n  Only: {}\n")
+file(WRITE ${into}/no_roots.yaml "behaviour: no_roots\nlanguage: 1\nroots: []\ngroups:\n  Only: {}\n")
 file(WRITE ${into}/alike.yaml "behaviour: alike\nlanguage: 1\nroots: {Walkto: {priority: 10}, WalkTo: {priority: 30}, Sit: {priority: 20}}
 groups: {Walkto: {needs: [Legs]}, WalkTo: {needs: [Legs]}, Sit: {needs: [Legs]}, Legs: {}}\n")
 set(aside "behaviour: aside\nlanguage: 1\nroots: [Play]\ngroups:\n  Play: {tasks: [Thing1]}\n")
@@ -51,7 +52,7 @@ groups:
   ${name}Below: {}\n")
 file(WRITE ${into}/long_takes.yaml "behaviour: takes\nlanguage: 1\nroots: {${name}First: {priority: 20}, ${name}Second: {priority: 10}}
 groups: {${name}First: {needs: [${name}Below]}, ${name}Second: {needs: [${name}Below]}, ${name}Below: {}}\n")
-execute_process(COMMAND ${DIRECTORC} docs behaviours/soccer/soccer.yaml behaviours/robocup/robocup.yaml ${into}/wide.yaml ${into}/aside.yaml ${into}/flat.yaml ${into}/far.yaml ${into}/alone.yaml ${into}/alike.yaml ${into}/exact.yaml ${into}/long_names.yaml ${into}/long_takes.yaml -o ${into}/out
+execute_process(COMMAND ${DIRECTORC} docs behaviours/soccer/soccer.yaml behaviours/robocup/robocup.yaml ${into}/wide.yaml ${into}/aside.yaml ${into}/flat.yaml ${into}/far.yaml ${into}/alone.yaml ${into}/no_roots.yaml ${into}/alike.yaml ${into}/exact.yaml ${into}/long_names.yaml ${into}/long_takes.yaml -o ${into}/out
                         "--link=https://git.example.org/{file}#L{line}"
                 WORKING_DIRECTORY ${ROOT} COMMAND_ERROR_IS_FATAL ANY)
 # An assertion of it is refuted, so this ends with 1.

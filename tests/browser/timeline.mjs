@@ -294,6 +294,63 @@ await situation('the filter says which events are stepped to and listed, and whi
   assert.equal(await page.locator('.labels a').count(), before);
 });
 
+await situation('above the list of events it is said which kinds the filter hides', 'minute', {}, async (page) => {
+  const hidden = () => page.locator('#events > p').textContent();
+  assert.equal(await hidden(), 'Hidden by the filter: other inputs, runs, what bodies request, granted, lost and withdrawn, done and failed.');
+  await page.locator('.filter summary').click();
+  await page.getByLabel('runs', { exact: true }).check();
+  await page.getByLabel('pushes', { exact: true }).uncheck();
+  await frame(page);
+  assert.equal(await hidden(), 'Hidden by the filter: other inputs, what bodies request, granted, lost and withdrawn, pushes, done and failed.');
+  for (const box of await page.locator('.filter fieldset:first-of-type input').all()) await box.check();
+  await frame(page);
+  assert.equal(await hidden(), '');
+});
+
+/** Goes to the first push. */
+async function goToPush(page) {
+  await page.locator('.filter summary').click();
+  for (const box of await page.locator('.filter fieldset:first-of-type input').all()) await box.uncheck();
+  await page.getByLabel('pushes', { exact: true }).check();
+  await page.locator('.filter summary').click();
+  await press(page, 'ArrowRight');
+  assert.match(await where(page), /: push Walk\.halting for KickTo>Kick/);
+}
+
+await situation('by module and by layer too the picture shows which groups run, which push is in force, and who is pushed', 'minute', {}, async (page) => {
+  await goToPush(page);
+  const names = (all) => all.map((line) => line.split(':')[0]);
+  const running = [...names(await lines(page, 'Runs')), ...names(await lines(page, 'Pushed'))].sort();
+  assert.ok(running.length > 4 && running.includes('Walk') && !running.includes('Kick'), `${running}`);
+  // Where the box has several groups the note names its group; both of these are in one layer.
+  for (const [view, pushes, notes] of [
+    ['By module', ['module kicking → module locomotion'], ['pushed to halting for Kick', 'queued: until Stability == standing']],
+    ['By layer', [], ['Walk: pushed to halting for Kick']],
+  ]) {
+    await page.getByLabel(view, { exact: true }).check();
+    await frame(page);
+    const signs = await page.locator('.holder:not([hidden]) g.node text').evaluateAll((all) => all.map((text) => text.textContent).filter((text) => text.startsWith('▶ ')).map((text) => text.slice(2)).sort());
+    assert.deepEqual(signs, running);
+    assert.deepEqual(await page.locator('.holder:not([hidden]) g.edge.is-pushed > title').allTextContents(), pushes);
+    assert.deepEqual((await page.locator('.holder:not([hidden]) .note').allTextContents()).sort(), notes);
+    await all.shot(page, `minute_push_${view}`);
+  }
+});
+
+await situation('with a focus the note of the group is in the frame too', 'minute', {}, async (page) => {
+  await goToPush(page);
+  for (const group of ['Kick', 'Walk']) {
+    await page.locator(`#group-${group} button.focus`).evaluate((button) => button.click());
+    await frame(page);
+    const beyond = await page.locator('.holder:not([hidden]) .note').evaluateAll((all) => all.filter((note) => {
+      const [paper, frame] = [note, note.closest('.picture')].map((each) => each.getBoundingClientRect());
+      return paper.left < frame.left || paper.right > frame.right || paper.top < frame.top || paper.bottom > frame.bottom;
+    }).map((note) => note.textContent));
+    assert.deepEqual(beyond, []);
+    await all.shot(page, `minute_focus_${group}`);
+  }
+});
+
 await situation('the filter is whole on the screen, where it is narrow too', 'minute', {}, async (page) => {
   await page.locator('.filter summary').click();
   for (const width of [1040, 1280, 1400]) {

@@ -96,7 +96,7 @@ private:
     std::string lines;
     for (std::size_t begin = 0; begin <= text.size();) {
       const std::size_t end = std::min(text.find('\n', begin), text.size());
-      lines += (lines.empty() ? "" : "<BR/>") + html_attribute(text.substr(begin, end - begin));
+      lines += (lines.empty() ? "" : "<BR/>") + palette::wrapped(text.substr(begin, end - begin), 0, "<BR/>");
       begin = end + 1;
     }
     return fmt::format(

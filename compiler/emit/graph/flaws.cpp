@@ -64,9 +64,17 @@ public:
   }
 
   void look_at(const std::vector<dsl::TaskSpec>& roots) {
+    const bool numbers = std::any_of(roots.begin(), roots.end(), [](const dsl::TaskSpec& root) {
+      return std::any_of(root.levels.begin(), root.levels.end(),
+                         [](const dsl::LevelSpec& level) { return level.priority.value != 0; });
+    });
     for (const dsl::TaskSpec& root : roots) {
-      if (!model_.find_group(root.name.value))
-        out_.requests.push_back({{}, {}, false, root.name.value, root.name.span});
+      if (model_.find_group(root.name.value)) continue;
+      out_.requests.push_back({{}, {}, false, root.name.value, root.name.span, {}});
+      if (!numbers) continue;
+      std::string& priorities = out_.requests.back().priorities;
+      for (const dsl::LevelSpec& level : root.levels)
+        priorities += fmt::format("{}{}", priorities.empty() ? "" : ", ", level.priority.value);
     }
   }
 
@@ -84,7 +92,7 @@ private:
     const auto same = std::find_if(out_.requests.begin(), out_.requests.end(), [&](const PictureFlaws::Request& known) {
       return known.from == group && known.row == row && known.name == name.value;
     });
-    if (same == out_.requests.end()) out_.requests.push_back({group, row, need, name.value, name.span});
+    if (same == out_.requests.end()) out_.requests.push_back({group, row, need, name.value, name.span, {}});
   }
 
   void tasks(GroupId group, std::optional<std::size_t> row, const std::vector<dsl::TaskSpec>& all) {

@@ -154,6 +154,8 @@ private:
     add(is(Kind::both), Sample::both, "needs and requests");
     add(is(Kind::push), Sample::push, "waits until that is true, and may push the other to make it true");
     add(is(Kind::take), Sample::take, "may take from the other what it holds, by these ranks");
+    add_sign(draws([](const PictureArrow& arrow) { return arrow.from.box == arrow.to.box; }), "back to its box",
+             "one of its groups may take from another one of it");
     add_sign(draws([](const PictureArrow& arrow) { return asks(arrow) && has_number(arrow.label); }), "20",
              "priority among all that the same one requests: the higher one wins");
   }

@@ -8,12 +8,12 @@
 
 namespace director::compiler::palette {
 
-std::string wrapped(std::string_view text, std::size_t before) {
+std::string wrapped(std::string_view text, std::size_t before, std::string_view line_end) {
   constexpr std::size_t width = 36;
   std::string out, line;
   const auto end_line = [&] {
     if (line.empty()) return;
-    out += (out.empty() ? "" : "<BR ALIGN=\"LEFT\"/>") + html_attribute(line);
+    out += (out.empty() ? "" : std::string(line_end)) + html_attribute(line);
     line.clear();
   };
   while (!text.empty()) {

@@ -249,8 +249,9 @@ private:
     for (const GroupArrow& from_groups : arrows_) {
       PictureArrow arrow = placed(from_groups);
       const bool folded = options_.fold != Fold::nothing;
-      if (folded && arrow.from.box == arrow.to.box) continue;
-      const bool pushes = from_groups.kind == ArrowKind::push || from_groups.kind == ArrowKind::take;
+      const bool takes = from_groups.kind == ArrowKind::take;
+      const bool pushes = from_groups.kind == ArrowKind::push || takes;
+      if (folded && !takes && arrow.from.box == arrow.to.box) continue; // who may take within a box is told
       const int kind = !folded || pushes ? static_cast<int>(from_groups.kind) : -1;
       const auto [found, fresh] = places.try_emplace({arrow.from, arrow.to, kind, folded ? std::string{} : arrow.label},
                                                      picture_.arrows.size());
@@ -311,7 +312,10 @@ private:
         box.about = words_.at(fmt::format("{}: there is no such group", request.name), request.span);
         picture_.boxes.push_back(std::move(box));
       }
-      if (!request.from) continue;
+      if (!request.from) {
+        picture_.boxes[at->second].requested = request.priorities;
+        continue;
+      }
       PictureArrow arrow;
       arrow.from.box = box_of_[*request.from];
       const PictureBox& from = picture_.boxes[arrow.from.box];

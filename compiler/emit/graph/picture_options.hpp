@@ -57,6 +57,7 @@ struct PictureFlaws {
     bool need = false;
     std::string name;
     dsl::Span span{};
+    std::string priorities{}; ///< of the program's request; empty: it has none
   };
   struct Line {
     GroupId group{};

@@ -11,7 +11,7 @@ export function takeLegend(svg: SVGSVGElement, layer: SVGGElement): HTMLElement 
   const parts = [...layer.children].filter((each) => each.matches('text, polyline'));
   const texts = parts.filter((each) => each.matches('text'));
   const top = yOf(texts[0]) + 12; // notes below the last boxes (picture_marks.ts) have space
-  if (texts.length < 2) return undefined;
+  if (texts.length === 0) return undefined;
   const list = make('dl', { class: 'legend' });
   let sample: Element[] = []; // what stands before the words: lines, and a sign
   for (const part of parts) {
@@ -28,6 +28,8 @@ export function takeLegend(svg: SVGSVGElement, layer: SVGGElement): HTMLElement 
   const left = Math.ceil(height - 4 + top); // the coordinates of the layer begin 4 points above the bottom
   svg.setAttribute('viewBox', `0 0 ${width} ${left}`);
   svg.setAttribute('height', `${left}pt`);
+  if (list.childElementCount === 0) return undefined;
+  list.append(make('div', { class: 'on-screen' }, make('dt', {}, 'outer frame'), make('dd', {}, 'the focus, or found by the search')));
   return make('details', { class: 'signs', open: '' }, make('summary', {}, 'What the signs mean'), list);
 }
 

@@ -63,8 +63,11 @@ export class Matrix {
 
   private go(i: number, j: number): void {
     for (const row of this.links) for (const link of row) link.tabIndex = -1;
-    this.links[i][j].tabIndex = 0;
-    this.links[i][j].focus();
+    const link = this.links[i][j];
+    const [frame, corner] = [link.closest<HTMLElement>('.matrix'), link.closest('table')?.tHead?.rows[0].cells[0]];
+    if (frame && corner) frame.style.scrollPadding = `${corner.offsetHeight}px 0 0 ${corner.offsetWidth}px`; // else names would hide the cell
+    link.tabIndex = 0;
+    link.focus();
   }
 
   private explain(i: number, j: number): void {
@@ -91,11 +94,13 @@ export class Matrix {
     this.reveal(this.links[i][j], panel);
   }
 
-  /** Scrolls the explanation, which is below the matrix, into the viewport as far as the cell remains visible. */
+  /** Scrolls the explanation, which is below the matrix, into the viewport as far as the names of the columns remain visible. */
   private reveal(link: HTMLElement, panel: HTMLElement): void {
+    link.scrollIntoView({ block: 'nearest', inline: 'nearest' }); // the matrix is lower while there is an explanation
     const missing = panel.getBoundingClientRect().bottom - innerHeight;
-    const room = link.getBoundingClientRect().top - 2 * link.offsetHeight;
-    scrollBy(0, Math.max(0, Math.min(missing, room)));
+    const head = link.closest('table')?.tHead?.rows[0].cells[0] ?? link; // it stays at the top of the matrix
+    const covered = parseFloat(getComputedStyle(document.documentElement).scrollPaddingTop);
+    scrollBy(0, Math.min(Math.max(0, missing), head.getBoundingClientRect().top - covered));
   }
 
   /** Copies the text; without permission to use the clipboard, the text is selected. */

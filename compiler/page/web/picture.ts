@@ -5,6 +5,7 @@ import { select } from 'd3-selection';
 import { zoom, zoomIdentity } from 'd3-zoom';
 import { button, make } from './elements';
 import { takeLegend } from './legend';
+import { addPieces } from './pieces';
 
 const inFront = 'near';
 
@@ -39,6 +40,7 @@ export class Picture {
   readonly arrows: { from: string; to: string; element: SVGGElement }[] = []; // and their labels; the ends are as in endsOf()
   private readonly boxes = new Map<string, SVGGElement>(); // by group; several groups may share a box, `LeftArm, RightArm`
   private readonly motion = zoom<SVGSVGElement, unknown>();
+  readonly notes = new Map<Element, Element>(); // by box: what stands beside it (picture_marks.ts)
   private pending?: () => void; // centres what was focused while this picture was hidden
   reveal: () => void = () => undefined; // shows this picture instead of the others
 
@@ -56,6 +58,7 @@ export class Picture {
     }
     this.legend = takeLegend(this.svg, layer);
     if (this.legend) frame.after(this.legend);
+    addPieces(this.svg, layer, frame);
     this.makeMovable(layer);
     this.tools = this.makeTools();
     frame.before(this.tools);
@@ -231,7 +234,7 @@ export class Picture {
     const matrix = this.svg.getScreenCTM();
     if (!matrix || matrix.a === 0) return;
     const around = (nodes: Element[]): DOMRect => {
-      const boxes = nodes.map((each) => each.getBoundingClientRect());
+      const boxes = nodes.flatMap((each) => [each, this.notes.get(each) ?? []].flat()).map((each) => each.getBoundingClientRect());
       const [left, top] = [Math.min(...boxes.map((box) => box.left)), Math.min(...boxes.map((box) => box.top))];
       return new DOMRect(left, top, Math.max(...boxes.map((box) => box.right)) - left, Math.max(...boxes.map((box) => box.bottom)) - top);
     };

@@ -177,6 +177,7 @@ export class PictureMarks {
   /** Places all notes anew: where one can stand depends on the others. Their letters are larger if the scale is small. */
   private putNotes(): void {
     for (const box of this.boxes) box.note?.remove();
+    this.picture.notes.clear();
     const noted = this.boxes.filter(({ words }) => words !== '');
     if (noted.length === 0) return;
     const { paper, boxes, labels } = this.surroundings();
@@ -187,7 +188,10 @@ export class PictureMarks {
       taken.push(place);
       return place;
     });
-    noted.forEach((box, i) => (box.note = drawNote(box, places[i])));
+    noted.forEach((box, i) => {
+      box.note = drawNote(box, places[i]);
+      this.picture.notes.set(box.node, box.note);
+    });
   }
 
   private surroundings(): Surroundings {

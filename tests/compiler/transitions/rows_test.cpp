@@ -163,6 +163,20 @@ groups:
         "Trip.going sets Leg == looking.");
 }
 
+TEST_CASE("unreachable: no body sets the value that it wants") {
+  const auto pose = [](const std::string& provider) {
+    return "states: {Pose: {values: [down, up, high], initial: down}}\nroots: {A: {priority: 2}, D: {priority: 1}}\n"
+           "groups:\n  A: {when: [Pose == up], needs: [Legs]}\n  D: {needs: [Legs], " +
+           provider + "}\n  Legs: {}\n";
+  };
+  const std::string waits = "A waits (root>A): until Pose == up, which no enabled provider promises.";
+  CHECK(row_words(pose(""), "A") == waits);
+  CHECK(cell_words(pose(""), "A", "D") == "unreachable: A is not made to run.");
+  CHECK(row_words(pose("sets: [Pose == high]"), "A") == waits);
+  CHECK(row_words(pose("sets: [Pose == up|high]"), "A") ==
+        "Requested by way of A. It begins with Pose == up, which only bodies set.");
+}
+
 TEST_CASE("unreachable: it never gets what it needs") {
   const char* const lost = R"(roots: [Walk, Play]
 groups:
