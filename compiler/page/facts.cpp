@@ -4,7 +4,7 @@
 
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/facts/pushes.hpp"
-#include "compiler/emit/graph/take_ranks.hpp"
+#include "compiler/emit/graph/picture/take_ranks.hpp"
 #include "compiler/explore/limits.hpp"
 #include "compiler/explore/verdict.hpp"
 #include "compiler/graph/algorithms.hpp"

@@ -5,7 +5,7 @@
 // pages are made from that alone.
 
 #include "compiler/base/json.hpp"
-#include "compiler/emit/graph/picture_options.hpp"
+#include "compiler/emit/graph/picture/picture_options.hpp"
 #include "compiler/graph/graph.hpp"
 #include "compiler/model/model.hpp"
 #include "compiler/play/coverage/coverage.hpp"

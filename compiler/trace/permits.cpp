@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/trace/permits.hpp"
 
-#include "compiler/play/names.hpp"
-#include "compiler/play/resolve_case.hpp"
+#include "compiler/play/scenario/names.hpp"
+#include "compiler/play/scenario/resolve_case.hpp"
 #include "runtime/core/api/event_names.hpp"
 
 #include <fmt/format.h>

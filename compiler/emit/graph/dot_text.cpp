@@ -1,4 +1,4 @@
-// Header: compiler/emit/graph/dot_text.hpp. Test: tests/compiler/emit/graph/picture_test.cpp.
+// Header: compiler/emit/graph/dot_text.hpp. Test: tests/compiler/emit/graph/picture/picture_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/emit/graph/dot_text.hpp"
 

@@ -3,7 +3,7 @@
 // A picture in the formats that other programs draw or read.
 
 #include "compiler/base/json.hpp"
-#include "compiler/emit/graph/picture.hpp"
+#include "compiler/emit/graph/picture/picture.hpp"
 #include "dsl/source/diagnostic.hpp"
 
 #include <string>

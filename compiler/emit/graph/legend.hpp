@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // The text below a picture: its title, and a legend of everything that is drawn in it, and of nothing else.
 
-#include "compiler/emit/graph/picture.hpp"
+#include "compiler/emit/graph/picture/picture.hpp"
 
 #include <string>
 #include <string_view>

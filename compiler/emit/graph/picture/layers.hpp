@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Finds the vertical order of a picture.
 
-#include "compiler/emit/graph/picture.hpp"
+#include "compiler/emit/graph/picture/picture.hpp"
 #include "compiler/graph/graph.hpp"
 #include "compiler/model/model.hpp"
 

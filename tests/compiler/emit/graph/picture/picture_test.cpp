@@ -2,7 +2,7 @@
 // The content of a picture, before any format.
 #include "compiler/emit/graph/formats.hpp"
 #include "compiler/emit/graph/legend.hpp"
-#include "compiler/emit/graph/picture.hpp"
+#include "compiler/emit/graph/picture/picture.hpp"
 #include "tests/compiler/support/compiled.hpp"
 
 #include <catch2/catch.hpp>

@@ -3,7 +3,7 @@
 // Finds the groups related to some groups: what can reach them, what they can hold, push relations, and groups with
 // common needs.
 
-#include "compiler/emit/graph/picture_options.hpp"
+#include "compiler/emit/graph/picture/picture_options.hpp"
 #include "compiler/graph/graph.hpp"
 #include "compiler/model/model.hpp"
 

@@ -1,6 +1,6 @@
-// Header: compiler/emit/graph/flaws.hpp. Test: tests/compiler/emit/graph/flaws_test.cpp.
+// Header: compiler/emit/graph/picture/flaws.hpp. Test: tests/compiler/emit/graph/picture/flaws_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/emit/graph/flaws.hpp"
+#include "compiler/emit/graph/picture/flaws.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
-// Header: compiler/emit/graph/boxes.hpp. Test: tests/compiler/emit/graph/picture_test.cpp.
+// Header: compiler/emit/graph/picture/boxes.hpp. Test: tests/compiler/emit/graph/picture/picture_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/emit/graph/boxes.hpp"
+#include "compiler/emit/graph/picture/boxes.hpp"
 
 #include "compiler/base/counted.hpp"
-#include "compiler/emit/graph/group_arrows.hpp"
+#include "compiler/emit/graph/picture/group_arrows.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
-// Header: compiler/emit/graph/take_ranks.hpp. Test: tests/compiler/emit/graph/picture_test.cpp.
+// Header: compiler/emit/graph/picture/take_ranks.hpp. Test: tests/compiler/emit/graph/picture/picture_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/emit/graph/take_ranks.hpp"
+#include "compiler/emit/graph/picture/take_ranks.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
-// Header: compiler/emit/graph/words.hpp. Test: tests/compiler/emit/graph/picture_test.cpp.
+// Header: compiler/emit/graph/picture/words.hpp. Test: tests/compiler/emit/graph/picture/picture_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/emit/graph/words.hpp"
+#include "compiler/emit/graph/picture/words.hpp"
 
 #include "dsl/lexical/duration.hpp"
 

@@ -1,12 +1,12 @@
-// Header: compiler/emit/graph/picture.hpp. Test: tests/compiler/emit/graph/picture_test.cpp.
+// Header: compiler/emit/graph/picture/picture.hpp. Test: tests/compiler/emit/graph/picture/picture_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/emit/graph/picture.hpp"
+#include "compiler/emit/graph/picture/picture.hpp"
 
-#include "compiler/emit/graph/boxes.hpp"
-#include "compiler/emit/graph/focus.hpp"
-#include "compiler/emit/graph/group_arrows.hpp"
-#include "compiler/emit/graph/layers.hpp"
-#include "compiler/emit/graph/words.hpp"
+#include "compiler/emit/graph/picture/boxes.hpp"
+#include "compiler/emit/graph/picture/focus.hpp"
+#include "compiler/emit/graph/picture/group_arrows.hpp"
+#include "compiler/emit/graph/picture/layers.hpp"
+#include "compiler/emit/graph/picture/words.hpp"
 
 #include <fmt/format.h>
 

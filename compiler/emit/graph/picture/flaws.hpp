@@ -3,7 +3,7 @@
 // Faults of a behaviour, for its picture: what the Model could not take from the Spec, and findings, each at its box or
 // row.
 
-#include "compiler/emit/graph/picture_options.hpp"
+#include "compiler/emit/graph/picture/picture_options.hpp"
 #include "compiler/model/model.hpp"
 #include "dsl/source/diagnostic.hpp"
 #include "dsl/source/source_file.hpp"

@@ -1,6 +1,6 @@
-// Header: compiler/emit/graph/layers.hpp. Test: tests/compiler/emit/graph/picture_test.cpp.
+// Header: compiler/emit/graph/picture/layers.hpp. Test: tests/compiler/emit/graph/picture/picture_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/emit/graph/layers.hpp"
+#include "compiler/emit/graph/picture/layers.hpp"
 
 #include <algorithm>
 #include <string>

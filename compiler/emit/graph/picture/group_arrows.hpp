@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Requests, needs, pushes and take-overs as arrows between groups, before groups are assigned to boxes.
 
-#include "compiler/emit/graph/picture.hpp"
+#include "compiler/emit/graph/picture/picture.hpp"
 
 #include <optional>
 #include <string>

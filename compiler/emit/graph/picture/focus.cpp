@@ -1,6 +1,6 @@
-// Header: compiler/emit/graph/focus.hpp. Test: tests/compiler/emit/graph/picture_test.cpp.
+// Header: compiler/emit/graph/picture/focus.hpp. Test: tests/compiler/emit/graph/picture/picture_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/emit/graph/focus.hpp"
+#include "compiler/emit/graph/picture/focus.hpp"
 
 #include "compiler/graph/algorithms.hpp"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 // The texts of a picture: conditions as they are written, `doc` texts, places.
 
-#include "compiler/emit/graph/group_arrows.hpp"
-#include "compiler/emit/graph/picture.hpp"
+#include "compiler/emit/graph/picture/group_arrows.hpp"
+#include "compiler/emit/graph/picture/picture.hpp"
 
 namespace director::compiler {
 

@@ -4,7 +4,7 @@
 // and places only, so that a format has nothing to look up. If a group requests everything in one way, the arrow leaves
 // from the group, otherwise from the requesting provider or pack.
 
-#include "compiler/emit/graph/picture_options.hpp"
+#include "compiler/emit/graph/picture/picture_options.hpp"
 #include "compiler/graph/graph.hpp"
 #include "compiler/model/model.hpp"
 #include "dsl/source/source_file.hpp"

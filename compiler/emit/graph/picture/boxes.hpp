@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 // Makes the boxes of a picture: of one group, of several that are requested alike, of a module or a layer.
 
-#include "compiler/emit/graph/picture.hpp"
-#include "compiler/emit/graph/words.hpp"
+#include "compiler/emit/graph/picture/picture.hpp"
+#include "compiler/emit/graph/picture/words.hpp"
 
 #include <vector>
 
