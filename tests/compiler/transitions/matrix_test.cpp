@@ -212,10 +212,11 @@ groups:
 
 TEST_CASE("never: nothing causes what it waits for, also when the first one is done") {
   const char* const lost = R"(states: {Pose: {values: [moving, still]}}
-roots: [Walk, Wait]
+roots: [Walk, Wait, Stand]
 groups:
   Walk: {needs: [Legs]}
   Wait: {when: [Pose == still], needs: [Head]}
+  Stand: {needs: [Legs], sets: [Pose == still]}
   Legs: {}
   Head: {}
 )";

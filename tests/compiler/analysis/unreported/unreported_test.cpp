@@ -138,19 +138,25 @@ TEST_CASE("a finding that does not report that something never happens rules not
 }
 
 /// H alone makes S what G waits for, G takes what H needs, and without H its value of S is lost.
-TEST_CASE("a group that is granted and never runs is reported") {
-  const tests::CheckedText checked = tests::check_text(R"(states: {S: {values: [a, b], initial: b, of: H}}
-roots: {G: {priority: 2}, H: {priority: 1}}
+TEST_CASE("a group that is granted and never runs is reported, unless another finding says why") {
+  const auto findings = [](const std::string& root, const std::string& group) {
+    return tests::check_text("states: {S: {values: [a, b], initial: b, of: H}}\nroots: {" + root +
+                             R"(: {priority: 2}, H: {priority: 1}}
 groups:
   G: {when: [S == a], needs: [R]}
   H: {needs: [R], sets: [S == a]}
   R: {}
-)");
-  CHECK(checked.findings() ==
-        "main.yaml:6: `G` never runs: wherever it is granted, a state that returns to its initial value takes "
-        "that away before it runs "
-        "[shadowed_provider]\n"
-        "main.yaml:6: no provider of `G` can run while `S` is b [uncovered_state]\n");
+)" + group + "allow: [waiting_company]\nbecause: they belong together\n")
+        .findings();
+  };
+  const std::string never = " never runs: wherever it is granted, a state that returns to its initial value takes that "
+                            "away before it runs [shadowed_provider]\n";
+  const std::string uncovered = "main.yaml:6: no provider of `G` can run while `S` is b [uncovered_state]\n";
+  CHECK(findings("P", "  P: {packs: {both: {G: {}, Z: {}}}}\n  Z: {}\n") ==
+        "main.yaml:6: `G`" + never + uncovered + "main.yaml:10: `Z`" + never);
+  CHECK(findings("G", "") == "main.yaml:3: `S` is b again when `H` stops, and it is stopped when `G` is granted, which "
+                             "waits for `S == a`: the two go round [undone_by_stop]\n" +
+                                 uncovered);
 }
 
 /// G.one takes what P needs; so K ends, and with it the value of S that K sets.
