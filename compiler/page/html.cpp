@@ -57,23 +57,26 @@ constexpr std::array<Section, 8> sections{{{"picture", "Picture", pictures_html}
                                            {"assertions", "Assertions", assertions_html},
                                            {"findings", "Findings", findings_html}}};
 
-/// Appends to the title in the list of sections what a reader has to know before he trusts the page.
-void add_count(const Json& all, std::string_view key, std::string_view value, std::string_view sign,
-               std::string (*words)(std::uint64_t count, std::string_view value), std::string& title) {
-  const auto count = std::count_if(all.items().begin(), all.items().end(),
-                                   [&](const Json& each) { return each[key].as_text() == value; });
-  if (count == 0) return;
-  title += fmt::format("{} {} {}", title.find(':') == std::string::npos ? ":" : ",", sign,
-                       words(static_cast<std::uint64_t>(count), value));
+std::uint64_t count_where(const Json& all, std::string_view key, std::string_view value) {
+  return static_cast<std::uint64_t>(std::count_if(all.items().begin(), all.items().end(),
+                                                  [&](const Json& each) { return each[key].as_text() == value; }));
 }
 
+/// The title in the list of sections, with what a reader has to know before he trusts the page.
 std::string counted_title(const Section& section, const Json& data) {
   std::string out{section.title};
-  const auto as_is = [](std::uint64_t count, std::string_view value) { return fmt::format("{} {}", count, value); };
-  if (section.id == "assertions") add_count(data["verdicts"], "verdict", "refuted", "\u2716", as_is, out);
+  const auto add = [&](std::uint64_t count, std::string_view sign, const std::string& words) {
+    if (count != 0) out += fmt::format("{} {} {}", out.find(':') == std::string::npos ? ":" : ",", sign, words);
+  };
+  if (section.id == "assertions") {
+    const std::uint64_t refuted = count_where(data["verdicts"], "verdict", "refuted");
+    add(refuted, "\u2716", fmt::format("{} refuted", refuted));
+  }
   if (section.id == "findings") {
-    add_count(data["findings"], "level", "error", "\u2716", counted, out);
-    add_count(data["findings"], "level", "warning", "\u26a0", counted, out);
+    const std::uint64_t errors = count_where(data["findings"], "level", "error");
+    const std::uint64_t warnings = count_where(data["findings"], "level", "warning");
+    add(errors, "\u2716", counted(errors, "error"));
+    add(warnings, "\u26a0", counted(warnings, "warning"));
   }
   return out;
 }

@@ -94,9 +94,30 @@ private:
     for (const EdgeId edge : refused) {
       if (!is_reported(edge)) out_.tasks.push_back(edge);
     }
+    if (std::any_of(group.requesters.begin(), group.requesters.end(),
+                    [&](EdgeId edge) { return waits_for_conflict(edge); }))
+      return; // it may run for that one
     for (const ProviderId each : all) {
       if (!runs(each) && !is_silent(each)) out_.providers.push_back(each);
     }
+  }
+
+  /// Whether its requester never runs since each request for that is in a pack that a finding reports.
+  bool waits_for_conflict(EdgeId edge) const {
+    const std::optional<GroupId>& requester = model_.edges[edge].requester;
+    if (!requester || model_.edges[edge].levels.empty() || occurrences_.requested.contains(edge)) return false;
+    const std::vector<EdgeId>& above = model_.groups[*requester].requesters;
+    bool asked = false;
+    for (const EdgeId each : above) {
+      if (!occurrences_.requested.contains(each)) continue;
+      const std::vector<const Task*> entries = entries_of(model_, each);
+      if (occurrences_.granted.contains(each) || std::none_of(entries.begin(), entries.end(), [&](const Task* task) {
+            return reported_in_packs_.count(task->span) != 0;
+          }))
+        return false;
+      asked = true;
+    }
+    return asked;
   }
 
   bool all_refused_are_reported(const std::vector<EdgeId>& requested) const {

@@ -185,3 +185,22 @@ because: it waits for both
 }
 
 } // namespace
+
+/// C never runs beside W, so nothing but D.p0 is ever tried for D.
+TEST_CASE("a provider that only a pack with a conflict would need is not reported: the conflict is") {
+  const auto findings = [](const std::string& company) {
+    return tests::check_text("roots: {P: {}, D: {priority: 1}}\ngroups:\n  P: {packs: {k: {" + company + R"(C: {}}}}
+  W: {needs: [M], tasks: [M]}
+  C: {needs: [L, M], packs: {k: {L: {}, M: {}, D: {}}}}
+  D: {providers: [{name: p0, needs: [L, M], tasks: [L, M]}, {name: p2}]}
+  L: {}
+  M: {}
+)")
+        .findings();
+  };
+  const std::string need = "main.yaml:7: `C` needs `L` and not `D`, which it requests too: it can start and then be "
+                           "refused [undeclared_need]\n";
+  CHECK(findings("W: {}, ") ==
+        "main.yaml:5: `W` and `C` can never be granted together: both come down to `M` [pack_conflict]\n" + need);
+  CHECK(findings("") == need);
+}
