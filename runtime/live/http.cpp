@@ -3,13 +3,13 @@
 //
 // cpp-httplib parses the request and writes the head of the answer, from a text into a text. Its own server is not
 // used: it has a thread for each connection, and reads lines of any length. Features of it that make a small request
-// expensive are disabled: parts of an answer (Range) and compression. Any Range is ignored, also one that the library
-// would refuse.
+// expensive are disabled: parts of an answer (Range) and compression.
 #include "runtime/live/http.hpp"
 
 #include <httplib.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstring>
 
@@ -43,17 +43,20 @@ private:
   std::string_view in_;
 };
 
-/// Whether the line is a header of this name, which is in lower case and ends with a colon.
-bool is_header(std::string_view line, std::string_view name) {
+/// Whether the library must not see this line. It would refuse some ranges before they could be removed.
+bool is_ignored(std::string_view line) {
   const auto same = [](char lower, char any) { return lower == std::tolower(static_cast<unsigned char>(any)); };
-  return line.size() >= name.size() && std::equal(name.begin(), name.end(), line.begin(), same);
+  constexpr std::array<std::string_view, 3> headers{"range:", "accept-encoding:", "expect:"};
+  return std::any_of(headers.begin(), headers.end(), [&](std::string_view name) {
+    return line.size() >= name.size() && std::equal(name.begin(), name.end(), line.begin(), same);
+  });
 }
 
-std::string without_header(std::string_view request, std::string_view name) {
+std::string without_ignored(std::string_view request) {
   std::string out;
   while (!request.empty()) {
     const std::string_view line = request.substr(0, std::min(request.find('\n'), request.size() - 1) + 1);
-    if (!is_header(line, name)) out.append(line);
+    if (!is_ignored(line)) out.append(line);
     request.remove_prefix(line.size());
   }
   return out;
@@ -73,11 +76,9 @@ public:
   Answer answer(std::string_view request) {
     reply_ = {};
     handler_called_ = false;
-    const std::string read = without_header(request, "range:");
+    const std::string read = without_ignored(request);
     Text text(read);
-    process(*this, text, [](httplib::Request& parsed) {
-      for (const char* header : {"Accept-Encoding", "Expect"}) parsed.headers.erase(header);
-    });
+    process(*this, text);
     // The library gives no answer to an invalid request.
     if (!handler_called_) return {.head = bare_answer("400 Bad Request", "This is no request of HTTP/1.1.\n")};
     return {std::move(text.out), std::move(reply_.body), reply_.stream};
@@ -86,12 +87,12 @@ public:
 private:
   /// Since version 0.16 it also calls for the addresses of both ends.
   template <class Self>
-  static void process(Self& self, httplib::Stream& text, const std::function<void(httplib::Request&)>& prepare) {
+  static void process(Self& self, httplib::Stream& text) {
     bool closed = false;
-    if constexpr (requires { self.process_request(text, true, closed, prepare); })
-      self.process_request(text, true, closed, prepare);
+    if constexpr (requires { self.process_request(text, true, closed, nullptr); })
+      self.process_request(text, true, closed, nullptr);
     else
-      self.process_request(text, "", 0, "", 0, true, closed, prepare);
+      self.process_request(text, "", 0, "", 0, true, closed, nullptr);
   }
 
   void take(const httplib::Request& from, httplib::Response& to) {

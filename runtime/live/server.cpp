@@ -47,7 +47,8 @@ Server::Server(int socket, std::unique_ptr<Feed> feed, std::unique_ptr<Site> sit
     : socket_(socket),
       feed_(std::move(feed)),
       site_(std::move(site)),
-      options_{std::max<std::size_t>(options.connections, 1), within_a_day(options.interval), within_a_day(options.patience)},
+      options_{std::max<std::size_t>(options.connections, 1), within_a_day(options.interval),
+               within_a_day(options.patience)},
       http_([this](const Request& request) {
         last_event_id_ = request.last_event;
         return site_->answer(request, feed_->moment(), feed_->until());
