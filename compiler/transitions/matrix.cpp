@@ -147,7 +147,7 @@ private:
   std::vector<std::pair<Way, Outside>> tries(const std::vector<Way>& ways, Assume assume) const {
     std::vector<std::pair<Way, Outside>> out;
     std::vector<std::vector<Outside>> all;
-    for (const Way& way : ways) all.push_back(outsides_for(model_, way, assume));
+    for (const Way& way : ways) all.push_back(outsides_for(model_, possible_, way, assume));
     for (std::size_t i = 0; i < most_outsides; ++i) {
       for (std::size_t way = 0; way < ways.size() && out.size() < most_tries; ++way) {
         if (i >= all[way].size() || (assume == Assume::inside && all[way][i].given.empty())) continue;
@@ -326,6 +326,7 @@ private:
   }
 
   const Model& model_;
+  const PossibleValues possible_ = find_possible_values(model_);
   const Player player_;
   const Judge judge_;
   std::string behaviour_;

@@ -106,13 +106,10 @@ void add_ways(const Model& model, const std::vector<GroupId>& chain, Packs which
 
 class Wants {
 public:
-  Wants(const Model& model, Assume assume) : model_(model), assume_(assume), has_(model.states.size()) {
-    if (assume == Assume::nothing) return;
-    const IdTable<StateId, std::vector<analysis::Source>> sources = analysis::find_sources(model);
-    for (const StateId id : model.states.ids()) {
-      for (const analysis::Source& source : sources[id]) has_[id] = has_[id].united(source.values);
-    }
-  }
+  Wants(const Model& model, const PossibleValues& possible, Assume assume)
+      : model_(model),
+        possible_(possible),
+        assume_(assume) {}
 
   /// First without what the other tasks of the units want: it may come by a push. Last also with what those want that
   /// can be pushed.
@@ -145,7 +142,7 @@ private:
   bool may_choose(const State& state) const { return state.external || assume_ == Assume::inside; }
   /// A state that only bodies set may begin with a value that it can get.
   ValueSet choices_of(StateId id) const {
-    return model_.states[id].external ? model_.states[id].domain() : has_[id];
+    return model_.states[id].external ? model_.states[id].domain() : possible_[id];
   }
 
   /// False: no value meets all conditions.
@@ -155,8 +152,7 @@ private:
       const Condition& condition = model_.conditions[use.id];
       const State& state = model_.states[condition.state];
       if (!may_choose(state)) {
-        if (with_causers_ && !(state.initial && condition.accepts.contains(*state.initial)))
-          open(causers_[use.id]);
+        if (with_causers_ && !(state.initial && condition.accepts.contains(*state.initial))) open(causers_[use.id]);
         continue;
       }
       ValueSet& set = wanted_.try_emplace(condition.state, choices_of(condition.state)).first->second;
@@ -274,8 +270,8 @@ private:
   }
 
   const Model& model_;
+  const PossibleValues& possible_;
   const Assume assume_;
-  IdTable<StateId, ValueSet> has_; ///< with Assume::inside: what each state may have
   std::vector<ProviderId> avoided_;
   std::vector<std::vector<ProviderId>> open_;
   std::map<StateId, ValueSet> wanted_;
@@ -327,8 +323,17 @@ std::vector<Way> find_ways(const Model& model, GroupId target) {
   return out;
 }
 
-std::vector<Outside> outsides_for(const Model& model, const Way& way, Assume assume) {
-  return Wants(model, assume).find(way);
+PossibleValues find_possible_values(const Model& model) {
+  const IdTable<StateId, std::vector<analysis::Source>> sources = analysis::find_sources(model);
+  PossibleValues out(model.states.size());
+  for (const StateId id : model.states.ids()) {
+    for (const analysis::Source& source : sources[id]) out[id] = out[id].united(source.values);
+  }
+  return out;
+}
+
+std::vector<Outside> outsides_for(const Model& model, const PossibleValues& possible, const Way& way, Assume assume) {
+  return Wants(model, possible, assume).find(way);
 }
 
 } // namespace director::compiler::transitions

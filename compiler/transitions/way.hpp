@@ -53,8 +53,12 @@ struct Outside {
 /// ones.
 enum class Assume : bool { nothing, inside };
 
+/// What each state may have: its initial value, and what something sets.
+using PossibleValues = IdTable<StateId, ValueSet>;
+PossibleValues find_possible_values(const Model& model);
+
 /// The values to try, the likeliest first; empty if none are suitable. At most `most_outsides`.
-std::vector<Outside> outsides_for(const Model& model, const Way& way, Assume assume);
+std::vector<Outside> outsides_for(const Model& model, const PossibleValues& possible, const Way& way, Assume assume);
 
 /// Limit for one way.
 constexpr std::size_t most_outsides = 8;

@@ -18,7 +18,8 @@ std::vector<std::string> ways(const std::string& behaviour, const std::string& t
     std::string text;
     for (const Link& link : way.links) text += compiled.model.full_name(link.provider) + " > ";
     text += compiled.model.full_name(way.runs);
-    const std::vector<Outside> all = outsides_for(compiled.model, way, Assume::nothing);
+    const std::vector<Outside> all =
+        outsides_for(compiled.model, find_possible_values(compiled.model), way, Assume::nothing);
     if (all.empty()) text += ": never";
     for (const Outside& outside : all) {
       if (&outside != &all.front()) text += "; or";
