@@ -116,9 +116,10 @@ private:
   /// Requested there, it could not run either.
   void add_kept(ProviderId requester, const std::vector<ProviderId>& causers, ProviderId causer,
                 dsl::Diagnostic& finding) const {
-    const auto kept = [&](ProviderId id) { return find_kept_need(model_, shared_, requester, id); };
-    if (!std::all_of(causers.begin(), causers.end(), [&](ProviderId id) { return kept(id).has_value(); })) return;
-    const KeptNeed one = *kept(causer);
+    const std::vector<KeptNeed> kept = find_kept_needs(model_, shared_, requester, causers);
+    if (kept.empty()) return;
+    const auto at = std::find(causers.begin(), causers.end(), causer) - causers.begin();
+    const KeptNeed& one = kept[static_cast<std::size_t>(at)];
     finding.notes.push_back(one.needed);
     finding.notes.push_back(one.kept);
     finding.help += fmt::format(", and let {} or {} do without {}", name_of(model_, causer), name_of(model_, requester),

@@ -153,23 +153,16 @@ public:
     for (const Want& want : wanting.wants) {
       if (want.waiter != wanting.provider || seen_.count(want.condition.span) != 0) continue;
       for (const Request& request : input_.shared.requests().of(wanting.task)) {
-        if (!request.requester || !are_kept(*request.requester, want.causers) || !waits_here(request, want)) continue;
-        report(request, want);
+        if (!request.requester) continue;
+        const std::vector<KeptNeed> kept = find_kept_needs(model_, input_.shared, *request.requester, want.causers);
+        if (kept.empty() || !waits_here(request, want)) continue;
+        report(request, want, kept.front());
         break;
       }
     }
   }
 
 private:
-  std::optional<KeptNeed> kept(ProviderId above, ProviderId causer) const {
-    return find_kept_need(model_, input_.shared, above, causer);
-  }
-
-  bool are_kept(ProviderId above, const std::vector<ProviderId>& causers) const {
-    return !model_.providers[above].needs.empty() &&
-           std::all_of(causers.begin(), causers.end(), [&](ProviderId id) { return kept(above, id).has_value(); });
-  }
-
   /// Whether it waits there for what only these cause, and one of them is requested: otherwise that is the finding.
   bool waits_here(const Request& request, const Want& want) const {
     std::vector<GroupId> groups;
@@ -188,10 +181,9 @@ private:
     return is_root || Company(model_, input_.facts, input_.shared.requests(), groups).find_bare_chain(request).empty();
   }
 
-  void report(const Request& request, const Want& want) {
+  void report(const Request& request, const Want& want, const KeptNeed& one) {
     seen_.insert(want.condition.span);
     const ProviderId above = *request.requester, causer = want.causers.front();
-    const KeptNeed one = *kept(above, causer);
     const std::string keeper = name_of(model_, above), by = name_of(model_, causer), group = name_of(model_, one.group);
     dsl::Diagnostic& finding =
         findings_.add(want.condition.span,

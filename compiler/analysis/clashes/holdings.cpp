@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace director::analysis {
 
@@ -45,17 +44,24 @@ std::vector<Holding> holdings_of(const Model& model, const Shared& shared, Provi
   return out;
 }
 
-std::optional<KeptNeed> find_kept_need(const Model& model, const Shared& shared, ProviderId above,
-                                       ProviderId provider) {
-  if (model.providers[above].needs.empty() || model.providers[provider].needs.empty()) return std::nullopt;
+std::vector<KeptNeed> find_kept_needs(const Model& model, const Shared& shared, ProviderId above,
+                                      const std::vector<ProviderId>& providers) {
+  const auto has_needs = [&](ProviderId id) { return !model.providers[id].needs.empty(); };
+  if (!has_needs(above) || !std::all_of(providers.begin(), providers.end(), has_needs)) return {};
   const std::vector<Holding> kept = holdings_of(model, shared, above);
-  for (Holding& needed : holdings_of(model, shared, provider)) {
-    const auto at = std::find_if(kept.begin(), kept.end(), [&](const Holding& one) {
-      return needed.by_need && one.by_need && one.group == needed.group;
-    });
-    if (at != kept.end()) return KeptNeed{needed.group, std::move(needed.note), at->note};
+  const auto kept_like = [&](const Holding& needed) {
+    return std::find_if(kept.begin(), kept.end(),
+                        [&](const Holding& one) { return needed.by_need && one.by_need && one.group == needed.group; });
+  };
+  std::vector<KeptNeed> out;
+  for (const ProviderId id : providers) {
+    const std::vector<Holding> all = holdings_of(model, shared, id);
+    const auto needed =
+        std::find_if(all.begin(), all.end(), [&](const Holding& each) { return kept_like(each) != kept.end(); });
+    if (needed == all.end()) return {};
+    out.push_back({needed->group, needed->note, kept_like(*needed)->note});
   }
-  return std::nullopt;
+  return out;
 }
 
 bool leads_to(const Model& model, const Shared& shared, ProviderId provider, GroupId group) {

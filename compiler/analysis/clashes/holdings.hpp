@@ -5,7 +5,6 @@
 #include "compiler/analysis/input.hpp"
 #include "dsl/source/diagnostic.hpp"
 
-#include <optional>
 #include <vector>
 
 namespace director::analysis {
@@ -24,7 +23,9 @@ struct KeptNeed {
   GroupId group{};
   dsl::Note needed, kept;
 };
-std::optional<KeptNeed> find_kept_need(const Model& model, const Shared& shared, ProviderId above, ProviderId provider);
+/// One for each of these providers; none if one of them needs no such group.
+std::vector<KeptNeed> find_kept_needs(const Model& model, const Shared& shared, ProviderId above,
+                                      const std::vector<ProviderId>& providers);
 
 /// Whether it requests the group, or a group that may lead to it.
 bool leads_to(const Model& model, const Shared& shared, ProviderId provider, GroupId group);
