@@ -49,6 +49,7 @@ void add_candidates(Context& x, Index group) {
     stale_matters = stale_matters || !x.s.now[group].granted(); // this request counts only while it is stale
     const Level& row = x.t.levels[level];
     std::uint8_t all = marks;
+    if (row.optional) all |= mark::optional;
     if (row.optional || row.apart) {
       all |= mark::alone;
     } else {
@@ -56,11 +57,7 @@ void add_candidates(Context& x, Index group) {
       member = e;
     }
     x.s.edge_marks[e] |= all;
-    if (row.optional) {
-      postpone(x, e);
-    } else {
-      x.s.candidate[x.ahead++] = e;
-    }
+    x.s.candidate[x.ahead++] = e;
   }
   if (together == 1) x.s.edge_marks[member] |= mark::alone;
   if (stale_matters && is_stale && source != nil) x.s.run_queue[source].stale_matters = 1;

@@ -32,6 +32,7 @@ inline void place(Context& x, Index group) {
 DIRECTOR_INLINE void visit(Context& x, Index edge) {
   const Index group = x.t.edges[edge].target;
   const std::uint8_t marks = x.s.edge_marks[edge];
+  if ((marks & mark::optional) != 0) return postpone(x, edge);
   if ((marks & mark::tried) == 0 && x.s.request[edge].level != nil) {
     if ((marks & mark::alone) == 0) {
       try_unit(x, edge, (marks & mark::below_stale) != 0);

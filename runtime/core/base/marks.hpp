@@ -14,6 +14,7 @@ inline constexpr std::uint8_t alone = 4;       ///< it is a unit by itself
 inline constexpr std::uint8_t below_stale = 8; ///< its requester is stale
 inline constexpr std::uint8_t pushes = 16;     ///< it made a push in the last assignment
 inline constexpr std::uint8_t visited = 32;    ///< it was decided, or keeps its last decision
+inline constexpr std::uint8_t optional = 64;   ///< it is optional, and was not postponed yet
 // On groups.
 inline constexpr std::uint8_t forgotten = 1; ///< its last holder, an equal, no longer counts
 inline constexpr std::uint8_t denied = 2;    ///< it was denied to an equal of its last holder
