@@ -24,6 +24,10 @@ fault("4.1" "the higher priority goes first"
   arbitration/order.hpp
   [=[urgency_a < urgency_b ? -1 : 1]=]
   [=[(urgency_a < urgency_b) != PLANTED ? -1 : 1]=])
+fault("4.1" "optional requests are tried in order"
+  arbitration/optional.cpp
+  [=[from + 1 < end;]=]
+  [=[from + 1 < end && !PLANTED;]=])
 fault("4.1" "of equals the older request goes first"
   arbitration/order.hpp
   [=[return stamp(a.edge) < stamp(b.edge) ?]=]
@@ -60,8 +64,8 @@ fault("4.3" "a push moves its provider to the front"
   [=[if (PLANTED || !applies(x, push, edge)) return]=])
 fault("4.3" "a pushed provider's conditions on what it causes are waived"
   arbitration/refuse.cpp
-  [=[if (push.edge == nil || push.provider != provider) return false;]=]
-  [=[if (PLANTED || push.edge == nil || push.provider != provider) return false;]=])
+  [=[if (x.s.now[group].push.provider != provider) return false;]=]
+  [=[if (PLANTED || x.s.now[group].push.provider != provider) return false;]=])
 fault("4.4" "members of a unit are granted together or not at all"
   arbitration/unit.cpp
   [=[if (row.optional || row.apart) {]=]
@@ -99,8 +103,8 @@ fault("4.4" "a group that a stale group may still request is kept in limbo"
   if (PLANTED) return;]=])
 fault("4.4" "a push on a group that nothing requests is dropped"
   arbitration/push.cpp
-  [=[is_requested)) continue;]=]
-  [=[is_requested) || PLANTED) continue;]=])
+  [=[is_requested)) {]=]
+  [=[is_requested) && !PLANTED) {]=])
 fault("5" "what a stopped group requested is withdrawn"
   engine/act.cpp
   [=[if (x_.s.request[e].level == nil) continue;]=]
@@ -165,6 +169,14 @@ fault("4.4" "so are units that searched for a provider to push"
   arbitration/trail.cpp
   [=[const bool searches = bits.has(trail::waits) && x.disturbed;]=]
   [=[const bool searches = bits.has(trail::waits) && x.disturbed && !PLANTED;]=])
+fault("4.4" "a push from the last pass does not count for units before the one that made it"
+  arbitration/push.cpp
+  [=[return came ? push : Push{};]=]
+  [=[return came || PLANTED ? push : Push{};]=])
+fault("4.4" "a unit that is decided again keeps none of its pushes but for a rule"
+  arbitration/reach.cpp
+  [=[if (x.s.edge_marks[edge].has(mark::pushes)) withdraw_pushes(x, edge);]=]
+  [=[if (x.s.edge_marks[edge].has(mark::pushes) && !PLANTED) withdraw_pushes(x, edge);]=])
 fault("4.4" "a unit that still waits may find another chain of pushes"
   arbitration/push.cpp
   [=[if (!x.s.edge_marks[edge].has(mark::alone)) return false;]=]

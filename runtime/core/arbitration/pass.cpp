@@ -55,6 +55,7 @@ void open_all(Context& x, std::uint8_t kept) {
     x.s.group_marks[g] &= kept;
     if (x.s.last[g].push.edge != nil) list_push(x, g);
     clear(x, g);
+    x.s.now[g].push = Push{};
   }
   for (const Index e : x.t.list(x.row.edges)) x.s.edge_marks[e] = x.s.edge_trail[e] = 0;
   x.s.flipped[x.component] = x.s.rerequested[x.component] = nil;

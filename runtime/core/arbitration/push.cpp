@@ -116,7 +116,7 @@ bool relax(Context& x, Index provider) {
 /// Whether a request for its group has a last chain that reaches root, goes after `member`, and is not below it.
 bool can_be_pushed(const Context& x, Index provider, Index member) {
   const Index group = x.t.providers[provider].group;
-  const Push& there = x.s.now[group].push; // by another unit
+  const Push there = push_so_far(x, group); // by another unit
   if (x.s.enabled[provider] == 0 || holder_now(x, group) != nil || (there.edge != nil && there.provider != provider))
     return false;
   return any(x.t.list(x.t.groups[group].requesters), [&](Index edge) {
@@ -165,10 +165,19 @@ bool find_chain(Context& x, Index condition, Index member, Push& out) {
 
 } // namespace
 
+/// The push on a group by the units so far: those before the current one.
+Push push_so_far(const Context& x, Index group) {
+  const Push& push = x.s.now[group].push;
+  if (x.whole || push.edge == nil || push != x.s.last[group].push) return push;
+  const Index from = x.t.edges[push.edge].requester;
+  const bool came = x.s.edge_marks[push.edge].has(mark::visited) || (from != nil && is_passed(x, from));
+  return came ? push : Push{};
+}
+
 /// As preferred(), for a group with a push.
 Index preferred_by_push(const Context& x, Index group, Index place, Index edge) {
   const Index begin = x.t.groups[group].providers.begin;
-  const Push& push = x.s.now[group].push;
+  const Push push = push_so_far(x, group);
   if (!applies(x, push, edge)) return static_cast<Index>(begin + place);
   if (place == 0) return push.provider;
   const auto usual = static_cast<Index>(begin + place - 1);
@@ -213,7 +222,7 @@ bool finds_no_push(Context& x, Index edge) {
 
 /// Keeps the pushes that the unit made before, and makes new ones if every condition is served.
 void push_for(Context& x, Index count, Index unmet) {
-  const auto theirs = [&](Index g) -> const Push& { return x.s.now[g].push; }; // made by units before this one
+  const auto theirs = [&](Index g) { return push_so_far(x, g); };
   const Index* const pushed = x.s.pushed + x.row.order;
   const auto begin = [&](Index at) {
     const Index g = pushed[at];
@@ -252,42 +261,61 @@ void push_for(Context& x, Index count, Index unmet) {
     Push &own = x.s.own[at], &first = x.s.first[at];
     const bool free = !x.s.group_marks[g].has(mark::busy) && theirs(g).edge == nil;
     if (all_served && first.edge != nil && free && own.provider != first.provider) own = first;
-    if (own.edge != nil && theirs(g).edge == nil) x.s.now[g].push = own;
+    if (own.edge == nil || theirs(g).edge != nil) continue;
+    if (x.walking) open(x, g);
+    x.s.now[g].push = own;
   }
 }
 
+/// Drops pushes whose unit is not decided any more, or on groups that nobody requests any more, and determines which of
+/// the others are in force.
 void finish_pushes(Context& x) {
   const auto is_requested = [&](Index edge) { // by root or a live group
     const Index from = x.t.edges[edge].requester;
     return requested(x, edge) && (from == nil || x.s.now[from].active != nil);
   };
+  constexpr Index bits = flag::in_force | flag::serving;
   for (const Index g : pushed_groups(x)) {
-    Push& push = x.s.now[g].push;
-    if (push.edge == nil) continue;
-    x.depends_on_last = true;
-    if (x.s.now[g].holder == nil) {
-      if (any(x.t.list(x.t.groups[g].requesters), is_requested)) continue;
+    GroupAssignment& now = x.s.now[g];
+    Push push = push_so_far(x, g);
+    Index flags = 0;
+    if (push.edge != nil && now.holder == nil && !any(x.t.list(x.t.groups[g].requesters), is_requested)) {
       x.s.edge_trail[push.edge] |= trail::on_stale; // the unit that may make it again has to be decided again
+      const Index from = x.t.edges[push.edge].requester;
+      if (from != nil) open_as_it_is(x, from);
+      x.depends_on_last = true;
       push = Push{};
-      continue;
     }
-    const bool was_in_force = x.s.last[g].in_force();
-    if (x.s.now[g].active != push.provider || (!x.s.now[g].granted() && !was_in_force) ||
-        !applies(x, push, x.s.now[g].holder))
-      continue;
-    x.s.now[g].flags |= flag::in_force;
-    if (!holds(x, push.condition)) x.s.now[g].flags |= flag::serving;
+    if (push.edge != nil && now.holder != nil) {
+      const bool in_force =
+          is_opened(x, g)
+              ? now.active == push.provider && (now.granted() || x.s.last[g].in_force()) && applies(x, push, now.holder)
+              : now.in_force(); // the same rule for the same assignment
+      if (in_force) flags = holds(x, push.condition) ? flag::in_force : bits;
+    }
+    x.depends_on_last = x.depends_on_last || push.edge != nil;
+    if (push == now.push && flags == (now.flags & bits)) continue;
+    open_as_it_is(x, g);
+    now.push = push;
+    now.flags = static_cast<Index>((now.flags & ~bits) | flags);
   }
 }
 
-/// Marks the edges that made a push in the last assignment, so that their units are decided.
+/// Marks the groups with a push in the last assignment, and the edges that made it.
 void mark_pushers(Context& x) {
   for (const Index g : pushed_groups(x)) {
-    const Index pusher = x.s.last[g].push.edge;
-    if (pusher == nil) continue;
-    x.s.edge_marks[pusher] |= mark::pushes;
-    const Index from = x.t.edges[pusher].requester;
-    if (from != nil) open(x, from);
+    x.s.group_marks[g] |= mark::listed;
+    if (x.s.last[g].push.edge != nil) x.s.edge_marks[x.s.last[g].push.edge] |= mark::pushes;
+  }
+}
+
+/// Withdraws the pushes that the edge made before, and that no other unit has replaced. Its decision keeps what stays.
+void withdraw_pushes(Context& x, Index edge) {
+  for (const Index g : pushed_groups(x)) {
+    if (x.s.last[g].push.edge != edge || x.s.now[g].push != x.s.last[g].push) continue;
+    open(x, g);
+    open_as_it_is(x, g); // if it was passed by
+    x.s.now[g].push = Push{};
   }
 }
 

@@ -14,6 +14,8 @@ DIRECTOR_PART void push_for(Context& x, Index count, Index unmet);
 DIRECTOR_PART void finish_pushes(Context& x);
 DIRECTOR_PART void mark_pushers(Context& x);
 DIRECTOR_PART void reach_pushes(Context& x, Index edge);
+DIRECTOR_PART void withdraw_pushes(Context& x, Index edge);
+DIRECTOR_PART Push push_so_far(const Context& x, Index group);
 DIRECTOR_PART Index preferred_by_push(const Context& x, Index group, Index place, Index edge);
 
 /// Keeps the pushes that the unit made before.

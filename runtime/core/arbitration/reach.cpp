@@ -99,6 +99,7 @@ void begin_followed(Context& x, Index count) {
   for (Index at = 0; at < count; ++at) {
     const Index edge = x.s.unit[at], group = target(x, edge);
     note_dependence(x, edge, 0);
+    if (x.s.edge_marks[edge].has(mark::pushes)) withdraw_pushes(x, edge);
     if (x.s.last[group].holder != edge) continue;
     open(x, group);
     if (!was_granted(x, edge) || x.t.groups[group].simple) continue;

@@ -15,8 +15,8 @@ namespace {
 /// Whether a push in force waives the condition: it is on a state that the pushed provider causes itself.
 bool waived(const Context& x, Index provider, Index condition, Index edge) {
   const Index group = x.t.providers[provider].group;
-  const Push& push = x.s.now[group].push;
-  if (push.edge == nil || push.provider != provider) return false;
+  if (x.s.now[group].push.provider != provider) return false;
+  const Push push = push_so_far(x, group);
   x.depends_on_last = true;
   if (!x.s.last[group].in_force() || x.s.last[group].push.provider != provider) return false;
   return any(x.t.list(x.t.providers[provider].causing),

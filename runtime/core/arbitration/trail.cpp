@@ -88,10 +88,6 @@ void begin_trail(Context& x) {
   const Index held = x.s.order_count[x.component];
   x.had_limbo = held != 0 && was_in_limbo(x, x.s.order[x.row.order + held - 1]); // limbo is last in the order
   x.pushed_count = x.s.pushed_count[x.component];
-  for (const Index g : pushed_groups(x)) {
-    open(x, g);
-    x.s.group_marks[g] |= mark::listed;
-  }
   if (x.pushed_count != 0) mark_pushers(x);
   // The last result first: bits that are set from here on are notes for the next pass.
   Index* const rows = x.s.news + x.row.order;
@@ -136,8 +132,9 @@ void begin_trail(Context& x) {
 
 /// Whether the walk has passed by the group, or one above it, so that it counts as claimed.
 bool is_passed(const Context& x, Index group) {
-  for (; group != nil && !is_opened(x, group); group = requester_of_holder(x, x.s.last[group])) {
+  for (; group != nil; group = requester_of_holder(x, x.s.last[group])) {
     if (x.s.group_trail[group].has(trail::passed)) return true;
+    if (is_opened(x, group)) return false;
   }
   return false;
 }
@@ -163,7 +160,8 @@ void end_trail(Context& x) {
   for (Index i = 0; i < x.reached_count; ++i) {
     const Index e = x.s.reached[i], from = x.t.edges[e].requester;
     // Other edges keep their decision, also those of root behind the place where the walk ended.
-    if (!x.whole && (from == nil ? x.s.request[e].level == nil : is_opened(x, from))) leave_unvisited(x, e);
+    if (!x.whole && (from == nil ? x.s.request[e].level == nil : is_opened(x, from) && !is_passed(x, from)))
+      leave_unvisited(x, e);
     x.s.edge_trail[e] &= trail::kept;
   }
   news = 0;
@@ -175,6 +173,8 @@ void end_trail(Context& x) {
   }
   Index& pushed = x.s.pushed_count[x.component] = 0;
   for (const Index g : pushed_groups(x)) {
+    x.s.group_marks[g].remove(mark::listed | mark::busy);
+    if (x.s.last[g].push.edge != nil) clear_marks(x, x.s.last[g].push.edge);
     if (x.s.now[g].push.edge != nil) x.s.pushed[x.row.order + pushed++] = g;
   }
   for (Index e = x.s.first_root[x.component]; e != x.rest; e = x.s.next_root[e]) clear_marks(x, e);
@@ -194,7 +194,7 @@ void end_trail(Context& x) {
     }
     if (again && now.holder != nil) bits |= trail::again;
     if ((bits & (trail::disturbed | trail::again)) != 0) x.s.news[x.row.order + news++] = g;
-    bits.remove(trail::opened | trail::moved);
+    bits.remove(trail::opened | trail::moved | trail::passed);
     x.s.group_marks[g] &= mark::differs | mark::stale;
   }
 }
@@ -256,8 +256,6 @@ void claim_again(Context& x, Index edge) {
   } else {
     x.s.edge_marks[edge] |= mark::refused;
   }
-  x.s.member[0].edge = edge;
-  keep_pushes(x, 1);
 }
 
 } // namespace director::arbitration

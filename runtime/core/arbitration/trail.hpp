@@ -25,11 +25,21 @@ inline void open(Context& x, Index group) {
   if (!is_opened(x, group)) open_with_above(x, group);
 }
 
+/// Takes back all but a push, which stays until the unit that made it is decided again.
 DIRECTOR_ONE_COPY inline void clear(Context& x, Index group) {
-  x.s.now[group] = GroupAssignment{};
+  GroupAssignment& now = x.s.now[group];
+  now.holder = now.active = now.planned = nil;
+  now.flags = 0;
   x.s.run_queue[group].stale_matters = 0;
   if (!x.row.alternatives) return;
   for (const Index slot : x.t.groups[group].slots.rows()) x.s.now.plan[slot] = nil;
+}
+
+/// Lists a group as opened whose push differs, and whose claim stays, also if it was passed by.
+inline void open_as_it_is(Context& x, Index group) {
+  if (is_opened(x, group)) return;
+  x.s.group_trail[group] |= trail::opened | trail::passed;
+  x.s.opened[x.row.order + x.opened_count++] = static_cast<TableIndex>(group);
 }
 
 /// Whether passes over a component are incremental: in one of few groups, finding what a change reaches costs more.

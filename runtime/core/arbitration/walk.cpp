@@ -42,7 +42,7 @@ DIRECTOR_INLINE void visit(Context& x, Index edge) {
     } else if (stands(x, edge)) {
       const bool was_held = x.s.last[group].holder == edge;
       if (was_held && x.line_count != 0 && !is_opened(x, group)) check_lines(x, group);
-      if ((marks & mark::pushes) != 0 || (was_held && is_opened(x, group))) {
+      if (was_held && is_opened(x, group)) {
         claim_again(x, edge);
       } else if (was_held) {
         x.s.edge_marks[edge] |= mark::visited;
