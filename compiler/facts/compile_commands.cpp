@@ -35,6 +35,8 @@ std::vector<std::string> split_command(std::string_view line) {
       const char next = line[++i];
       if (quote == '"' && next != '"' && next != '\\' && next != '$' && next != '`') words.back() += '\\';
       words.back() += next;
+      // CMake writes a `$` as its build file needs it, `\$$` within quotes.
+      if (quote == '"' && next == '$' && i + 1 < line.size() && line[i + 1] == '$') ++i;
     } else {
       words.back() += letter;
     }

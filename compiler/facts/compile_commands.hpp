@@ -45,7 +45,8 @@ LoadedCommands find_compile_commands(const std::string& folder, dsl::FileAccess&
 std::vector<std::string> with_response_files(const std::vector<std::string>& words, const std::string& directory,
                                              dsl::FileAccess& files);
 
-/// Arguments of a command line, split as by a POSIX shell, without any other feature of a shell.
+/// Arguments of a command line, split as by a POSIX shell, without any other feature of a shell. `"\$$"`, which CMake
+/// writes for a `$`, is one, too.
 std::vector<std::string> split_command(std::string_view line);
 
 } // namespace director::compiler

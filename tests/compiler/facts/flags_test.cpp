@@ -31,6 +31,12 @@ TEST_CASE("a command line is taken apart as a shell would") {
   CHECK(split_command("").empty());
 }
 
+TEST_CASE("a dollar sign in a command is read as CMake writes it, and as a shell does") {
+  CHECK(split_command(R"("/a\$$b/g++" -DA="\"\$$x\"" -DB="\$$\$$c" -DC=$(c) -I"/a\$$b c/i")") ==
+        Words{"/a$b/g++", "-DA=\"$x\"", "-DB=$$c", "-DC=$(c)", "-I/a$b c/i"});
+  CHECK(split_command(R"("/a\$b" '/a$$b' "\$" /a\$b)") == Words{"/a$b", "/a$$b", "$", "/a$b"});
+}
+
 TEST_CASE("compile_commands.json with commands and with arguments") {
   const auto read = read_compile_commands(R"([{"directory": "/b", "file": "../s/a.cpp", "command": "g++ -c ../s/a.cpp"},
                                               {"directory": "/b", "file": "/s/b.cpp", "arguments": ["g++", "/s/b.cpp"], "output": "x"}])");
