@@ -173,6 +173,29 @@ TEST_CASE("a trace may end its lines as Windows does") {
   CHECK(world.out == trace_in(world));
 }
 
+TEST_CASE("a replay of a trace without events fails, and says that there is nothing to replay") {
+  World world = with_trace();
+  const std::string header = traced_line(trace_in(world), 1) + "\n";
+  const std::string none = "none.jsonl: the trace has no events behind its header: nothing was replayed\n";
+  const auto replay = [&](const std::string& text, const std::vector<std::string>& more) {
+    world.files.add("none.jsonl", text);
+    std::vector<std::string> words{"replay", "none.jsonl"};
+    words.insert(words.end(), more.begin(), more.end());
+    CHECK(world.directorc(words) == 1);
+    return world.err + world.out;
+  };
+  CHECK(replay(header, {}) == none);
+  CHECK(replay(header + "{\"t\":0", {}) == "none.jsonl:2: note: the last line is cut off, and was left out\n" + none);
+  CHECK(replay(header, {"--format=json"}) ==
+        "{\"trace\":\"none.jsonl\",\"behaviour\":\"rover.yaml\",\"other_version\":false,\"events\":0,\"dropped\":0}\n");
+  std::string other = rover_that_is_recorded;
+  other.replace(other.find("priority: 20"), 12, "priority: 21");
+  world.files.add("other.yaml", other);
+  CHECK(replay(header, {"--behaviour=other.yaml"}) == none);
+  CHECK(replay(header + "{\"event\":\"dropped\",\"count\":3}\n", {}) ==
+        "none.jsonl: 0 events the same, up to where 3 events are missing\n");
+}
+
 TEST_CASE("a trace that nests without end is reported with its line") {
   World world = with_trace();
   std::string deep = traced_line(trace_in(world), 1) + "\n";
