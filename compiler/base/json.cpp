@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <limits>
+#include <tuple>
 
 namespace director::compiler {
 
@@ -13,19 +14,20 @@ namespace {
 /// Limit for nesting, which real input has ten deep. Values are read and written by recursion.
 constexpr std::size_t deepest = 500;
 
-bool is_too_deep(std::string_view text) {
+/// Where the text nests too deep; npos: nowhere.
+std::size_t too_deep(std::string_view text) {
   std::size_t depth = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char letter = text[i];
     if (letter == '"') {
       while (++i < text.size() && text[i] != '"') i += text[i] == '\\' ? 1 : 0;
     } else if (letter == '[' || letter == '{') {
-      if (++depth > deepest) return true;
+      if (++depth > deepest) return i;
     } else if ((letter == ']' || letter == '}') && depth > 0) {
       --depth;
     }
   }
-  return false;
+  return std::string_view::npos;
 }
 
 /// The nearest integer of 64 bits.
@@ -158,10 +160,18 @@ std::string to_line(const Json& json) { return JsonAccess::dump(json, -1); }
 std::string to_lines(const Json& json) { return JsonAccess::dump(json, 2) + "\n"; }
 
 std::optional<Json> parse_json(std::string_view text) {
-  if (is_too_deep(text)) return {};
+  if (too_deep(text) != std::string_view::npos) return {};
   const auto parsed = nlohmann::ordered_json::parse(text, nullptr, false);
   if (parsed.is_discarded()) return {};
   return JsonAccess::convert(parsed);
+}
+
+std::size_t fault_in_json(std::string_view text) {
+  if (const std::size_t at = too_deep(text); at != std::string_view::npos) return at;
+  try {
+    std::ignore = nlohmann::ordered_json::parse(text);
+  } catch (const nlohmann::ordered_json::parse_error& error) { return error.byte == 0 ? 0 : error.byte - 1; }
+  return text.size();
 }
 
 } // namespace director::compiler

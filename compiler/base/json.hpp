@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // JSON as a value, whose members keep their order. Only json.cpp includes the library.
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -64,5 +65,8 @@ std::string to_lines(const Json& json);
 /// Empty if the text is no JSON, or nests too deep. A number with a fraction is rounded towards 0; one outside of 64
 /// bits becomes the nearest.
 std::optional<Json> parse_json(std::string_view text);
+
+/// Of a text that parse_json refuses: where it begins to be no JSON, or nests too deep. Its size: it ends too early.
+std::size_t fault_in_json(std::string_view text);
 
 } // namespace director::compiler

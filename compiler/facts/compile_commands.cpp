@@ -5,9 +5,11 @@
 #include "compiler/base/absolute_path.hpp"
 #include "compiler/base/json.hpp"
 #include "dsl/source/load_file.hpp"
+#include "dsl/source/source_file.hpp"
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <filesystem>
 
 namespace director::compiler {
@@ -35,6 +37,8 @@ std::vector<std::string> split_command(std::string_view line) {
       const char next = line[++i];
       if (quote == '"' && next != '"' && next != '\\' && next != '$' && next != '`') words.back() += '\\';
       words.back() += next;
+      // CMake writes a `$` as its build file needs it, `\$$` within quotes.
+      if (quote == '"' && next == '$' && i + 1 < line.size() && line[i + 1] == '$') ++i;
     } else {
       words.back() += letter;
     }
@@ -82,9 +86,10 @@ std::vector<std::string> with_response_files(const std::vector<std::string>& wor
   return out;
 }
 
-dsl::Result<std::vector<CompileCommand>, std::string> read_compile_commands(std::string_view text) {
+dsl::Result<std::vector<CompileCommand>, CommandsFault> read_compile_commands(std::string_view text) {
   const std::optional<Json> json = parse_json(text);
-  if (!json || !json->is_list()) return std::string("it is no JSON list");
+  if (!json) return CommandsFault{"it is no JSON", fault_in_json(text)};
+  if (!json->is_list()) return CommandsFault{"it is no JSON list", text.find_first_not_of(" \t\r\n")};
   std::vector<CompileCommand> out;
   for (const Json& entry : json->items()) {
     CompileCommand command;
@@ -99,7 +104,8 @@ dsl::Result<std::vector<CompileCommand>, std::string> read_compile_commands(std:
       if (command.words[i - 1] == "-o") command.output = command.words[i];
     }
     if (file.empty() || command.directory.empty() || command.words.empty())
-      return fmt::format("its entry {} needs `directory`, `file`, and `command` or `arguments`", out.size() + 1);
+      return CommandsFault{
+          fmt::format("its entry {} needs `directory`, `file`, and `command` or `arguments`", out.size() + 1)};
     out.push_back(std::move(command));
   }
   return out;
@@ -127,7 +133,13 @@ LoadedCommands load_compile_commands(const std::string& build, dsl::FileAccess& 
     out.commands = std::move(commands.value());
     for (CompileCommand& each : out.commands) each.words = with_response_files(each.words, each.directory, files);
   } else {
-    out.fault = fmt::format("`{}` is wrong: {}", out.path, commands.error());
+    const CommandsFault& fault = commands.error();
+    std::string place = out.path;
+    if (fault.offset) {
+      const dsl::Place at = dsl::SourceFile(out.path, text.value()).place(static_cast<std::uint32_t>(*fault.offset));
+      place += fmt::format(":{}:{}", at.line, at.column);
+    }
+    out.fault = fmt::format("`{}` is wrong: {}", place, fault.message);
   }
   return out;
 }

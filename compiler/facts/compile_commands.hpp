@@ -6,6 +6,8 @@
 #include "dsl/source/file_access.hpp"
 #include "dsl/source/result.hpp"
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,8 +22,15 @@ struct CompileCommand {
   bool operator==(const CompileCommand&) const = default;
 };
 
+/// Why a text has no commands.
+struct CommandsFault {
+  std::string message;
+  std::optional<std::size_t> offset{}; ///< where, if the message does not say it
+  bool operator==(const CommandsFault&) const = default;
+};
+
 /// The commands in the text; or its fault. Response files are not read yet.
-dsl::Result<std::vector<CompileCommand>, std::string> read_compile_commands(std::string_view text);
+dsl::Result<std::vector<CompileCommand>, CommandsFault> read_compile_commands(std::string_view text);
 
 struct LoadedCommands {
   std::string path; ///< of the file
@@ -45,7 +54,8 @@ LoadedCommands find_compile_commands(const std::string& folder, dsl::FileAccess&
 std::vector<std::string> with_response_files(const std::vector<std::string>& words, const std::string& directory,
                                              dsl::FileAccess& files);
 
-/// Arguments of a command line, split as by a POSIX shell, without any other feature of a shell.
+/// Arguments of a command line, split as by a POSIX shell, without any other feature of a shell. `"\$$"`, which CMake
+/// writes for a `$`, is one, too.
 std::vector<std::string> split_command(std::string_view line);
 
 } // namespace director::compiler

@@ -22,10 +22,12 @@ std::string compact(std::string_view json) {
   return out;
 }
 
+bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == std::string_view::npos; }
+
 } // namespace
 
 std::optional<TraceLine> TraceLines::next() {
-  if (rest_.empty() || !problem_.empty()) return {};
+  if (!problem_.empty() || is_blank(rest_)) return {}; // empty lines at the end are none
   ++number_;
   TraceLine out;
   const std::size_t end = rest_.find('\n');
@@ -40,7 +42,7 @@ std::optional<TraceLine> TraceLines::next() {
   std::optional<Json> json = parse_json(out.text);
   if (!json || !json->is_object()) {
     if (whole)
-      problem_ = "it is no JSON object";
+      problem_ = out.text.empty() ? "it is empty" : "it is no JSON object";
     else
       cut_off_ = true;
     return {};

@@ -97,6 +97,9 @@ StateSpec read_state(Reader& reader, const YamlPair& pair) {
   const YamlNode* type = mapping.find("type");
   if (!type || !help_for_type(type->text)) // its message is about `type` alone
     reader.exclude(mapping, "range", "type", "leave out one: `range` is for whole numbers, `type` for an enum of C++");
+  if (!mapping.find("values") && !type) // else leaving out the range corrects both
+    reader.exclude(mapping, "range", "unordered",
+                   "leave out `unordered`: the numbers of a `range` all have their place");
   reader.exclude(mapping, "of", "external", "leave out `of` if the outside may set it, else `external`");
   if (reader.lacks(mapping, "values") && reader.lacks(mapping, "range") && reader.lacks(mapping, "type"))
     reader.error("missing_key", pair.key.span, thing + " needs `values`, `range` or `type`",

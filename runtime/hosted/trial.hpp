@@ -9,9 +9,9 @@
 //   CHECK(answer.data<rover::Wheels>().left == 100);
 //   CHECK(answer.wait() == 100ms);
 //
-// What the specification does not declare does not compile here either. Errors of a test (data that were not requested)
-// are thrown as std::logic_error; without exceptions they are printed, and the program is aborted. Only generated code
-// and the modules' own sources have to be linked.
+// What the specification does not declare does not compile here either, except values of a declared state: a test may
+// compute them. Errors of a test (data that were not requested) are thrown as std::logic_error; without exceptions they
+// are printed, and the program is aborted. Only generated code and the modules' own sources have to be linked.
 
 #include "runtime/core/api/behaviour.hpp"
 
@@ -248,7 +248,8 @@ class Trial {
   static constexpr bool handler = detail::IsHandler<Context>;
 
 public:
-  Trial() requires(!has_data<Task>) {}
+  /// Of a task without data.
+  Trial() { static_assert(!has_data<Task>, "this task has data, which the Trial needs: Trial<...> trial{data}"); }
   // A copy would share what it is given.
   Trial(const Trial&) = delete;
   Trial& operator=(const Trial&) = delete;
@@ -259,18 +260,22 @@ public:
   ~Trial() = default;
   /// With the data of the task.
   template <class Given = Data>
-  requires has_data<Task>
-  explicit Trial(Given data) { task(std::move(data)); }
+  explicit Trial(Given data) {
+    task(std::move(data));
+  }
 
   // The input of the body. Calls may be chained, and hold until they are replaced.
 
   /// Sets other data of the task.
   template <class Given = Data>
-  requires has_data<Task> Trial& task(Given data) {
-    auto& slots = rig_->data.template of<Task>();
-    slots.stage(Data(std::move(data)));
-    slots.settle(0);
-    slots.retain(0);
+  Trial& task(Given data) {
+    static_assert(has_data<Task>, "this task has no data");
+    if constexpr (has_data<Task>) {
+      auto& slots = rig_->data.template of<Task>();
+      slots.stage(Data(std::move(data)));
+      slots.settle(0);
+      slots.retain(0);
+    }
     return *this;
   }
 

@@ -62,6 +62,25 @@ std::string without_ignored(std::string_view request) {
   return out;
 }
 
+/// Whether the first line is right but for its method, which is a word that the library does not know.
+bool has_unknown_method(std::string_view request) {
+  const std::string_view line = request.substr(0, request.find("\r\n"));
+  const std::size_t first = line.find(' '), second = line.find(' ', first + 1);
+  if (first == 0 || first == std::string_view::npos || second == std::string_view::npos || second == first + 1)
+    return false;
+  const std::string_view method = line.substr(0, first), version = line.substr(second + 1);
+  constexpr std::string_view marks = "!#$%&'*+-.^_`|~"; // of a word, beside letters and digits
+  constexpr std::array<std::string_view, 10> known{"GET",     "HEAD",  "POST",  "PUT", "DELETE",
+                                                   "CONNECT", "TRACE", "PATCH", "PRI", "OPTIONS"};
+  return (version == "HTTP/1.1" || version == "HTTP/1.0") &&
+         std::all_of(method.begin(), method.end(),
+                     [&](char letter) {
+                       return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
+                              marks.find(letter) != std::string_view::npos;
+                     }) &&
+         std::find(known.begin(), known.end(), method) == known.end();
+}
+
 } // namespace
 
 class Http::Library final : public httplib::Server {
@@ -79,7 +98,9 @@ public:
     const std::string read = without_ignored(request);
     Text text(read);
     process(*this, text);
-    // The library gives no answer to an invalid request.
+    // The library gives no answer to an invalid request, nor to one with a method that it does not know.
+    if (!handler_called_ && has_unknown_method(request))
+      return {.head = bare_answer("501 Not Implemented", "There is no such method here, only GET, HEAD and POST.\n")};
     if (!handler_called_) return {.head = bare_answer("400 Bad Request", "This is no request of HTTP/1.1.\n")};
     return {std::move(text.out), std::move(reply_.body), reply_.stream};
   }

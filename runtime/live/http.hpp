@@ -44,8 +44,8 @@ public:
   Http(const Http&) = delete;
   Http& operator=(const Http&) = delete;
 
-  /// `request`: up to and including the empty line. An invalid one is answered with 400 or the like, without the
-  /// handler.
+  /// `request`: up to and including the empty line. An invalid one is answered with 400, one with an unknown method
+  /// with 501, without the handler.
   Answer answer(std::string_view request);
 
 private:

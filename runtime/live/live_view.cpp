@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <fstream>
+#include <new>
 #include <optional>
 #include <sstream>
 #include <system_error>
@@ -52,11 +53,25 @@ std::string name_of(std::string authority, const std::vector<std::string>& own_n
   return authority;
 }
 
+/// A queue of this size; the smallest one if there is no memory for it.
+EventQueue queue_of(std::size_t size) {
+  try {
+    return EventQueue(size);
+  } catch (const std::bad_alloc&) { return EventQueue(0); }
+}
+
 } // namespace
 
 LiveView::LiveView(const Names& names) : LiveView(names, Options()) {}
 
-LiveView::LiveView(const Names& names, const Options& options) : queue_(options.queue), moments_(*names.tables) {
+LiveView::LiveView(const Names& names, const Options& options)
+    : queue_(queue_of(options.queue)),
+      moments_(*names.tables) {
+  if (queue_.size() < options.queue) {
+    error_ = "there is no memory for " + std::to_string(options.queue) +
+             " events that wait: give LiveView a smaller `queue`";
+    return;
+  }
   std::optional<live::Page> page = page_of(options, error_);
   const std::optional<std::string> token = live::new_token();
   if (!token) error_ = "the operating system has no random numbers for the token";

@@ -31,6 +31,13 @@ std::optional<std::string> parameter(const Request& request, const char* name) {
   return found == request.parameters.end() ? std::nullopt : std::optional(found->second);
 }
 
+/// With the methods that there are for this address.
+Reply not_allowed(const std::string& text, const char* methods) {
+  Reply out = text_reply(405, text);
+  out.headers.emplace_back("Allow", methods);
+  return out;
+}
+
 bool is_command(std::string_view what) {
   return what == "request" || what == "cancel" || what == "cancel_all" || what == "set";
 }
@@ -98,9 +105,8 @@ Reply Site::answer(const Request& request, const Moment& moment, Time until) con
     const std::string_view what = path.substr(end + 1);
     if (request.method == "GET" || request.method == "HEAD") return look(what, request, moment, until);
     if (request.method == "POST") return command(what, request);
-    Reply refused = text_reply(405, request.method + " is not understood here, only GET, HEAD and POST.");
-    refused.headers.emplace_back("Allow", "GET, HEAD, POST");
-    return refused;
+    return is_command(what) ? not_allowed(request.method + " is not allowed here, only POST.", "POST")
+                            : not_allowed(request.method + " is not allowed here, only GET and HEAD.", "GET, HEAD");
   };
   Reply out = checked();
   out.headers.emplace_back("Cache-Control", "no-store");
@@ -122,7 +128,7 @@ Reply Site::look(std::string_view what, const Request& request, const Moment& mo
     return text_reply(404,
                       "The program has no page: it gives LiveView `page` or `html`, what `directorc docs` wrote. What "
                       "happens is at events, and why at why.");
-  if (is_command(what)) return text_reply(405, "A command is posted: curl -X POST ...");
+  if (is_command(what)) return not_allowed("A command is posted: curl -X POST ...", "POST");
   return text_reply(404,
                     "There is nothing here: the page is at the address that ends behind the token, what happens at "
                     "events, and why at why.");
@@ -165,6 +171,8 @@ Reply Site::command(std::string_view what, const Request& request) const {
   if (!commands_)
     return text_reply(
         403, "Commands are not allowed: the program has not called allow_commands(behaviour.post()) of its LiveView.");
+  if (what.empty() || what == "events" || what == "why")
+    return not_allowed("This is no command: POST is not allowed here, only GET and HEAD.", "GET, HEAD");
   if (!is_command(what))
     return text_reply(404, "There is no such command: there are request, cancel, cancel_all and set.");
   if (std::optional<Reply> problem = misread(what, request)) return std::move(*problem);

@@ -47,6 +47,8 @@ std::string to_text(const Replayed& replayed, const std::string& trace, const st
   } else if (replayed.dropped != 0) {
     out += fmt::format("{}: {} the same{}, up to where {} missing\n", trace, many_counted(replayed.events, "event"),
                        version, counted_are(replayed.dropped, "event"));
+  } else if (replayed.events == 0) {
+    out += fmt::format("{}: the trace has no events behind its header: nothing was replayed\n", trace);
   } else {
     out += fmt::format("{}: {}, all the same{}\n", trace, many_counted(replayed.events, "event"), version);
   }
@@ -107,7 +109,7 @@ int run(const Replay& request, Console& console) {
     console.out << to_line(to_json(replayed, shown, of.file, other)) << '\n';
   else
     console.out << dsl::harmless_lines(to_text(replayed, shown, of.file, other));
-  return replayed.difference || !replayed.problem.empty() ? found : clean;
+  return replayed.difference || !replayed.problem.empty() || replayed.events == 0 ? found : clean;
 }
 
 } // namespace director::compiler::cli

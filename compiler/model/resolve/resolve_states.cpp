@@ -113,15 +113,9 @@ void resolve_states(Resolver& r) {
     if (spec.type) check_foreign_type(r, *spec.type, capitalised(state.name.value));
     std::unordered_set<std::int64_t> unordered;
     for (const Word& word : spec.unordered) {
+      if (state.is_range) break; // reported when it was read
       const auto value = find_value(r, id, word);
-      if (value && state.is_range) {
-        r.error(
-            "value_outside_domain", word.span,
-            fmt::format("`unordered` is for listed values: the numbers of `{}` all have their place", state.name.value),
-            "leave out `unordered`");
-      } else if (value && unordered.insert(*value).second) {
-        state.unordered.push_back(*value);
-      }
+      if (value && unordered.insert(*value).second) state.unordered.push_back(*value);
     }
     if (spec.initial) {
       state.initial = find_value(r, id, *spec.initial);

@@ -33,6 +33,8 @@ public:
   EventQueue(const EventQueue&) = delete;
   EventQueue& operator=(const EventQueue&) = delete;
 
+  std::size_t size() const { return size_; } ///< how many events can wait
+
   // For the thread that steps.
 
   /// False: the queue is full.

@@ -31,6 +31,12 @@ TEST_CASE("a command line is taken apart as a shell would") {
   CHECK(split_command("").empty());
 }
 
+TEST_CASE("a dollar sign in a command is read as CMake writes it, and as a shell does") {
+  CHECK(split_command(R"("/a\$$b/g++" -DA="\"\$$x\"" -DB="\$$\$$c" -DC=$(c) -I"/a\$$b c/i")") ==
+        Words{"/a$b/g++", "-DA=\"$x\"", "-DB=$$c", "-DC=$(c)", "-I/a$b c/i"});
+  CHECK(split_command(R"("/a\$b" '/a$$b' "\$" /a\$b)") == Words{"/a$b", "/a$$b", "$", "/a$b"});
+}
+
 TEST_CASE("compile_commands.json with commands and with arguments") {
   const auto read = read_compile_commands(R"([{"directory": "/b", "file": "../s/a.cpp", "command": "g++ -c ../s/a.cpp"},
                                               {"directory": "/b", "file": "/s/b.cpp", "arguments": ["g++", "/s/b.cpp"], "output": "x"}])");
@@ -41,9 +47,10 @@ TEST_CASE("compile_commands.json with commands and with arguments") {
   REQUIRE(near);
   const std::filesystem::path here = std::filesystem::current_path();
   CHECK(near.value() == std::vector<CompileCommand>{{here / "s/a.cpp", here / "b", {"g++"}}});
-  CHECK(read_compile_commands("{").error() == "it is no JSON list");
+  CHECK(read_compile_commands("{").error() == CommandsFault{"it is no JSON", 1});
+  CHECK(read_compile_commands("\n{}").error() == CommandsFault{"it is no JSON list", 1});
   CHECK(read_compile_commands(R"([{"file": "a.cpp"}])").error() ==
-        "its entry 1 needs `directory`, `file`, and `command` or `arguments`");
+        CommandsFault{"its entry 1 needs `directory`, `file`, and `command` or `arguments`"});
 }
 
 TEST_CASE("response files that name themselves many times come to an end") {
@@ -88,10 +95,19 @@ TEST_CASE("compile_commands.json of a build, or what is wrong with it") {
   CHECK_FALSE(absent.was_read);
   CHECK(absent.fault == "cannot read `b/compile_commands.json`: No such file or directory; CMake writes it with "
                         "-D CMAKE_EXPORT_COMPILE_COMMANDS=ON");
-  files.add("b/compile_commands.json", "nothing");
-  const LoadedCommands wrong = load_compile_commands("b", files);
-  CHECK(wrong.was_read);
-  CHECK(wrong.fault == "`b/compile_commands.json` is wrong: it is no JSON list");
+  const auto fault = [&](const std::string& text) {
+    files.add("b/compile_commands.json", text);
+    const LoadedCommands wrong = load_compile_commands("b", files);
+    CHECK(wrong.was_read);
+    return wrong.fault;
+  };
+  CHECK(fault("{}") == "`b/compile_commands.json:1:1` is wrong: it is no JSON list");
+  CHECK(fault("") == "`b/compile_commands.json:1:1` is wrong: it is no JSON");
+  CHECK(fault("[\n  {\"file\": \"a.cpp\",,\n") == "`b/compile_commands.json:2:20` is wrong: it is no JSON");
+  CHECK(fault("[\n  {\"file\": \"a.cpp\"}\n") == "`b/compile_commands.json:3:1` is wrong: it is no JSON");
+  CHECK(fault("\n" + std::string(600, '[')) == "`b/compile_commands.json:2:501` is wrong: it is no JSON");
+  CHECK(fault("[1]") ==
+        "`b/compile_commands.json` is wrong: its entry 1 needs `directory`, `file`, and `command` or `arguments`");
 }
 
 TEST_CASE("the nearest compile_commands.json is in a folder, in its `build`, or in those above") {
@@ -109,7 +125,7 @@ TEST_CASE("the nearest compile_commands.json is in a folder, in its `build`, or 
   }
   files.add("/u/robot/src/compile_commands.json", "{"); // a farther one does not replace it
   CHECK(find_compile_commands("/u/robot/src", files).fault ==
-        "`/u/robot/src/compile_commands.json` is wrong: it is no JSON list");
+        "`/u/robot/src/compile_commands.json:1:2` is wrong: it is no JSON");
 }
 
 TEST_CASE("flags that only g++ knows are left out, and what is written too") {

@@ -76,12 +76,25 @@ TEST_CASE("a request says whether it has a body, which is not read") {
 TEST_CASE("an invalid request is refused without the handler, with an answer") {
   Asked asked;
   for (const char* request :
-       {"\r\n\r\n", "nonsense\r\n\r\n", "BREW / HTTP/1.1\r\n\r\n", "GET / HTTP/3.0\r\n\r\n", "PRI * HTTP/2.0\r\n\r\n",
+       {"\r\n\r\n", "nonsense\r\n\r\n", "BR=W / HTTP/1.1\r\n\r\n", "BREW HTTP/1.1\r\n\r\n", "BREW / HTTP/3.0\r\n\r\n",
+        " / HTTP/1.1\r\n\r\n", "BREW  HTTP/1.1\r\n\r\n", "GET / HTTP/3.0\r\n\r\n", "PRI * HTTP/2.0\r\n\r\n",
         "GET /\r\n\r\n", "GET / HTTP/1.1\r\nHost: a\r\nhost: b\r\n\r\n", "\x16\x03\x01\r\n\r\n"}) {
     CAPTURE(request);
     CHECK(asked.http.answer(request).head ==
           "HTTP/1.1 400 Bad Request\r\nConnection: close\r\nContent-Type: text/plain; charset=utf-8\r\n"
           "Content-Length: 32\r\n\r\nThis is no request of HTTP/1.1.\n");
+  }
+  CHECK(asked.line.empty());
+}
+
+TEST_CASE("a method that is not known is refused without the handler, as such") {
+  Asked asked;
+  for (const char* request : {"BREW / HTTP/1.1\r\nHost: a\r\n\r\n", "PROPFIND /x HTTP/1.1\r\n\r\n",
+                              "get / HTTP/1.0\r\nHost: a\r\n\r\n", "M-SEARCH * HTTP/1.1\r\n\r\n"}) {
+    CAPTURE(request);
+    CHECK(asked.http.answer(request).head ==
+          "HTTP/1.1 501 Not Implemented\r\nConnection: close\r\nContent-Type: text/plain; charset=utf-8\r\n"
+          "Content-Length: 55\r\n\r\nThere is no such method here, only GET, HEAD and POST.\n");
   }
   CHECK(asked.line.empty());
 }

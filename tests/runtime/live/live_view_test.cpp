@@ -4,6 +4,7 @@
 #include "tests/runtime/live/client.hpp"
 #include "tests/runtime/live/soccer_game.hpp"
 #include "tests/support/command.hpp"
+#include "tests/support/environment.hpp"
 #include "tests/support/golden.hpp"
 #include "tests/support/no_new_threads.hpp"
 #include "tests/support/other_threads.hpp"
@@ -21,6 +22,7 @@
 #include <deque>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -353,6 +355,20 @@ TEST_CASE("an IPv6 address is in brackets") {
     CHECK(view.url().starts_with("http://[::1]:"));
   else
     CHECK(view.error().starts_with("cannot listen at [::1]:0: ")); // on a system without IPv6
+}
+
+TEST_CASE("a view without memory for its queue says so, and the robot runs on") {
+  if (is_sanitized) return; // the sanitizer's allocator ends the program
+  for (const std::size_t queue : {std::numeric_limits<std::size_t>::max(), std::size_t{1} << 40}) {
+    LiveView view{soccer::names::all(), {.queue = queue}};
+    CHECK_FALSE(view.good());
+    CHECK(view.error() ==
+          "there is no memory for " + std::to_string(queue) + " events that wait: give LiveView a smaller `queue`");
+    CHECK(view.url().empty());
+    SoccerGame game(&view);
+    for (int i = 0; i < 10; ++i) game.step();
+    CHECK(view.dropped() > 0);
+  }
 }
 
 TEST_CASE("a view whose thread cannot be started says so, and leaves the signals of the program as they were") {

@@ -57,14 +57,27 @@ TEST_CASE("the page is behind the token, and nothing is sent without it") {
     CHECK(shown.call("GET", path).starts_with("404 There is nothing here: "));
 }
 
-TEST_CASE("other methods are refused, with a list of those that exist") {
+TEST_CASE("other methods are refused, with a list of those that there are for the address") {
   Shown shown;
-  for (const char* method : {"PUT", "DELETE", "PATCH", "OPTIONS", "TRACE", "CONNECT"}) {
-    CHECK(shown.call(method, "/token/") ==
-          "405 " + std::string(method) + " is not understood here, only GET, HEAD and POST.\n");
-    CHECK(shown.call(method, "/") == no_token);
+  const auto refused = [&](const std::string& method, const std::string& path) {
+    const Reply reply = shown.site.answer({.method = method, .path = path, .host = "localhost"},
+                                          shown.source.moments.look(), shown.source.moments.until());
+    for (const auto& [name, value] : reply.headers) {
+      if (name == "Allow") return Shown::text(reply) + value;
+    }
+    return Shown::text(reply);
+  };
+  for (const std::string method : {"PUT", "DELETE", "PATCH", "OPTIONS", "TRACE", "CONNECT"}) {
+    for (const char* path : {"/token/", "/token/why", "/token/events", "/token/nothing"})
+      CHECK(refused(method, path) == "405 " + method + " is not allowed here, only GET and HEAD.\nGET, HEAD");
+    CHECK(refused(method, "/token/set") == "405 " + method + " is not allowed here, only POST.\nPOST");
+    CHECK(refused(method, "/") == no_token);
   }
-  CHECK(shown.call("GET", "/token/cancel_all") == "405 A command is posted: curl -X POST ...\n");
+  for (const char* method : {"GET", "HEAD"})
+    CHECK(refused(method, "/token/cancel_all") == "405 A command is posted: curl -X POST ...\nPOST");
+  shown.allow();
+  for (const char* path : {"/token/", "/token/why", "/token/events"})
+    CHECK(refused("POST", path) == "405 This is no command: POST is not allowed here, only GET and HEAD.\nGET, HEAD");
 }
 
 TEST_CASE("a request with a host name of others is refused, with or without the token") {

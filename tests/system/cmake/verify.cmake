@@ -4,6 +4,7 @@
 # is printed, and stops the build only with WERROR.
 include(${CMAKE_CURRENT_LIST_DIR}/judge_build.cmake)
 file(REMOVE_RECURSE ${WORK})
+set(WORK "${WORK}/the $robot") # CMake writes such a path in another way into compile_commands.json
 file(COPY ${SOURCE}/ DESTINATION ${WORK}/project)
 find_program(ninja ninja)
 set(generator "Unix Makefiles")

@@ -41,7 +41,7 @@ TEST_CASE("a build or flags that cannot be read are reported, also if no type is
   world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\ncpp: {headers: [a.hpp]}\nroots: [Lamp]\n"
                                "groups: {Lamp: {data: Level}}\n");
   CHECK(world.directorc({"check", "-p", "build", "lamp.yaml"}) == 2);
-  CHECK(world.err == "directorc: `build/compile_commands.json` is wrong: it is no JSON list\n");
+  CHECK(world.err == "directorc: `build/compile_commands.json:1:2` is wrong: it is no JSON\n");
 }
 
 TEST_CASE("types that -p should have checked and that cannot be read are reported, where no finding says it") {

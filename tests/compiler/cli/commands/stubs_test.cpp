@@ -25,7 +25,7 @@ TEST_CASE("stubs with a build's folder that has no compile_commands.json, or one
                      "with -D CMAKE_EXPORT_COMPILE_COMMANDS=ON\n");
   world.files.add("bulid/compile_commands.json", "{");
   CHECK(world.directorc({"stubs", "cart.yaml", "-o", "src", "-p", "bulid"}) == 2);
-  CHECK(world.err == "directorc: `bulid/compile_commands.json` is wrong: it is no JSON list\n");
+  CHECK(world.err == "directorc: `bulid/compile_commands.json:1:2` is wrong: it is no JSON\n");
   CHECK(world.outputs.written.empty());
   world.files.add("bulid/compile_commands.json", "[]");
   CHECK(world.directorc({"stubs", "cart.yaml", "-o", "src", "-p", "bulid"}) == 0);

@@ -173,6 +173,42 @@ TEST_CASE("a trace may end its lines as Windows does") {
   CHECK(world.out == trace_in(world));
 }
 
+TEST_CASE("empty lines at the end of a trace are ignored") {
+  World world = with_trace();
+  for (const char* end : {"\n", "\r\n", "\n\n \t\n", "  "}) {
+    CAPTURE(end);
+    world.files.add("longer.jsonl", trace_in(world) + end);
+    CHECK(world.directorc({"replay", "longer.jsonl"}) == 0);
+    CHECK(world.err + world.out == "longer.jsonl: 37 events, all the same\n");
+    CHECK(world.directorc({"trace", "longer.jsonl", "--to=json"}) == 0);
+    CHECK(world.err + world.out == trace_in(world));
+  }
+}
+
+TEST_CASE("a replay of a trace without events fails, and says that there is nothing to replay") {
+  World world = with_trace();
+  const std::string header = traced_line(trace_in(world), 1) + "\n";
+  const std::string none = "none.jsonl: the trace has no events behind its header: nothing was replayed\n";
+  const auto replay = [&](const std::string& text, const std::vector<std::string>& more) {
+    world.files.add("none.jsonl", text);
+    std::vector<std::string> words{"replay", "none.jsonl"};
+    words.insert(words.end(), more.begin(), more.end());
+    CHECK(world.directorc(words) == 1);
+    return world.err + world.out;
+  };
+  CHECK(replay(header, {}) == none);
+  CHECK(replay(header + "\n", {}) == none);
+  CHECK(replay(header + "{\"t\":0", {}) == "none.jsonl:2: note: the last line is cut off, and was left out\n" + none);
+  CHECK(replay(header, {"--format=json"}) ==
+        "{\"trace\":\"none.jsonl\",\"behaviour\":\"rover.yaml\",\"other_version\":false,\"events\":0,\"dropped\":0}\n");
+  std::string other = rover_that_is_recorded;
+  other.replace(other.find("priority: 20"), 12, "priority: 21");
+  world.files.add("other.yaml", other);
+  CHECK(replay(header, {"--behaviour=other.yaml"}) == none);
+  CHECK(replay(header + "{\"event\":\"dropped\",\"count\":3}\n", {}) ==
+        "none.jsonl: 0 events the same, up to where 3 events are missing\n");
+}
+
 TEST_CASE("a trace that nests without end is reported with its line") {
   World world = with_trace();
   std::string deep = traced_line(trace_in(world), 1) + "\n";
@@ -207,6 +243,8 @@ TEST_CASE("a line that is not of a trace is reported with its number") {
   const std::string unreadable = "bad.jsonl:2: error: this line cannot be read: ";
   const std::string none_before = "bad.jsonl: 0 events the same, up to line 2, which cannot be read\n";
   CHECK(say(header + "{\"t\":\n{}\n") == unreadable + "it is no JSON object\n" + help + none_before);
+  CHECK(say(header + "\n{}\n") == unreadable + "it is empty\n" + help + none_before);
+  CHECK(say(header + " \t\r\n{}\n") == unreadable + "it is empty\n" + help + none_before);
   CHECK(say(header + "[]\n") == unreadable + "it is no JSON object\n" + help + none_before);
   CHECK(say(header + "{}\n") == unreadable + "it names no event\n" + help + none_before);
   CHECK(say(header + header) ==
