@@ -263,13 +263,24 @@ private:
     return compatible(region, when_);
   }
 
-  /// The providers that a task for this group may push.
+  /// The providers that a task for this group may push, and what is only ever requested in one unit with it.
   const std::set<ProviderId>& pushed_by(GroupId task) const {
     if (pushing_ == task) return pushed_;
     pushing_ = task;
     pushed_.clear();
-    for (const Want* want : shared_.wants_of(task)) pushed_.insert(want->causers.begin(), want->causers.end());
+    add_pushed_by(task);
+    for (const Request& request : shared_.requests().of(task)) {
+      if (!request.requester || request.pack->name.empty() || !model_.is_always_member(*request.task)) continue;
+      for (const Task& other : request.pack->tasks) {
+        if (model_.is_always_member(other) && shared_.requests().of(other.target).size() == 1)
+          add_pushed_by(other.target);
+      }
+    }
     return pushed_;
+  }
+
+  void add_pushed_by(GroupId task) const {
+    for (const Want* want : shared_.wants_of(task)) pushed_.insert(want->causers.begin(), want->causers.end());
   }
 
   /// Whether every chain of requests to the group passes the other one.
