@@ -15,6 +15,12 @@ namespace director::checks {
 
 namespace {
 
+std::string waiters_of(const Model& model, const Clash& clash) {
+  const std::string second = name_of(model, clash.second_waiter);
+  return clash.member == nullptr ? second + " waits"
+                                 : fmt::format("{} and {} wait", name_of(model, clash.first_waiter), second);
+}
+
 std::string run_while(const Model& model, ProviderId causer, const ConditionUse& held) {
   const auto is_of_state = [&](const ConditionUse& use) {
     return model.conditions[use.id].state == model.conditions[held.id].state;
@@ -59,8 +65,8 @@ void push_cycle(const Input& input, Findings& findings) {
     if (clash.kind != Clash::Kind::cycle) continue;
     dsl::Diagnostic& finding =
         findings.add(clash.second.span,
-                     fmt::format("{} waits for {} and {}, and {}", name_of(model, clash.second_waiter),
-                                 name_of(model, clash.first.id), name_of(model, clash.second.id),
+                     fmt::format("{} for {} and {}, and {}", waiters_of(model, clash), name_of(model, clash.first.id),
+                                 name_of(model, clash.second.id),
                                  clash.because.size() > 1 ? "what causes the one undoes the other"
                                                           : "what causes the one cannot run while the other holds"));
     add_parties(model, clash, finding);

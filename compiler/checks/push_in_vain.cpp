@@ -53,8 +53,11 @@ std::string message_of(const Model& model, const Clash& clash) {
   if (clash.loss == Clash::Loss::for_good) return fmt::format("{} once {}", waits, lost_with(model, clash.lost));
   if (clash.loss == Clash::Loss::held)
     return fmt::format("{}: what {} needs is kept above it", waits, name_of(model, clash.second_causer));
-  return fmt::format("{}: its push of {} for {} takes away {}", waits, name_of(model, clash.first_causer),
-                     name_of(model, clash.first.id), loss_of(model, clash));
+  const std::string causer = name_of(model, clash.first_causer), first = name_of(model, clash.first.id);
+  if (clash.member != nullptr)
+    return fmt::format("{}: the push of {} for {}, which {} waits for, takes away {}", waits, causer, first,
+                       name_of(model, clash.first_waiter), loss_of(model, clash));
+  return fmt::format("{}: its push of {} for {} takes away {}", waits, causer, first, loss_of(model, clash));
 }
 
 std::string help_of(const Model& model, const Clash& clash) {

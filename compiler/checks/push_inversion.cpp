@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -263,13 +264,24 @@ private:
     return compatible(region, when_);
   }
 
-  /// The providers that a task for this group may push.
+  /// The providers that a task for this group may push, and what is only ever requested in one unit with it.
   const std::set<ProviderId>& pushed_by(GroupId task) const {
     if (pushing_ == task) return pushed_;
     pushing_ = task;
     pushed_.clear();
-    for (const Want* want : shared_.wants_of(task)) pushed_.insert(want->causers.begin(), want->causers.end());
+    add_pushed_by(task);
+    for (const Request& request : shared_.requests().of(task)) {
+      if (!request.requester || request.pack->name.empty() || !model_.is_always_member(*request.task)) continue;
+      for (const Task& other : request.pack->tasks) {
+        if (model_.is_always_member(other) && shared_.requests().of(other.target).size() == 1)
+          add_pushed_by(other.target);
+      }
+    }
     return pushed_;
+  }
+
+  void add_pushed_by(GroupId task) const {
+    for (const Want* want : shared_.wants_of(task)) pushed_.insert(want->causers.begin(), want->causers.end());
   }
 
   /// Whether every chain of requests to the group passes the other one.
@@ -336,6 +348,14 @@ private:
                                        name_of(model_, pushed), task);
       return;
     }
+    if (const std::optional<Turned> turned = find_turned(holder, part)) {
+      const std::string alone = fmt::format("let {} do without {}", name_of(model_, causer), name_of(model_, need.id));
+      finding.help = turned->causer == holder.provider
+                         ? fmt::format("{}, or {}, which {} pushes, without {}", alone, name_of(model_, turned->causer),
+                                       name_of(model_, turned->task), name_of(model_, turned->need))
+                         : alone;
+      return;
+    }
     if (differ && !one_side) {
       finding.help = fmt::format(
           "let {} do without {}; or order them anew: first all tasks that push it, then {}, then "
@@ -349,6 +369,38 @@ private:
                           name_of(model_, need.id), between, name_of(model_, pushed), task)
             : fmt::format("let {} go before {}, and still after {}", name_of(model_, below.second->target),
                           name_of(model_, below.first->target), task);
+  }
+
+  /// A push of the group in between that needs the part too.
+  struct Turned {
+    GroupId task{};
+    ProviderId causer{};
+    GroupId need{};
+  };
+
+  /// Another order would only turn the two round then. First the one by which it holds the part, if that is pushed.
+  std::optional<Turned> find_turned(const Holder& holder, GroupId part) {
+    if (pushes_of_.empty()) {
+      pushes_of_.resize(model_.groups.size());
+      for (const Wanting& wanting : shared_.wants()) {
+        for (const Want& want : wanting.wants) {
+          for (const ProviderId id : want.causers)
+            pushes_of_[model_.providers[id].group.value].insert({id, wanting.task});
+        }
+      }
+    }
+    std::optional<Turned> out;
+    for (const auto& [id, task] : pushes_of_[holder.group.value]) {
+      if (out && id != holder.provider) continue;
+      for (const Use<GroupId>& need : model_.providers[id].needs) {
+        const auto& parts = shared_.indispensable().of(need.id);
+        if (!parts || std::find(parts->begin(), parts->end(), part) == parts->end()) continue;
+        out = Turned{task, id, need.id};
+        if (id == holder.provider) return out;
+        break;
+      }
+    }
+    return out;
   }
 
   void add_side(const Task& entry, const Level& level, GroupId meant, dsl::Diagnostic& finding) const {
@@ -370,7 +422,8 @@ private:
   mutable Arrows arrows_; ///< of requests and needs; empty: not found yet
   Region when_;           ///< with which the pushed provider may begin
   mutable std::map<GroupId, std::vector<Holder>> holders_;
-  mutable std::map<ProviderId, Region> active_; ///< where these may run
+  mutable std::map<ProviderId, Region> active_;                     ///< where these may run
+  std::vector<std::set<std::pair<ProviderId, GroupId>>> pushes_of_; ///< of each group: who is pushed, and by what task
   mutable std::optional<GroupId> pushing_;
   mutable std::set<ProviderId> pushed_;                      ///< by the task `pushing_`
   std::set<std::tuple<dsl::Span, dsl::Span, GroupId>> seen_; ///< need, condition, and who is between

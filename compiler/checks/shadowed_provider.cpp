@@ -23,7 +23,7 @@ namespace {
 
 /// Limit for the rivals with a note.
 constexpr std::size_t most_culprits = 8;
-/// Limit for the rivals of which each is tried to be left out.
+/// Limit for the rivals of which each is tried to be left out, and for those that are enough alone.
 constexpr std::size_t most_left_out = 64;
 
 /// Whether a condition of it is reported as one that never holds: that is the reason, not the providers before it.
@@ -272,12 +272,14 @@ void shadowed_provider(const Input& input, Findings& findings) {
     std::vector<std::string> names;
     const Culprits culprits = find_culprits(input, id, rivals.of(id), mended);
     for (const ProviderId rival : culprits.all) names.push_back(name_of(model, rival));
+    const bool are_all = !culprits.each || names.size() < most_left_out;
     dsl::Diagnostic& finding = findings.add(
         provider.span,
         names.size() == 1
             ? fmt::format("{} never runs: {} comes before it and can run whenever it can", name_of(model, id), names[0])
             : fmt::format("{} never runs: {} come before it, and {} of them can run whenever it can",
-                          name_of(model, id), few_of(names), culprits.each ? "each" : "one"));
+                          name_of(model, id), few_of(names, are_all ? "and" : "and at least"),
+                          culprits.each ? "each" : "one"));
     finding.rules_out = {provider.span};
     for (std::size_t i = 0; i < std::min(culprits.all.size(), most_culprits); ++i) {
       finding.notes.push_back({model.providers[culprits.all[i]].span, fmt::format("{} is preferred", names[i])});

@@ -35,29 +35,37 @@ public:
     }
   }
 
-  /// The task ends the condition, and what causes it goes first, so that nobody pushes it.
-  void look_at_unpushed(ProviderId waiter, const ConditionUse& use, const ConditionUse& entry) {
-    const StateId state = model_.conditions[use.id].state;
-    if (model_.conditions[entry.id].state != state || !facts_.impossible_of(waiter).empty()) return;
-    const ValueSet values = undoing_values(model_, waiter, use.id, model_.conditions[entry.id].accepts);
-    if (values.empty()) return;
+  /// The task, or one below it, ends the condition, and what causes it goes first, so that nobody pushes it.
+  void look_at_unpushed(const Input& input, ProviderId waiter, const ConditionUse& use) {
+    if (!facts_.impossible_of(waiter).empty()) return;
     const auto [at, is_new] = only_causers_.try_emplace(use.id);
     if (is_new) at->second = find_only_causer(use.id);
     const std::optional<ProviderId> causer = at->second;
     if (!causer || !runs_once(*causer)) return;
-    const GroupId group = model_.providers[*causer].group;
-    const Task* const first = root_before(group, model_.providers[waiter].group);
-    if (first == nullptr || !seen_.insert({entry.span, use.span}).second) return;
-    const std::string name = name_of(model_, waiter), causing = name_of(model_, *causer);
-    dsl::Diagnostic& finding = findings_.add(
-        entry.span,
-        fmt::format("{} may set {}, and then {} is cut off, perhaps for ever: it cannot push {}, which causes {}", name,
-                    name_of(model_, entry.id), name, causing, name_of(model_, use.id)));
-    finding.notes.push_back(runs_only_while(model_, waiter, use));
-    finding.notes.push_back(causes(model_, *causer, use.id));
-    finding.notes.push_back({first->span, fmt::format("{} goes before {}", name_of(model_, group),
-                                                      name_of(model_, model_.providers[waiter].group))});
-    finding.help = stay_help(model_, {waiter, use, {}}, values);
+    const Provider& row = model_.providers[waiter];
+    const Task* const first = root_before(model_.providers[*causer].group, row.group);
+    if (first == nullptr) return;
+    const Unpushed wait{waiter, use, *causer, *first};
+    for (const ConditionUse& entry : row.sets) look_at_unpushed(wait, setter(waiter), entry, {});
+    if (row.packs.empty()) return;
+    const RunsBelow below(input.shared.branches(), input.shared.claims(row.group), row.group);
+    const Region here = region_of(model_, row.when);
+    for (const GroupId group : below.groups()) {
+      if (group == row.group) continue;
+      const std::vector<ChainStep> path = below.path(group);
+      if (model_.groups[group].start) {
+        const Setter start{fmt::format("the start of {}", name_of(model_, group)), group};
+        for (const ConditionUse& entry : model_.groups[group].start->sets) look_at_unpushed(wait, start, entry, path);
+      }
+      for (const ProviderId id : model_.groups[group].providers) {
+        const Provider& provider = model_.providers[id];
+        if (!facts_.active.contains(id) || !compatible(here, active_region(model_, provider))) continue;
+        Setter by = setter(id);
+        for (const ConditionUse& entry : provider.sets) look_at_unpushed(wait, by, entry, path);
+        by.promised = true;
+        for (const ConditionUse& entry : provider.causing) look_at_unpushed(wait, by, entry, path);
+      }
+    }
   }
 
   /// The start of a task below ends the condition, and its stop brings it back, without a push.
@@ -73,6 +81,44 @@ public:
   }
 
 private:
+  /// What may set the state.
+  struct Setter {
+    std::string name;
+    GroupId group{};
+    bool promised = false; ///< it causes it
+    bool unpushed = false; ///< also if its own group causes the condition, which is no longer pushed once the task has
+                           ///< that group
+  };
+
+  /// A condition that only a root causes that goes before the waiting one.
+  struct Unpushed {
+    ProviderId waiter{};
+    const ConditionUse& use;
+    ProviderId causer{};
+    const Task& first;
+  };
+
+  void look_at_unpushed(const Unpushed& wait, const Setter& by, const ConditionUse& entry,
+                        const std::vector<ChainStep>& path) {
+    const auto& [waiter, use, causer, first] = wait;
+    if (model_.conditions[entry.id].state != model_.conditions[use.id].state) return;
+    const ValueSet values = undoing_values(model_, waiter, use.id, model_.conditions[entry.id].accepts);
+    if (values.empty() || !seen_.insert({entry.span, use.span}).second) return;
+    const std::string name = name_of(model_, waiter), causing = name_of(model_, causer);
+    dsl::Diagnostic& finding = findings_.add(
+        entry.span,
+        fmt::format("{} may {} {}, and then {} is cut off, perhaps for ever: it cannot push {}, which causes {}",
+                    by.name, by.promised ? "cause" : "set", name_of(model_, entry.id), name, causing,
+                    name_of(model_, use.id)));
+    finding.notes.push_back(runs_only_while(model_, waiter, use));
+    add_chain(model_, path, finding.notes);
+    finding.notes.push_back(causes(model_, causer, use.id));
+    finding.notes.push_back(
+        {first.span, fmt::format("{} goes before {}", name_of(model_, model_.providers[causer].group),
+                                 name_of(model_, model_.providers[waiter].group))});
+    finding.help = stay_help(model_, {waiter, use, {}}, values);
+  }
+
   void look_at_start(const RunsBelow& below, const Want& want, GroupId group, const ConditionUse& entry) {
     const Condition& condition = model_.conditions[want.condition.id];
     if (model_.conditions[entry.id].state != condition.state || facts_.is_impossible(want.waiter, condition.state))
@@ -157,15 +203,6 @@ private:
     return std::nullopt;
   }
 
-  /// What may set the state.
-  struct Setter {
-    std::string name;
-    GroupId group{};
-    bool promised = false; ///< it causes it
-    bool unpushed = false; ///< also if its own group causes the condition, which is no longer pushed once the task has
-                           ///< that group
-  };
-
   Setter setter(ProviderId id) const { return {name_of(model_, id), model_.providers[id].group}; }
 
   void look_below(const Granted& granted, const Want& want, GroupId group) {
@@ -203,9 +240,9 @@ private:
                                               name_of(model_, *causer), condition));
     finding.notes.push_back(runs_only_while(model_, want.waiter, want.condition));
     if (granted.is_other())
-      finding.notes.push_back({granted.member->span, fmt::format("{} is granted together with {}",
-                                                                 name_of(model_, granted.task),
-                                                                 name_of(model_, granted.waits))});
+      finding.notes.push_back(
+          {granted.member->span, fmt::format("{} is granted together with {}", name_of(model_, granted.task),
+                                             name_of(model_, granted.waits))});
     add_chain(model_, granted.below.path(by.group), finding.notes);
     finding.notes.push_back(causes(model_, *causer, want.condition.id));
     finding.help = stay_help(model_, want, values);
@@ -242,10 +279,7 @@ void undone_by_itself(const Input& input, Findings& findings) {
   }
   for (const ProviderId id : input.model.providers.ids()) {
     if (!input.facts.chosen.contains(id)) continue;
-    const compiler::Provider& provider = input.model.providers[id];
-    for (const ConditionUse& use : provider.when) {
-      for (const ConditionUse& entry : provider.sets) undone.look_at_unpushed(id, use, entry);
-    }
+    for (const ConditionUse& use : input.model.providers[id].when) undone.look_at_unpushed(input, id, use);
   }
   const IdSet<StateId> by_starts = states_of_starts(input.model);
   for (const ProviderId id : input.model.providers.ids()) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/clashes/granted.hpp"
-#include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/conflicts/settings.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -31,7 +31,7 @@ public:
       : model_(input.model),
         facts_(input.facts),
         shared_(input.shared),
-        grants_(input.conflicts.grants()),
+        settings_(input),
         findings_(findings),
         stopping_(input.model.states.size()) {
     for (const GroupId group : model_.groups.ids()) {
@@ -58,16 +58,16 @@ public:
   /// What a group that goes after the task sets without a push.
   void look_at_unpushed(ProviderId waiter) {
     const GroupId task = model_.providers[waiter].group;
-    if (!may_be_granted_alone(task) || !takes_all(waiter) || never_runs(waiter)) return;
+    if (!settings_.may_undo(waiter)) return;
     std::optional<Granted> granted;
     for (const ConditionUse& use : model_.providers[waiter].when) {
       const StateId state = model_.conditions[use.id].state;
       for (const GroupId stopped : stopping_[state]) {
         if (stopped == task) continue;
         if (!granted) granted.emplace(granted_alone(model_, shared_, task));
-        if (!takes_from(granted->takings, stopped) || is_kept_off(waiter, stopped)) continue;
+        if (!takes_from(granted->takings, stopped) || settings_.is_kept_off(waiter, stopped)) continue;
         for (const StopValue& stop : stop_values(stopped, state)) {
-          const std::optional<Setting> setting = find_setting(waiter, use, stopped, stop);
+          const std::optional<Setting> setting = settings_.find_setting(waiter, use, stopped, stop.values);
           if (!setting || !shared_.chains().may_beat(task, stopped)) continue;
           look_at_stop(*granted, {waiter, use, {}}, *setting, stopped, stop, {});
         }
@@ -76,12 +76,6 @@ public:
   }
 
 private:
-  /// A provider that makes a condition true, and how that is said.
-  struct Setting {
-    ProviderId provider{};
-    dsl::Note note;
-  };
-
   void look_at(const Granted& granted, const Want& want, StateId state) {
     for (const ProviderId id : want.causers) {
       const Setting causer{id, causes(model_, id, want.condition.id)};
@@ -136,68 +130,11 @@ private:
     report(granted, want, causer, stop, values, std::move(*how));
   }
 
-  /// Otherwise what its unit lacks may be something else.
-  bool may_be_granted_alone(GroupId task) const {
-    const std::vector<Request>& requests = shared_.requests().of(task);
-    return std::any_of(requests.begin(), requests.end(), [&](const Request& request) {
-      return !request.requester || !model_.may_be_member(*request.task);
-    });
-  }
-
-  /// Whether no other provider of the group takes anything.
-  bool takes_all(ProviderId id) const {
-    const std::vector<ProviderId>& all = model_.group_of(id).providers;
-    return std::all_of(all.begin(), all.end(), [&](ProviderId other) {
-      const Provider& row = model_.providers[other];
-      return other == id || !facts_.active.contains(other) || (row.needs.empty() && row.packs.empty());
-    });
-  }
-
   /// Whether the group, or a need of it, is taken. Few are, of all that may set one state.
   bool takes_from(const Takings& takings, GroupId group) const {
     const std::vector<ProviderId>& all = model_.groups[group].providers;
     return takings.takes(group) ||
            std::any_of(all.begin(), all.end(), [&](ProviderId id) { return takings.need_taken(id) != nullptr; });
-  }
-
-  /// Whether all that request the group need what the waiting provider needs.
-  bool is_kept_off(ProviderId waiter, GroupId group) const {
-    const std::vector<Use<GroupId>>& needs = model_.providers[waiter].needs;
-    const std::vector<Request>& requests = shared_.requests().of(group);
-    return std::all_of(requests.begin(), requests.end(), [&](const Request& request) {
-      return request.requester && std::any_of(needs.begin(), needs.end(), [&](const Use<GroupId>& need) {
-               return shared_.indispensable().needs_contain(model_.providers[*request.requester], need.id);
-             });
-    });
-  }
-
-  /// Because of its conditions, or of what is held above it: other checks report that.
-  bool never_runs(ProviderId id) const {
-    return !facts_.impossible_of(id).empty() || grants_.idle().count(id) != 0 ||
-           !grants_.is_tried(model_.providers[id].group);
-  }
-
-  /// The first provider that the stopped group chooses when its stop has made the condition false, if that makes it
-  /// true again.
-  std::optional<Setting> find_setting(ProviderId waiter, const ConditionUse& use, GroupId stopped,
-                                      const StopValue& stop) const {
-    const StateId state = model_.conditions[use.id].state;
-    const ValueSet values = stop.values.without(model_.conditions[use.id].accepts);
-    if (values.empty()) return std::nullopt;
-    Region here = region_of(model_, model_.providers[waiter].when);
-    here.states.insert_or_assign(state, values);
-    for (const ProviderId id : model_.groups[stopped].providers) {
-      const Provider& row = model_.providers[id];
-      const Region own = region_of(model_, row.when);
-      if (!facts_.chosen.contains(id) || never_runs(id) || !compatible(here, own)) continue;
-      for (const ConditionUse& entry : row.sets) {
-        if (model_.satisfies(entry.id, use.id))
-          return Setting{id,
-                         {entry.span, fmt::format("{} may set {}", name_of(model_, id), name_of(model_, entry.id))}};
-      }
-      if (contains(own, here)) break;
-    }
-    return std::nullopt;
   }
 
   std::vector<StopValue> stop_values(GroupId id, StateId state) const {
@@ -301,7 +238,7 @@ private:
   const Model& model_;
   const Facts& facts_;
   const Shared& shared_;
-  const Grants& grants_;
+  const Settings settings_;
   Findings& findings_;
   IdTable<StateId, std::vector<GroupId>> stopping_; ///< groups whose stop may set it
   std::set<std::pair<dsl::Span, dsl::Span>> seen_;

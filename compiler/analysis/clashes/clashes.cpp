@@ -5,7 +5,9 @@
 #include "compiler/analysis/clashes/exclusions.hpp"
 #include "compiler/analysis/clashes/losses.hpp"
 #include "compiler/analysis/clashes/lost_for_good.hpp"
+#include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/states/region.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 
@@ -14,12 +16,16 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace director::analysis {
 
 namespace {
 
 using dsl::Note;
+
+/// Of the members of a unit that wait, this many are compared with each other.
+constexpr std::size_t most_compared = 16;
 
 class ClashSearch {
 public:
@@ -37,6 +43,10 @@ public:
           look_at(wanting, wanting.wants[first], wanting.wants[second]);
       }
     }
+    for (const ProviderId id : model_.providers.ids()) {
+      if (!facts_.active.contains(id) || !row(id).has_packs) continue;
+      for (const Pack& pack : row(id).packs) look_at(pack);
+    }
     take_lost();
     return std::move(out_);
   }
@@ -46,13 +56,7 @@ private:
   const Condition& condition(const ConditionUse& use) const { return model_.conditions[use.id]; }
 
   void look_at(const Wanting& wanting, const Want& first, const Want& second) {
-    if (condition(first.condition).state == condition(second.condition).state) return;
-    // Two providers of one group are never parts of one plan.
-    if (first.waiter != second.waiter && row(first.waiter).group == row(second.waiter).group) return;
-    const bool both = std::any_of(first.causers.begin(), first.causers.end(), [&](ProviderId id) {
-      return std::find(second.causers.begin(), second.causers.end(), id) != second.causers.end();
-    });
-    if (both || seen_.count({first.condition.span, second.condition.span}) != 0) return;
+    if (!may_clash(first, second) || seen_.count({first.condition.span, second.condition.span}) != 0) return;
     std::optional<Clash> clash = find_incompatible(wanting.task, first, second);
     if (!clash) clash = find_cycle(wanting.task, first, second);
     if (!clash) clash = find_vain(first, second);
@@ -63,6 +67,73 @@ private:
     seen_.insert({first.condition.span, second.condition.span});
     clash->task = wanting.task;
     out_.push_back(std::move(*clash));
+  }
+
+  /// All pushes for a unit last until each member can run, like those for one task.
+  void look_at(const Pack& pack) {
+    std::vector<const Task*> members;
+    for (const Task* task : unit_members(model_, pack)) {
+      if (members.size() < most_compared && model_.is_always_member(*task) && !shared_.wants_of(task->target).empty())
+        members.push_back(task);
+    }
+    // They are pushed for in this order.
+    const auto priority = [&](const Task* task) {
+      return model_.edges[task->edge].levels[task->levels.front().level].priority;
+    };
+    std::stable_sort(members.begin(), members.end(),
+                     [&](const Task* a, const Task* b) { return priority(a) > priority(b); });
+    for (std::size_t first = 0; first < members.size(); ++first) {
+      for (std::size_t second = first + 1; second < members.size(); ++second)
+        look_at(*members[first], *members[second]);
+    }
+  }
+
+  void look_at(const Task& a, const Task& b) {
+    if (!compared_.insert(a.target < b.target ? std::pair(a.target, b.target) : std::pair(b.target, a.target)).second)
+      return;
+    for (const Want* first : shared_.wants_of(a.target)) {
+      for (const Want* second : shared_.wants_of(b.target)) {
+        if (may_clash(*first, *second) && may_hold_together(*first, *second) && !is_noted(first->condition) &&
+            !is_noted(second->condition))
+          look_at(a, *first, b, *second);
+      }
+    }
+  }
+
+  /// Otherwise they are in no combination of the unit.
+  bool may_hold_together(const Want& first, const Want& second) const {
+    return compatible(region_of(model_, row(first.waiter).when), region_of(model_, row(second.waiter).when));
+  }
+
+  /// What can never be granted together is a conflict of the pack.
+  void look_at(const Task& a, const Want& first, const Task& b, const Want& second) {
+    if (find_incompatible(a.target, first, second)) return;
+    const Task* late = &b;
+    std::optional<Clash> clash = find_cycle(a.target, first, second);
+    if (!clash) clash = find_vain(first, second);
+    if (!clash) {
+      clash = find_vain(second, first);
+      late = &a;
+    }
+    if (!clash || shared_.units().verdict({a.target, b.target}) == UnitVerdict::impossible) return;
+    seen_.insert({clash->first.span, clash->second.span});
+    clash->task = late == &b ? a.target : b.target;
+    clash->member = late;
+    out_.push_back(std::move(*clash));
+  }
+
+  bool may_clash(const Want& first, const Want& second) const {
+    if (condition(first.condition).state == condition(second.condition).state) return false;
+    // Two providers of one group are never parts of one plan.
+    if (first.waiter != second.waiter && row(first.waiter).group == row(second.waiter).group) return false;
+    return std::none_of(first.causers.begin(), first.causers.end(), [&](ProviderId id) {
+      return std::find(second.causers.begin(), second.causers.end(), id) != second.causers.end();
+    });
+  }
+
+  bool is_noted(const ConditionUse& use) const {
+    return std::any_of(seen_.begin(), seen_.end(),
+                       [&](const auto& pair) { return pair.first == use.span || pair.second == use.span; });
   }
 
   /// A push for it is never made if the groups above the task hold what it needs.
@@ -84,10 +155,7 @@ private:
   /// If the condition is part of another clash, that finding is enough.
   void take_lost() {
     for (LostForGood& each : find_lost_for_good(model_, facts_, shared_)) {
-      const bool is_noted = std::any_of(seen_.begin(), seen_.end(), [&](const auto& pair) {
-        return pair.first == each.condition.span || pair.second == each.condition.span;
-      });
-      if (is_noted || is_kept_by_order(each)) continue;
+      if (is_noted(each.condition) || is_kept_by_order(each)) continue;
       Clash& clash = out_.emplace_back();
       clash.kind = Clash::Kind::vain;
       clash.loss = Clash::Loss::for_good;
@@ -238,6 +306,7 @@ private:
   const Shared& shared_;
   Losses losses_;
   std::set<std::pair<dsl::Span, dsl::Span>> seen_;
+  std::set<std::pair<GroupId, GroupId>> compared_; ///< members of one unit
   /// A condition, and one that is caused only after it.
   std::vector<std::pair<dsl::Span, ConditionId>> ordered_;
   std::vector<Clash> out_;
@@ -257,6 +326,10 @@ void add_parties(const Model& model, const Clash& clash, dsl::Diagnostic& findin
          fmt::format("{} waits for {} as well", name_of(model, clash.first_waiter), name_of(model, clash.first.id))});
     promises.insert(promises.begin(), {clash.first_causer, clash.first});
   }
+  if (clash.member != nullptr)
+    finding.notes.push_back(
+        {clash.member->span, fmt::format("{} is granted only together with {}", name_of(model, clash.member->target),
+                                         name_of(model, clash.task))});
   finding.rules_out = {clash.first.span, clash.second.span};
   // Another provider of the task waits for the same in vain.
   for (const ProviderId id : model.groups[clash.task].providers) {

@@ -28,6 +28,7 @@ struct Clash {
   Kind kind = Kind::cycle;
   Loss loss = Loss::request;
   GroupId task{};
+  const Task* member = nullptr; ///< the entry of the second waiter's task, if that is granted only together with `task`
   ProviderId first_waiter{}, second_waiter{};
   ConditionUse first{}, second{};
   ProviderId first_causer{}, second_causer{};
@@ -40,7 +41,8 @@ struct Clash {
   std::vector<dsl::Note> because; ///< the places that show it
 };
 
-/// The first kind that applies, for each two conditions; each pair once, at the first task that waits for it.
+/// The first kind that applies, for each two conditions of a task, or of two that a named pack requests together; each
+/// pair once, at the first task that waits for it.
 std::vector<Clash> find_clashes(const Model& model, const Graph& graph, const Facts& facts, const Shared& shared);
 
 /// Adds where both conditions are declared, what causes them, and what shows the clash: they never become true together

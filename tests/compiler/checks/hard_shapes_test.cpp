@@ -48,6 +48,19 @@ TEST_CASE("of a hundred tasks of a list that want one group one finding is repor
   CHECK(count(rivals(100, "tasks: [" + names(0, 100) + "]")) == Counts{{"possible_pack_conflict", {1, 1}}});
 }
 
+TEST_CASE("of a hundred providers that each shadow another one it is told that some are not counted") {
+  std::string text =
+      "states: {A: {range: [0, 1], initial: 0, external: true}}\nroots: [G]\ngroups:\n  G:\n    providers:\n";
+  for (std::size_t i = 0; i < 100; ++i) text += fmt::format("      - {{name: p{}, when: [A == 0]}}\n", i);
+  text += "      - {name: late, when: [A == 0]}\n      - {name: rest}\n";
+  const tests::CheckedText checked = tests::check_text(text);
+  CHECK(std::any_of(checked.checked.findings.begin(), checked.checked.findings.end(), [](const dsl::Diagnostic& one) {
+    return one.message ==
+           "`G.late` never runs: `G.p0`, `G.p1`, `G.p2`, `G.p3` and at least 60 more come before it, and "
+           "each of them can run whenever it can";
+  }));
+}
+
 TEST_CASE("of a hundred members of a pack that exclude each other one finding is reported, with each of them") {
   CHECK(count(rivals(100, "packs: {a: [" + names(0, 100) + "], b: []}")) == Counts{{"pack_conflict", {1, 1}}});
   const tests::CheckedText checked = tests::check_text(rivals(25, "packs: {a: [" + names(0, 25) + "], b: []}"));
