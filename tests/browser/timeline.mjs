@@ -193,6 +193,16 @@ await situation('an arrow of what is queued has a bar, so that it is no matter o
   assert.deepEqual(await barred(), []);
 });
 
+await situation('of several packs only the lines of the one that is requested are marked, unless others request alike', 'packs', {}, async (page) => {
+  const edges = (mark) => page.locator(`.holder:not([hidden]) g.edge.is-${mark} > title`).allTextContents().then((all) => all.filter((title) => title.startsWith('Plan')).sort());
+  await scrubTo(page, 0.25);
+  assert.deepEqual([await edges('running'), await edges('queued')], [['Plan.alike → Walk', 'Plan.stroll → Walk'], []]);
+  await press(page, 'End');
+  assert.deepEqual([await edges('running'), await edges('queued')], [[], ['Plan.alike → Walk', 'Plan.stroll → Walk']]);
+  assert.deepEqual(await edges('inactive'), ['Plan.alike → Look', 'Plan.go → Look', 'Plan.go → Walk']);
+  await all.shot(page, 'packs');
+});
+
 await situation('a note is whole on the paper of its picture, also where it is wider than that in one line', 'wide', {}, async (page) => {
   await press(page, 'End');
   const notes = await page.locator('.holder:not([hidden]) .note').evaluateAll((all) => all.map((note) => {

@@ -49,6 +49,7 @@ interface Arrow {
   element: SVGGElement;
   from: number[];
   provider: string | undefined; // the active provider that requests or needs by this arrow; undefined: any
+  levels: Map<number, Set<number>> | undefined; // by edge: those at which the pack requests from which this arrow leaves; undefined: it is of any pack
   to: number[];
   isPush: boolean; // else it is a request or need
   pushedTo: string | undefined; // a push to this provider; undefined: to any
@@ -79,11 +80,13 @@ export class PictureMarks {
       if (groups.length > 0 && node.querySelector('path')) this.boxes.push(this.box(node, groups));
     }
     for (const { from, to, element } of picture.arrows) {
-      const [asker, row] = from.split('.');
+      const [asker, row, part] = from.split('.');
       const [asked, pushedTo] = to.split('.');
       const groups = groupsOf(asker);
       const provider = groups.length === 1 && this.names.provider(groups[0], row) !== nobody ? row : undefined;
-      this.arrows.push({ element, from: groups, provider, to: groupsOf(asked), isPush: picture.isPush(element), pushedTo, bar: undefined, shown: '' });
+      const pack = provider === undefined ? row : part;
+      const levels = groups.length === 1 && pack !== undefined ? this.levelsOf(groups[0], provider, pack) : undefined;
+      this.arrows.push({ element, from: groups, provider, levels, to: groupsOf(asked), isPush: picture.isPush(element), pushedTo, bar: undefined, shown: '' });
     }
   }
 
@@ -113,6 +116,17 @@ export class PictureMarks {
       if (text) heads.set(group, text);
     }
     return { node, groups, heads, rows, fits: new Map(), mark: '', words: '', note: undefined, shown: '' };
+  }
+
+  /** Undefined: not known, as the trace is of an earlier program. A provider without a row is the only one of its group. */
+  private levelsOf(group: number, provider: string | undefined, pack: string): Arrow['levels'] {
+    const out = new Map<number, Set<number>>();
+    for (const use of this.names.header.level_uses ?? []) {
+      const edge = this.names.edge(use.edge);
+      if (this.names.requesters[edge] !== group || use.pack_name !== pack || (provider !== undefined && use.provider !== provider)) continue;
+      out.set(edge, (out.get(edge) ?? new Set()).add(use.level));
+    }
+    return out.size > 0 ? out : undefined;
   }
 
   private changeOf(box: Box, event: number | undefined): Change | undefined {
@@ -231,12 +245,18 @@ export class PictureMarks {
       if (arrow.provider !== undefined && this.names.header.groups[from].providers[asks.provider] !== arrow.provider) continue;
       for (const to of arrow.to) {
         const asked = this.recording.standingAt(to, event);
-        const isTheirs = (edge: number): boolean => this.names.requesters[edge] === from;
+        const isTheirs = (edge: number): boolean => this.names.requesters[edge] === from && this.isOfPack(arrow, edge, event);
         if (isTheirs(asked.holder)) put(asked.mark === 'running' || asked.mark === 'pushed' ? 'running' : asked.waits.some((wait) => wait.edge === asked.holder) ? 'queued' : 'held');
         else if (asked.waits.some((wait) => isTheirs(wait.edge))) put('queued');
       }
     }
     return out;
+  }
+
+  /** Of two packs that request at the same level, both may be the one that requests. */
+  private isOfPack({ levels }: Arrow, edge: number, event: number): boolean {
+    const level = levels && this.recording.levelAt(edge, event);
+    return level === undefined || (level !== null && (levels?.get(edge)?.has(level) ?? false));
   }
 
   private pushMark(arrow: Arrow, event: number): Mark {

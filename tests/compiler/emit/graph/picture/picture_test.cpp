@@ -343,6 +343,8 @@ TEST_CASE(
   moment.groups[from.group("Kick").value].mark = Moment::Mark::running;
   moment.edges[from.edge("Player>Walk").value] = Moment::Mark::queued;
   moment.edges[from.edge("Player>Kick").value] = Moment::Mark::running;
+  moment.levels.resize(from.model.edges.size());
+  moment.levels[from.edge("Player>Walk").value] = moment.levels[from.edge("Player>Kick").value] = 0;
   options.moment = moment;
   const Picture picture = make_picture(from.model, make_graph(from.model), from.sources, options);
   const std::string told = summary(picture);
