@@ -335,7 +335,7 @@ await situation('by module and by layer too the picture shows which groups run, 
   // Where the box has several groups the note names its group; both of these are in one layer.
   for (const [view, pushes, notes] of [
     ['By module', ['module kicking → module locomotion'], ['pushed to halting for Kick', 'queued: until Stability == standing']],
-    ['By layer', [], ['Walk: pushed to halting for Kick']],
+    ['By layer', [], ['Walk: pushed to halting for Kick Kick: queued: until Stability == standing']],
   ]) {
     await page.getByLabel(view, { exact: true }).check();
     await frame(page);
@@ -345,6 +345,20 @@ await situation('by module and by layer too the picture shows which groups run, 
     assert.deepEqual((await page.locator('.holder:not([hidden]) .note').allTextContents()).sort(), notes);
     await all.shot(page, `minute_push_${view}`);
   }
+});
+
+await situation('a box of several groups is of what runs, as `graph --step` draws it, and has each of them that waits in red', 'fold', {}, async (page) => {
+  await press(page, 'End');
+  await page.getByLabel('By module', { exact: true }).check();
+  await frame(page);
+  assert.deepEqual([await marked(page, 'running'), await marked(page, 'queued')], [['module fold'], []]);
+  const lines = page.locator('.holder:not([hidden]) .note text');
+  assert.equal((await lines.allTextContents()).join(''), 'Wait: queued: until S == b Other: queued: until S == b');
+  const colours = (all) => all.evaluateAll((texts) => [...new Set(texts.map((text) => getComputedStyle(text).fill))]);
+  assert.deepEqual(await colours(lines), ['rgb(163, 23, 26)']);
+  const named = (name) => page.locator('.holder:not([hidden]) g.node text').filter({ hasText: name });
+  assert.deepEqual([await colours(named(/^Wait$/)), await colours(named(/^▶ Run$/)), await colours(named(/^Late$/))], [['rgb(163, 23, 26)'], ['rgb(0, 98, 155)'], ['rgb(90, 97, 107)']]);
+  await all.shot(page, 'fold_module');
 });
 
 await situation('with a focus the note of the group is in the frame too', 'minute', {}, async (page) => {
