@@ -361,6 +361,14 @@ await situation('a box of several groups is of what runs, as `graph --step` draw
   await all.shot(page, 'fold_module');
 });
 
+await situation('what is not requested has a pale frame, a root task too', 'fold', {}, async (page) => {
+  await press(page, 'End');
+  const frames = await page.locator('.holder:not([hidden]) g.node.is-inactive path[fill="none"]').evaluateAll((all) => all.map((frame) => getComputedStyle(frame).stroke));
+  assert.deepEqual([...new Set(frames)], ['rgb(138, 145, 155)']);
+  assert.ok(frames.length > 1);
+  await all.shot(page, 'fold');
+});
+
 await situation('with a focus the note of the group is in the frame too', 'minute', {}, async (page) => {
   await goToPush(page);
   for (const group of ['Kick', 'Walk']) {
