@@ -547,6 +547,20 @@ TEST_CASE("the legend names what is drawn, and nothing else") {
         "on, every: runs again then\n");
 }
 
+TEST_CASE("the root tasks of a folded box are on lines that are no longer than those of reasons") {
+  PictureOptions options;
+  options.fold = PictureOptions::Fold::modules;
+  const std::string text =
+      dot(picture_of(
+              "behaviour: ship\nlanguage: 1\n"
+              "roots: {EmergencyShutdown: {priority: 2000000000}, FillTank: {priority: 10}, EmptyTank: {priority: 5}}\n"
+              "groups: {EmergencyShutdown: {}, FillTank: {}, EmptyTank: {}}\n",
+              options),
+          {});
+  CHECK(text.find("\u25BC program: EmergencyShutdown<BR ALIGN=\"LEFT\"/>2000000000, FillTank 10, EmptyTank 5<") !=
+        std::string::npos);
+}
+
 TEST_CASE("the legend explains rows as the arrows of this picture use them") {
   const auto rows = [](const Picture& picture) {
     for (const LegendEntry& entry : legend_of(picture)) {
