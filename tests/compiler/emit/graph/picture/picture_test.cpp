@@ -547,6 +547,37 @@ TEST_CASE("the legend names what is drawn, and nothing else") {
         "on, every: runs again then\n");
 }
 
+TEST_CASE("the legend of a collapsed moment has the signs of rows whose status no box has") {
+  const std::string lamp =
+      "behaviour: lamp\nlanguage: 1\nroots: [Lamp, Fan, Eye]\ngroups: {Lamp: {}, Fan: {}, Eye: {}}\n";
+  PictureOptions options;
+  options.fold = PictureOptions::Fold::modules;
+  options.moment.emplace();
+  options.moment->groups = {{Moment::Mark::pushed, ProviderId{0}, "pushed to default for Eye"},
+                            {Moment::Mark::running, ProviderId{1}, {}},
+                            {Moment::Mark::queued, {}, "Lamp is held by Fan"}};
+  options.moment->edges.resize(3);
+  options.moment->levels.resize(3);
+  std::string out;
+  for (const LegendEntry& entry : legend_of(picture_of(lamp, options))) out += entry.sign + ": " + entry.words + "\n";
+  CHECK(out == "blue, \u25B6: runs, in that provider\n"
+               "red: queued: it is requested, and waits\n"
+               "green frame: runs, and is pushed by what waits\n"
+               "\u25BC program: the program itself requests it\n");
+}
+
+TEST_CASE("the legend explains a word in a box also where what follows it is wrong") {
+  PictureOptions options;
+  options.flaws.lines.push_back({GroupId{0}, {}, true, "\u2716 causing", "S == q"});
+  std::string out;
+  for (const LegendEntry& entry :
+       legend_of(picture_of("behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups: {Lamp: {}}\n", options)))
+    out += entry.sign + ": " + entry.words + "\n";
+  CHECK(out == "thick frame: the program itself requests it\n"
+               "red, \u2716: is wrong, or missing\n"
+               "causing: makes that true when it is pushed\n");
+}
+
 TEST_CASE("the root tasks of a folded box are on lines that are no longer than those of reasons") {
   PictureOptions options;
   options.fold = PictureOptions::Fold::modules;
