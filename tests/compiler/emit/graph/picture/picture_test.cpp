@@ -592,6 +592,18 @@ TEST_CASE("the root tasks of a folded box are on lines that are no longer than t
         std::string::npos);
 }
 
+TEST_CASE("the paper of a label has room for the letters of wide fonts") {
+  const std::string text = dot(
+      picture_of(
+          "behaviour: lamp\nlanguage: 1\nroots: [Lamp]\n"
+          "groups: {Lamp: {tasks: {Bulb: {priority: {usual: 2000000000, urgent: 2000000001}}, Fan: {priority: 10}}},\n"
+          "         Bulb: {}, Fan: {}}\n"),
+      {});
+  const auto has = [&](const std::string& piece) { return text.find(piece) != std::string::npos; };
+  CHECK(has("<TD ALIGN=\"LEFT\" WIDTH=\"16\">10</TD>"));
+  CHECK(has("<TD ALIGN=\"LEFT\" WIDTH=\"214\">usual 2000000000, urgent 2000000001</TD>"));
+}
+
 TEST_CASE("the legend explains rows as the arrows of this picture use them") {
   const auto rows = [](const Picture& picture) {
     for (const LegendEntry& entry : legend_of(picture)) {
