@@ -27,6 +27,7 @@ function hear(text, known) {
   return into;
 }
 
+/** Only of edges that are granted or queued: others are not shown. A viewer who comes later does not know the level until the edge is requested anew. */
 function found(recording) {
   const { header, targets } = recording.names;
   const at = recording.end - 1;
@@ -36,10 +37,15 @@ function found(recording) {
     if (target.waits.some((wait) => wait.edge === i)) return 'queued';
     return target.holder !== i ? 'inactive' : target.mark === 'running' || target.mark === 'pushed' ? 'running' : 'held';
   };
+  const level = (_, i) => {
+    if (recording.names.requesters[i] < 0 || !['queued', 'running'].includes(edge(_, i))) return null;
+    const known = recording.levelAt(i, at);
+    return known === undefined ? moment.levels[i] : known;
+  };
   const pushes = standings.flatMap(({ mark, push }, i) => (mark === 'pushed' && push ? [[header.groups[targets[push.edge]].name, header.groups[i].name, header.groups[i].providers[push.provider]]] : []));
   const value = (state, i) => (recording.valueAt(i, at) === null ? `${state.name} is unset` : `${state.name} == ${recording.valueAt(i, at)}`);
   const groups = standings.map((standing, i) => [standing.mark, header.groups[i].providers[standing.provider] ?? null]);
-  return { groups, edges: header.edges.map(edge), pushes, values: header.states.map(value) };
+  return { groups, edges: header.edges.map(edge), levels: header.edges.map(level), pushes, values: header.states.map(value) };
 }
 
 function compareOne(of, recording, line) {

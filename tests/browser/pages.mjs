@@ -397,6 +397,12 @@ await situation('on paper there are no buttons, and it fits', 'soccer', {}, asyn
   if (isLong) await page.pdf({ path: join(folder, 'soccer.pdf'), format: 'A4' });
 });
 
+await situation('on paper that is wider than high the picture is on one page', 'soccer', { viewport: { width: 1047, height: 718 } }, async (page) => {
+  await page.emulateMedia({ media: 'print' });
+  const height = await page.locator('.holder:not([hidden]) .picture svg').evaluate((svg) => svg.getBoundingClientRect().height);
+  assert.ok(height > 300 && height < 0.9 * 718, `${height}`);
+});
+
 await situation('on paper a focus, and a cell that was chosen, change nothing but that the cell is explained, without its scenario', 'soccer', {}, async (page) => {
   await click(page.locator('#group-Kick button.focus'));
   await click(page.getByRole('link', { name: 'soft: from Walk to Kick', exact: true }));

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # cmake -D NODE=<program> -D NPM=<program> -D CHROMIUM=<program> -D DIRECTORC=<program> -D SOCCER=<program> -D FROM=<this folder> -D ROOT=<the project> -D WORK=<folder> -P timeline.cmake
-# Writes ten recordings as pages and tests them in a browser (timeline.mjs): a minute of soccer, the same with missing events and without its beginning, the rover, two tasks
+# Writes twelve recordings as pages and tests them in a browser (timeline.mjs): a minute of soccer, the same with missing events and without its beginning, the rover, two tasks
 # that are blocked, a request for a task that runs for another, a task with many others below it, a task with a long name that waits for another one
-# with a long name, tasks with names of one letter, and a robot in a warehouse.
+# with a long name, tasks with names of one letter, a task that chooses between packs, two that wait beside one that runs, and a robot in a warehouse.
 include(${CMAKE_CURRENT_LIST_DIR}/../support/npm_packages.cmake)
 begin(${FROM} timeline)
 file(GLOB scripts ${FROM}/*.mjs)
@@ -82,11 +82,53 @@ steps:
   - advance: 1 s
 ")
 execute_process(COMMAND ${DIRECTORC} simulate ${into}/wide.scenario.yaml --trace ${into}/wide.jsonl OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+file(WRITE ${into}/fold.yaml "behaviour: fold
+language: 1
+states: {S: {values: [a, b], initial: a, external: true}}
+roots: {Run: {priority: 1}, Wait: {priority: 2}, Other: {priority: 3}, Late: {priority: 4}}
+groups:
+  Run: {}
+  Wait: {when: [S == b]}
+  Other: {when: [S == b]}
+  Late: {}
+  Idle: {module: rest}
+")
+file(WRITE ${into}/fold.scenario.yaml "scenario: two wait
+behaviour: fold.yaml
+steps:
+  - request: [Run, Wait, Other]
+  - advance: 1 s
+")
+execute_process(COMMAND ${DIRECTORC} simulate ${into}/fold.scenario.yaml --trace ${into}/fold.jsonl OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+file(WRITE ${into}/packs.yaml "behaviour: packs
+language: 1
+roots: {Plan: {priority: 1}, Guard: {priority: 5}}
+groups:
+  Plan:
+    packs:
+      go: {Walk: {priority: 20}, Look: {priority: 5}}
+      stroll: {Walk: {priority: 1, optional: true}}
+      alike: {Walk: {priority: 1, optional: true}, Look: {}}
+  Guard: {needs: [Legs], tasks: [Legs]}
+  Walk: {needs: [Legs], tasks: [Legs]}
+  Look: {}
+  Legs: {}
+")
+file(WRITE ${into}/packs.scenario.yaml "scenario: it strolls until the guard takes the legs
+behaviour: packs.yaml
+script: {Plan: {pack: stroll}}
+steps:
+  - request: Plan
+  - advance: 1 s
+  - request: Guard
+  - advance: 1 s
+")
+execute_process(COMMAND ${DIRECTORC} simulate ${into}/packs.scenario.yaml --trace ${into}/packs.jsonl OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${DIRECTORC} simulate behaviours/warehouse/scenarios/a_low_battery.scenario.yaml --trace ${into}/warehouse.jsonl
                 WORKING_DIRECTORY ${ROOT} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${NODE} gap.mjs minute.jsonl gap.jsonl late.jsonl WORKING_DIRECTORY ${into} COMMAND_ERROR_IS_FATAL ANY)
 foreach(page minute:behaviours/soccer/soccer.yaml gap:behaviours/soccer/soccer.yaml late:behaviours/soccer/soccer.yaml rover:tests/docs/rover/rover.yaml
-             blocked:${into}/blocked.yaml eyes:${into}/eyes.yaml tall:${into}/tall.yaml letters:${into}/letters.yaml wide:${into}/wide.yaml warehouse:behaviours/warehouse/warehouse.yaml)
+             blocked:${into}/blocked.yaml eyes:${into}/eyes.yaml tall:${into}/tall.yaml letters:${into}/letters.yaml packs:${into}/packs.yaml fold:${into}/fold.yaml wide:${into}/wide.yaml warehouse:behaviours/warehouse/warehouse.yaml)
   string(REPLACE ":" ";" page ${page})
   list(POP_FRONT page name)
   execute_process(COMMAND ${DIRECTORC} trace ${into}/${name}.jsonl --to=html --behaviour ${page} -o ${into}/out/${name}.html "--link=https://git.example.org/{file}#L{line}"

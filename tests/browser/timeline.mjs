@@ -193,6 +193,16 @@ await situation('an arrow of what is queued has a bar, so that it is no matter o
   assert.deepEqual(await barred(), []);
 });
 
+await situation('of several packs only the lines of the one that is requested are marked, unless others request alike', 'packs', {}, async (page) => {
+  const edges = (mark) => page.locator(`.holder:not([hidden]) g.edge.is-${mark} > title`).allTextContents().then((all) => all.filter((title) => title.startsWith('Plan')).sort());
+  await scrubTo(page, 0.25);
+  assert.deepEqual([await edges('running'), await edges('queued')], [['Plan.alike → Walk', 'Plan.stroll → Walk'], []]);
+  await press(page, 'End');
+  assert.deepEqual([await edges('running'), await edges('queued')], [[], ['Plan.alike → Walk', 'Plan.stroll → Walk']]);
+  assert.deepEqual(await edges('inactive'), ['Plan.alike → Look', 'Plan.go → Look', 'Plan.go → Walk']);
+  await all.shot(page, 'packs');
+});
+
 await situation('a note is whole on the paper of its picture, also where it is wider than that in one line', 'wide', {}, async (page) => {
   await press(page, 'End');
   const notes = await page.locator('.holder:not([hidden]) .note').evaluateAll((all) => all.map((note) => {
@@ -325,7 +335,7 @@ await situation('by module and by layer too the picture shows which groups run, 
   // Where the box has several groups the note names its group; both of these are in one layer.
   for (const [view, pushes, notes] of [
     ['By module', ['module kicking → module locomotion'], ['pushed to halting for Kick', 'queued: until Stability == standing']],
-    ['By layer', [], ['Walk: pushed to halting for Kick']],
+    ['By layer', [], ['Walk: pushed to halting for Kick Kick: queued: until Stability == standing']],
   ]) {
     await page.getByLabel(view, { exact: true }).check();
     await frame(page);
@@ -335,6 +345,28 @@ await situation('by module and by layer too the picture shows which groups run, 
     assert.deepEqual((await page.locator('.holder:not([hidden]) .note').allTextContents()).sort(), notes);
     await all.shot(page, `minute_push_${view}`);
   }
+});
+
+await situation('a box of several groups is of what runs, as `graph --step` draws it, and has each of them that waits in red', 'fold', {}, async (page) => {
+  await press(page, 'End');
+  await page.getByLabel('By module', { exact: true }).check();
+  await frame(page);
+  assert.deepEqual([await marked(page, 'running'), await marked(page, 'queued')], [['module fold'], []]);
+  const lines = page.locator('.holder:not([hidden]) .note text');
+  assert.equal((await lines.allTextContents()).join(''), 'Wait: queued: until S == b Other: queued: until S == b');
+  const colours = (all) => all.evaluateAll((texts) => [...new Set(texts.map((text) => getComputedStyle(text).fill))]);
+  assert.deepEqual(await colours(lines), ['rgb(163, 23, 26)']);
+  const named = (name) => page.locator('.holder:not([hidden]) g.node text').filter({ hasText: name });
+  assert.deepEqual([await colours(named(/^Wait$/)), await colours(named(/^▶ Run$/)), await colours(named(/^Late$/))], [['rgb(163, 23, 26)'], ['rgb(0, 98, 155)'], ['rgb(90, 97, 107)']]);
+  await all.shot(page, 'fold_module');
+});
+
+await situation('what is not requested has a pale frame, a root task too', 'fold', {}, async (page) => {
+  await press(page, 'End');
+  const frames = await page.locator('.holder:not([hidden]) g.node.is-inactive path[fill="none"]').evaluateAll((all) => all.map((frame) => getComputedStyle(frame).stroke));
+  assert.deepEqual([...new Set(frames)], ['rgb(138, 145, 155)']);
+  assert.ok(frames.length > 1);
+  await all.shot(page, 'fold');
 });
 
 await situation('with a focus the note of the group is in the frame too', 'minute', {}, async (page) => {

@@ -91,18 +91,27 @@ private:
     return fmt::format("color=\"{0}\", fontcolor=\"{0}\", penwidth=2, arrowhead=normalnormal", palette::take);
   }
 
-  /// With its own background, so that no line crosses it.
+  /// With its own background, so that no line crosses it; and wide enough for the letters of any font, since a viewer
+  /// may have another one than Graphviz, whose letters would stick out of the paper, or below the next label.
   static std::string label_of(const std::string& text) {
+    constexpr std::size_t letter_width = 6, padding = 4;
+    constexpr std::string_view next = "<BR/>";
     std::string lines;
     for (std::size_t begin = 0; begin <= text.size();) {
       const std::size_t end = std::min(text.find('\n', begin), text.size());
-      lines += (lines.empty() ? "" : "<BR/>") + palette::wrapped(text.substr(begin, end - begin), 0, "<BR/>");
+      lines += std::string(lines.empty() ? "" : next) + palette::wrapped(text.substr(begin, end - begin), 0, next);
       begin = end + 1;
     }
+    std::size_t longest = 0;
+    for (std::size_t begin = 0; begin <= lines.size();) {
+      const std::size_t end = std::min(lines.find(next, begin), lines.size());
+      longest = std::max(longest, end - begin);
+      begin = end + next.size();
+    }
     return fmt::format(
-        "<TABLE BORDER=\"0\" CELLBORDER=\"0\" CELLSPACING=\"0\" CELLPADDING=\"1\" BGCOLOR=\"{}\"><TR><TD>{}"
-        "</TD></TR></TABLE>",
-        palette::paper, lines);
+        "<TABLE BORDER=\"0\" CELLBORDER=\"0\" CELLSPACING=\"0\" CELLPADDING=\"1\" BGCOLOR=\"{}\"><TR><TD "
+        "ALIGN=\"LEFT\" WIDTH=\"{}\">{}</TD></TR></TABLE>",
+        palette::paper, letter_width * longest + padding, lines);
   }
 
   void draw_arrow(const PictureArrow& arrow) {

@@ -85,9 +85,12 @@ std::string lines(bool grey, const std::vector<PictureLine>& all) {
   return out;
 }
 
-std::string small(std::string_view colour, const std::string& text) {
-  return fmt::format("<FONT POINT-SIZE=\"9\" COLOR=\"{}\">{}</FONT>", colour, html_attribute(text));
+/// `text`: as HTML.
+std::string small_html(std::string_view colour, const std::string& text) {
+  return fmt::format("<FONT POINT-SIZE=\"9\" COLOR=\"{}\">{}</FONT>", colour, text);
 }
+
+std::string small(std::string_view colour, const std::string& text) { return small_html(colour, html_attribute(text)); }
 
 std::string row_name(const PictureBox& box, const PictureRow& row) {
   if (!row.is_active) return name_of(is_grey(box, row), row.name);
@@ -187,8 +190,8 @@ private:
   void draw_head() {
     std::string text;
     if (box_.requested)
-      text += small(is_grey(box_) ? palette::grey : palette::ink,
-                    "\u25BC program" + (box_.requested->empty() ? "" : ": " + *box_.requested)) +
+      text += small_html(is_grey(box_) ? palette::grey : palette::ink,
+                         palette::wrapped("\u25BC program" + (box_.requested->empty() ? "" : ": " + *box_.requested))) +
               "<BR ALIGN=\"LEFT\"/>";
     if (box_.kind == PictureBox::Kind::missing)
       text += small(palette::queued, "\u2716 no such group") + "<BR ALIGN=\"LEFT\"/>";

@@ -21,11 +21,15 @@ bool any(const Things& things, Predicate predicate) {
   return std::any_of(things.begin(), things.end(), predicate);
 }
 
-bool has_line(const Picture& picture, PictureLine::Kind kind) {
-  const auto is_one = [&](const PictureLine& line) { return line.kind == kind; };
+template <class Predicate>
+bool has_line(const Picture& picture, Predicate is_one) {
   return any(picture.boxes, [&](const PictureBox& box) {
     return any(box.lines, is_one) || any(box.rows, [&](const PictureRow& row) { return any(row.lines, is_one); });
   });
+}
+
+bool has_line(const Picture& picture, PictureLine::Kind kind) {
+  return has_line(picture, [&](const PictureLine& line) { return line.kind == kind; });
 }
 
 struct Line {
@@ -114,11 +118,16 @@ private:
     return any(text, [](unsigned char letter) { return std::isdigit(letter) != 0; });
   }
 
-  void add_mark(Moment::Mark mark, std::string sign, std::string words) {
-    const auto has_mark = [&](const PictureBox& box) {
-      return box.mark == mark || any(box.frames, [&](const Moment::Standing& frame) { return frame.mark == mark; });
-    };
-    add_sign(draws_box(has_mark), std::move(sign), std::move(words));
+  /// `row`: the sign where only rows of folded boxes have that mark.
+  void add_mark(Moment::Mark mark, std::string sign, std::string row, std::string words) {
+    const auto is_one = [&](const Moment::Standing& frame) { return frame.mark == mark; };
+    const bool framed = draws_box([&](const PictureBox& box) { return box.mark == mark || any(box.frames, is_one); });
+    const bool in_rows = draws_box([&](const PictureBox& box) {
+      return any(box.members, [&](const PictureMember& each) {
+        return (each.now && is_one(*each.now)) || any(each.frames, is_one);
+      });
+    });
+    add_sign(framed || in_rows, framed ? std::move(sign) : std::move(row), std::move(words));
   }
   void add_marked_line(Moment::Mark mark, std::string sign, std::string words) {
     const bool has_frames = draws_box([](const PictureBox& box) { return !box.frames.empty(); });
@@ -129,11 +138,11 @@ private:
   }
   /// What happens at the moment that is shown.
   void add_marks() {
-    add_mark(Moment::Mark::running, "blue frame, \u25B6", "runs, in that provider");
-    add_mark(Moment::Mark::queued, "dashed red frame", "queued: it is requested, and waits");
-    add_mark(Moment::Mark::pushed, "green frame", "runs, and is pushed by what waits");
-    add_mark(Moment::Mark::held, "dotted blue frame", "held, and not requested yet");
-    add_mark(Moment::Mark::inactive, "grey", "nothing requests it");
+    add_mark(Moment::Mark::running, "blue frame, \u25B6", "blue, \u25B6", "runs, in that provider");
+    add_mark(Moment::Mark::queued, "dashed red frame", "red", "queued: it is requested, and waits");
+    add_mark(Moment::Mark::pushed, "green frame", "green, \u25B6", "runs, and is pushed by what waits");
+    add_mark(Moment::Mark::held, "dotted blue frame", "blue", "held, and not requested yet");
+    add_mark(Moment::Mark::inactive, "grey", "grey", "nothing requests it");
     if (!marked_) return;
     add_marked_line(Moment::Mark::running, std::string(blue_line), "is requested or needed, and has it");
     add_marked_line(Moment::Mark::queued, std::string(red_line), "is requested, and waits");
@@ -187,7 +196,14 @@ private:
   /// What the lines of the boxes say.
   void add_lines() {
     const auto add_line = [&](PictureLine::Kind kind, std::string sign, std::string words) {
-      add_sign(has_line(picture_, kind), std::move(sign), std::move(words));
+      // What is wrong with a condition stands behind the word before it: `✖ causing`.
+      const auto is_one = [&](const PictureLine& line) {
+        const std::size_t word = line.key.rfind(' ');
+        return line.kind == kind || (line.kind == PictureLine::Kind::wrong && word != std::string::npos &&
+                                     sign.find(line.key.substr(word + 1)) != std::string::npos);
+      };
+      const bool drawn = has_line(picture_, is_one);
+      add_sign(drawn, std::move(sign), std::move(words));
     };
     add_line(PictureLine::Kind::doubtful, "\u26A0", "a warning, or a lint");
     add_line(PictureLine::Kind::when, "when, stay", "when must hold for it to run, stay is enough to go on");

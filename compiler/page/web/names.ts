@@ -10,6 +10,15 @@ export interface Header {
   states: { name: string; values?: string[] }[];
   triggers: string[];
   conditions: string[];
+  level_uses?: LevelUse[]; // absent in traces of earlier programs
+}
+
+/** A task of a pack: at this level, its place in the edge's `levels`. */
+export interface LevelUse {
+  edge: string;
+  provider?: string;
+  pack_name?: string;
+  level: number;
 }
 
 /** Instead of an index. `nobody`: none, or as a requester the program; `limbo`: as the holder of a group that limbo keeps. */
@@ -44,6 +53,11 @@ export class Names {
 
   edge(name: string | undefined): number {
     return name === 'limbo' ? limbo : (this.edges.get(name ?? '') ?? nobody);
+  }
+
+  /** The level of a request, from its line in a trace: its place in the edge's `levels`. */
+  level(edge: number, level: string | number | undefined): number {
+    return typeof level === 'string' ? (this.header.edges[edge]?.levels.indexOf(level) ?? nobody) : (level ?? 0);
   }
 
   state(name: string | undefined): number {

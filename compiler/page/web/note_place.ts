@@ -9,8 +9,14 @@ export interface Rect {
   height: number;
 }
 
+/** A line of a note, and which of the texts in the note it belongs to. */
+export interface Line {
+  text: string;
+  of: number;
+}
+
 export interface Place extends Rect {
-  lines: string[];
+  lines: Line[];
   size: number; // of its letters
 }
 
@@ -43,14 +49,17 @@ function overlap(a: Rect, b: Rect): number {
 const clamp = (value: number, from: number, to: number): number => Math.max(from, Math.min(to, value));
 
 /** Lines of at most this width, unless a word is longer. `measure`: the width of a text at size 1. */
-function wrapped(text: string, width: number, measure: (text: string) => number): string[] {
-  const lines: string[] = [];
-  for (const word of text.split(' ')) {
-    const longer = lines.length === 0 ? word : `${lines[lines.length - 1]} ${word}`;
-    if (lines.length > 0 && measure(longer) <= width) lines[lines.length - 1] = longer;
-    else lines.push(word);
-  }
-  return lines;
+function wrapped(texts: string[], width: number, measure: (text: string) => number): Line[] {
+  return texts.flatMap((text, of) => {
+    const lines: Line[] = [];
+    for (const word of text.split(' ')) {
+      const last = lines[lines.length - 1];
+      const longer = `${last?.text ?? ''} ${word}`;
+      if (last && measure(longer) <= width) last.text = longer;
+      else lines.push({ text: word, of });
+    }
+    return lines;
+  });
 }
 
 /** Below, above and beside the frame, the usual place first. */
@@ -64,21 +73,22 @@ function corners(frame: Rect, width: number, height: number): [number, number][]
   ];
 }
 
-/** `size`: the letters that are wanted. `frame`: of its box, which is one of the boxes. The place is beyond the paper only where one of its words is wider. */
-export function placeOf(text: string, size: number, frame: Rect, around: Surroundings, measure: (text: string) => number): Place {
+/** `texts`: each begins a line. `size`: the letters that are wanted. `frame`: of its box, which is one of the boxes. The place is beyond the paper only where one of its words is wider. */
+export function placeOf(texts: string[], size: number, frame: Rect, around: Surroundings, measure: (text: string) => number): Place {
   const paper = { x: around.paper.x + gap, y: around.paper.y + gap, width: around.paper.width - 2 * gap, height: around.paper.height - 2 * gap };
-  const letter = measure(text) / Math.max(1, text.length);
+  const all = texts.join(' ');
+  const letter = measure(all) / Math.max(1, all.length);
   const widest = paper.width / spare - 2 * border;
   let best: { place: Place; cost: number } | undefined;
   for (const each of [...new Set([size, (size + smallest) / 2, Math.min(size, smallest)])]) {
-    const shapes = new Map<number, string[]>();
+    const shapes = new Map<number, Line[]>();
     for (const width of [Math.max(frame.width, letter * each * usual) - 2 * border, widest, frame.width - 2 * border, letter * each * narrow]) {
-      const lines = wrapped(text, Math.min(width, widest) / each, measure);
+      const lines = wrapped(texts, Math.min(width, widest) / each, measure);
       if (!shapes.has(lines.length)) shapes.set(lines.length, lines);
     }
     let tried = 0;
     for (const lines of shapes.values()) {
-      const width = Math.max(...lines.map(measure)) * each * spare + 2 * border, height = heightOf(lines.length, each);
+      const width = Math.max(...lines.map(({ text }) => measure(text))) * each * spare + 2 * border, height = heightOf(lines.length, each);
       const reach = { x: frame.x - width - gap, y: frame.y - height - gap, width: frame.width + 2 * (width + gap), height: frame.height + 2 * (height + gap) };
       const isNear = (rect: Rect): boolean => overlap(rect, reach) > 0;
       const boxes = around.boxes.filter(isNear), labels = around.labels.filter(isNear);
@@ -92,5 +102,5 @@ export function placeOf(text: string, size: number, frame: Rect, around: Surroun
       }
     }
   }
-  return best?.place ?? { ...frame, lines: [text], size };
+  return best?.place ?? { ...frame, lines: texts.map((text, of) => ({ text, of })), size };
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Marks the moment in the pictures: frames as `directorc graph --step` draws them, a sign before the active provider, a bar at the head of an arrow that
-// waits, and beside a box a note why its group waits, or for which task it is pushed. A box of several groups shows the one whose mark is last in `order`.
+// waits, and beside a box a note why its group waits, or for which task it is pushed. The frame of a box of several groups is that of the one whose
+// mark is last in `order`, and its note has a line for each that waits or is pushed.
 
 import type { Data } from './data';
 import { type Names, nobody } from './names';
@@ -10,12 +11,13 @@ import type { Because, Recording } from './recording';
 import type { Mark, Standing } from './standing';
 import { words } from './standing_words';
 
-const order: Mark[] = ['inactive', 'unknown', 'held', 'running', 'queued', 'pushed'];
+const order: Mark[] = ['inactive', 'unknown', 'held', 'queued', 'running', 'pushed']; // as rank() in compiler/emit/graph/picture/picture.cpp: what runs, in a box with something that waits
 const space = 'http://www.w3.org/2000/svg';
 const sign = '▶ ';
 const roots = 'thick frame'; // compiler/emit/graph/legend.cpp
 const [usual, small] = [12, 7]; // sizes of the sign
 const beside = 3; // least distance between a name and its frame
+const mostTold = 5; // groups in a note
 const readable = 10; // pixels: the font size that notes should have on the screen
 
 /** How a text is changed so that it fits its frame. */
@@ -25,14 +27,21 @@ interface Fit {
   length: string; // its `textLength`; empty: its own
 }
 
+/** About one group of a box. */
+interface Said {
+  mark: Mark;
+  words: string;
+}
+
 interface Box {
   node: SVGGElement;
   groups: number[];
   heads: Map<number, SVGTextElement>; // the texts with the names of groups, in a box without rows
   rows: Map<string, SVGTextElement>;
   fits: Map<string, Fit>; // by mark and text: a cache of fitOf()
+  isFolded: boolean; // of a module or a layer: its names have the colours of what their groups do
   mark: Mark | '';
-  words: string; // of its note; empty: it has none
+  said: Said[]; // in its note; empty: it has none
   note: SVGGElement | undefined;
   shown: string;
 }
@@ -42,13 +51,15 @@ interface Change {
   box: Box;
   mark: Mark | '';
   texts: [SVGTextElement, string][];
-  note: string;
+  heads: [SVGTextElement, Mark | ''][];
+  said: Said[];
 }
 
 interface Arrow {
   element: SVGGElement;
   from: number[];
   provider: string | undefined; // the active provider that requests or needs by this arrow; undefined: any
+  levels: Map<number, Set<number>> | undefined; // by edge: those at which the pack requests from which this arrow leaves; undefined: it is of any pack
   to: number[];
   isPush: boolean; // else it is a request or need
   pushedTo: string | undefined; // a push to this provider; undefined: to any
@@ -76,14 +87,16 @@ export class PictureMarks {
     };
     for (const [title, node] of picture.nodes) {
       const groups = groupsOf(title);
-      if (groups.length > 0 && node.querySelector('path')) this.boxes.push(this.box(node, groups));
+      if (groups.length > 0 && node.querySelector('path')) this.boxes.push(this.box(node, groups, parts.has(title)));
     }
     for (const { from, to, element } of picture.arrows) {
-      const [asker, row] = from.split('.');
+      const [asker, row, part] = from.split('.');
       const [asked, pushedTo] = to.split('.');
       const groups = groupsOf(asker);
       const provider = groups.length === 1 && this.names.provider(groups[0], row) !== nobody ? row : undefined;
-      this.arrows.push({ element, from: groups, provider, to: groupsOf(asked), isPush: picture.isPush(element), pushedTo, bar: undefined, shown: '' });
+      const pack = provider === undefined ? row : part;
+      const levels = groups.length === 1 && pack !== undefined ? this.levelsOf(groups[0], provider, pack) : undefined;
+      this.arrows.push({ element, from: groups, provider, levels, to: groupsOf(asked), isPush: picture.isPush(element), pushedTo, bar: undefined, shown: '' });
     }
   }
 
@@ -101,7 +114,7 @@ export class PictureMarks {
     for (const arrow of this.arrows) this.showArrow(arrow, event);
   }
 
-  private box(node: SVGGElement, groups: number[]): Box {
+  private box(node: SVGGElement, groups: number[], isFolded: boolean): Box {
     const all = [...node.querySelectorAll('text')];
     const texts = all.filter((text) => text.getAttribute('font-size') === '12.00');
     const rows = new Map<string, SVGTextElement>();
@@ -112,30 +125,48 @@ export class PictureMarks {
       const text = all.find((each) => each.textContent === this.names.header.groups[group].name); // smaller in boxes of modules and layers
       if (text) heads.set(group, text);
     }
-    return { node, groups, heads, rows, fits: new Map(), mark: '', words: '', note: undefined, shown: '' };
+    return { node, groups, heads, rows, fits: new Map(), isFolded, mark: '', said: [], note: undefined, shown: '' };
+  }
+
+  /** Undefined: not known, as the trace is of an earlier program. A provider without a row is the only one of its group. */
+  private levelsOf(group: number, provider: string | undefined, pack: string): Arrow['levels'] {
+    const out = new Map<number, Set<number>>();
+    for (const use of this.names.header.level_uses ?? []) {
+      const edge = this.names.edge(use.edge);
+      if (this.names.requesters[edge] !== group || use.pack_name !== pack || (provider !== undefined && use.provider !== provider)) continue;
+      out.set(edge, (out.get(edge) ?? new Set()).add(use.level));
+    }
+    return out.size > 0 ? out : undefined;
   }
 
   private changeOf(box: Box, event: number | undefined): Change | undefined {
     const standings = event === undefined ? [] : box.groups.map((group) => ({ group, standing: this.recording.standingAt(group, event) }));
     const most = standings.reduce<{ group: number; standing: Standing } | undefined>((a, b) => (a && order.indexOf(a.standing.mark) >= order.indexOf(b.standing.mark) ? a : b), undefined);
     const mark = most?.standing.mark ?? '';
-    const because = most && mark === 'queued' && event !== undefined ? this.why(most.group, event) : undefined;
-    const about = most && box.groups.length > 1 ? `${this.names.header.groups[most.group].name}: ` : '';
-    const note = most && (mark === 'queued' || mark === 'pushed') ? about + words(this.names, most.group, most.standing, because) : '';
+    const said = standings.flatMap(({ group, standing }): Said[] => {
+      if (standing.mark !== 'queued' && standing.mark !== 'pushed') return [];
+      const because = standing.mark === 'queued' && event !== undefined ? this.why(group, event) : undefined;
+      const about = box.groups.length > 1 ? `${this.names.header.groups[group].name}: ` : '';
+      return [{ mark: standing.mark, words: about + words(this.names, group, standing, because) }];
+    });
+    const told = said.length > mostTold ? [...said.slice(0, mostTold - 1), { mark: said[mostTold - 1].mark, words: `and ${said.length - mostTold + 1} more` }] : said;
     const provider = most && most.standing.provider !== nobody ? this.names.header.groups[most.group].providers[most.standing.provider] : '';
     const running = new Set(standings.filter(({ standing }) => standing.mark === 'running' || standing.mark === 'pushed').map(({ group }) => group));
-    const shown = `${mark} ${provider} ${note} ${[...running].join()}`;
+    const shown = `${mark} ${provider} ${said.map((each) => each.words).join()} ${standings.map(({ standing }) => standing.mark).join()}`;
     if (box.shown === shown) return undefined;
     box.shown = shown;
     const rows = [...box.rows].map(([name, text]): [SVGTextElement, string] => [text, (name === provider ? sign : '') + name]);
     const heads = [...box.heads].map(([group, text]): [SVGTextElement, string] => [text, (running.has(group) ? sign : '') + this.names.header.groups[group].name]);
-    return { box, mark, texts: [...rows, ...heads], note };
+    const marked = [...(box.isFolded ? box.heads : [])].map(([group, text]): [SVGTextElement, Mark | ''] => [text, standings.find((each) => each.group === group)?.standing.mark ?? '']);
+    return { box, mark, texts: [...rows, ...heads], heads: marked, said: told };
   }
 
   /** Writes all texts, then measures all, then fits all: if these alternated, each measurement would cause a new layout of the whole picture. */
   private apply(changes: Change[]): void {
-    for (const { box, mark, texts } of changes) {
-      for (const each of order) box.node.classList.toggle(`is-${each}`, each === mark);
+    for (const { box, mark, texts, heads } of changes) {
+      const put = (element: Element, its: Mark | ''): void => order.forEach((each) => element.classList.toggle(`is-${each}`, each === its));
+      put(box.node, mark);
+      for (const [text, its] of heads) put(text, its);
       for (const [text, words] of texts) {
         text.textContent = words;
         text.removeAttribute('textLength');
@@ -150,7 +181,7 @@ export class PictureMarks {
       text.setAttribute('textLength', length);
       text.setAttribute('lengthAdjust', 'spacingAndGlyphs');
     }
-    for (const { box, mark, note } of changes) Object.assign(box, { mark, words: note });
+    for (const { box, mark, said } of changes) Object.assign(box, { mark, said });
     if (changes.length > 0) this.putNotes();
   }
 
@@ -178,13 +209,13 @@ export class PictureMarks {
   private putNotes(): void {
     for (const box of this.boxes) box.note?.remove();
     this.picture.notes.clear();
-    const noted = this.boxes.filter(({ words }) => words !== '');
+    const noted = this.boxes.filter(({ said }) => said.length > 0);
     if (noted.length === 0) return;
     const { paper, boxes, labels } = this.surroundings();
     const taken = [...boxes];
     const size = Math.min(16, Math.max(9, readable / (this.picture.svg.getScreenCTM()?.a ?? 1)));
-    const places = noted.map(({ node, words }) => {
-      const place = placeOf(words, size, rectOf(node), { paper, boxes: taken, labels }, (text) => this.measure(text));
+    const places = noted.map(({ node, said }) => {
+      const place = placeOf(said.map((each) => each.words), size, rectOf(node), { paper, boxes: taken, labels }, (text) => this.measure(text));
       taken.push(place);
       return place;
     });
@@ -231,12 +262,18 @@ export class PictureMarks {
       if (arrow.provider !== undefined && this.names.header.groups[from].providers[asks.provider] !== arrow.provider) continue;
       for (const to of arrow.to) {
         const asked = this.recording.standingAt(to, event);
-        const isTheirs = (edge: number): boolean => this.names.requesters[edge] === from;
+        const isTheirs = (edge: number): boolean => this.names.requesters[edge] === from && this.isOfPack(arrow, edge, event);
         if (isTheirs(asked.holder)) put(asked.mark === 'running' || asked.mark === 'pushed' ? 'running' : asked.waits.some((wait) => wait.edge === asked.holder) ? 'queued' : 'held');
         else if (asked.waits.some((wait) => isTheirs(wait.edge))) put('queued');
       }
     }
     return out;
+  }
+
+  /** Of two packs that request at the same level, both may be the one that requests. */
+  private isOfPack({ levels }: Arrow, edge: number, event: number): boolean {
+    const level = levels && this.recording.levelAt(edge, event);
+    return level === undefined || (level !== null && (levels?.get(edge)?.has(level) ?? false));
   }
 
   private pushMark(arrow: Arrow, event: number): Mark {
@@ -270,11 +307,11 @@ function writeSmallSign(text: SVGTextElement): void {
   text.append(name);
 }
 
-function drawNote({ node, mark }: Box, { x, y, width, height, lines, size }: Place): SVGGElement {
+function drawNote({ node, said }: Box, { x, y, width, height, lines, size }: Place): SVGGElement {
   const out = document.createElementNS(space, 'g');
-  out.setAttribute('class', `note is-${mark}`);
+  out.setAttribute('class', `note is-${said.some(({ mark }) => mark === 'queued') ? 'queued' : 'pushed'}`);
   add(out, 'rect', { x, y, width, height, rx: 3 });
-  lines.forEach((line, i) => add(out, 'text', { x: x + 4, y: y + size + 1 + i * size * 1.2, 'font-size': size }, i + 1 < lines.length ? `${line} ` : line));
+  lines.forEach(({ text, of }, i) => add(out, 'text', { class: `is-${said[of].mark}`, x: x + 4, y: y + size + 1 + i * size * 1.2, 'font-size': size }, i + 1 < lines.length ? `${text} ` : text));
   node.parentNode?.append(out);
   return out;
 }

@@ -57,6 +57,7 @@ export class Recording {
   readonly shape: Column<Uint32Array> = counts(); // of each event from `first` on, index in `shapes`
   readonly groups: Track[];
   readonly states: Track[];
+  private readonly levels: Track[]; // of each edge: at which level its requester requests it
   readonly flows: Column<Uint32Array> = counts(); // events that are pushes or take-overs
   readonly switches: Column<Uint32Array> = counts(); // events that enable or disable a provider
   readonly gaps: Column<Uint32Array> = counts(); // events `dropped`: other events are missing before them
@@ -81,8 +82,10 @@ export class Recording {
     this.now = new Standings(this.names, initial !== undefined);
     this.groups = header.groups.map(newTrack);
     this.states = header.states.map(newTrack);
+    this.levels = header.edges.map(newTrack);
     this.groups.forEach((track, group) => this.put(track, 0, this.standing(group)));
     this.states.forEach((track, i) => this.put(track, 0, this.value(initial?.get(header.states[i].name))));
+    for (const track of this.levels) this.put(track, 0, this.value(initial && null));
   }
 
   /** The number of the last event, plus 1. */
@@ -117,6 +120,12 @@ export class Recording {
   }
   valueAt(state: number, event: number): Value {
     return this.values[this.at(this.states[state], event)];
+  }
+
+  /** The level at which an edge is requested after this event, its place in the edge's `levels`; null: it is not; undefined: not known. */
+  levelAt(edge: number, event: number): number | null | undefined {
+    const level = this.values[this.at(this.levels[edge], event)];
+    return typeof level === 'string' ? Number(level) : level;
   }
 
   /** The last event of the micro-step of this event: between them, what the events say does not fit together yet. */
@@ -171,7 +180,8 @@ export class Recording {
     this.shape.push(number);
     if (shape.decides) for (const group of this.now.apply(shape)) this.put(this.groups[group], event, this.standing(group));
     if (shape.setsState) this.put(this.states[shape.state], event, this.value(shape.value));
-    if (shape.isGap) for (const track of this.states) this.put(track, event, 0);
+    if (shape.setsLevel) this.put(this.levels[shape.edge], event, this.value(shape.level));
+    if (shape.isGap) for (const track of [...this.states, ...this.levels]) this.put(track, event, 0);
     if (shape.isFlow) this.flows.push(event);
     if (shape.isGap) this.gaps.push(event);
     if (shape.line.input === 'enable' || shape.line.input === 'disable') this.switches.push(event);
@@ -233,7 +243,7 @@ export class Recording {
     this.first += count;
     this.time.drop(count);
     this.shape.drop(count);
-    for (const track of [...this.groups, ...this.states]) {
+    for (const track of [...this.groups, ...this.states, ...this.levels]) {
       const gone = Math.max(0, track.event.upTo(this.first) - 1);
       track.event.drop(gone);
       track.value.drop(gone);

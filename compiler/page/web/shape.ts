@@ -62,9 +62,11 @@ export class Shape {
   readonly sort: Sort;
   readonly text: string;
   readonly value: string | null; // of a state; null: unset
+  readonly level: string | null; // of a request; null: it is withdrawn
   /** Whether it may change the standing of a group. */
   readonly decides: boolean;
   readonly setsState: boolean;
+  readonly setsLevel: boolean;
   readonly isGap: boolean;
   readonly begins: boolean; // a micro-step
   readonly isFlow: boolean;
@@ -79,9 +81,11 @@ export class Shape {
     this.state = names.state(line.state);
     this.sort = sortOf(line);
     this.value = line.value === null || line.value === undefined ? null : String(line.value);
+    this.level = line.event === 'withdraw' ? null : String(names.level(this.edge, line.level));
     this.isGap = line.event === 'dropped';
     this.begins = line.begins ?? isUsualBeginning(line);
     this.setsState = line.event === 'set' || line.event === 'given' || line.input === 'set';
+    this.setsLevel = ['ask', 'keep', 'withdraw'].includes(line.event) && this.edge >= 0;
     this.isFlow = line.event === 'push' || this.sort === 'take-over';
     this.decides = ['run', 'stop', 'held', 'stays', 'runs', 'waits', 'dequeue', 'ask', 'keep', 'grant', 'lose', 'queue', 'withdraw', 'push', 'release', 'dropped'].includes(line.event) || line.event === 'input';
     this.text = textOf(this, names);

@@ -12,6 +12,11 @@ namespace {
 
 using Mark = Moment::Mark;
 
+std::optional<std::uint32_t> level_of(const View& view, Index edge) {
+  if (!view.requested(edge)) return {};
+  return static_cast<std::uint32_t>(view.request[edge].level - view.tables->edges[edge].levels.begin);
+}
+
 Mark mark_of_edge(const View& view, Index edge, Index target) {
   if (view.state(edge) == RunState::running) return Mark::running;
   if (view.requested(edge)) return Mark::queued;
@@ -72,6 +77,7 @@ Moment moment_of(const View& view, const Model& model, const Lowered& lowered) {
   for (const EdgeId edge : model.edges.ids()) {
     const Index target = static_cast<Index>(model.edges[edge].target.value);
     out.edges.push_back(mark_of_edge(view, static_cast<Index>(edge.value), target));
+    out.levels.push_back(level_of(view, static_cast<Index>(edge.value)));
   }
   for (const StateId id : model.states.ids()) {
     const State& state = model.states[id];

@@ -102,17 +102,22 @@ public:
   void stepped(const director::View& view) override {
     shown_.stepped(view);
     const Moment moment = moment_of(view, of_.model, of_.lowered);
-    Json groups = Json::list({}), edges = Json::list({}), pushes = Json::list({});
+    Json groups = Json::list({}), edges = Json::list({}), levels = Json::list({}), pushes = Json::list({});
     for (const Moment::Standing& standing : moment.groups)
       groups.add(Json::list({Json::text(name_of(standing.mark)),
                              standing.active ? Json::text(of_.model.providers[*standing.active].name) : Json{}}));
     for (const Moment::Mark mark : moment.edges) edges.add(Json::text(name_of(mark)));
+    for (const EdgeId id : of_.model.edges.ids()) {
+      const std::optional<std::uint32_t> level = moment.levels[id.value];
+      levels.add(level && of_.model.edges[id].requester ? Json::count(*level) : Json{});
+    }
     for (const Moment::Push& push : moment.pushes)
       pushes.add(Json::list({Json::text(of_.model.groups[push.waits].name.value),
                              Json::text(of_.model.groups[push.pushed].name.value),
                              Json::text(of_.model.providers[push.to].name)}));
     std::cout << to_line(Json::object({{"moment", Json::object({{"groups", std::move(groups)},
                                                                 {"edges", std::move(edges)},
+                                                                {"levels", std::move(levels)},
                                                                 {"pushes", std::move(pushes)},
                                                                 {"values", Json::texts(moment.values)}})}}))
               << '\n';

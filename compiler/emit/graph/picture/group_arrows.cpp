@@ -35,6 +35,19 @@ std::string manner_words(const Manner& manner) {
   return out;
 }
 
+/// Whether the request that is made may be that of the arrow's pack: of several packs, those at its level.
+bool is_of_pack(const Model& model, const Moment& moment, const GroupArrow& arrow, EdgeId edge) {
+  if (!arrow.pack) return true;
+  const std::optional<std::uint32_t> level = moment.levels[edge.value];
+  const std::vector<ProviderId>& providers = model.groups[arrow.from].providers;
+  const std::vector<Task>& tasks = model.providers[providers[arrow.row.value_or(0)]].packs[*arrow.pack].tasks;
+  return level && std::any_of(tasks.begin(), tasks.end(), [&](const Task& task) {
+           return task.edge == edge &&
+                  std::any_of(task.levels.begin(), task.levels.end(),
+                              [&](const Task::NamedLevel& named) { return named.level == *level; });
+         });
+}
+
 /// What one provider requests or needs of one group.
 struct Wanted {
   bool need = false;
@@ -312,7 +325,8 @@ void mark_requests(const Model& model, const Moment& moment, std::vector<GroupAr
   for (GroupArrow& arrow : arrows) {
     const auto edge = edges.find({arrow.from, arrow.to});
     const std::optional<ProviderId>& active = moment.groups[arrow.from.value].active;
-    const bool requests = active && (!arrow.row || row_of(model, *active) == *arrow.row) && edge != edges.end();
+    const bool requests = active && (!arrow.row || row_of(model, *active) == *arrow.row) && edge != edges.end() &&
+                          is_of_pack(model, moment, arrow, edge->second);
     arrow.mark = requests ? moment.edges[edge->second.value] : Moment::Mark::inactive;
   }
 }

@@ -7,6 +7,7 @@
 #include "dsl/source/span.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <string>
@@ -45,6 +46,8 @@ struct Moment {
   std::vector<std::string> values; ///< `Motion == still`
   std::vector<Standing> groups;    ///< by group
   std::vector<Mark> edges;         ///< by edge: running, queued, held or inactive
+  /// By edge: the level at which it is requested, an index into Edge::levels; nothing: it is not requested.
+  std::vector<std::optional<std::uint32_t>> levels;
   std::vector<Push> pushes;
 };
 

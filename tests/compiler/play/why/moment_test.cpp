@@ -67,6 +67,40 @@ TEST_CASE("a moment at a time is within the step that passes it") {
   CHECK_FALSE(has("pushed to"));
 }
 
+TEST_CASE(
+    "of the packs of a provider only the lines of the one that is requested are marked, unless others ask alike") {
+  World world;
+  world.files.add("r.yaml", R"(behaviour: r
+language: 1
+roots: {Plan: {priority: 1}, Guard: {priority: 5}}
+groups:
+  Plan:
+    packs:
+      go: {Walk: {priority: 20}, Look: {priority: 5}}
+      stroll: {Walk: {priority: 1, optional: true}}
+      alike: {Walk: {priority: 1, optional: true}, Look: {}}
+  Guard: {needs: [Legs], tasks: [Legs]}
+  Walk: {needs: [Legs], tasks: [Legs]}
+  Look: {}
+  Legs: {}
+)");
+  world.files.add("s.yaml",
+                  "behaviour: r.yaml\nscript: {Plan: {pack: stroll}}\nsteps: [request: Plan, request: Guard]\n");
+  const auto colours = [&](const char* step) {
+    REQUIRE(world.directorc({"graph", "s.yaml", step}) == 0);
+    std::string out;
+    for (const std::string line : {"go\" -> \"Walk", "stroll\" -> \"Walk", "alike\" -> \"Walk", "alike\" -> \"Look"}) {
+      const std::size_t at = world.out.find("\"Plan\":\"" + line);
+      REQUIRE(at != std::string::npos);
+      const std::size_t colour = world.out.find("color=", at);
+      out += world.out.substr(colour + 7, 7) + " ";
+    }
+    return out;
+  };
+  CHECK(colours("--step=1") == "#8A919B #00629B #00629B #8A919B ");
+  CHECK(colours("--step=2") == "#8A919B #A3171A #A3171A #8A919B ");
+}
+
 TEST_CASE("frames are a file for each step") {
   World world = photographer();
   REQUIRE(world.directorc({"graph", "s.yaml", "--frames", "-o", "out", "--format=mermaid"}) == 0);

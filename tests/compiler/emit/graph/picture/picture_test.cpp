@@ -343,6 +343,8 @@ TEST_CASE(
   moment.groups[from.group("Kick").value].mark = Moment::Mark::running;
   moment.edges[from.edge("Player>Walk").value] = Moment::Mark::queued;
   moment.edges[from.edge("Player>Kick").value] = Moment::Mark::running;
+  moment.levels.resize(from.model.edges.size());
+  moment.levels[from.edge("Player>Walk").value] = moment.levels[from.edge("Player>Kick").value] = 0;
   options.moment = moment;
   const Picture picture = make_picture(from.model, make_graph(from.model), from.sources, options);
   const std::string told = summary(picture);
@@ -543,6 +545,63 @@ TEST_CASE("the legend names what is drawn, and nothing else") {
         "causing: makes that true when it is pushed\n"
         "sets: may set that, and promises nothing\n"
         "on, every: runs again then\n");
+}
+
+TEST_CASE("the legend of a collapsed moment has the signs of rows whose status no box has") {
+  const std::string lamp =
+      "behaviour: lamp\nlanguage: 1\nroots: [Lamp, Fan, Eye]\ngroups: {Lamp: {}, Fan: {}, Eye: {}}\n";
+  PictureOptions options;
+  options.fold = PictureOptions::Fold::modules;
+  options.moment.emplace();
+  options.moment->groups = {{Moment::Mark::pushed, ProviderId{0}, "pushed to default for Eye"},
+                            {Moment::Mark::running, ProviderId{1}, {}},
+                            {Moment::Mark::queued, {}, "Lamp is held by Fan"}};
+  options.moment->edges.resize(3);
+  options.moment->levels.resize(3);
+  std::string out;
+  for (const LegendEntry& entry : legend_of(picture_of(lamp, options))) out += entry.sign + ": " + entry.words + "\n";
+  CHECK(out == "blue, \u25B6: runs, in that provider\n"
+               "red: queued: it is requested, and waits\n"
+               "green frame: runs, and is pushed by what waits\n"
+               "\u25BC program: the program itself requests it\n");
+}
+
+TEST_CASE("the legend explains a word in a box also where what follows it is wrong") {
+  PictureOptions options;
+  options.flaws.lines.push_back({GroupId{0}, {}, true, "\u2716 causing", "S == q"});
+  std::string out;
+  for (const LegendEntry& entry :
+       legend_of(picture_of("behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups: {Lamp: {}}\n", options)))
+    out += entry.sign + ": " + entry.words + "\n";
+  CHECK(out == "thick frame: the program itself requests it\n"
+               "red, \u2716: is wrong, or missing\n"
+               "causing: makes that true when it is pushed\n");
+}
+
+TEST_CASE("the root tasks of a folded box are on lines that are no longer than those of reasons") {
+  PictureOptions options;
+  options.fold = PictureOptions::Fold::modules;
+  const std::string text =
+      dot(picture_of(
+              "behaviour: ship\nlanguage: 1\n"
+              "roots: {EmergencyShutdown: {priority: 2000000000}, FillTank: {priority: 10}, EmptyTank: {priority: 5}}\n"
+              "groups: {EmergencyShutdown: {}, FillTank: {}, EmptyTank: {}}\n",
+              options),
+          {});
+  CHECK(text.find("\u25BC program: EmergencyShutdown<BR ALIGN=\"LEFT\"/>2000000000, FillTank 10, EmptyTank 5<") !=
+        std::string::npos);
+}
+
+TEST_CASE("the paper of a label has room for the letters of wide fonts") {
+  const std::string text = dot(
+      picture_of(
+          "behaviour: lamp\nlanguage: 1\nroots: [Lamp]\n"
+          "groups: {Lamp: {tasks: {Bulb: {priority: {usual: 2000000000, urgent: 2000000001}}, Fan: {priority: 10}}},\n"
+          "         Bulb: {}, Fan: {}}\n"),
+      {});
+  const auto has = [&](const std::string& piece) { return text.find(piece) != std::string::npos; };
+  CHECK(has("<TD ALIGN=\"LEFT\" WIDTH=\"16\">10</TD>"));
+  CHECK(has("<TD ALIGN=\"LEFT\" WIDTH=\"214\">usual 2000000000, urgent 2000000001</TD>"));
 }
 
 TEST_CASE("the legend explains rows as the arrows of this picture use them") {
