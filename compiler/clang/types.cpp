@@ -33,6 +33,7 @@ std::optional<std::size_t> row_of(llvm::StringRef name, llvm::StringRef begin, s
 struct Source {
   std::string text;
   unsigned first_line = 0; ///< of the aliases
+  unsigned first_use = 0;  ///< the line from which faults do not count
 };
 
 Source write_source(const Json& request) {
@@ -60,6 +61,7 @@ Source write_source(const Json& request) {
   }
   // An enum within a template has values only after it is used, also where an alias names it. Faults of these lines do
   // not count.
+  out.first_use = 1 + static_cast<unsigned>(std::count(out.text.begin(), out.text.end(), '\n'));
   for (std::size_t i = 0; i < number; ++i)
     out.text += "namespace director_uses { using enum " + (alias + std::to_string(i)) + "; }\n";
   out.text += "}\n";
@@ -117,7 +119,7 @@ Json report_types(const Json& request) {
   std::vector<Json> types(count);
   std::vector<bool> is_macro(count);
   Json places_of_files;
-  const Reading reading = parse(unit, [&](clang::ASTContext& context) {
+  Reading reading = parse(unit, [&](clang::ASTContext& context) {
     Places places(context, unit.directory);
     const auto look = [&](const clang::Decl* decl, const auto& self) -> void {
       if (const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(decl)) {
@@ -145,6 +147,8 @@ Json report_types(const Json& request) {
     for (const clang::Decl* decl : context.getTraversalScope()) look(decl, look);
     places_of_files = places.files();
   });
+  std::erase_if(reading.errors,
+                [&](const Fault& each) { return each.file == unit.file && each.line >= source.first_use; });
   Json list = Json::list({});
   for (std::size_t row = 0; row < count; ++row) {
     const auto fault = std::find_if(reading.errors.begin(), reading.errors.end(), [&](const Fault& each) {

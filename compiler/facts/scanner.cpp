@@ -19,10 +19,11 @@ namespace {
 constexpr const char* name = "director-clang";
 
 ScanFault absent() {
-  return {true,
-          "director-clang is not installed, and without it nothing can be read in C++: no `verify`, no `stubs`, and a "
-          "state with a `type` needs its `values`; install the package director-clang, or, where you build Director, "
-          "clang-19 libclang-19-dev llvm-19-dev"};
+  return {
+      true,
+      "director-clang is not installed, and without it nothing can be read in C++: no `verify`, `stubs` only into new "
+      "files, and a state with a `type` needs its `values`; install the package director-clang, or, where you build "
+      "Director, clang-19 libclang-19-dev llvm-19-dev"};
 }
 
 } // namespace

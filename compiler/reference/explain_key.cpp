@@ -75,8 +75,8 @@ std::vector<std::string> links_in(std::string_view text) {
   return out;
 }
 
-/// The first word of code in backticks: `advance: 100 ms` is `advance`.
-std::vector<std::string> codes_in(std::string_view text) {
+/// The first word of code in backticks: `advance: 100 ms` is `advance`, in a cell `broken Walk` is `broken`.
+std::vector<std::string> codes_in(std::string_view text, bool in_cell = false) {
   std::vector<std::string> out;
   for (std::size_t at = text.find('`'); at != std::string_view::npos; at = text.find('`', at + 1)) {
     const std::size_t end = text.find('`', at + 1);
@@ -84,7 +84,8 @@ std::vector<std::string> codes_in(std::string_view text) {
     const std::string_view code = text.substr(at + 1, end - at - 1);
     std::size_t size = 0;
     while (size < code.size() && dsl::is_word(code[size])) ++size;
-    if (size > 0 && (size == code.size() || code[size] == ':')) out.emplace_back(code.substr(0, size));
+    if (size > 0 && (size == code.size() || code[size] == ':' || (in_cell && code[size] == ' ')))
+      out.emplace_back(code.substr(0, size));
     at = end;
   }
   return out;
@@ -176,7 +177,7 @@ private:
   void row(std::string_view line) {
     const std::vector<std::string_view> cells = cells_of(line);
     if (cells.empty() || cells.front().starts_with("---")) return;
-    std::vector<std::string> keys = codes_in(cells.front());
+    std::vector<std::string> keys = codes_in(cells.front(), true);
     if (keys.empty()) return;
     std::string text = without_links(cells.front());
     for (std::size_t i = 1; i < cells.size(); ++i) text += (i == 1 ? ": " : "; ") + without_links(cells[i]);
@@ -245,10 +246,12 @@ std::optional<std::string> explain_key(std::string_view page, std::string_view k
   std::string rows, out;
   std::set<std::string> leads; // anchors of sections that are printed whole
   bool known = false;
+  const Section* home = nullptr; ///< with its first row
   for (const Section& section : sections) {
     for (const Row& row : section.rows) {
       if (!contains(row.keys, key)) continue;
       known = true;
+      if (home == nullptr) home = &section;
       const std::string kind = row.head.starts_with("key") ? row.head : fmt::format("in the table \"{}\"", row.head);
       rows += fmt::format("- {} ({}, under \"{}\")\n", row.text, kind, section.title);
       leads.insert(row.sections.begin(), row.sections.end());
@@ -259,13 +262,14 @@ std::optional<std::string> explain_key(std::string_view page, std::string_view k
   std::string first; // its first example, in any section
   for (const Section& section : sections) {
     const bool whole = leads.contains(section.anchor);
+    const bool own = leads.empty() && &section == home;
     std::string text;
     for (const Piece& piece : section.pieces) {
       const bool row = std::any_of(section.rows.begin(), section.rows.end(),
                                    [&](const Row& each) { return piece.text == "- " + each.text + "\n"; });
       const bool mentions = piece.words.contains(word);
       if (first.empty() && mentions && piece.text.starts_with("```yaml")) first = piece.text;
-      if (!whole && (row || !mentions || (piece.code && (example || text.empty())))) continue;
+      if (!whole && (row || !mentions || (piece.code && (example || (text.empty() && !own))))) continue;
       if (piece.code && mentions) example = true;
       known = known || mentions;
       write(text, piece);

@@ -132,7 +132,8 @@ Artefact main_file(const Wanted& wanted, const std::vector<ModuleClass>& classes
   code.line("std::this_thread::sleep_for(std::chrono::milliseconds(10));");
   code.close("}");
   code.blank();
-  code.comment("What runs is stopped: the end of the behaviour calls no stop handler.", "//");
+  code.comment(
+      "What runs is stopped: the end of the behaviour calls no stop handler. End threads that post before this.", "//");
   code.line("behaviour.cancel_all();");
   code.line("while (step() != director::StepResult::quiescent) {}");
   code.close("}");

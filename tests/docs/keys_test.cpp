@@ -3,6 +3,7 @@
 #include "compiler/reference/explain_key.hpp"
 #include "dsl/yaml/yaml_tree.hpp"
 #include "tests/docs/markdown.hpp"
+#include "tests/support/command.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cctype>
 #include <set>
+#include <sstream>
 #include <utility>
 
 using namespace director;
@@ -38,6 +40,33 @@ std::set<std::string> keys_of(const std::string& schema) {
   std::set<std::string> keys;
   collect(dsl::read_yaml(dsl::FileId{0}, text, diagnostics), keys);
   REQUIRE(diagnostics.empty());
+  return keys;
+}
+
+/// The keys in a JSON value, without those of the lines of a trace.
+void collect_printed(const dsl::YamlNode& node, std::set<std::string>& keys) {
+  for (const dsl::YamlNode& item : node.items) collect_printed(item, keys);
+  for (const dsl::YamlPair& pair : node.pairs) {
+    keys.insert(pair.key.value);
+    if (pair.key.value != "recorded" && pair.key.value != "replayed") collect_printed(pair.value, keys);
+  }
+}
+
+/// Of a program that prints one JSON value, or one in each line.
+std::set<std::string> keys_printed_by(const std::string& command) {
+  const std::string text = run_command(command, source_dir()).output;
+  std::vector<std::string> values{text};
+  if (!text.starts_with("{\n")) {
+    values.clear();
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) values.push_back(line);
+  }
+  std::set<std::string> keys;
+  for (const std::string& value : values) {
+    std::vector<dsl::Diagnostic> diagnostics;
+    collect_printed(dsl::read_yaml(dsl::FileId{0}, value, diagnostics), keys);
+    REQUIRE(diagnostics.empty());
+  }
   return keys;
 }
 
@@ -76,5 +105,35 @@ TEST_CASE("each key has a row in a table of the reference, and `directorc explai
         FAIL_CHECK(file << ": no table has a row for `" << key << "`");
       CHECK(compiler::explain_key(compiler::reference(), key).value_or("").starts_with("# " + key + "\n\n- `"));
     }
+  }
+}
+
+TEST_CASE("each key of the JSON that subcommands print is on the page that describes it") {
+  std::set<std::string> known;
+  const Markdown page = read_markdown(read_file(source_dir() / "docs/findings.md"));
+  for (const Inline& code : page.code) known.insert(code.text);
+  for (const char* of_a_finding : {"id", "line", "column", "end_line", "end_column", "message"})
+    known.insert(of_a_finding);
+  const TemporaryFolder folder;
+  const std::string rover = "tests/docs/rover/rover.scenario.yaml", trace = (folder.path() / "trace.jsonl").string(),
+                    other = (folder.path() / "rover.yaml").string();
+  const std::pair<std::string, std::string> printed[]{
+      {"directorc check --format=json --explain-reachable Drive.braking tests/docs/rover/rover.yaml", "steps"},
+      {"directorc check --format=json --explain-reachable Tend.returning tests/docs/tutorial/9_shadow/gardener.yaml",
+       "missing"},
+      {"directorc simulate --format=json --decisions --times " + rover, "reasons"},
+      {"directorc why --format=json " + rover + " Photograph --step 2", "notes"},
+      {"directorc test --format=json --coverage " + rover, "compared"},
+      {"directorc test --format=json tests/docs/idioms/without/outputs_never_say_done.scenario.yaml", "exhausted"},
+      {"directorc simulate --trace " + trace + " " + rover +
+           " >/dev/null && sed 's/Photograph: {priority: 20/Photograph: {priority: 5/' tests/docs/rover/rover.yaml >" +
+           other + " && directorc replay --format=json " + trace + " --behaviour " + other,
+       "difference"}};
+  for (const auto& [command, expected] : printed) {
+    CAPTURE(command);
+    const std::set<std::string> keys = keys_printed_by(command);
+    CHECK(keys.contains(expected));
+    for (const std::string& key : keys)
+      if (!known.contains(key)) FAIL_CHECK("no page describes `" << key << "`");
   }
 }

@@ -46,7 +46,8 @@ std::string bounds_text(const analysis::Bounds& bounds, const Model& model, cons
   const std::string least = bounds.counted ? "" : "and more, too many to count";
   const std::string handlers = bounds.handlers_set ? "not counting inputs that handlers cause" : "";
   line("decision state", bounds.decision_bytes, "bytes of RAM", "");
-  line("engine", bounds.engine_bytes, "bytes of RAM", "that and what a pass forgets; without data of tasks and inbox");
+  line("engine", bounds.engine_bytes, "bytes of RAM: decision state and scratch memory of a pass",
+       "data of tasks and inbox come on top");
   line("waiting runs", bounds.runs_waiting, "at most", "");
   line("provider trials", bounds.trials, "at most for one decision",
        least.empty() ? fmt::format("`limits: trials` allows {}", model.trials.most) : least);
@@ -68,7 +69,7 @@ std::string bounds_text(const analysis::Bounds& bounds, const Model& model, cons
        fmt::format("at most to decide in one step with `set_work_budget({})`", work_budget));
   line("repeated passes", bounds.repetitions, "at most after one micro-step", "");
   line("micro-steps", bounds.to_first_run, "at most from a root request that is granted at once to its run", handlers);
-  line("", bounds.calm_input, "at most for an input that changes no decision, where bodies keep what there is",
+  line("", bounds.calm_input, "at most for an input that changes no decision, if bodies request what they already have",
        handlers);
   line("", Engine::default_budget, "at most in one step, unless the program sets another budget", "");
   return out;

@@ -45,7 +45,8 @@ Make check_options(CLI::App& app) {
   auto explore = std::make_shared<bool>(false);
   auto bound = std::make_shared<std::size_t>(0); // as without it
   app.add_flag("--explore", *explore,
-               "try everything that can happen, and report what never runs, and where the engine never comes to rest");
+               "try everything that can happen, and report what never runs, and where the engine never comes to rest; "
+               "--lint=never_runs does the same");
   add_bound(app, *bound, "100000 for the assertions, 1000000 with --explore");
   add_watch(app, request->watch);
   return [=]() -> Request {

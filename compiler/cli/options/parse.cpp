@@ -152,7 +152,8 @@ std::string last_words(const std::string& schemas) {
     out += fmt::format("\n\nAn editor with the YAML language server knows the keys where the first line is\n"
                        "# yaml-language-server: $schema={0}/behaviour.schema.json\n"
                        "or, in a scenario,\n"
-                       "# yaml-language-server: $schema={0}/scenario.schema.json",
+                       "# yaml-language-server: $schema={0}/scenario.schema.json\n"
+                       "The same folder has the schemas of what `graph` and `diff` print as JSON, and of traces.",
                        schemas);
   return out;
 }

@@ -76,6 +76,7 @@ public:
       g_.narrowed.push_back("a body or handler that sets several states at once, where that has too many ways");
     g_.left_out.insert(g_.left_out.end(), g_.narrowed.begin(), g_.narrowed.end());
     leave_out("a request that is kept beside one that is new");
+    if (model_.roots.size() > 1) leave_out("all root tasks cancelled in one input");
     leave_out("providers that are disabled, steps whose budget runs out, bodies that throw");
     leave_out("two timers that are due at the same microsecond");
     leave_out("cycles in which a body sets a state of its `sets`, or answers otherwise than with its first pack or all "

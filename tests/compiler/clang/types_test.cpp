@@ -69,6 +69,32 @@ TEST_CASE("what the generated code includes by itself counts for types too, and 
   CHECK(checked("nowhere::Way").out.find("there is no type `nowhere::Way` in the C++") != std::string::npos);
 }
 
+TEST_CASE("what was read of types is kept until the next call, also if one of them is no enum") {
+  const Workshop work("types-kept");
+  work.write("flags", "g++\n-std=c++20\n-I.\n");
+  work.write("way.hpp", "#pragma once\nnamespace way {\nenum class Mode { calm, wild };\nstruct Goal { int x; };\n}\n");
+  const auto kept_with = [&](const std::string& data) {
+    std::filesystem::remove_all(work.path(".director"));
+    work.write("cart.yaml", "behaviour: cart\nlanguage: 1\ncpp: {headers: [way.hpp]}\nstates:\n"
+                            "  Mode: {type: way::Mode, initial: calm, external: true}\nroots: [Drive]\ngroups:\n"
+                            "  Drive: {when: [Mode == calm], data: " +
+                                data + "}\n");
+    const Worked checked = work.directorc({"check", work.path("cart.yaml"), "--flags", work.path("flags")});
+    CAPTURE(checked.out, checked.err);
+    CHECK(checked.status == (data == "way::Nobody" ? 1 : 0));
+    std::size_t answers = 0;
+    if (std::filesystem::exists(work.path(".director"))) {
+      for (const auto& file : std::filesystem::directory_iterator(work.path(".director")))
+        answers += file.path().extension() == ".json" ? 1 : 0;
+    }
+    return answers;
+  };
+  CHECK(kept_with("way::Mode") == 1);
+  CHECK(kept_with("way::Goal") == 1);
+  CHECK(kept_with("int") == 1);
+  CHECK(kept_with("way::Nobody") == 0);
+}
+
 TEST_CASE("a type whose template is only defined for some arguments is a type") {
   const Workshop work("types-some");
   work.write("flags", "g++\n-std=c++20\n-I" + source_folder() + "\n-I" + work.path() + "\n");

@@ -46,7 +46,7 @@ TEST_CASE("a director-clang that is not installed, that fails or that refuses") 
   const auto fault = [&] { return scanner.ask("types", Json::object({})).error(); };
   CHECK(fault().absent);
   CHECK(fault().message == "director-clang is not installed, and without it nothing can be read in C++: no `verify`, "
-                           "no `stubs`, and a state "
+                           "`stubs` only into new files, and a state "
                            "with a `type` needs its `values`; install the package director-clang, or, where you "
                            "build Director, clang-19 libclang-19-dev llvm-19-dev");
   child.answer = {true, 139, ""};

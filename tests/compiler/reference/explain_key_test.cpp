@@ -64,21 +64,37 @@ TEST_CASE("a row of a table that does not say what kind of key it has is explain
       "# run\n\n- `run: 2`: it is the second run (in the table \"a case applies if\", under \"Scripts\")\n");
 }
 
+TEST_CASE("a word that is printed with a name behind it is explained by its row") {
+  CHECK(explain_key("## Expect\n\n| event | |\n| --- | --- |\n| `broken Walk.halting` | too late |\n", "broken")
+            .value_or("none") ==
+        "# broken\n\n- `broken Walk.halting`: too late (in the table \"event\", under \"Expect\")\n");
+}
+
+TEST_CASE("the example of the section with the row comes before texts of others that mention the key") {
+  CHECK(explain_key("## States\n\n| key | what it says |\n| --- | --- |\n| `to` | the value |\n\n```yaml\n"
+                    "expires: {to: lost}\n```\n\n## Assertions\n\nNothing is taken by `to`.\n\n```yaml\nsoft: "
+                    "{to: Kick}\n```\n",
+                    "to")
+            .value_or("none") ==
+        "# to\n\n- `to`: the value (key, under \"States\")\n\n## States\n\n```yaml\nexpires: {to: lost}\n```\n\n"
+        "## Assertions\n\nNothing is taken by `to`.\n");
+}
+
 TEST_CASE("a key whose row leads nowhere is explained by its row and by what else mentions it") {
   CHECK(explain_key(page, "start").value_or("none") ==
         "# start\n"
         "\n"
         "- `start`, `stop`: it has a handler (key of a group, under \"Groups\")\n"
         "\n"
-        "## More\n"
-        "\n"
-        "Also `start: now` is said here.\n"
-        "\n"
-        "## An example\n"
+        "## Groups\n"
         "\n"
         "```yaml\n"
         "Walk: {needs: [Legs], start: true}\n"
-        "```\n");
+        "```\n"
+        "\n"
+        "## More\n"
+        "\n"
+        "Also `start: now` is said here.\n");
   CHECK(explain_key(page, "advance").value_or("none") ==
         "# advance\n\n- `advance: 100 ms`:  (key of a group, under \"Groups\")\n");
 }

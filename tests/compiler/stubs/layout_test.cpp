@@ -62,7 +62,7 @@ int main() {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
 
-  // What runs is stopped: the end of the behaviour calls no stop handler.
+  // What runs is stopped: the end of the behaviour calls no stop handler. End threads that post before this.
   behaviour.cancel_all();
   while (step() != director::StepResult::quiescent) {}
 }

@@ -175,7 +175,8 @@ TEST_CASE("the help ends with the first line that an editor wants, where the sch
         without + "\nAn editor with the YAML language server knows the keys where the first line is\n"
                   "# yaml-language-server: $schema=/usr/share/director/schemas/behaviour.schema.json\n"
                   "or, in a scenario,\n"
-                  "# yaml-language-server: $schema=/usr/share/director/schemas/scenario.schema.json\n");
+                  "# yaml-language-server: $schema=/usr/share/director/schemas/scenario.schema.json\n"
+                  "The same folder has the schemas of what `graph` and `diff` print as JSON, and of traces.\n");
 }
 
 } // namespace
