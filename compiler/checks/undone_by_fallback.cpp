@@ -51,8 +51,12 @@ public:
       return std::any_of(want.causers.begin(), want.causers.end(), has_needs);
     };
     if (std::none_of(wanting.wants.begin(), wanting.wants.end(), may_be_lost)) return;
-    for (const Granted& granted : granted_with(model_, shared_, wanting.task)) {
-      for (const Want& want : wanting.wants) look_at(granted, wanting, want);
+    for (Granted& any : granted_with(model_, shared_, wanting.task)) {
+      if (!may_take(any, wanting)) continue;
+      const std::optional<ProviderId> own = any.is_other() ? std::nullopt : std::optional(wanting.provider);
+      for (const Granted& granted : with_each_pack(model_, facts_, shared_, std::move(any), own)) {
+        for (const Want& want : wanting.wants) look_at(granted, wanting, want);
+      }
     }
   }
 
@@ -73,6 +77,14 @@ public:
   }
 
 private:
+  /// Whether some pack takes something of what is pushed.
+  static bool may_take(const Granted& granted, const Wanting& wanting) {
+    return std::any_of(wanting.wants.begin(), wanting.wants.end(), [&](const Want& want) {
+      return std::any_of(want.causers.begin(), want.causers.end(),
+                         [&](ProviderId causer) { return granted.takings.need_taken(causer) != nullptr; });
+    });
+  }
+
   void look_at_setter(const Granted& granted, const Want& want, ProviderId id) {
     const GroupId group = model_.providers[id].group;
     const Use<GroupId>* need = granted.takings.need_taken(id);

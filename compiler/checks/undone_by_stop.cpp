@@ -50,7 +50,7 @@ public:
     for (const Want& want : wanting.wants) {
       const StateId state = model_.conditions[want.condition.id].state;
       if (stopping_[state].empty()) continue;
-      if (granted.empty()) granted = granted_with(model_, shared_, wanting.task);
+      if (granted.empty()) granted = find_granted(wanting);
       for (const Granted& each : granted) look_at(each, want, state);
     }
   }
@@ -76,6 +76,21 @@ public:
   }
 
 private:
+  /// Of each that is granted with the task, with each of its packs.
+  std::vector<Granted> find_granted(const Wanting& wanting) {
+    std::vector<Granted> out;
+    own_.clear();
+    for (Granted& any : granted_with(model_, shared_, wanting.task)) {
+      const bool is_other = any.is_other();
+      const std::optional<ProviderId> own = is_other ? std::nullopt : std::optional(wanting.provider);
+      for (Granted& each : with_each_pack(model_, facts_, shared_, std::move(any), own)) {
+        if (!is_other) own_.push_back(each.takings);
+        out.push_back(std::move(each));
+      }
+    }
+    return out;
+  }
+
   void look_at(const Granted& granted, const Want& want, StateId state) {
     for (const ProviderId id : want.causers) {
       const Setting causer{id, causes(model_, id, want.condition.id)};
@@ -165,7 +180,8 @@ private:
   /// Empty: the group continues, or is handed over, or it is not certain.
   std::optional<Taking> why_stopped(const Granted& granted, GroupId group, Search& search) const {
     if (granted.below.contains(group)) return std::nullopt;
-    if (granted.is_other() && shared_.claims(granted.waits).contains(group)) return std::nullopt;
+    const auto takes = [&](const Takings& own) { return own.takes(group); };
+    if (granted.is_other() && std::all_of(own_.begin(), own_.end(), takes)) return std::nullopt;
     // It is held only as a need then, and a group that is not requested stops.
     if (granted.takings.takes(group)) return granted.takings.way_to({group, {}});
     if (std::optional<Taking> out = why_needs_fail(granted.takings, group, search.causer)) return out;
@@ -241,6 +257,7 @@ private:
   const Settings settings_;
   Findings& findings_;
   IdTable<StateId, std::vector<GroupId>> stopping_; ///< groups whose stop may set it
+  std::vector<Takings> own_; ///< of the waiting task, with each of its packs; their claims are those of the granted
   std::set<std::pair<dsl::Span, dsl::Span>> seen_;
 };
 
