@@ -47,6 +47,7 @@ public:
       if (std::all_of(needs.begin(), needs.end(), [&](const Use<GroupId>& need) { return is_full(need); })) continue;
       find_company(wanting.task, model_.providers[causer].group);
       below_.clear();
+      above_pushed_.clear();
       find_own(causer);
       when_ = region_of(model_, model_.providers[causer].when);
       for (const Use<GroupId>& need : needs) {
@@ -171,6 +172,7 @@ private:
     shared_.chains().visit(holder.group, {pushed}, [&](const Meeting& found, GroupId) {
       if (out || !found.first_goes_before() || (holder.root != nullptr && found.first != holder.root)) return;
       if (!is_near(found) || !leads_to(*found.first, holder.group, task, pushed)) return;
+      if (!leads_to_pushed(*found.second, pushed, task)) return; // the task requests nothing while it waits
       if (std::none_of(above.begin(), above.end(), [&](const Meeting& each) { return at_once(each, found); })) return;
       if (!join(found, holder.group, pushed)) out = found;
     });
@@ -185,6 +187,15 @@ private:
     if (!all.contains(task) && !all.contains(pushed)) return true;
     const std::vector<GroupId> without{task, pushed};
     return below_.try_emplace(entry.target, shared_.branches(), entry.target, without).first->second.contains(group);
+  }
+
+  /// Whether a chain of requests from the entry to the pushed group does not pass the waiting task.
+  bool leads_to_pushed(const Task& entry, GroupId pushed, GroupId task) const {
+    if (entry.target == task) return false;
+    if (!shared_.claims(entry.target).contains(task)) return true;
+    const std::vector<GroupId> without{task};
+    return above_pushed_.try_emplace(entry.target, shared_.branches(), entry.target, without)
+        .first->second.contains(pushed);
   }
 
   /// Whether all chains from the two entries to these groups pass one and the same group. Only one requester holds
@@ -418,6 +429,7 @@ private:
   std::set<GroupId> own_;                   ///< of the provider that is pushed
   /// What a group leads to without the waiting task and the pushed one.
   mutable std::map<GroupId, Claims> below_;
+  mutable std::map<GroupId, Claims> above_pushed_; ///< what it leads to without the waiting task
   mutable std::map<std::pair<GroupId, GroupId>, std::vector<GroupId>> gates_;
   mutable Arrows arrows_; ///< of requests and needs; empty: not found yet
   Region when_;           ///< with which the pushed provider may begin
