@@ -101,7 +101,8 @@ private:
     GroupId part{};
     Holder holder;
     Meeting below;
-    bool equal = false; ///< it does not go after the waiting task, but is its equal
+    bool equal = false;    ///< it does not go after the waiting task, but is its equal
+    bool at_roots = false; ///< ... as a root
   };
 
   /// A task pushes a provider, and a third one may hold what that needs.
@@ -131,7 +132,7 @@ private:
       const bool equal = std::none_of(above.begin(), above.end(), [&](const Meeting& each) {
         return each.first_goes_before() && at_once(each, *below);
       });
-      worst = Between{part, holder, *below, equal};
+      worst = Between{part, holder, *below, equal, !above.front().together->provider};
     }
   }
 
@@ -141,12 +142,12 @@ private:
     return std::pair(!a.first_optional, a.first_level.priority) > std::pair(!b.first_optional, b.first_level.priority);
   }
 
-  /// Where the waiting task goes before the holder, or is its equal in one pack, which keeps what it holds although the
-  /// task itself takes nothing of that. Nothing that is in one unit with the task is granted.
+  /// Where the waiting task goes before the holder, or is its equal, which keeps what it holds although the task itself
+  /// takes nothing of that. Nothing that is in one unit with the task is granted.
   std::vector<Meeting> find_above(GroupId task, const Holder& holder, GroupId pushed, GroupId part) const {
     std::vector<Meeting> out;
     shared_.chains().visit(task, {holder.group}, [&](const Meeting& found, GroupId) {
-      const bool keeps = found.equal() && found.together->provider && !shared_.claims(task).contains(part);
+      const bool keeps = found.equal() && !shared_.claims(task).contains(part);
       if ((!found.first_goes_before() && !keeps) || (holder.root != nullptr && found.second != holder.root)) return;
       if (found.one_unit() && found.first->target == task) return;
       if (leads_to(*found.second, holder.group, task, pushed) && !join(found, task, holder.group)) out.push_back(found);
@@ -308,7 +309,7 @@ private:
     const Want& want = *pushes.front().want;
     const ProviderId causer = pushes.front().causer;
     const Use<GroupId>& need = *pushes.front().need;
-    const auto& [part, holder, below, equal] = pushes.front().between;
+    const auto& [part, holder, below, equal, at_roots] = pushes.front().between;
     const GroupId pushed = model_.providers[causer].group;
     bool one_side = false;
     shared_.chains().visit(wanting.task, {pushed}, [&, &at = below](const Meeting& other, GroupId) {
@@ -345,7 +346,7 @@ private:
                        name_of(model_, other.between.holder.group), name_of(model_, other.wanting->task),
                        name_of(model_, pushed))});
     }
-    if (equal) {
+    if (equal && !at_roots) {
       finding.help = fmt::format("let {} do without {}, or request {} and {} as one unit", name_of(model_, causer),
                                  name_of(model_, need.id), task, between);
       return;
@@ -375,7 +376,7 @@ private:
       return;
     }
     finding.help =
-        one_side
+        one_side || equal
             ? fmt::format("let {} do without {}, or {} go after {}, and that still after {}", name_of(model_, causer),
                           name_of(model_, need.id), between, name_of(model_, pushed), task)
             : fmt::format("let {} go before {}, and still after {}", name_of(model_, below.second->target),
