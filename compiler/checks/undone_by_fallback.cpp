@@ -53,8 +53,7 @@ public:
     if (std::none_of(wanting.wants.begin(), wanting.wants.end(), may_be_lost)) return;
     for (Granted& any : granted_with(model_, shared_, wanting.task)) {
       if (!may_take(any, wanting)) continue;
-      const std::optional<ProviderId> own = any.is_other() ? std::nullopt : std::optional(wanting.provider);
-      for (const Granted& granted : with_each_pack(model_, facts_, shared_, std::move(any), own)) {
+      for (const Granted& granted : with_each_pack(model_, facts_, shared_, std::move(any), wanting.provider)) {
         for (const Want& want : wanting.wants) look_at(granted, wanting, want);
       }
     }
@@ -115,7 +114,9 @@ private:
     for (const ProviderId causer : want.causers) {
       if (granted.takings.takes(model_.providers[causer].group)) continue;
       const Use<GroupId>* need = granted.takings.need_taken(causer);
-      if (need == nullptr || seen_.count({need->span, want.condition.span}) != 0) continue;
+      if (need == nullptr || seen_.count({need->span, want.condition.span}) != 0 ||
+          !is_requested_beside(shared_, granted, model_.providers[causer].group))
+        continue;
       Region here = region_of(model_, model_.providers[wanting.provider].when);
       here.meet(region_of(model_, model_.providers[want.waiter].when));
       const std::optional<Fallback> fallback = find_fallback(here, want, causer, granted.takings);

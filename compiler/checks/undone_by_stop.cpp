@@ -77,17 +77,12 @@ public:
   }
 
 private:
-  /// Of each that is granted with the task, with each of its packs.
-  std::vector<Granted> find_granted(const Wanting& wanting) {
+  /// With each pack of the task.
+  std::vector<Granted> find_granted(const Wanting& wanting) const {
     std::vector<Granted> out;
-    own_.clear();
     for (Granted& any : granted_with(model_, shared_, wanting.task)) {
-      const bool is_other = any.is_other();
-      const std::optional<ProviderId> own = is_other ? std::nullopt : std::optional(wanting.provider);
-      for (Granted& each : with_each_pack(model_, facts_, shared_, std::move(any), own)) {
-        if (!is_other) own_.push_back(each.takings);
+      for (Granted& each : with_each_pack(model_, facts_, shared_, std::move(any), wanting.provider))
         out.push_back(std::move(each));
-      }
     }
     return out;
   }
@@ -231,8 +226,8 @@ private:
   /// Empty: the group continues, or is handed over, or it is not certain.
   std::optional<Taking> why_stopped(const Granted& granted, GroupId group, Search& search) const {
     if (granted.below.contains(group)) return std::nullopt;
-    const auto takes = [&](const Takings& own) { return own.takes(group); };
-    if (granted.is_other() && std::all_of(own_.begin(), own_.end(), takes)) return std::nullopt;
+    if (granted.is_other() && shared_.claims(granted.waits).contains(group)) return std::nullopt;
+    if (!is_requested_beside(shared_, granted, group)) return std::nullopt;
     // It is held only as a need then, and a group that is not requested stops.
     if (granted.takings.takes(group)) return granted.takings.way_to({group, {}});
     if (std::optional<Taking> out = why_needs_fail(granted.takings, group, search.causer)) return out;
@@ -308,7 +303,6 @@ private:
   const Settings settings_;
   Findings& findings_;
   IdTable<StateId, std::vector<GroupId>> stopping_; ///< groups whose stop may set it
-  std::vector<Takings> own_; ///< of the waiting task, with each of its packs; their claims are those of the granted
   std::set<std::pair<dsl::Span, dsl::Span>> seen_;
   std::set<std::pair<GroupId, StateId>> beside_; ///< reported, of groups beside the two
 };

@@ -63,10 +63,11 @@ std::vector<Granted> granted_with(const Model& model, const Shared& shared, Grou
 }
 
 std::vector<Granted> with_each_pack(const Model& model, const Facts& facts, const Shared& shared, Granted granted,
-                                    std::optional<ProviderId> provider) {
+                                    ProviderId provider) {
   const auto packs = packs_of(model, facts, granted.task, provider);
   std::vector<Granted> out;
-  if (packs.empty() || packs.size() > most_packs || packs_of(model, facts, granted.task, {}).size() == 1) {
+  if (granted.is_other() || packs.empty() || packs.size() > most_packs ||
+      packs_of(model, facts, granted.task, {}).size() == 1) {
     out.push_back(std::move(granted));
     return out;
   }
@@ -77,6 +78,18 @@ std::vector<Granted> with_each_pack(const Model& model, const Facts& facts, cons
                    Takings(model, shared.indispensable(), *claims, granted.task),
                    RunsBelow(branches, *claims, granted.task)});
   }
+  return out;
+}
+
+bool is_requested_beside(const Shared& shared, const Granted& granted, GroupId group) {
+  if (!granted.claims || !shared.claims(granted.task).contains(group)) return true;
+  bool out = false;
+  shared.chains().visit(granted.task, {group}, [&](const Meeting& meeting, GroupId) {
+    const GroupId other = meeting.second->target;
+    if (out || other == granted.task || meeting.one_unit() || !meeting.first_goes_before()) return;
+    const Claims without(shared.branches(), other, {granted.task});
+    out = RunsBelow(shared.branches(), without, other).contains(group);
+  });
   return out;
 }
 

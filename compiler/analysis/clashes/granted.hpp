@@ -32,10 +32,13 @@ Granted granted_alone(const Model& model, const Shared& shared, GroupId task);
 /// tasks are granted together.
 std::vector<Granted> granted_with(const Model& model, const Shared& shared, GroupId task);
 
-/// The same with each pack, because only one of them is requested at a time. `provider`: the one that was pushed for;
-/// empty: any may run.
+/// The same with each pack of the provider that was pushed for, because only one of them is requested at a time. Of
+/// other members, with all.
 std::vector<Granted> with_each_pack(const Model& model, const Facts& facts, const Shared& shared, Granted granted,
-                                    std::optional<ProviderId> provider);
+                                    ProviderId provider);
+
+/// Whether the task takes the group from others: with other packs it requests it itself, and while it waits, nothing.
+bool is_requested_beside(const Shared& shared, const Granted& granted, GroupId group);
 
 /// "`Kick` is granted", "`Look` is granted together with `Kick`"
 std::string is_granted(const Model& model, const Granted& granted);
