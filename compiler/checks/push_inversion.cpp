@@ -47,6 +47,7 @@ public:
       if (std::all_of(needs.begin(), needs.end(), [&](const Use<GroupId>& need) { return is_full(need); })) continue;
       find_company(wanting.task, model_.providers[causer].group);
       below_.clear();
+      above_pushed_.clear();
       find_own(causer);
       when_ = region_of(model_, model_.providers[causer].when);
       for (const Use<GroupId>& need : needs) {
@@ -100,7 +101,8 @@ private:
     GroupId part{};
     Holder holder;
     Meeting below;
-    bool equal = false; ///< it does not go after the waiting task, but is its equal
+    bool equal = false;    ///< it does not go after the waiting task, but is its equal
+    bool at_roots = false; ///< ... as a root
   };
 
   /// A task pushes a provider, and a third one may hold what that needs.
@@ -130,7 +132,7 @@ private:
       const bool equal = std::none_of(above.begin(), above.end(), [&](const Meeting& each) {
         return each.first_goes_before() && at_once(each, *below);
       });
-      worst = Between{part, holder, *below, equal};
+      worst = Between{part, holder, *below, equal, !above.front().together->provider};
     }
   }
 
@@ -140,12 +142,12 @@ private:
     return std::pair(!a.first_optional, a.first_level.priority) > std::pair(!b.first_optional, b.first_level.priority);
   }
 
-  /// Where the waiting task goes before the holder, or is its equal in one pack, which keeps what it holds although the
-  /// task itself takes nothing of that. Nothing that is in one unit with the task is granted.
+  /// Where the waiting task goes before the holder, or is its equal, which keeps what it holds although the task itself
+  /// takes nothing of that. Nothing that is in one unit with the task is granted.
   std::vector<Meeting> find_above(GroupId task, const Holder& holder, GroupId pushed, GroupId part) const {
     std::vector<Meeting> out;
     shared_.chains().visit(task, {holder.group}, [&](const Meeting& found, GroupId) {
-      const bool keeps = found.equal() && found.together->provider && !shared_.claims(task).contains(part);
+      const bool keeps = found.equal() && !shared_.claims(task).contains(part);
       if ((!found.first_goes_before() && !keeps) || (holder.root != nullptr && found.second != holder.root)) return;
       if (found.one_unit() && found.first->target == task) return;
       if (leads_to(*found.second, holder.group, task, pushed) && !join(found, task, holder.group)) out.push_back(found);
@@ -171,6 +173,7 @@ private:
     shared_.chains().visit(holder.group, {pushed}, [&](const Meeting& found, GroupId) {
       if (out || !found.first_goes_before() || (holder.root != nullptr && found.first != holder.root)) return;
       if (!is_near(found) || !leads_to(*found.first, holder.group, task, pushed)) return;
+      if (!leads_to_pushed(*found.second, pushed, task)) return; // the task requests nothing while it waits
       if (std::none_of(above.begin(), above.end(), [&](const Meeting& each) { return at_once(each, found); })) return;
       if (!join(found, holder.group, pushed)) out = found;
     });
@@ -185,6 +188,15 @@ private:
     if (!all.contains(task) && !all.contains(pushed)) return true;
     const std::vector<GroupId> without{task, pushed};
     return below_.try_emplace(entry.target, shared_.branches(), entry.target, without).first->second.contains(group);
+  }
+
+  /// Whether a chain of requests from the entry to the pushed group does not pass the waiting task.
+  bool leads_to_pushed(const Task& entry, GroupId pushed, GroupId task) const {
+    if (entry.target == task) return false;
+    if (!shared_.claims(entry.target).contains(task)) return true;
+    const std::vector<GroupId> without{task};
+    return above_pushed_.try_emplace(entry.target, shared_.branches(), entry.target, without)
+        .first->second.contains(pushed);
   }
 
   /// Whether all chains from the two entries to these groups pass one and the same group. Only one requester holds
@@ -297,7 +309,7 @@ private:
     const Want& want = *pushes.front().want;
     const ProviderId causer = pushes.front().causer;
     const Use<GroupId>& need = *pushes.front().need;
-    const auto& [part, holder, below, equal] = pushes.front().between;
+    const auto& [part, holder, below, equal, at_roots] = pushes.front().between;
     const GroupId pushed = model_.providers[causer].group;
     bool one_side = false;
     shared_.chains().visit(wanting.task, {pushed}, [&, &at = below](const Meeting& other, GroupId) {
@@ -334,7 +346,7 @@ private:
                        name_of(model_, other.between.holder.group), name_of(model_, other.wanting->task),
                        name_of(model_, pushed))});
     }
-    if (equal) {
+    if (equal && !at_roots) {
       finding.help = fmt::format("let {} do without {}, or request {} and {} as one unit", name_of(model_, causer),
                                  name_of(model_, need.id), task, between);
       return;
@@ -364,7 +376,7 @@ private:
       return;
     }
     finding.help =
-        one_side
+        one_side || equal
             ? fmt::format("let {} do without {}, or {} go after {}, and that still after {}", name_of(model_, causer),
                           name_of(model_, need.id), between, name_of(model_, pushed), task)
             : fmt::format("let {} go before {}, and still after {}", name_of(model_, below.second->target),
@@ -418,6 +430,7 @@ private:
   std::set<GroupId> own_;                   ///< of the provider that is pushed
   /// What a group leads to without the waiting task and the pushed one.
   mutable std::map<GroupId, Claims> below_;
+  mutable std::map<GroupId, Claims> above_pushed_; ///< what it leads to without the waiting task
   mutable std::map<std::pair<GroupId, GroupId>, std::vector<GroupId>> gates_;
   mutable Arrows arrows_; ///< of requests and needs; empty: not found yet
   Region when_;           ///< with which the pushed provider may begin

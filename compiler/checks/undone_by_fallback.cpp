@@ -51,8 +51,11 @@ public:
       return std::any_of(want.causers.begin(), want.causers.end(), has_needs);
     };
     if (std::none_of(wanting.wants.begin(), wanting.wants.end(), may_be_lost)) return;
-    for (const Granted& granted : granted_with(model_, shared_, wanting.task)) {
-      for (const Want& want : wanting.wants) look_at(granted, wanting, want);
+    for (Granted& any : granted_with(model_, shared_, wanting.task)) {
+      if (!may_take(any, wanting)) continue;
+      for (const Granted& granted : with_each_pack(model_, facts_, shared_, std::move(any), wanting.provider)) {
+        for (const Want& want : wanting.wants) look_at(granted, wanting, want);
+      }
     }
   }
 
@@ -73,6 +76,14 @@ public:
   }
 
 private:
+  /// Whether some pack takes something of what is pushed.
+  static bool may_take(const Granted& granted, const Wanting& wanting) {
+    return std::any_of(wanting.wants.begin(), wanting.wants.end(), [&](const Want& want) {
+      return std::any_of(want.causers.begin(), want.causers.end(),
+                         [&](ProviderId causer) { return granted.takings.need_taken(causer) != nullptr; });
+    });
+  }
+
   void look_at_setter(const Granted& granted, const Want& want, ProviderId id) {
     const GroupId group = model_.providers[id].group;
     const Use<GroupId>* need = granted.takings.need_taken(id);
@@ -103,7 +114,9 @@ private:
     for (const ProviderId causer : want.causers) {
       if (granted.takings.takes(model_.providers[causer].group)) continue;
       const Use<GroupId>* need = granted.takings.need_taken(causer);
-      if (need == nullptr || seen_.count({need->span, want.condition.span}) != 0) continue;
+      if (need == nullptr || seen_.count({need->span, want.condition.span}) != 0 ||
+          !is_requested_beside(shared_, granted, model_.providers[causer].group))
+        continue;
       Region here = region_of(model_, model_.providers[wanting.provider].when);
       here.meet(region_of(model_, model_.providers[want.waiter].when));
       const std::optional<Fallback> fallback = find_fallback(here, want, causer, granted.takings);

@@ -4,6 +4,7 @@
 #include "compiler/analysis/clashes/granted.hpp"
 #include "compiler/analysis/conflicts/settings.hpp"
 #include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/states/region.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -50,7 +51,7 @@ public:
     for (const Want& want : wanting.wants) {
       const StateId state = model_.conditions[want.condition.id].state;
       if (stopping_[state].empty()) continue;
-      if (granted.empty()) granted = granted_with(model_, shared_, wanting.task);
+      if (granted.empty()) granted = find_granted(wanting);
       for (const Granted& each : granted) look_at(each, want, state);
     }
   }
@@ -76,6 +77,16 @@ public:
   }
 
 private:
+  /// With each pack of the task.
+  std::vector<Granted> find_granted(const Wanting& wanting) const {
+    std::vector<Granted> out;
+    for (Granted& any : granted_with(model_, shared_, wanting.task)) {
+      for (Granted& each : with_each_pack(model_, facts_, shared_, std::move(any), wanting.provider))
+        out.push_back(std::move(each));
+    }
+    return out;
+  }
+
   void look_at(const Granted& granted, const Want& want, StateId state) {
     for (const ProviderId id : want.causers) {
       const Setting causer{id, causes(model_, id, want.condition.id)};
@@ -84,6 +95,7 @@ private:
           look_at_stops(granted, want, causer, stopped, state, {});
         else
           look_below(granted, want, causer, stopped, state);
+        look_beside(granted, want, causer, stopped, state);
       }
     }
   }
@@ -107,19 +119,67 @@ private:
     }
   }
 
+  /// A group that has nothing to do with the causing one, runs again when the task has lost control, and loses what it
+  /// needs again when the task is granted. Of several such tasks the first is reported.
+  void look_beside(const Granted& granted, const Want& want, const Setting& causer, GroupId stopped, StateId state) {
+    const GroupId causing = model_.providers[causer.provider].group;
+    if (granted.is_other() || beside_.count({stopped, state}) != 0 || !takes_from(granted.takings, stopped) ||
+        (!granted.takings.takes(stopped) && !why_needs_fail(granted.takings, stopped, causer.provider)) ||
+        !is_beside(granted.task, causing, stopped))
+      return;
+    const Takings before(model_, shared_.indispensable(), shared_.claims(causing), causing);
+    if (takes_from(before, stopped)) return; // it has stopped before, because of the push
+    for (const StopValue& stop : stop_values(stopped, state)) {
+      const ValueSet values = stop.values.without(model_.conditions[want.condition.id].accepts);
+      if (!values.empty() && runs_until_granted(want, causer.provider, stopped, state, values) &&
+          look_at_stop(granted, want, causer, stopped, stop, {}))
+        beside_.insert({stopped, state});
+    }
+  }
+
+  /// Whether they are requested together and by themselves, and the task goes before the other group.
+  bool is_beside(GroupId task, GroupId causing, GroupId stopped) const {
+    if (stopped == task || stopped == causing || !facts_.requested.contains(stopped)) return false;
+    const Claims& of_stopped = shared_.claims(stopped);
+    if (of_stopped.contains(task) || of_stopped.contains(causing) || shared_.claims(causing).contains(stopped))
+      return false;
+    bool out = false;
+    shared_.chains().visit(task, {stopped}, [&](const Meeting& meeting, GroupId) {
+      out = out || (meeting.first->target == task && !meeting.one_unit() && meeting.first_goes_before());
+    });
+    return out;
+  }
+
+  /// Whether a provider of the group may be chosen while the state has one of these values, and still run when the
+  /// condition has been caused.
+  bool runs_until_granted(const Want& want, ProviderId causer, GroupId group, StateId state,
+                          const ValueSet& values) const {
+    const Region here = region_of(model_, model_.providers[want.waiter].when);
+    Region before = here;
+    before.states[state] = values;
+    const Region pushed = active_region(model_, model_.providers[causer]);
+    const std::vector<ProviderId>& all = model_.groups[group].providers;
+    return std::any_of(all.begin(), all.end(), [&](ProviderId id) {
+      const Region own = active_region(model_, model_.providers[id]);
+      return facts_.chosen.contains(id) && compatible(region_of(model_, model_.providers[id].when), before) &&
+             compatible(own, here) && compatible(own, pushed);
+    });
+  }
+
   /// `chain`: from the causing group to the one that stops; empty: that is the causing group itself.
   void look_at_stops(const Granted& granted, const Want& want, const Setting& causer, GroupId stopped, StateId state,
                      const std::vector<ChainStep>& chain) {
     for (const StopValue& stop : stop_values(stopped, state)) look_at_stop(granted, want, causer, stopped, stop, chain);
   }
 
-  void look_at_stop(const Granted& granted, const Want& want, const Setting& causer, GroupId stopped,
+  /// Whether it is reported now.
+  bool look_at_stop(const Granted& granted, const Want& want, const Setting& causer, GroupId stopped,
                     const StopValue& stop, const std::vector<ChainStep>& chain) {
     const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, stop.values);
-    if (values.empty() || seen_.count({stop.span, want.condition.span}) != 0) return;
+    if (values.empty() || seen_.count({stop.span, want.condition.span}) != 0) return false;
     Search search{causer.provider, {}, {}};
     std::optional<Taking> how = why_stopped(granted, stopped, search);
-    if (!how) return;
+    if (!how) return false;
     std::vector<dsl::Note> notes;
     add_chain(model_, chain, notes);
     const auto is_told = [&](const dsl::Note& note) {
@@ -128,6 +188,7 @@ private:
     how->notes.erase(std::remove_if(how->notes.begin(), how->notes.end(), is_told), how->notes.end());
     how->notes.insert(how->notes.begin(), notes.begin(), notes.end());
     report(granted, want, causer, stop, values, std::move(*how));
+    return true;
   }
 
   /// Whether the group, or a need of it, is taken. Few are, of all that may set one state.
@@ -166,6 +227,7 @@ private:
   std::optional<Taking> why_stopped(const Granted& granted, GroupId group, Search& search) const {
     if (granted.below.contains(group)) return std::nullopt;
     if (granted.is_other() && shared_.claims(granted.waits).contains(group)) return std::nullopt;
+    if (!is_requested_beside(shared_, granted, group)) return std::nullopt;
     // It is held only as a need then, and a group that is not requested stops.
     if (granted.takings.takes(group)) return granted.takings.way_to({group, {}});
     if (std::optional<Taking> out = why_needs_fail(granted.takings, group, search.causer)) return out;
@@ -242,6 +304,7 @@ private:
   Findings& findings_;
   IdTable<StateId, std::vector<GroupId>> stopping_; ///< groups whose stop may set it
   std::set<std::pair<dsl::Span, dsl::Span>> seen_;
+  std::set<std::pair<GroupId, StateId>> beside_; ///< reported, of groups beside the two
 };
 
 } // namespace

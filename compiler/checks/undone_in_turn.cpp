@@ -40,6 +40,7 @@ class UndoneInTurn {
 public:
   UndoneInTurn(const Input& input, Findings& findings)
       : model_(input.model),
+        facts_(input.facts),
         shared_(input.shared),
         findings_(findings) {}
 
@@ -53,11 +54,14 @@ public:
     for (const auto& [states, all] : undoers_) {
       const auto others = undoers_.find({states.second, states.first});
       if (others == undoers_.end()) continue;
-      for (const Undoer& each : all) look_at(each, others->second);
+      for (const auto& [conditions, alike] : all) look_at(conditions, alike, others->second);
     }
   }
 
 private:
+  /// By the condition that it waits for, and what it sets.
+  using Undoers = std::map<std::pair<ConditionId, ConditionId>, std::vector<Undoer>>;
+
   void add(GroupId task, const Want& want) {
     for (const ConditionUse& entry : model_.providers[want.waiter].sets) add({task, &want, &entry, {}, false});
     std::set<ConditionId> known; // of several that set the same the first is enough
@@ -65,30 +69,88 @@ private:
       const Provider& row = model_.providers[causer];
       for (const auto* entries : {&row.sets, &row.causing}) {
         for (const ConditionUse& entry : *entries) {
-          if (state_of(entry) != state_of(want.condition) && known.insert(entry.id).second)
-            add({task, &want, &entry, causer, entries == &row.causing});
+          if (known.insert(entry.id).second) add({task, &want, &entry, causer, entries == &row.causing});
         }
       }
     }
   }
 
-  /// By the state that it waits for, and the one that it sets.
   void add(const Undoer& one) {
-    undoers_[{state_of(one.want->condition), state_of(*one.entry)}].push_back(one);
+    undoers_[{state_of(one.want->condition), state_of(*one.entry)}][{one.want->condition.id, one.entry->id}].push_back(
+        one);
   }
 
   StateId state_of(const ConditionUse& use) const { return model_.conditions[use.id].state; }
 
-  /// Reports the first one with which it goes round.
-  void look_at(const Undoer& one, const std::vector<Undoer>& others) {
-    for (const Undoer& other : others) {
-      if (!(one.task < other.task)) continue;
-      if (++pairs_ > most_pairs) return leave_open(one, other);
-      if (undoing(other, one).empty() || undoing(one, other).empty() || !may_run_together(one, other)) continue;
-      const std::optional<ProviderId> first = causer(one, other), second = causer(other, one);
-      if (!first || !second || model_.providers[*first].group == model_.providers[*second].group) continue;
-      return report(one, *first, other, *second, undoing(other, one));
+  void look_at(const std::pair<ConditionId, ConditionId>& conditions, const std::vector<Undoer>& alike,
+               const Undoers& all) {
+    std::vector<const std::vector<Undoer>*> others; // only with these it may be so
+    for (const auto& [their, each] : all) {
+      if (!model_.satisfies(conditions.second, their.first) && !model_.satisfies(their.second, conditions.first))
+        others.push_back(&each);
     }
+    for (const Undoer& one : alike) look_at(one, others);
+  }
+
+  /// Reports the first one with which it goes round.
+  void look_at(const Undoer& one, const std::vector<const std::vector<Undoer>*>& others) {
+    for (const std::vector<Undoer>* alike : others) {
+      for (const Undoer& other : *alike) {
+        if (!(one.task < other.task) || have_one_causer(one, other)) continue;
+        if (++pairs_ > most_pairs) return leave_open(one, other);
+        if (undoing(other, one).empty() || undoing(one, other).empty() || !may_run_in_turn(one, other)) continue;
+        const std::optional<ProviderId> first = causer(one, other), second = causer(other, one);
+        if (!first || !second || model_.providers[*first].group == model_.providers[*second].group) continue;
+        if (are_of_one_state(one, other) && !alternate(one, *first, other, *second)) continue;
+        return report(one, *first, other, *second, undoing(other, one));
+      }
+    }
+  }
+
+  bool have_one_causer(const Undoer& one, const Undoer& other) const {
+    return one.pushed && other.pushed && model_.providers[*one.pushed].group == model_.providers[*other.pushed].group;
+  }
+
+  /// Whether what is pushed for the one brings about by itself that the other one ends.
+  bool are_of_one_state(const Undoer& one, const Undoer& other) const {
+    return one.pushed && other.pushed && state_of(one.want->condition) == state_of(other.want->condition);
+  }
+
+  /// Whether each push brings about what its task waits for, again and again.
+  bool alternate(const Undoer& one, ProviderId first, const Undoer& other, ProviderId second) const {
+    for (const ProviderId pushed : {first, second}) {
+      if (spoils(pushed, one) || spoils(pushed, other)) return false;
+    }
+    return !is_kept_off(first, second) && !is_kept_off(second, first);
+  }
+
+  /// Whether what is pushed makes another condition of the task false.
+  bool spoils(ProviderId pushed, const Undoer& of) const {
+    const Provider& row = model_.providers[pushed];
+    for (const ConditionUse& use : model_.providers[of.want->waiter].when) {
+      for (const auto* entries : {&row.sets, &row.causing}) {
+        for (const ConditionUse& entry : *entries) {
+          if (state_of(entry) == state_of(use) && state_of(use) != state_of(of.want->condition) &&
+              !model_.satisfies(entry.id, use.id))
+            return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /// Whether the group of the other causing provider, which nothing pushes then, keeps what the pushed one needs.
+  bool is_kept_off(ProviderId pushed, ProviderId other) const {
+    const Provider& row = model_.providers[pushed];
+    const std::vector<ProviderId>& all = model_.group_of(other).providers;
+    const auto first = std::find_if(all.begin(), all.end(), [&](ProviderId id) { return facts_.chosen.contains(id); });
+    if (first == all.end() || shared_.chains().may_beat(row.group, model_.providers[other].group)) return false;
+    return std::any_of(row.needs.begin(), row.needs.end(), [&](const Use<GroupId>& need) {
+      const auto& parts = shared_.indispensable().of(need.id);
+      return parts && std::any_of(parts->begin(), parts->end(), [&](GroupId part) {
+               return shared_.indispensable().needs_contain(model_.providers[*first], part);
+             });
+    });
   }
 
   /// Recorded once for all pairs from there on.
@@ -99,10 +161,15 @@ private:
                                             name_of(model_, one.want->waiter), name_of(model_, other.want->waiter)));
   }
 
-  bool may_run_together(const Undoer& one, const Undoer& other) const {
-    const Provider &a = model_.providers[one.want->waiter], &b = model_.providers[other.want->waiter];
-    if (!compatible(region_of(model_, a.when), region_of(model_, b.when)) ||
-        !in_common(shared_.claims(one.task).groups(), shared_.claims(other.task).groups()).empty())
+  /// Together, so that the one ends the other one; or, if both wait for values of one state, one after the other.
+  bool may_run_in_turn(const Undoer& one, const Undoer& other) const {
+    Region a = region_of(model_, model_.providers[one.want->waiter].when);
+    Region b = region_of(model_, model_.providers[other.want->waiter].when);
+    if (are_of_one_state(one, other)) {
+      a.states.erase(state_of(one.want->condition));
+      b.states.erase(state_of(one.want->condition));
+    }
+    if (!compatible(a, b) || !in_common(shared_.claims(one.task).groups(), shared_.claims(other.task).groups()).empty())
       return false;
     bool meet = false;
     shared_.chains().visit(one.task, {other.task},
@@ -143,17 +210,21 @@ private:
                                                    set_by(one), second, set_by(other), first));
     finding.notes.push_back({other.entry->span, set_by(other)});
     finding.notes.push_back(runs_only_while(model_, other.want->waiter, other.want->condition));
-    finding.notes.push_back(causes(model_, others_causer, other.want->condition.id));
+    if (dsl::Note note = causes(model_, others_causer, other.want->condition.id); note.span != other.entry->span)
+      finding.notes.push_back(std::move(note));
     finding.notes.push_back(runs_only_while(model_, one.want->waiter, one.want->condition));
-    finding.notes.push_back(causes(model_, ones_causer, one.want->condition.id));
+    if (dsl::Note note = causes(model_, ones_causer, one.want->condition.id); note.span != one.entry->span)
+      finding.notes.push_back(std::move(note));
     finding.help = fmt::format("let {} and {} need one group, so that one of them waits for the other; or {}", first,
                                second, stay_help(model_, *one.want, ends_one));
   }
 
   const Model& model_;
+  const Facts& facts_;
   const Shared& shared_;
   Findings& findings_;
-  std::map<std::pair<StateId, StateId>, std::vector<Undoer>> undoers_;
+  std::map<std::pair<StateId, StateId>, Undoers>
+      undoers_; ///< by the state that they wait for, and the one that they set
   std::set<std::pair<ProviderId, ProviderId>> seen_;
   std::size_t pairs_ = 0; ///< looked at so far
   bool is_open_ = false;  ///< there are more than can be looked at

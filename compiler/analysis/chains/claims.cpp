@@ -57,6 +57,25 @@ void add_request_of_group(const Model& model, const Counted& counted, GroupId gr
   out.push_back(std::move(branch));
 }
 
+void add_needs(const Provider& provider, const Region& region, std::vector<Branch>& out) {
+  for (const Use<GroupId>& need : provider.needs)
+    out.push_back({need.id, true, false, false, false, need.span, region});
+}
+
+void add_requests(const Model& model, const Counted& counted, const Provider& provider, const Pack& pack,
+                  const Region& region, std::vector<Branch>& out) {
+  for (const Task& task : pack.tasks) {
+    Branch branch = request_of(model, task);
+    if (counted.requested == Requested::by_group) {
+      add_request_of_group(model, counted, provider.group, std::move(branch), out);
+      continue;
+    }
+    branch.needed_too = provider.needs_group(task.target);
+    branch.region = region;
+    out.push_back(std::move(branch));
+  }
+}
+
 /// A group that is only needed holds its own needs, and requests nothing.
 std::vector<Branch> branches_of(const Model& model, const Counted& counted, GroupId group) {
   std::vector<Branch> out;
@@ -64,21 +83,9 @@ std::vector<Branch> branches_of(const Model& model, const Counted& counted, Grou
     if (!is_counted(counted, id)) continue;
     const Provider& provider = model.providers[id];
     const Region region = counted_region(model, counted, id);
-    for (const Use<GroupId>& need : provider.needs)
-      out.push_back({need.id, true, false, false, false, need.span, region});
+    add_needs(provider, region, out);
     if (!counted.runs(id)) continue;
-    for (const Pack& pack : provider.packs) {
-      for (const Task& task : pack.tasks) {
-        Branch branch = request_of(model, task);
-        if (counted.requested == Requested::by_group) {
-          add_request_of_group(model, counted, group, std::move(branch), out);
-          continue;
-        }
-        branch.needed_too = provider.needs_group(task.target);
-        branch.region = region;
-        out.push_back(std::move(branch));
-      }
-    }
+    for (const Pack& pack : provider.packs) add_requests(model, counted, provider, pack, region, out);
   }
   return out;
 }
@@ -91,12 +98,27 @@ Branches::Branches(const Model& model, Counted counted)
       from_(model.groups.size()),
       grantable_(model.groups.size()) {}
 
+Branches::Branches(const Model& model, Counted counted, Only only)
+    : model_(model),
+      counted_(std::move(counted)),
+      only_(std::move(only)) {}
+
+Branches Branches::with(ProviderId id, const Pack* pack) const {
+  const Provider& provider = model_.providers[id];
+  Only only{*this, provider.group, {}, counted_region(model_, counted_, id)};
+  add_needs(provider, only.grantable, only.from);
+  if (pack != nullptr) add_requests(model_, counted_, provider, *pack, only.grantable, only.from);
+  return Branches(model_, counted_, std::move(only));
+}
+
 const std::vector<Branch>& Branches::from(GroupId group) const {
+  if (only_) return group == only_->group ? only_->from : only_->all.from(group);
   if (!from_[group]) from_[group] = branches_of(model_, counted_, group);
   return *from_[group];
 }
 
 const Region& Branches::grantable(GroupId group) const {
+  if (only_) return group == only_->group ? only_->grantable : only_->all.grantable(group);
   if (!grantable_[group])
     grantable_[group] = active_in(model_, counted_, group, [](ProviderId) { return true; }).value_or(Region{});
   return *grantable_[group];

@@ -71,10 +71,22 @@ public:
   const std::vector<Branch>& from(GroupId group) const;
   /// The states with which some counted provider of the group can be active.
   const Region& grantable(GroupId group) const;
+  /// The same while this provider of its group runs, and requests only this pack; null: nothing. These must outlive it.
+  Branches with(ProviderId id, const Pack* pack) const;
 
 private:
+  /// Of one group it has these, and of the others those of `all`.
+  struct Only {
+    const Branches& all;
+    GroupId group{};
+    std::vector<Branch> from;
+    Region grantable;
+  };
+  Branches(const Model& model, Counted counted, Only only);
+
   const Model& model_;
   Counted counted_;
+  std::optional<Only> only_;
   mutable IdTable<GroupId, std::optional<std::vector<Branch>>> from_;
   mutable IdTable<GroupId, std::optional<Region>> grantable_;
 };

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace director::analysis {
 
@@ -16,11 +17,29 @@ namespace {
 
 /// Other tasks that are granted with a task are considered up to this many.
 constexpr std::size_t most_members = 16;
+/// Packs of a task are considered one by one if there are at most so many; else all together.
+constexpr std::size_t most_packs = 16;
 
 Granted grant(const Model& model, const Shared& shared, GroupId waits, GroupId task, const Task* member) {
   const Claims& claims = shared.claims(task);
-  return {waits, task, member, Takings(model, shared.indispensable(), claims, task),
+  return {waits,
+          task,
+          member,
+          nullptr,
+          Takings(model, shared.indispensable(), claims, task),
           RunsBelow(shared.branches(), claims, task)};
+}
+
+/// What the group runs with: a provider, and a pack of it.
+std::vector<std::pair<ProviderId, const Pack*>> packs_of(const Model& model, const Facts& facts, GroupId group,
+                                                         std::optional<ProviderId> provider) {
+  std::vector<std::pair<ProviderId, const Pack*>> out;
+  for (const ProviderId id : model.groups[group].providers) {
+    if (!facts.active.contains(id) || (provider && id != *provider)) continue;
+    for (const Pack& pack : model.providers[id].packs) out.emplace_back(id, &pack);
+    if (model.providers[id].packs.empty()) out.emplace_back(id, nullptr);
+  }
+  return out;
 }
 
 } // namespace
@@ -40,6 +59,37 @@ std::vector<Granted> granted_with(const Model& model, const Shared& shared, Grou
       if (!known && out.size() < most_members) out.push_back(grant(model, shared, task, member->target, member));
     }
   }
+  return out;
+}
+
+std::vector<Granted> with_each_pack(const Model& model, const Facts& facts, const Shared& shared, Granted granted,
+                                    ProviderId provider) {
+  const auto packs = packs_of(model, facts, granted.task, provider);
+  std::vector<Granted> out;
+  if (granted.is_other() || packs.empty() || packs.size() > most_packs ||
+      packs_of(model, facts, granted.task, {}).size() == 1) {
+    out.push_back(std::move(granted));
+    return out;
+  }
+  for (const auto& [id, pack] : packs) {
+    const Branches branches = shared.branches().with(id, pack);
+    const auto claims = std::make_shared<const Claims>(branches, granted.task);
+    out.push_back({granted.waits, granted.task, granted.member, claims,
+                   Takings(model, shared.indispensable(), *claims, granted.task),
+                   RunsBelow(branches, *claims, granted.task)});
+  }
+  return out;
+}
+
+bool is_requested_beside(const Shared& shared, const Granted& granted, GroupId group) {
+  if (!granted.claims || !shared.claims(granted.task).contains(group)) return true;
+  bool out = false;
+  shared.chains().visit(granted.task, {group}, [&](const Meeting& meeting, GroupId) {
+    const GroupId other = meeting.second->target;
+    if (out || other == granted.task || meeting.one_unit() || !meeting.first_goes_before()) return;
+    const Claims without(shared.branches(), other, {granted.task});
+    out = RunsBelow(shared.branches(), without, other).contains(group);
+  });
   return out;
 }
 

@@ -6,6 +6,8 @@
 #include "compiler/analysis/chains/runs_below.hpp"
 #include "compiler/analysis/input.hpp"
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,9 +15,10 @@ namespace director::analysis {
 
 /// A task, and what it takes and runs then.
 struct Granted {
-  GroupId waits{}; ///< the task that was pushed for
-  GroupId task{};  ///< the same, or one that is granted together with it
-  const Task* member = nullptr; ///< that other one, in the unit
+  GroupId waits{};                      ///< the task that was pushed for
+  GroupId task{};                       ///< the same, or one that is granted together with it
+  const Task* member = nullptr;         ///< that other one, in the unit
+  std::shared_ptr<const Claims> claims; ///< with one of its packs; null: with any of them
   Takings takings;
   RunsBelow below;
 
@@ -28,6 +31,14 @@ Granted granted_alone(const Model& model, const Shared& shared, GroupId task);
 /// First the task itself, then the members of its units in named packs. Of a flat list, it depends on the body which
 /// tasks are granted together.
 std::vector<Granted> granted_with(const Model& model, const Shared& shared, GroupId task);
+
+/// The same with each pack of the provider that was pushed for, because only one of them is requested at a time. Of
+/// other members, with all.
+std::vector<Granted> with_each_pack(const Model& model, const Facts& facts, const Shared& shared, Granted granted,
+                                    ProviderId provider);
+
+/// Whether the task takes the group from others: with other packs it requests it itself, and while it waits, nothing.
+bool is_requested_beside(const Shared& shared, const Granted& granted, GroupId group);
 
 /// "`Kick` is granted", "`Look` is granted together with `Kick`"
 std::string is_granted(const Model& model, const Granted& granted);

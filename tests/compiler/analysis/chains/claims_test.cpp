@@ -67,3 +67,25 @@ groups:
   CHECK(below.contains(c.group("Legs")));
   CHECK_FALSE(below.contains(c.group("Foot")));
 }
+
+TEST_CASE("with one provider and one pack a task claims what that provider needs and that pack requests, and no more") {
+  const Analysed c(R"(
+roots: [Play]
+groups:
+  Play: {providers: [{name: one, needs: [Hip], packs: {a: {Walk: {}}, b: {Kick: {}}}}, {name: two, tasks: [Look]}]}
+  Walk: {tasks: [Legs]}
+  Kick: {}
+  Look: {}
+  Legs: {}
+  Hip: {}
+)");
+  const auto all = [](director::compiler::ProviderId) { return true; };
+  const Branches branches(c.model, all);
+  const GroupId play = c.group("Play");
+  const director::compiler::ProviderId one = c.provider("Play.one");
+  const Branches walking = branches.with(one, &c.model.providers[one].packs[0]);
+  const Claims claims(walking, play);
+  CHECK(claims.groups() == std::vector<GroupId>{play, c.group("Walk"), c.group("Legs"), c.group("Hip")});
+  CHECK(RunsBelow(walking, claims, play).groups() == std::vector<GroupId>{play, c.group("Walk"), c.group("Legs")});
+  CHECK(Claims(branches.with(one, nullptr), play).groups() == std::vector<GroupId>{play, c.group("Hip")});
+}
