@@ -7,7 +7,7 @@
 // `namespace abs {}` behind them is an error. Globals include those of POSIX for files, sockets, threads, memory and
 // terminals (tests/system/names/words.cpp lists the headers, besides netdb.h, net/if.h, netinet/tcp.h, sys/resource.h,
 // sys/uio.h and sys/un.h). Macros of POSIX are left out: some are names that robots have (`B0`, `ECHO`, `TAB1` of
-// terminals), and few programs include these headers.
+// terminals), and few programs include these headers. `wait` of sys/wait.h is left out too: behaviours are called so.
 #include "dsl/lexical/names.hpp"
 
 #include <algorithm>

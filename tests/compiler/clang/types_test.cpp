@@ -71,7 +71,7 @@ TEST_CASE("what the generated code includes by itself counts for types too, and 
 
 TEST_CASE("what was read of types is kept until the next call, also if one of them is no enum") {
   const Workshop work("types-kept");
-  work.write("flags", "g++\n-std=c++20\n-I.\n");
+  work.write("flags", "g++\n-std=c++20\n-I" + source_folder() + "\n-I" + work.path() + "\n");
   work.write("way.hpp", "#pragma once\nnamespace way {\nenum class Mode { calm, wild };\nstruct Goal { int x; };\n}\n");
   const auto kept_with = [&](const std::string& data) {
     std::filesystem::remove_all(work.path(".director"));
