@@ -3,7 +3,7 @@
 import { strict as assert } from 'node:assert';
 import { statSync } from 'node:fs';
 import { join } from 'node:path';
-import { check, click, isLong, Situations } from './situations.mjs';
+import { check, click, comeToRest, isLong, Situations } from './situations.mjs';
 
 const [program, folder] = process.argv.slice(2);
 const all = await Situations.open(program, folder);
@@ -129,6 +129,7 @@ await situation('a focus on a telephone has in sight what it is, how it ends, an
   for (const group of ['Kick', 'KickTo', 'Walk']) {
     await page.fill('#search', group);
     await page.locator('#search').press('Enter');
+    await comeToRest(page.locator(`#group-${group}`)); // until then the page scrolls to it
     await page.locator('#picture').evaluate((picture) => picture.scrollIntoView());
     const all = await near(page), out = await beyond(page);
     const [words, outside] = (await page.locator('#focused').textContent()).split(' Outside of the frame: ');

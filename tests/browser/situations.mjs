@@ -63,9 +63,8 @@ export class Situations {
   }
 }
 
-/** Clicks an element when its position is stable: sections above it get a layout only when they enter the viewport, which moves the element. */
-export async function click(locator) {
-  await locator.scrollIntoViewIfNeeded();
+/** Waits until the position of an element is stable: sections above it get a layout only when they enter the viewport, which moves the element. */
+export async function comeToRest(locator) {
   await locator.evaluate(async (element) => {
     let last = NaN;
     for (let frames = 0; frames < 3; ) {
@@ -75,6 +74,12 @@ export async function click(locator) {
       last = top;
     }
   });
+}
+
+/** Clicks an element when its position is stable. */
+export async function click(locator) {
+  await locator.scrollIntoViewIfNeeded();
+  await comeToRest(locator);
   await locator.click();
 }
 
