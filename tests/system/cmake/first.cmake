@@ -2,16 +2,10 @@
 # cmake -D BUILD=<Director's build tree> -D WORK=<folder> -D SOURCE=<the project> -D COMPILER=<compiler> -D FLAGS=<its flags> -P first.cmake
 # The first program of docs/building.md: a behaviour and the files that `directorc stubs --main` writes give a program. Then the lines that the page
 # adds make it print its decisions, and add a scenario as a test.
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 file(REMOVE_RECURSE ${WORK})
 file(COPY ${SOURCE}/ DESTINATION ${WORK})
 set(program ${WORK}/build/lantern)
-function(run)
-  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${WORK} OUTPUT_VARIABLE said ERROR_VARIABLE said RESULT_VARIABLE result)
-  if(NOT result EQUAL 0)
-    message(FATAL_ERROR "${ARGN}:\n${said}")
-  endif()
-  set(said "${said}" PARENT_SCOPE)
-endfunction()
 function(change file old new)
   file(READ ${WORK}/${file} text)
   string(REPLACE "${old}" "${new}" changed "${text}")
