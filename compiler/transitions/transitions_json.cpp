@@ -1,4 +1,4 @@
-// Header: compiler/transitions/transitions_json.hpp. Test: tests/compiler/page/facts_test.cpp. Schema:
+// Header: compiler/transitions/transitions_json.hpp. Test: tests/compiler/page/facts/facts_test.cpp. Schema:
 // schemas/graph.schema.json. SPDX-License-Identifier: MIT
 #include "compiler/transitions/transitions_json.hpp"
 

@@ -4,7 +4,7 @@
 // group that is held by a task that goes after it on the page.
 //
 //   DIRECTOR_SEED, DIRECTOR_CASES   as in property_test.cpp
-#include "compiler/page/ranks.hpp"
+#include "compiler/page/facts/ranks.hpp"
 #include "runtime/core/inspect/why.hpp"
 #include "tests/oracle/order.hpp"
 #include "tests/property/engine_run.hpp"

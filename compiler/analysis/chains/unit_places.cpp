@@ -1,4 +1,4 @@
-// Header: compiler/analysis/chains/unit_places.hpp. Test: tests/compiler/page/ranks_test.cpp.
+// Header: compiler/analysis/chains/unit_places.hpp. Test: tests/compiler/page/facts/ranks_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/chains/unit_places.hpp"
 

@@ -10,7 +10,7 @@
 #include "compiler/emit/graph/picture/flaws.hpp"
 #include "compiler/emit/graph/picture/focus.hpp"
 #include "compiler/explore/limits.hpp"
-#include "compiler/page/facts.hpp"
+#include "compiler/page/facts/facts.hpp"
 #include "compiler/play/play.hpp"
 #include "compiler/play/why/moment.hpp"
 #include "runtime/core/inspect/view.hpp"

@@ -6,7 +6,7 @@
 #include "compiler/cli/system/draw_svg.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/lower/row_names.hpp"
-#include "compiler/page/facts.hpp"
+#include "compiler/page/facts/facts.hpp"
 #include "runtime/hosted/trace/fingerprint.hpp"
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 // The whole pages of a small behaviour are goldens; properties of every page are checked besides.
 #include "compiler/base/sha256.hpp"
 #include "compiler/emit/graph/formats.hpp"
-#include "compiler/page/facts.hpp"
+#include "compiler/page/facts/facts.hpp"
 #include "compiler/page/pages.hpp"
 #include "tests/compiler/support/checked.hpp"
 #include "tests/support/golden.hpp"

@@ -1,10 +1,10 @@
-// Header: compiler/page/html_parts.hpp. Test: tests/compiler/page/timeline_test.cpp.
+// Header: compiler/page/html/parts.hpp. Test: tests/compiler/page/html/timeline_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // The script decodes the recording and draws it. This is the content without a script: what the recording is, and how
 // it begins.
 #include "compiler/base/html.hpp"
-#include "compiler/page/html_parts.hpp"
+#include "compiler/page/html/parts.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "compiler/page/html_parts.hpp"
+#include "compiler/page/html/parts.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,9 +1,9 @@
-// Header: compiler/page/html_parts.hpp. Test: tests/compiler/page/html_svg_test.cpp.
+// Header: compiler/page/html/parts.hpp. Test: tests/compiler/page/html/svg_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // A page contains several pictures as text: what Graphviz writes twice, or with invisible precision, is left out. For
 // seventy groups that is a tenth of the pictures.
-#include "compiler/page/html_parts.hpp"
+#include "compiler/page/html/parts.hpp"
 
 #include <fmt/format.h>
 

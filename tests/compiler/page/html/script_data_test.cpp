@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "compiler/page/script_data.hpp"
+#include "compiler/page/html/script_data.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
-// Header: compiler/page/leaders.hpp. Test: tests/compiler/page/ranks_test.cpp.
+// Header: compiler/page/facts/leaders.hpp. Test: tests/compiler/page/facts/ranks_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/page/leaders.hpp"
+#include "compiler/page/facts/leaders.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
-// Header: compiler/page/task_relation.hpp. Test: tests/compiler/page/ranks_test.cpp.
+// Header: compiler/page/facts/task_relation.hpp. Test: tests/compiler/page/facts/ranks_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/page/task_relation.hpp"
+#include "compiler/page/facts/task_relation.hpp"
 
-#include "compiler/page/leaders.hpp"
+#include "compiler/page/facts/leaders.hpp"
 
 #include <algorithm>
 #include <vector>

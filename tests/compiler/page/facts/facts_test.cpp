@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/graph/graph.hpp"
-#include "compiler/page/facts.hpp"
+#include "compiler/page/facts/facts.hpp"
 #include "tests/compiler/support/compiled.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,15 +1,15 @@
-// Header: compiler/page/ranks.hpp. Test: tests/compiler/page/ranks_test.cpp. Schema: schemas/graph.schema.json.
-// SPDX-License-Identifier: MIT
+// Header: compiler/page/facts/ranks.hpp. Test: tests/compiler/page/facts/ranks_test.cpp. Schema:
+// schemas/graph.schema.json. SPDX-License-Identifier: MIT
 //
 // Most pairs of groups part at the same few requesters, and in the same ways, so each decision is written once, each
 // list of decisions once, and for each two groups only the number of the list.
-#include "compiler/page/ranks.hpp"
+#include "compiler/page/facts/ranks.hpp"
 
 #include "compiler/analysis/ranks/contention.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/graph/graph.hpp"
-#include "compiler/page/ruling.hpp"
-#include "compiler/page/task_relation.hpp"
+#include "compiler/page/facts/ruling.hpp"
+#include "compiler/page/facts/task_relation.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
-// Header: compiler/page/facts.hpp. Test: tests/compiler/page/facts_test.cpp.
+// Header: compiler/page/facts/facts.hpp. Test: tests/compiler/page/facts/facts_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/page/facts.hpp"
+#include "compiler/page/facts/facts.hpp"
 
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/facts/pushes.hpp"
@@ -10,8 +10,8 @@
 #include "compiler/graph/algorithms.hpp"
 #include "compiler/graph/topmost.hpp"
 #include "compiler/lower/lower.hpp"
-#include "compiler/page/ranks.hpp"
-#include "compiler/page/ruling.hpp"
+#include "compiler/page/facts/ranks.hpp"
+#include "compiler/page/facts/ruling.hpp"
 #include "compiler/play/coverage/coverage.hpp"
 #include "compiler/transitions/transitions_json.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests compiler/page/html_timeline.cpp. Its script: tests/browser.
-#include "compiler/page/html_parts.hpp"
+// Tests compiler/page/html/timeline.cpp. Its script: tests/browser.
+#include "compiler/page/html/parts.hpp"
 
 #include <catch2/catch.hpp>
 

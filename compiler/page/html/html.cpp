@@ -9,9 +9,9 @@
 #include "compiler/base/packed.hpp"
 #include "compiler/base/sha256.hpp"
 #include "compiler/emit/artefact/notice.hpp"
-#include "compiler/page/html_parts.hpp"
+#include "compiler/page/html/parts.hpp"
+#include "compiler/page/html/script_data.hpp"
 #include "compiler/page/message.hpp"
-#include "compiler/page/script_data.hpp"
 
 #include <fmt/format.h>
 

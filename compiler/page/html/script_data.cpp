@@ -1,6 +1,6 @@
-// Header: compiler/page/script_data.hpp. Test: tests/compiler/page/script_data_test.cpp.
+// Header: compiler/page/html/script_data.hpp. Test: tests/compiler/page/html/script_data_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/page/script_data.hpp"
+#include "compiler/page/html/script_data.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -3,7 +3,7 @@
 // What decides between two edges that may want one group, in words.
 
 #include "compiler/analysis/ranks/contention.hpp"
-#include "compiler/page/leaders.hpp"
+#include "compiler/page/facts/leaders.hpp"
 
 #include <compare>
 #include <cstdint>

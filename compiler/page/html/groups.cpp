@@ -1,7 +1,7 @@
-// Header: compiler/page/html_parts.hpp. Test: tests/compiler/page/pages_test.cpp.
+// Header: compiler/page/html/parts.hpp. Test: tests/compiler/page/pages_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/base/html.hpp"
-#include "compiler/page/html_parts.hpp"
+#include "compiler/page/html/parts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,9 +1,9 @@
-// Header: compiler/page/ruling.hpp. Test: tests/compiler/page/ranks_test.cpp.
+// Header: compiler/page/facts/ruling.hpp. Test: tests/compiler/page/facts/ranks_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/page/ruling.hpp"
+#include "compiler/page/facts/ruling.hpp"
 
 #include "compiler/analysis/words/words.hpp"
-#include "compiler/page/task_relation.hpp"
+#include "compiler/page/facts/task_relation.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "compiler/page/ranks.hpp"
+#include "compiler/page/facts/ranks.hpp"
 #include "tests/compiler/support/compiled.hpp"
 
 #include <catch2/catch.hpp>
