@@ -1,4 +1,4 @@
-// Header: compiler/diff/side.hpp. Test: tests/compiler/diff/order_test.cpp.
+// Header: compiler/diff/side.hpp. Test: tests/compiler/diff/ranks/order_test.cpp.
 // SPDX-License-Identifier: MIT
 //
 // Compares the orders that decide what is pushed (semantics.md, 4.4, "Refuse"): of chains of equal length the one that

@@ -6,11 +6,11 @@
 // compared, which pages and coverage use too: each pair of their levels, each group that both may claim then, and how.
 // Where a level is requested, and its name, say which levels of the two sides are the same.
 #include "compiler/base/and_list.hpp"
-#include "compiler/diff/ranks.hpp"
-#include "compiler/diff/shifts.hpp"
+#include "compiler/diff/ranks/ranks.hpp"
+#include "compiler/diff/ranks/shifts.hpp"
+#include "compiler/diff/ranks/takes_by_name.hpp"
+#include "compiler/diff/ranks/ties.hpp"
 #include "compiler/diff/side.hpp"
-#include "compiler/diff/takes_by_name.hpp"
-#include "compiler/diff/ties.hpp"
 
 #include <fmt/format.h>
 
@@ -200,11 +200,10 @@ private:
     for (const auto& [place, level] : new_.places(edge)) {
       const auto was = before.find(place);
       if (was == before.end()) continue;
-      const auto& [then, now] =
-          priorities.emplace_back(old.levels[was->second].priority, edge.levels[level].priority);
+      const auto& [then, now] = priorities.emplace_back(old.levels[was->second].priority, edge.levels[level].priority);
       if (now != then)
-        out.push_back(fmt::format("{} requests `{}` with priority {}, before with {}", words_of(place), target(edge), now,
-                                  then));
+        out.push_back(
+            fmt::format("{} requests `{}` with priority {}, before with {}", words_of(place), target(edge), now, then));
     }
     std::sort(priorities.begin(), priorities.end());
     const bool in_order = std::is_sorted(priorities.begin(), priorities.end(),

@@ -5,7 +5,7 @@
 
 #include "compiler/analysis/chains/claims.hpp"
 #include "compiler/diff/side.hpp"
-#include "compiler/diff/takes_by_name.hpp"
+#include "compiler/diff/ranks/takes_by_name.hpp"
 #include "compiler/pipeline.hpp"
 
 #include <algorithm>

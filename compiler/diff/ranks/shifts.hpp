@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What has become of one task's taking a group from another one, and how that is told.
 
-#include "compiler/diff/takes_by_name.hpp"
+#include "compiler/diff/ranks/takes_by_name.hpp"
 
 #include <compare>
 #include <cstdint>

@@ -1,6 +1,6 @@
-// Header: compiler/diff/stakes.hpp. Test: tests/compiler/diff/order_test.cpp.
+// Header: compiler/diff/ranks/stakes.hpp. Test: tests/compiler/diff/ranks/order_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/diff/stakes.hpp"
+#include "compiler/diff/ranks/stakes.hpp"
 
 #include "compiler/analysis/facts/facts.hpp"
 

@@ -4,7 +4,7 @@
 // requested at once the one that is declared first (semantics.md, 4.1, rule 5).
 
 #include "compiler/diff/side.hpp"
-#include "compiler/diff/takes_by_name.hpp"
+#include "compiler/diff/ranks/takes_by_name.hpp"
 
 namespace director::compiler::diff {
 

@@ -1,6 +1,6 @@
-// Header: compiler/diff/ranks.hpp. Test: tests/compiler/diff/diff_test.cpp.
+// Header: compiler/diff/ranks/ranks.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/diff/ranks.hpp"
+#include "compiler/diff/ranks/ranks.hpp"
 
 #include "compiler/base/and_list.hpp"
 

@@ -1,6 +1,6 @@
-// Header: compiler/diff/shifts.hpp. Test: tests/compiler/diff/diff_test.cpp.
+// Header: compiler/diff/ranks/shifts.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/diff/shifts.hpp"
+#include "compiler/diff/ranks/shifts.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
-// Header: compiler/diff/takes_by_name.hpp. Test: tests/compiler/diff/diff_test.cpp.
+// Header: compiler/diff/ranks/takes_by_name.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/diff/takes_by_name.hpp"
+#include "compiler/diff/ranks/takes_by_name.hpp"
 
 #include "compiler/analysis/chains/unit_places.hpp"
 

@@ -1,9 +1,9 @@
-// Header: compiler/diff/ties.hpp. Test: tests/compiler/diff/order_test.cpp.
+// Header: compiler/diff/ranks/ties.hpp. Test: tests/compiler/diff/ranks/order_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/diff/ties.hpp"
+#include "compiler/diff/ranks/ties.hpp"
 
 #include "compiler/base/and_list.hpp"
-#include "compiler/diff/stakes.hpp"
+#include "compiler/diff/ranks/stakes.hpp"
 
 #include <fmt/format.h>
 
