@@ -1,7 +1,7 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/equal_priority.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/analysis/conflicts/equals.hpp"
-#include "compiler/analysis/conflicts/withheld.hpp"
+#include "compiler/analysis/equals/equals.hpp"
+#include "compiler/analysis/equals/withheld.hpp"
 #include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/reported_pairs.hpp"

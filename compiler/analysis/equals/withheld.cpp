@@ -1,6 +1,6 @@
-// Header: compiler/analysis/conflicts/withheld.hpp. Test: compiler/checks/equal_priority.md.
+// Header: compiler/analysis/equals/withheld.hpp. Test: compiler/checks/equal_priority.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/analysis/conflicts/withheld.hpp"
+#include "compiler/analysis/equals/withheld.hpp"
 
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/words.hpp"

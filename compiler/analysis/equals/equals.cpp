@@ -1,6 +1,6 @@
-// Header: compiler/analysis/conflicts/equals.hpp. Test: compiler/checks/equal_priority.md.
+// Header: compiler/analysis/equals/equals.hpp. Test: compiler/checks/equal_priority.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/analysis/conflicts/equals.hpp"
+#include "compiler/analysis/equals/equals.hpp"
 
 #include "compiler/analysis/chains/overlaps.hpp"
 #include "compiler/analysis/chains/unit_places.hpp"

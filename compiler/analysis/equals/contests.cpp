@@ -1,6 +1,6 @@
-// Header: compiler/analysis/conflicts/contests.hpp. Test: compiler/checks/equal_priority.md.
+// Header: compiler/analysis/equals/contests.hpp. Test: compiler/checks/equal_priority.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/analysis/conflicts/contests.hpp"
+#include "compiler/analysis/equals/contests.hpp"
 
 #include "compiler/analysis/words/words.hpp"
 

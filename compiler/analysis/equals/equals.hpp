@@ -3,7 +3,7 @@
 // For each list of tasks the pairs that compete at equal rank, by themselves or by the place of a unit, and that no
 // other check reports.
 
-#include "compiler/analysis/conflicts/contests.hpp"
+#include "compiler/analysis/equals/contests.hpp"
 #include "compiler/analysis/input.hpp"
 
 #include <cstddef>
