@@ -223,7 +223,10 @@ void TreeBuilder::begin_pair(Frame& frame, YamlNode key) {
       if (bare)
         report_bare_key(*bare);
       else
-        report("yaml_syntax", place.begin, place.end, fmt::format("expected `:` behind `{}`", frame.pair->key.value));
+        report("yaml_syntax", place.begin, place.end, fmt::format("expected `:` behind `{}`", frame.pair->key.value),
+               frame.brackets && !frame.node.pairs.empty()
+                   ? "if it belongs to the text before the comma, put that text in quotes"
+                   : "");
       last_key_report_ = diagnostics_.size() - 1;
     } else {
       frame.drop = false;

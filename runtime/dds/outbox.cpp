@@ -20,9 +20,8 @@ Outbox::Outbox(std::size_t room, Observer next)
       ring_(std::make_unique<Entry[]>(room_)),
       next_(next) {}
 
-void Outbox::observe(void* self, const Event& event) {
-  Outbox& out = *static_cast<Outbox*>(self);
-  if (out.next_.tell != nullptr) out.next_.tell(out.next_.self, event);
+void Outbox::tell(const Event& event) {
+  if (next_.tell != nullptr) next_.tell(next_.self, event);
   switch (event.kind) {
   case Event::Kind::input: // inputs and requests of bodies are not published: what follows from them is
   case Event::Kind::ask:
@@ -34,7 +33,7 @@ void Outbox::observe(void* self, const Event& event) {
   case Event::Kind::begin:
   case Event::Kind::given: return;
   case Event::Kind::set: // for the promises, which are no decisions
-  case Event::Kind::broken: return out.put(event, 0);
+  case Event::Kind::broken: return put(event, 0);
   case Event::Kind::run:
   case Event::Kind::start:
   case Event::Kind::stop:
@@ -48,7 +47,7 @@ void Outbox::observe(void* self, const Event& event) {
   case Event::Kind::refused:
   case Event::Kind::fault:
   case Event::Kind::exhausted:
-  case Event::Kind::lost: return out.put(event, ++out.number_);
+  case Event::Kind::lost: return put(event, ++number_);
   }
 }
 

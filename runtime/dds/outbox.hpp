@@ -26,7 +26,11 @@ public:
   Outbox& operator=(const Outbox&) = delete;
 
   /// For the behaviour's constructor. The outbox must live as long as the behaviour.
-  Observer observer() { return {&Outbox::observe, this}; }
+  Observer observer() {
+    return {[](void* self, const Event& event) { static_cast<Outbox*>(self)->tell(event); }, this};
+  }
+  /// What the observer does, for a program with an observer of its own.
+  void tell(const Event& event);
 
   // For the thread that writes.
   bool take(Entry& out);
@@ -37,7 +41,6 @@ public:
   void all_seen() { seen_ = end_.load(std::memory_order_relaxed); }
 
 private:
-  static void observe(void* self, const Event& event);
   void put(const Event& event, std::uint64_t number);
 
   // No vector: the layout must not depend on how the program is compiled (_GLIBCXX_DEBUG).

@@ -4,11 +4,19 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 namespace director::compiler::cli {
 
 std::optional<std::string> draw_svg(const Picture& picture, const PictureLinks& links, std::string_view wish,
                                     std::string_view instead, Console& console) {
-  const Answer answer = console.programs.run({"dot", "-q", "-Tsvg"}, dot(picture, links)); // its warnings name no file
+  const auto drawn = [&](const std::set<std::size_t>& beside) { // the warnings of `dot` name no file
+    return console.programs.run({"dot", "-q", "-Tsvg"}, dot(picture, links, beside));
+  };
+  Answer answer = drawn({});
+  if (answer.started && answer.status == 0) {
+    if (const std::set<std::size_t> lost = lost_labels(picture, answer.output); !lost.empty()) answer = drawn(lost);
+  }
   if (!answer.started) {
     print_message(console,
                   fmt::format("directorc: {} needs the program `dot` of Graphviz, which is not installed (on Debian: "

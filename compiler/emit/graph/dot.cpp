@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace director::compiler {
 
@@ -26,7 +27,10 @@ using palette::in_quotes;
 
 class Dot {
 public:
-  Dot(const Picture& picture, const PictureLinks& links) : picture_(picture), links_(links) {}
+  Dot(const Picture& picture, const PictureLinks& links, const std::set<std::size_t>& beside)
+      : picture_(picture),
+        links_(links),
+        beside_(beside) {}
 
   std::string draw() {
     code_.open(fmt::format("digraph {} {{", in_quotes(picture_.title)));
@@ -37,13 +41,14 @@ public:
     // between neighbours of one rank if they have another order.
     code_.line("edge [URL=\"\", arrowhead=vee, arrowsize=0.7, color=black, constraint=true, edgetooltip=\"\", "
                "fontcolor=black, fontname=\"Helvetica\", fontsize=10, headport=\"\", label=\"\", labeltooltip=\"\", "
-               "penwidth=1, style=solid, tailport=\"\", tooltip=\"\", weight=1]");
+               "penwidth=1, style=solid, tailport=\"\", tooltip=\"\", weight=1" +
+               std::string(beside_.empty() ? "]" : ", xlabel=\"\"]"));
     code_.open("label=<");
     for (const std::string& line : legend_table(picture_)) code_.line(line);
     code_.close(">");
     draw_layers(); // first, so that the names of layers are on the left
     for (const PictureBox& box : picture_.boxes) draw_box(box, links_, code_);
-    for (const PictureArrow& arrow : picture_.arrows) draw_arrow(arrow);
+    for (std::size_t i = 0; i < picture_.arrows.size(); ++i) draw_arrow(picture_.arrows[i], beside_.contains(i));
     code_.close("}");
     return code_.text();
   }
@@ -51,10 +56,8 @@ public:
 private:
   /// `"Walk":"halting"`
   std::string end(const PictureEnd& end) const {
-    const PictureBox& box = picture_.boxes[end.box];
-    if (!end.row && !end.pack) return in_quotes(box.name);
-    const PictureRow& row = box.rows[end.row.value_or(0)];
-    return fmt::format("{}:{}", in_quotes(box.name), in_quotes(end.pack ? port(row, row.packs[*end.pack]) : port(row)));
+    const std::string box = in_quotes(picture_.boxes[end.box].name), at = port(picture_, end);
+    return at.empty() ? box : fmt::format("{}:{}", box, in_quotes(at));
   }
 
   /// What is queued has a bar before its head, since dashes alone would look like those of `apart`.
@@ -114,10 +117,10 @@ private:
         palette::paper, letter_width * longest + padding, lines);
   }
 
-  void draw_arrow(const PictureArrow& arrow) {
+  void draw_arrow(const PictureArrow& arrow, bool beside) {
     std::string text = arrow.hidden ? "style=invis" : style_of(arrow);
-    const std::string apart = arrow.apart && !arrow.optional ? (arrow.label.empty() ? "apart" : ", apart") : "";
-    if (const std::string label = arrow.label + apart; !label.empty()) text += ", label=<" + label_of(label) + ">";
+    if (const std::string label = label_text(arrow); !label.empty())
+      text += fmt::format(", {}=<{}>", beside ? "xlabel" : "label", label_of(label));
     if (!arrow.ranks) text += ", constraint=false";
     const std::string words = quoted_tooltip(arrow.about);
     text += fmt::format(", tooltip={0}, edgetooltip={0}, labeltooltip={0}", words);
@@ -159,11 +162,14 @@ private:
 
   const Picture& picture_;
   const PictureLinks& links_;
+  const std::set<std::size_t>& beside_;
   Code code_;
 };
 
 } // namespace
 
-std::string dot(const Picture& picture, const PictureLinks& links) { return Dot(picture, links).draw(); }
+std::string dot(const Picture& picture, const PictureLinks& links, const std::set<std::size_t>& beside) {
+  return Dot(picture, links, beside).draw();
+}
 
 } // namespace director::compiler

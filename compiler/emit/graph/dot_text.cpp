@@ -69,5 +69,15 @@ std::string port(const PictureRow& row) { return row.name; }
 std::string port(const PictureRow& row, const PicturePack& pack) {
   return row.name.empty() ? pack.name : row.name + "." + pack.name;
 }
+std::string port(const Picture& picture, const PictureEnd& end) {
+  if (!end.row && !end.pack) return {};
+  const PictureRow& row = picture.boxes[end.box].rows[end.row.value_or(0)];
+  return end.pack ? port(row, row.packs[*end.pack]) : port(row);
+}
+
+std::string label_text(const PictureArrow& arrow) {
+  const std::string_view comma = arrow.label.empty() ? "" : ", ";
+  return arrow.apart && !arrow.optional ? fmt::format("{}{}apart", arrow.label, comma) : arrow.label;
+}
 
 } // namespace director::compiler

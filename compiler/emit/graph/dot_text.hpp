@@ -21,5 +21,10 @@ inline constexpr std::string_view target_in_svg = " target=\"_top\"";
 /// The port of a provider, and of a pack of it: `halting`, `ready.go`, `kick`. It is the name in the title.
 std::string port(const PictureRow& row);
 std::string port(const PictureRow& row, const PicturePack& pack);
+/// Of an arrow's end; empty: it is at the whole box.
+std::string port(const Picture& picture, const PictureEnd& end);
+
+/// What an arrow says; empty: nothing.
+std::string label_text(const PictureArrow& arrow);
 
 } // namespace director::compiler

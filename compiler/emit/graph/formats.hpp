@@ -6,6 +6,8 @@
 #include "compiler/emit/graph/picture/picture.hpp"
 #include "dsl/source/diagnostic.hpp"
 
+#include <cstddef>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,7 +20,11 @@ struct PictureLinks {
 };
 
 /// For Graphviz: layers are bands, each group a table with a row for each provider, and a legend of what is drawn.
-std::string dot(const Picture& picture, const PictureLinks& links = {});
+/// `beside`: the arrows, by index, whose label is placed after all lines, wherever there is room.
+std::string dot(const Picture& picture, const PictureLinks& links = {}, const std::set<std::size_t>& beside = {});
+
+/// The arrows, by index, whose label Graphviz left out of its output: it loses some between boxes of one rank.
+std::set<std::size_t> lost_labels(const Picture& picture, const std::string& drawn);
 
 /// Completes the output of Graphviz with bands behind the layers, and with texts for screen readers.
 std::string finish_svg(const Picture& picture, const std::string& drawn);

@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace director::compiler {
@@ -232,6 +234,32 @@ std::string summary(const Picture& picture) {
     marked(Moment::Mark::queued, "Queued");
   }
   if (!picture.doc.empty()) out = picture.doc + (picture.doc.ends_with('\n') ? "" : "\n") + out;
+  return out;
+}
+
+std::set<std::size_t> lost_labels(const Picture& picture, const std::string& drawn) {
+  constexpr std::string_view arrow = "class=\"edge\">\n<title>", close = "</title>", label = "&#45;label\"";
+  std::map<std::string, std::size_t> labels; // by the title of their arrows
+  for (std::size_t at = drawn.find(arrow), next = 0; at != nowhere; at = next) {
+    next = drawn.find(arrow, at + arrow.size());
+    const std::size_t begin = at + arrow.size(), end = drawn.find(close, begin);
+    if (end == nowhere) break;
+    const std::string_view lines = std::string_view(drawn).substr(end, next == nowhere ? nowhere : next - end);
+    if (lines.find(label) != nowhere) ++labels[drawn.substr(begin, end - begin)];
+  }
+  const auto name = [&](const PictureEnd& end) {
+    const std::string at = port(picture, end);
+    return title_text(picture.boxes[end.box].name + (at.empty() ? "" : ":" + at));
+  };
+  std::map<std::string, std::set<std::size_t>> labelled;
+  for (std::size_t i = 0; i < picture.arrows.size(); ++i) {
+    const PictureArrow& each = picture.arrows[i];
+    if (!each.hidden && !label_text(each).empty()) labelled[name(each.from) + "&#45;&gt;" + name(each.to)].insert(i);
+  }
+  std::set<std::size_t> out;
+  for (auto& [title, arrows] : labelled) {
+    if (labels[title] < arrows.size()) out.merge(arrows);
+  }
   return out;
 }
 

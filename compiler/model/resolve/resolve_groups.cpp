@@ -1,10 +1,12 @@
 // Header: compiler/model/resolve/resolver.hpp. Test: tests/compiler/model/resolve/resolve_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/model/resolve/resolver.hpp"
+#include "dsl/lexical/suggest.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace director::compiler {
 
@@ -28,7 +30,26 @@ void drop_repeated(std::vector<T>& uses) {
   uses = std::move(out);
 }
 
-/// Whether `Walk.halting.broken` names a promise with a time limit, or may do so: of a group that others provide.
+/// The triggers of promises with a time limit: `Walk.halting.broken`.
+std::vector<std::string> promises(const Resolver& r, const std::string& group, GroupId id) {
+  std::vector<std::string> out;
+  for (const dsl::ProviderSpec* provider : r.group_sources[id].providers) {
+    const bool in_time = std::any_of(provider->causing.begin(), provider->causing.end(),
+                                     [](const dsl::ConditionSpec& promise) { return promise.within.has_value(); });
+    if (in_time) out.push_back(fmt::format("{}.{}.broken", group, provider->name.value));
+  }
+  return out;
+}
+
+std::vector<std::string> promises(const Resolver& r) {
+  std::vector<std::string> out;
+  for (const GroupId id : r.model.groups.ids()) {
+    for (std::string& each : promises(r, r.model.groups[id].name.value, id)) out.push_back(std::move(each));
+  }
+  return out;
+}
+
+/// Whether the word names a promise with a time limit, or may do so: of a group that others provide.
 bool is_promise(const Resolver& r, const std::string& name) {
   const std::size_t first = name.find('.'), last = name.rfind('.');
   const auto group = r.groups.find(name.substr(0, first));
@@ -36,12 +57,8 @@ bool is_promise(const Resolver& r, const std::string& name) {
   if (r.is_provided_elsewhere(group->second) && first < last && name.substr(last) == ".broken" &&
       name.find('.', first + 1) == last && last > first + 1)
     return true;
-  const auto& providers = r.group_sources[group->second].providers;
-  return std::any_of(providers.begin(), providers.end(), [&](const dsl::ProviderSpec* provider) {
-    const bool in_time = std::any_of(provider->causing.begin(), provider->causing.end(),
-                                     [](const dsl::ConditionSpec& promise) { return promise.within.has_value(); });
-    return in_time && name == fmt::format("{}.{}.broken", group->first, provider->name.value);
-  });
+  const std::vector<std::string> known = promises(r, group->first, group->second);
+  return std::find(known.begin(), known.end(), name) != known.end();
 }
 
 std::optional<TriggerId> find_trigger(Resolver& r, const Word& word) {
@@ -52,8 +69,10 @@ std::optional<TriggerId> find_trigger(Resolver& r, const Word& word) {
     return id;
   }
   if (word.value.find('.') != std::string::npos) {
+    const auto nearest = dsl::suggest(word.value, promises(r));
     r.error("undefined_name", word.span, fmt::format("there is no promise `{}`", word.value),
-            "`Group.provider.broken` is the trigger of a provider with a `causing ... within`");
+            nearest ? fmt::format("did you mean `{}`?", *nearest)
+                    : "`Group.provider.broken` is the trigger of a provider with a `causing ... within`");
     return std::nullopt;
   }
   std::vector<std::string> known;

@@ -125,10 +125,13 @@ void resolve_uses(const dsl::CaseSpec& spec, ProviderId id, Names& names, Case& 
     std::vector<std::string> known;
     for (const Use<GroupId>& use : provider.uses) known.push_back(model.groups[use.id].name.value);
     if (std::find(known.begin(), known.end(), guard.group.value) == known.end()) {
-      names.undefined(
-          guard.group.span,
-          fmt::format("`{}` does not see `{}`: it is not in its `uses`", model.full_name(id), guard.group.value),
-          guard.group.value, known);
+      const std::string name = model.full_name(id);
+      dsl::Diagnostic& finding =
+          names.undefined(guard.group.span,
+                          fmt::format("`{}` does not see `{}`: {}", name, guard.group.value,
+                                      known.empty() ? "it has no `uses`" : "it is not in its `uses`"),
+                          guard.group.value, known);
+      if (known.empty()) finding.help = fmt::format("write `uses: [{}]` at `{}`", guard.group.value, name);
       continue;
     }
     UseGuard resolved{std::nullopt, guard.state.value};

@@ -110,9 +110,8 @@ TEST_CASE("yaml-cpp: yes, on and NO are booleans") {
       "4:25 `NO` warning yaml_word_trap: older YAML tools read a bare `NO` as a boolean (write \"NO\", or "
       "choose another word)\n"
       "4:40 `yes` wrong_node_kind: `external`: expected true or false, found `yes` (write `true`, without quotes)\n");
-  check_scenario(
-      "script:\n  A: {done: on}\n",
-      "3:13 `on` wrong_node_kind: `done`: expected true, found `on` (write `true`, without quotes)\n");
+  check_scenario("script:\n  A: {done: on}\n",
+                 "3:13 `on` wrong_node_kind: `done`: expected true, found `on` (write `true`, without quotes)\n");
 }
 
 TEST_CASE("yaml-cpp: 010 is eight, and 0x1F thirty-one") {
@@ -173,6 +172,7 @@ TEST_CASE("a key without its colon is reported at its place, not in the line beh
   const std::string help =
       " (a key and its value are written `key: value`; a text goes on in a line of its own only with "
       "`|` or in quotes)\n";
+  const std::string comma = " (if it belongs to the text before the comma, put that text in quotes)\n";
   check_behaviour("groups:\n  Walk\n    needs: [Legs]\n", "4:3 `Walk` yaml_syntax: expected `:` behind `Walk`" + help);
   check_behaviour("groups\n  Legs: {}\n", "3:1 `groups` yaml_syntax: expected `:` behind `groups`" + help);
   check_behaviour("groups:\n  Walk:\n    needs [Legs]  # both\n\n    # now\n    tasks: [Legs]\n",
@@ -186,6 +186,8 @@ TEST_CASE("a key without its colon is reported at its place, not in the line beh
   check_behaviour("groups: {Legs {}}\n", "3:10 `Legs` yaml_syntax: expected `:` behind `Legs`" + help);
   check_behaviour("groups:\n  Walk:\n    providers:\n      - {name a, needs: [Legs]}\n",
                   "6:10 `name a` yaml_syntax: expected `:` behind `name a`\n"); // and no report of a missing name
+  check_behaviour("groups:\n  Walk: {doc: slowly, not at all, tasks: []}\n",
+                  "4:23 `not at all` yaml_syntax: expected `:` behind `not at all`" + comma);
   CHECK(read_text("behaviour b\nlanguage: 1\n").findings() ==
         "1:1 `behaviour` yaml_syntax: expected `:` behind `behaviour`" + help);
   check_behaviour(

@@ -64,6 +64,14 @@ TEST_CASE("another observer is called as well, for everything") {
   CHECK(calls == 6);
 }
 
+TEST_CASE("a program with an observer of its own hands events on to it") {
+  Outbox outbox;
+  outbox.tell(Event{.kind = Event::Kind::run, .group = 3});
+  Outbox::Entry entry;
+  REQUIRE(outbox.take(entry));
+  CHECK(entry.event.group == 3);
+}
+
 TEST_CASE("between two threads no event is torn, and each that is not lost comes once") {
   Outbox outbox(16);
   constexpr Index events = 100'000;

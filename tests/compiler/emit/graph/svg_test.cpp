@@ -252,6 +252,38 @@ TEST_CASE("no arrow is drawn over a label") {
   }
 }
 
+TEST_CASE("a label that Graphviz loses between boxes of one rank is drawn beside its arrow") {
+  if (!has_graphviz()) return;
+  const OwnFolder folder("picture-lost-label");
+  folder.write("charger.yaml", R"(behaviour: charger
+language: 1
+layers: [plan, skill]
+states:
+  Motion: {values: [still, rolling], initial: still}
+  Arm: {values: [stowed, out], initial: stowed}
+roots: {Work: {}}
+groups:
+  Work: {packs: {charge: {Recharge: {priority: 20}}}}
+  Recharge:
+    packs:
+      go: {Navigate: {}}
+      dock: {Dock: {priority: 10}, Navigate: {apart: true}}
+  Navigate:
+    layer: skill
+    providers:
+      - {name: creeping, sets: [Motion == rolling], tasks: [Wheels, Localise]}
+      - {name: halting, causing: [Motion == still within 2 s]}
+  Dock: {layer: skill, when: [Arm == stowed, Motion == still], tasks: [Wheels]}
+  Localise: {layer: skill}
+  Wheels: {}
+)");
+  const Svg svg = read_svg(drawn({folder.at("charger.yaml")}).out);
+  const auto push = std::find_if(svg.things.begin(), svg.things.end(),
+                                 [](const SvgThing& thing) { return thing.title == "Dock \u2192 Navigate.halting"; });
+  REQUIRE(push != svg.things.end());
+  CHECK(push->labels.size() == 1);
+}
+
 TEST_CASE("the name of a root does not touch the text above it") {
   if (!has_graphviz()) return;
   const std::string svg = drawn({behaviour("tests/docs/rover/rover.yaml")}).out;

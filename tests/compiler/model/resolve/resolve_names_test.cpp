@@ -74,6 +74,14 @@ TEST_CASE("nobody knows the providers of an extern group until a deployment has 
   CHECK(said.find("`Walk` has no provider called `halting`") != std::string::npos);
 }
 
+TEST_CASE("for a misspelt promise the nearest one is proposed") {
+  const auto said = tests::check_text("roots: [A, Walk]\nstates: {S: {values: [a, b], initial: a}}\n"
+                                      "groups: {A: {triggers: [Walk.haltng.broken]}, Walk: {providers: [{name: halting, "
+                                      "causing: [S == b within 1 s]}]}}\n");
+  REQUIRE(said.checked.findings.size() == 1);
+  CHECK(said.checked.findings[0].help == "did you mean `Walk.halting.broken`?");
+}
+
 TEST_CASE("an extern that two files name is reported in both") {
   const auto text =
       tests::check_files({{"main.yaml", tests::beginning("robot") + "imports: [a.yaml]\nextern: [Say]\nroots: [A]\n"},

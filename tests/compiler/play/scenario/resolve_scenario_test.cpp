@@ -56,6 +56,13 @@ steps:
 )") == "");
 }
 
+TEST_CASE("a case about a group that its provider cannot see says what to add") {
+  CHECK(findings("script:\n  Legs: {uses: {Arms: done}, done: true}\n")
+            .find("`Legs` does not see `Arms`: it has no `uses` [undefined_name]") != std::string::npos);
+  CHECK(findings("script:\n  Legs: {uses: {Arms: done}, done: true}\n").find("help: write `uses: [Arms]` at `Legs`") !=
+        std::string::npos);
+}
+
 TEST_CASE("unknown names are found wherever they are, with the nearest known one", "[golden]") {
   check_golden("tests/compiler/play/scenario/golden/unknown_names.txt", findings(R"(
 given: {Posse: standing}
