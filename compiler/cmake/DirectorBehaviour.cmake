@@ -163,9 +163,10 @@ function(director_add_behaviour)
   cmake_path(GET file PARENT_PATH beside)
   target_compile_options(${target} PUBLIC $<BUILD_INTERFACE:$<$<COMPILE_LANGUAGE:C,CXX>:-iquote${beside}>>)
   target_link_libraries(${target} PUBLIC Director::core)
-  # A pragma in runtime/core/api/behaviour.hpp makes a body without an answer an error; g++ loses the pragma if that header is in a precompiled header.
-  set(precompiled "$<OR:$<BOOL:$<TARGET_PROPERTY:${target},PRECOMPILE_HEADERS>>,$<BOOL:$<TARGET_PROPERTY:${target},PRECOMPILE_HEADERS_REUSE_FROM>>>")
-  target_compile_options(${target} PRIVATE $<$<AND:$<COMPILE_LANG_AND_ID:CXX,GNU>,${precompiled}>:-Werror=return-type>)
+  # A pragma in runtime/core/api/behaviour.hpp makes a body without an answer an error; g++ loses the pragma if that header is in a precompiled header:
+  # of this target, or of one that links it and has bodies.
+  set(precompiled "$<OR:$<BOOL:$<TARGET_PROPERTY:PRECOMPILE_HEADERS>>,$<BOOL:$<TARGET_PROPERTY:PRECOMPILE_HEADERS_REUSE_FROM>>>")
+  target_compile_options(${target} PUBLIC $<BUILD_INTERFACE:$<$<AND:$<COMPILE_LANG_AND_ID:CXX,GNU>,${precompiled}>:-Werror=return-type>>)
 
   if(arg_VERIFY OR arg_STUBS)
     director_need_clang_(${target})

@@ -57,7 +57,9 @@ Entity join(std::uint32_t domain) {
   constexpr std::uint32_t highest = 232; // its ports are the last that exist
   if (domain > highest)
     throw Failure("dds: there is no domain " + std::to_string(domain) + "; the highest is " + std::to_string(highest));
-  const dds_entity_t handle = dds_create_participant(domain, nullptr, nullptr);
+  dds_entity_t handle =
+      0; // made in a background thread, because the library's own threads are like that which starts them
+  started([&] { handle = dds_create_participant(domain, nullptr, nullptr); }).join();
   if (handle < 0)
     throw Failure("dds: no way into domain " + std::to_string(domain) + ": " + dds_strretcode(handle) +
                   ". Is the network there that CYCLONEDDS_URI names, and not every participant's port taken?");

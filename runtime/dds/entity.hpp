@@ -4,6 +4,7 @@
 
 #include "runtime/dds/messages.h"
 #include "runtime/dds/settings.hpp"
+#include "runtime/hosted/background_thread.hpp"
 
 #include <dds/dds.h>
 
@@ -23,11 +24,11 @@ using Request = director_msgs_msg_dds__Request_;
 using Answer = director_msgs_msg_dds__Answer_;
 using Stamp = builtin_interfaces_msg_dds__Time_;
 
-/// A thread of the bridge.
+/// A background thread.
 template <class Work>
 std::thread started(Work work) {
   try {
-    return std::thread(std::move(work));
+    return background_thread(std::move(work));
   } catch (const std::system_error& problem) {
     throw Failure("dds: a thread cannot be started: " + problem.code().message());
   }

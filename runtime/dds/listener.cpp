@@ -146,8 +146,8 @@ void Listener::post(const Taken& taken, std::int32_t value, std::string_view rob
   if (plug_.engine->lost() == lost) return;
   notes_.count(&Counts::inbox_full);
   notes_.report_once(Notice::Kind::inbox_full, robot,
-                     std::string("the inbox has no room for ") + plug_.names.state(taken.state) +
-                         ": is the behaviour stepped often enough?");
+                     std::string("inputs were lost, because the inbox had no room, as ") +
+                         plug_.names.state(taken.state) + " arrived" + ": is the behaviour stepped often enough?");
 }
 
 void Listener::receive_request(const Request& sample, const dds_sample_info_t& info) {

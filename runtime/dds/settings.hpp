@@ -62,7 +62,7 @@ struct Notice {
     unknown_value,       ///< it published a value that the state here does not have
     bad_sample,          ///< it published an invalid sample
     refused,             ///< its request was not taken
-    inbox_full,          ///< the inbox was full, and an earlier value of it is lost
+    inbox_full,          ///< the inbox was full: an earlier value of it, or an input of another thread, was lost
     decisions_lost,      ///< of this robot: the outbox was full
     not_written,         ///< of this robot: the middleware did not take it
   };

@@ -22,6 +22,11 @@ public:
   /// Adds a block, which begins where the last one ends, or later if events were dropped between.
   void add(Block block);
 
+  void clear() {
+    blocks_.clear();
+    bytes_ = 0;
+  }
+
   /// Events before this one were dropped, up to the last block.
   void skip_to(std::uint64_t event) { end_ = event; }
 

@@ -8,6 +8,7 @@
 #include "runtime/live/moment_lines.hpp"
 
 #include <charconv>
+#include <new>
 #include <string_view>
 #include <utility>
 
@@ -56,13 +57,23 @@ Feed::Feed(EventQueue& queue, Moments& moments, const Names& names, std::size_t 
 }
 
 void Feed::take() {
+  try {
+    take_all();
+  } catch (const std::bad_alloc&) {
+    text_ = std::string();
+    backlog_.clear();
+    may_mislead_ = true;
+  }
+}
+
+void Feed::take_all() {
   moment_ = &moments_.look(); // before the events, so that these include all events before the moment
   if (moment_->view.micro_step != standing_of_ || moment_->view.passes != standing_passes_ ||
       moment_->events != standing_after_)
     standing_ = nullptr;
   const std::uint64_t cut = moment_->events;
   queue_.take([&](const EventQueue::Entry& entry) {
-    const std::uint64_t number = taken_ + entry.dropped;
+    const std::uint64_t number = taken_++ + entry.dropped;
     if (number == cut) see_standing();
     if (number != begin_ && text_.empty()) begin_ = number; // events were dropped
     if (!text_.empty() && (number == cut || text_.size() >= most_of_block || number != last_ + 1)) {
@@ -74,7 +85,6 @@ void Feed::take() {
     text_ += '\n';
     last_ = number;
     may_mislead_ = may_mislead_ || ends_hold(entry.event) || ends_request(entry.event);
-    ++taken_;
   });
   see_standing();
   if (!text_.empty()) finish_block(last_ + 1);

@@ -32,7 +32,7 @@ public:
 
   Feed(EventQueue& queue, Moments& moments, const Names& names, std::size_t memory);
 
-  /// Takes the waiting events, and the newest moment.
+  /// Takes the waiting events, and the newest moment. Without memory for them they are dropped, with all that is kept.
   void take();
   /// The next message for a viewer at this place, which is advanced; null: nothing new.
   Text next(Place& place);
@@ -48,6 +48,7 @@ public:
   Time until() const { return moments_.until(); }
 
 private:
+  void take_all();
   void finish_block(std::uint64_t end);
   const Text& standing();
   void see_standing();

@@ -53,19 +53,12 @@ std::string name_of(std::string authority, const std::vector<std::string>& own_n
   return authority;
 }
 
-/// A queue of this size; the smallest one if there is no memory for it.
-EventQueue queue_of(std::size_t size) {
-  try {
-    return EventQueue(size);
-  } catch (const std::bad_alloc&) { return EventQueue(0); }
-}
-
 } // namespace
 
 LiveView::LiveView(const Names& names) : LiveView(names, Options()) {}
 
 LiveView::LiveView(const Names& names, const Options& options)
-    : queue_(queue_of(options.queue)),
+    : queue_(EventQueue::with_room_for(options.queue)),
       moments_(*names.tables) {
   if (queue_.size() < options.queue) {
     error_ = "there is no memory for " + std::to_string(options.queue) +

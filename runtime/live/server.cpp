@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/live/server.hpp"
 
-#include "runtime/hosted/leave_real_time.hpp"
+#include "runtime/hosted/background_thread.hpp"
 #include "runtime/hosted/within_a_day.hpp"
 
 #include <poll.h>
-#include <pthread.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -14,7 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <csignal>
+#include <new>
+#include <thread>
 #include <tuple>
 #include <utility>
 
@@ -36,10 +36,7 @@ bool has_ended(ssize_t moved) {
 }
 
 /// Viewers have a lower priority than the behaviour, whatever that has.
-void yield_to_others() {
-  leave_real_time();
-  setpriority(PRIO_PROCESS, 0, std::clamp(getpriority(PRIO_PROCESS, 0) + 10, 10, 19));
-}
+void yield_to_others() { setpriority(PRIO_PROCESS, 0, std::clamp(getpriority(PRIO_PROCESS, 0) + 10, 10, 19)); }
 
 } // namespace
 
@@ -53,19 +50,12 @@ Server::Server(int socket, std::unique_ptr<Feed> feed, std::unique_ptr<Site> sit
         last_event_id_ = request.last_event;
         return site_->answer(request, feed_->moment(), feed_->until());
       }) {
-  // Signals of the program are handled by its own threads, except those for crashes of this one.
-  sigset_t others, before;
-  sigfillset(&others);
-  for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS}) sigdelset(&others, crash);
-  pthread_sigmask(SIG_SETMASK, &others, &before);
   try {
-    thread_ = std::thread([this] { run(); });
+    thread_ = background_thread([this] { run(); });
   } catch (...) {
-    pthread_sigmask(SIG_SETMASK, &before, nullptr);
     ::close(socket_);
     throw;
   }
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
 Server::~Server() {
@@ -78,7 +68,16 @@ Server::~Server() {
 void Server::run() {
   yield_to_others();
   now_ = Clock::now();
-  while (!stop_.load()) wait();
+  while (!stop_.load()) {
+    try {
+      wait();
+    } catch (const std::bad_alloc&) { // viewers connect again, and the robot runs on
+      for (const auto& each : connections_) end(*each);
+      connections_.clear();
+      std::this_thread::sleep_for(std::clamp(options_.interval, 20ms, 1000ms));
+      now_ = Clock::now();
+    }
+  }
 }
 
 /// One round of all connections. The thread that steps does not wake this one, which would be a system call: so it
@@ -116,6 +115,8 @@ void Server::wait() {
 
 void Server::take_connections() {
   for (std::size_t count = 0; count < most_connections_at_once; ++count) {
+    auto connection = std::make_unique<Connection>(); // memory first: a socket without it would never be closed
+    connections_.reserve(connections_.size() + 1);
     const int taken = accept4(socket_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
     if (taken < 0) {
       // Without a free descriptor the connection stays pending, and would be reported again and again.
@@ -132,7 +133,6 @@ void Server::take_connections() {
       ::close(taken);
       continue;
     }
-    auto connection = std::make_unique<Connection>();
     connection->socket = taken;
     enter(*connection, Connection::Stage::asking);
     connections_.push_back(std::move(connection));
@@ -164,16 +164,19 @@ void Server::serve(Connection& connection, short events) {
   }
 }
 
-/// Reads. False: the connection has ended. Bytes behind a request are read and ignored.
+/// Reads. False: the connection has ended, or a viewer sends too much: what is behind a request is ignored.
 bool Server::read(Connection& connection) {
   std::array<char, 4096> buffer;
   const ssize_t count = recv(connection.socket, buffer.data(), buffer.size(), 0);
   if (count == 0 && connection.stage == Connection::Stage::answering && !connection.is_silent)
     return connection.is_silent = true;
   if (has_ended(count)) return false;
-  if (count > 0 && connection.stage == Connection::Stage::asking)
+  if (count <= 0) return true;
+  if (connection.stage == Connection::Stage::asking)
     connection.in.append(buffer.data(), static_cast<std::size_t>(count));
-  return true;
+  else if (connection.stage == Connection::Stage::viewing)
+    connection.ignored += static_cast<std::size_t>(count);
+  return connection.ignored <= longest_request;
 }
 
 void Server::ask(Connection& connection) {

@@ -46,6 +46,7 @@ private:
     Stage stage = Stage::asking;
     Clock::time_point since, moved; ///< when this stage began; when bytes were moved last
     std::string in;
+    std::size_t ignored = 0; ///< bytes that a viewer has sent
     std::deque<Feed::Text> out;
     std::size_t at = 0; ///< bytes of the first of `out` that are sent already
     Place place;

@@ -33,7 +33,7 @@ const std::vector<Component>& components() {
       {"runtime/core/", {"runtime/core/"}}, // headers that forward
       {"runtime/hosted/", {"runtime/core/", "runtime/hosted/"}},
       {"runtime/live/", {"runtime/core/", "runtime/hosted/", "runtime/live/"}},
-      {"runtime/dds/", {"runtime/core/", "runtime/dds/"}},
+      {"runtime/dds/", {"runtime/core/", "runtime/hosted/", "runtime/dds/"}},
       {"schemas/", {}},
       {"dsl/", {"dsl/"}},
       {"compiler/", {"compiler/", "dsl/", "runtime/core/", "runtime/hosted/"}},

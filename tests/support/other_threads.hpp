@@ -27,7 +27,8 @@ struct Scheduling {
   bool operator==(const Scheduling&) const = default;
 };
 
-/// How the thread that `make()` starts is scheduled after a moment, if the thread that calls it is made by `prepare()`.
+/// How the thread that `make()` starts is scheduled after a moment, if the thread that calls it is made by `prepare()`;
+/// of several threads one that is not scheduled as usual, if there is one.
 /// `prepare` returns false where the system does not allow it; then the result is Scheduling{}.
 template <class Prepare, class Make>
 Scheduling scheduling_of_new_thread(Prepare prepare, Make make) {
@@ -38,7 +39,7 @@ Scheduling scheduling_of_new_thread(Prepare prepare, Make make) {
     const auto owner = make();
     std::this_thread::sleep_for(std::chrono::milliseconds(100)); // until it has set its own priority
     for (const pid_t each : threads()) {
-      if (!before.contains(each))
+      if (!before.contains(each) && (result == Scheduling{} || result.policy == SCHED_OTHER))
         result = {sched_getscheduler(each), getpriority(PRIO_PROCESS, static_cast<id_t>(each))};
     }
   }).join();

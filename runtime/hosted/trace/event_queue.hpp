@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <new>
 #include <type_traits>
 
 namespace director {
@@ -32,6 +33,17 @@ public:
         ring_(std::make_unique<Entry[]>(size_)) {}
   EventQueue(const EventQueue&) = delete;
   EventQueue& operator=(const EventQueue&) = delete;
+
+  /// A queue of this size; without memory for it, of the smallest.
+  static EventQueue with_room_for(std::size_t size) {
+#ifdef __cpp_exceptions
+    try {
+      return EventQueue(size);
+    } catch (const std::bad_alloc&) { return EventQueue(0); }
+#else
+    return EventQueue(size);
+#endif
+  }
 
   std::size_t size() const { return size_; } ///< how many events can wait
 
@@ -56,12 +68,17 @@ public:
     return end_.load(std::memory_order_relaxed) + dropped_.load(std::memory_order_relaxed);
   }
 
-  /// For the thread that writes: calls `use(entry)` for each entry that waits, then frees their places.
+  /// For the thread that writes: calls `use(entry)` for each entry that waits, then frees their places; those of the
+  /// entries used so far if `use` throws.
   template <class Use>
   std::size_t take(Use use) {
+    struct Freed {
+      std::atomic<std::uint64_t>& begin;
+      std::uint64_t used;
+      ~Freed() { begin.store(used, std::memory_order_release); }
+    };
     const std::uint64_t begin = begin_.load(std::memory_order_relaxed), end = end_.load(std::memory_order_acquire);
-    for (std::uint64_t i = begin; i != end; ++i) use(ring_[i & (size_ - 1)]);
-    begin_.store(end, std::memory_order_release);
+    for (Freed freed{begin_, begin}; freed.used != end;) use(ring_[freed.used++ & (size_ - 1)]);
     return static_cast<std::size_t>(end - begin);
   }
 

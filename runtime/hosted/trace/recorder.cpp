@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/hosted/trace/recorder.hpp"
 
-#include "runtime/hosted/leave_real_time.hpp"
+#include "runtime/hosted/background_thread.hpp"
 #include "runtime/hosted/within_a_day.hpp"
 
 #include <fcntl.h>
@@ -12,6 +12,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -60,24 +61,40 @@ Recorder::Recorder(const Names& names, const std::string& path, Options options)
     : Recorder(trace_format_of(path, names), path, options) {}
 
 Recorder::Recorder(std::unique_ptr<TraceFormat> format, const std::string& path, Options options)
-    : queue_(options.queue),
+    : queue_(EventQueue::with_room_for(options.queue)),
       format_(std::move(format)),
       options_(options),
       file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK, 0666)) {
   if (file_ < 0) error_ = errno;
+  if (queue_.size() < options.queue) error_ = ENOMEM;
   options_.interval = within_a_day(options.interval);
   format_->begin(buffer_);
   write_buffer();
 #ifdef __cpp_exceptions
   try {
-    writer_ = std::thread([this] { write_all(); });
+    writer_ = background_thread([this] { write_all(); });
   } catch (const std::system_error& problem) {
     if (good()) error_ = problem.code().value();
     stop_ = true;
     ::close(std::exchange(file_, -1));
   }
 #else
-  writer_ = std::thread([this] { write_all(); });
+  writer_ = background_thread([this] { write_all(); });
+#endif
+}
+
+/// Without memory the file ends, as it does on a full disk.
+template <class Write>
+void Recorder::with_memory(const Write& write) {
+#ifdef __cpp_exceptions
+  try {
+    write();
+  } catch (const std::bad_alloc&) {
+    buffer_ = std::string();
+    if (good()) error_ = ENOMEM;
+  }
+#else
+  write();
 #endif
 }
 
@@ -90,9 +107,11 @@ void Recorder::close() {
   }
   wake_.notify_one();
   writer_.join();
-  write_waiting();
-  format_->end(buffer_);
-  flush();
+  with_memory([&] {
+    write_waiting();
+    format_->end(buffer_);
+    flush();
+  });
   if (file_ >= 0 && ::close(file_) != 0 && good()) error_ = errno;
   file_ = -1;
 }
@@ -116,18 +135,23 @@ void Recorder::put_when_full(const Event& event) {
 
 /// The thread that steps does not wake the writer, which would be a system call: so the writer polls.
 void Recorder::write_all() {
-  leave_real_time();
   std::unique_lock lock(mutex_);
   while (!stop_) {
     lock.unlock();
-    write_waiting();
-    flush();
+    with_memory([&] {
+      write_waiting();
+      flush();
+    });
     lock.lock();
     wake_.wait_for(lock, options_.interval, [&] { return stop_ || std::exchange(is_full_, false); });
   }
 }
 
 void Recorder::write_waiting() {
+  if (!good()) {
+    queue_.take([](const EventQueue::Entry&) {});
+    return;
+  }
   const auto report = [&](std::uint64_t dropped) {
     if (dropped != reported_dropped_) format_->dropped(dropped - reported_dropped_, buffer_);
     reported_dropped_ = dropped;

@@ -66,6 +66,8 @@ public:
 
 private:
   void put_when_full(const Event& event);
+  template <class Write>
+  void with_memory(const Write& write);
   void write_all();
   void write_waiting();
   void flush();

@@ -4,6 +4,7 @@
 #include "runtime/dds/plan.hpp"
 #include "tests/runtime/dds/keeper_module.hpp"
 #include "tests/runtime/dds/robot.hpp"
+#include "tests/support/other_threads.hpp"
 
 #include <arpa/inet.h>
 #include <catch2/catch.hpp>
@@ -12,6 +13,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <csignal>
 #include <cstring>
 #include <map>
 #include <random>
@@ -132,6 +134,21 @@ TEST_CASE("a robot receives the states of another") {
   CHECK(is(two, "Mood", calm));
   CHECK(one.bridge.counts().states_said >= 3);
   CHECK(two.bridge.counts().states_heard >= 3);
+}
+
+TEST_CASE("no thread of a bridge is real-time, or takes a signal that the program waits for") {
+  const auto robot = [] { return std::make_unique<Robot>(speaks); };
+  const Scheduling real_time = scheduling_of_new_thread(become_real_time, robot);
+  if (real_time != Scheduling{}) CHECK(real_time.policy == SCHED_OTHER); // not every user may be real-time
+  const Robot one(speaks);
+  sigset_t wanted, before;
+  sigemptyset(&wanted);
+  sigaddset(&wanted, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &wanted, &before);
+  kill(getpid(), SIGTERM);
+  const timespec patience{10, 0};
+  CHECK(sigtimedwait(&wanted, nullptr, &patience) == SIGTERM);
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
 TEST_CASE("a robot that joins late receives current states that were published before") {
@@ -357,7 +374,8 @@ TEST_CASE("values that are not taken in time are reported, and the newest one is
     std::this_thread::sleep_for(1ms);
   }
   CHECK(comes_true([&] { return two.bridge.counts().inbox_full > 0; }));
-  CHECK(two.was_told("inbox_full one: the inbox has no room for Battery: is the behaviour stepped often enough?"));
+  CHECK(two.was_told("inbox_full one: inputs were lost, because the inbox had no room, as Battery arrived: is the behaviour stepped "
+                     "often enough?"));
   one.publish("Battery", 2, 42, "");
   CHECK(is(two, "Battery", 42));
 }

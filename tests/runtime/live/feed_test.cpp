@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <new>
 #include <thread>
 
 using namespace director;
@@ -198,6 +199,42 @@ TEST_CASE("events that found the queue full are a gap for all viewers") {
   CHECK(viewer.look(source.happened).empty());
   CHECK(viewer.follower.at() == 35);
   CHECK(viewer.follower.missed() == 10 + 7);
+}
+
+TEST_CASE("without memory for events they are dropped, and viewers get their number and the current state") {
+  CourierMoments source{1024};
+  static bool memory_is_left = true;
+  Names names = source.names;
+  names.group = [](const void*, Index row) {
+    if (!memory_is_left) throw std::bad_alloc();
+    return courier::names::group(row);
+  };
+  Feed feed(source.queue, source.moments, names, 1 << 20);
+  Viewer viewer{feed, {}, {}};
+  feed.take();
+  CHECK(viewer.look(source.happened).empty());
+  const auto pass = [&] {
+    source.add_events(5);
+    source.show();
+    feed.take();
+  };
+  pass();
+  CHECK(viewer.look(source.happened).empty());
+  CHECK(viewer.follower.gaps() == 0);
+  source.add_events(5);
+  Event run;
+  run.kind = Event::Kind::run;
+  run.group = run.provider = 0;
+  source.happened.emplace_back();
+  append_event(run, source.names, source.happened.back());
+  REQUIRE(source.queue.put(run));
+  memory_is_left = false;
+  feed.take();
+  memory_is_left = true;
+  pass();
+  CHECK(viewer.look(source.happened).empty());
+  CHECK(viewer.follower.gaps() == 1);
+  CHECK(viewer.follower.at() == source.happened.size());
 }
 
 TEST_CASE("viewers of a program that shows no moments get the events that are kept") {

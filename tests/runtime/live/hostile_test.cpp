@@ -153,6 +153,15 @@ TEST_CASE("a request that does not end is closed after a timeout") {
   CHECK(attacked.is_there());
 }
 
+TEST_CASE("a viewer that goes on sending is disconnected") {
+  const LiveView view{soccer::names::all(), {.interval = std::chrono::milliseconds(1)}};
+  const Caller caller(view.url());
+  REQUIRE(caller.send(get(view.url(), "events")));
+  while (view.viewers() != 1) std::this_thread::sleep_for(1ms);
+  for (std::string answer; caller.send(std::string(1000, 'x')) && caller.read(answer);) {}
+  while (view.viewers() != 0) std::this_thread::sleep_for(1ms);
+}
+
 TEST_CASE("if viewers use all connections, the next one is refused, and gets a place when one leaves") {
   Attacked attacked({.connections = 4});
   const std::string& url = attacked.view.url();

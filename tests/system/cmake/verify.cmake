@@ -48,7 +48,11 @@ build_with("return run.request(walker::Step{})" "${path_without}" fails "return-
 configure(-D PRECOMPILED=ON)
 build_with("return run.request(walker::Step{})" "${path_without}" fails "return-type")
 build_with("" "" builds)
-configure(-D PRECOMPILED=OFF)
+file(TOUCH ${WORK}/project/none.cpp)
+configure(-D IN_LIBRARY=ON)
+build_with("return run.request(walker::Step{})" "${path_without}" fails "return-type")
+build_with("" "" builds)
+configure(-D PRECOMPILED=OFF -D IN_LIBRARY=OFF)
 
 file(READ ${WORK}/project/doubles/legs_double.cpp double)
 file(REMOVE ${WORK}/project/doubles/legs_double.cpp)

@@ -185,6 +185,58 @@ TEST_CASE("a recorder whose thread cannot be started has an error, and does not 
   CHECK(recorder.dropped() > 0);
 }
 
+TEST_CASE("a recorder without memory ends its file, and does not stop the behaviour") {
+  /// There is none from the third event on.
+  class Forgetful final : public TraceFormat {
+    void begin(std::string&) override {}
+    void event(const Event& event, std::string& out) override {
+      if (event.time >= 2) throw std::bad_alloc();
+      out += "event\n";
+    }
+    void dropped(std::uint64_t, std::string&) override {}
+    void end(std::string& out) override { out += "end\n"; }
+  };
+  const Lamp lamp;
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "run.jsonl").string();
+  Recorder recorder{std::make_unique<Forgetful>(), file, {.interval = std::chrono::milliseconds(1)}};
+  const auto tell = [&](int from, int to) {
+    for (int i = from; i < to; ++i) recorder.tell(lamp.event(Event::Kind::exhausted, i));
+  };
+  tell(0, 2);
+  while (read_file(file) != "event\nevent\n") std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  CHECK(recorder.error() == 0);
+  tell(2, 10);
+  while (recorder.good()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  CHECK(recorder.error() == ENOMEM);
+  tell(10, 20);
+  recorder.close();
+  CHECK(read_file(file) == "event\nevent\n");
+}
+
+TEST_CASE("a recorder without memory for its queue has an error") {
+  if (tests::is_sanitized) return; // the sanitizer's allocator ends the program
+  const Lamp lamp;
+  const TemporaryFolder folder;
+  Recorder recorder{lamp.names, (folder.path() / "run.jsonl").string(), {.queue = std::size_t{1} << 45}};
+  CHECK(recorder.error() == ENOMEM);
+  recorder.tell(lamp.event(Event::Kind::exhausted, 0));
+}
+
+TEST_CASE("a signal that the program waits for is not taken by the thread of a recorder that was made before") {
+  const Lamp lamp;
+  const TemporaryFolder folder;
+  const Recorder recorder{lamp.names, (folder.path() / "run.jsonl").string()};
+  sigset_t wanted, before;
+  sigemptyset(&wanted);
+  sigaddset(&wanted, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &wanted, &before);
+  kill(getpid(), SIGTERM);
+  const timespec patience{10, 0};
+  CHECK(sigtimedwait(&wanted, nullptr, &patience) == SIGTERM);
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
 TEST_CASE("a failure of the last write is known when the recorder is closed") {
   const Lamp lamp;
   const TemporaryFolder folder;
