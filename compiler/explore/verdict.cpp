@@ -82,6 +82,22 @@ Verdict by_search(const Ground& ground, std::size_t at, const Searched& searched
   return out;
 }
 
+/// What focused searches try, one after the other: the groups of the assertion, then the same with each of their
+/// providers, since the one that is reached first may not be the one that matters.
+std::vector<Goal> goals_of(const Assertion& assertion, const Model& model) {
+  constexpr std::size_t most = 17;
+  Goal groups;
+  for (const Use<GroupId>& use : assertion.groups) groups.groups.push_back(use.id);
+  std::vector<Goal> out{groups};
+  for (const GroupId id : groups.groups) {
+    const std::vector<ProviderId>& providers = model.groups[id].providers;
+    for (const ProviderId provider : providers) {
+      if (providers.size() > 1 && out.size() < most) out.push_back({groups.groups, {provider}});
+    }
+  }
+  return out;
+}
+
 } // namespace
 
 std::string_view name_of(Verdict::Kind kind) {
@@ -109,9 +125,10 @@ std::vector<std::optional<Verdict>> decide_early(const Ground& ground, SearchOpt
                                                  const std::string& behaviour) {
   std::vector<std::optional<Verdict>> out;
   for (const Assertion& assertion : ground.model.assertions) out.push_back(prove_at_once(assertion, ground.model));
-  options.breadth = Breadth::lean;
   options.only_assertions = true;
-  const auto look = [&](const Ground& where, std::vector<std::size_t> at, std::size_t bound) {
+  const auto look = [&](const Ground& where, std::vector<std::size_t> at, std::size_t bound,
+                        Breadth breadth = Breadth::lean) {
+    options.breadth = breadth;
     options.assertions = std::move(at);
     options.bound = bound;
     if (options.assertions.empty()) return true;
@@ -124,17 +141,19 @@ std::vector<std::optional<Verdict>> decide_early(const Ground& ground, SearchOpt
     }
     return searched.complete;
   };
-  // A short breadth-first search; then one focused on the goal; then a full one.
+  // A short breadth-first search; then some that are focused on a goal; then a full one.
   const std::size_t bound = options.bound, few = std::min(bound, states_of_focus);
   const bool all = look(ground, without_verdict(out), few);
+  if (!all) look(ground, without_verdict(out), few, Breadth::usual);
   for (const std::size_t i : without_verdict(out)) {
     if (all) break;
-    Ground focused(ground.model, ground.timed);
-    Goal goal;
-    for (const Use<GroupId>& use : ground.model.assertions[i].groups) goal.groups.push_back(use.id);
-    focus_on(focused, goal);
-    look(focused, {i}, few);
-    if (!out[i] && focused.make_all_packs_usual()) look(focused, {i}, few);
+    for (const Goal& goal : goals_of(ground.model.assertions[i], ground.model)) {
+      Ground focused(ground.model, ground.timed);
+      focus_on(focused, goal);
+      if (!out[i]) look(focused, {i}, few, Breadth::usual);
+      if (!out[i]) look(focused, {i}, few);
+      if (!out[i] && focused.make_all_packs_usual()) look(focused, {i}, few);
+    }
   }
   if (!all && few < bound) look(ground, without_verdict(out), bound);
   return out;

@@ -48,6 +48,7 @@ enum class Breadth : std::uint8_t {
   all,
   lean, ///< one input at a time, and only at rest; nothing is kept, and no optional entry of a pack is left out. Fewer
         ///< states, so that the search gets further
+  usual, ///< as lean, and each body answers with its first pack or all its tasks, and never with done
 };
 
 } // namespace director::compiler

@@ -73,10 +73,11 @@ void Machine::find_answers() {
   action.provider = engine_.active(action.group);
   const FreeBody& body = ground_.bodies[action.provider];
   const std::vector<RequestedPack>& packs = body.packs;
-  const std::size_t tried = breadth_ == Breadth::lean ? body.usual : packs.size();
+  const std::size_t tried = breadth_ == Breadth::usual ? 1 : is_lean() ? body.usual : packs.size();
   for (; action.pack < tried; ++action.pack) answers_.push_back(action);
+  if (breadth_ == Breadth::usual) return;
   action.answer = Action::Answer::kept;
-  for (action.pack = 0; breadth_ != Breadth::lean && action.pack < packs.size(); ++action.pack) {
+  for (action.pack = 0; !is_lean() && action.pack < packs.size(); ++action.pack) {
     if (keeps(packs[action.pack])) answers_.push_back(action);
   }
   action.pack = 0;
@@ -114,7 +115,7 @@ void Machine::list(std::vector<Happens>& out) const {
   const Tables& t = ground_.tables;
   const director::State& s = engine_.memory();
   if (phase_ != Phase::rest) out.push_back({Kind::go, 0});
-  const bool lean = breadth_ == Breadth::lean;
+  const bool lean = is_lean();
   if (!takes_inputs()) return;
   for (Index i = 0; i < ground_.requests.size(); ++i) {
     if (!lean || ground_.requests[i].size() == 1) out.push_back({Kind::request, i});
@@ -166,7 +167,7 @@ bool Machine::runs_next() const {
 
 bool Machine::takes_inputs() const {
   if (phase_ == Phase::closed || engine_.memory().counters->staged_count != 0) return false;
-  return phase_ == Phase::rest || breadth_ != Breadth::lean;
+  return phase_ == Phase::rest || !is_lean();
 }
 
 const Foresight& Machine::look_ahead() {

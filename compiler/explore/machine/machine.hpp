@@ -53,6 +53,7 @@ private:
   bool keeps(const RequestedPack& pack) const;
   bool runs_next() const;
   bool takes_inputs() const;
+  bool is_lean() const { return breadth_ != Breadth::all; }
   void post(const Happens& happens);
   void read(std::vector<std::uint64_t>& out) const;
   void write(const std::vector<std::uint64_t>& from);

@@ -411,6 +411,27 @@ TEST_CASE("the states confirm the proof about a latch") {
   for (const auto& way : searched.seen) CHECK_FALSE(way.has_value());
 }
 
+TEST_CASE("a few inputs are found that refute it, though what bodies may answer meanwhile is more than the bound") {
+  // Each limb may set its state to three values, answer done or go on, before anything rests.
+  std::string states = "states:\n  Heat: {range: [0, 100], external: true}\n", limbs, all, apart;
+  for (const char letter : std::string("ABCDEFGHIJKL")) {
+    const std::string limb = std::string("Limb") + letter, state = std::string("Is") + letter;
+    states += "  " + state + ": {values: [low, middle, high], initial: low}\n";
+    limbs += "  " + limb + ": {sets: [" + state + "], when: [" + state + " != high]}\n";
+    all += (all.empty() ? "" : ", ") + limb;
+    apart += ", " + limb + ": {apart: true}";
+  }
+  const std::string groups = states +
+                             "roots: {Freeze: {priority: 20}, Patrol: {priority: 10}}\ngroups:\n"
+                             "  Freeze: {packs: {halt: {Light: {optional: true}}}}\n"
+                             "  Patrol:\n    providers:\n"
+                             "      - {name: rounds, when: [Heat < 80], packs: {go: {Light: {apart: true}" +
+                             apart + "}}}\n      - {name: cooling, tasks: [" + all + "]}\n  Light: {}\n" + limbs;
+  CHECK(verdict_of(groups, "beats: {Freeze: Patrol}", 30'000) ==
+        "refuted: after set {Heat: 0}; request Patrol; request Freeze, `Freeze` does not get `Light`, which `Patrol` "
+        "holds");
+}
+
 TEST_CASE("beyond the bound nothing is guessed") {
   CHECK(verdict_of(two, "{beats: {A: B}}", 5).find("not decided: not found in ") == 0);
 }
