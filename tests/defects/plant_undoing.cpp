@@ -50,6 +50,16 @@ void it_belongs_to_the_group(Robot& robot, bool defect) {
                                 {feet, kick});
   ask_for_both(robot, play, walk);
 }
+void ends_what_requests_it(Robot& robot, bool defect) {
+  const std::string seen = robot.name("Seen");
+  robot.add_state(seen, "{values: [gone, ball, out], initial: gone, external: true}");
+  const std::string search = make(robot, "{stop: {sets: [@$0 == gone]}, sets: [$0 == ball]}", {seen});
+  make_root(robot,
+            defect ? "{providers: [{name: searching, when: [$0 == gone], tasks: [$1]}, {name: resting}]}"
+                   : "{providers: [{name: searching, when: [$0 == gone], stay: [$0 == gone|ball], tasks: [$1]}, "
+                     "{name: resting}]}",
+            {seen, search});
+}
 void nobody_renews_it(Robot& robot, bool defect) {
   const std::string pose = robot.name("Pose"), camera = robot.add_part();
   robot.add_state(pose, "{values: [stale, fresh], initial: stale, expires: {@after: 1 s, to: stale}}");
@@ -122,6 +132,7 @@ constexpr Planter of_undoing[]{
     {"self_defeating_handler", "stop", stop_lets_itself_in},
     {"undone_by_stop", "its handler", stop_takes_it_back},
     {"undone_by_stop", "of the group", it_belongs_to_the_group},
+    {"undone_by_stop", "what it sets itself", ends_what_requests_it},
     {"undone_by_expiry", "nobody renews it", nobody_renews_it},
     {"undone_by_fallback", "what it needs besides", falls_back_to_another},
     {"undone_by_itself", "the task", unsettles_itself},
