@@ -24,6 +24,7 @@ struct StopValue {
   ValueSet values;
   dsl::Span span{};
   std::string what;
+  std::string without; ///< how to do without it
 };
 
 class UndoneByStop {
@@ -42,6 +43,17 @@ public:
     }
     for (const StateId state : model_.states.ids()) {
       if (model_.states[state].of) add_stopping(state, model_.states[state].of->id);
+    }
+  }
+
+  /// What a group sets, or causes, ends all requests for it.
+  void look_at_requests() {
+    for (const StateId state : model_.states.ids()) {
+      for (const GroupId group : stopping_[state]) {
+        for (const ProviderId id : model_.groups[group].providers) {
+          if (facts_.active.contains(id)) look_at_requests(group, state, id);
+        }
+      }
     }
   }
 
@@ -77,6 +89,39 @@ public:
   }
 
 private:
+  void look_at_requests(GroupId group, StateId state, ProviderId id) {
+    const Provider& row = model_.providers[id];
+    for (const std::vector<ConditionUse>* entries : {&row.causing, &row.sets}) {
+      for (const ConditionUse& entry : *entries) {
+        const Condition& set = model_.conditions[entry.id];
+        if (set.state != state) continue;
+        for (const StopValue& stop : stop_values(group, state)) {
+          const std::optional<ProviderId> ended = find_ended(group, state, set.accepts, stop.values);
+          if (ended && ends_.insert({group, state}).second) report(*ended, id, entry, entries == &row.causing, stop);
+        }
+      }
+    }
+  }
+
+  /// The first provider that requests the group and begins again with a value of its stop, if the values that the group
+  /// sets end all that request it.
+  std::optional<ProviderId> find_ended(GroupId group, StateId state, const ValueSet& set, const ValueSet& stop) const {
+    const auto accepts_any = [&](const Region& region, const ValueSet& values) {
+      const auto at = region.states.find(state);
+      return at == region.states.end() || !at->second.intersected(values).empty();
+    };
+    std::optional<ProviderId> out;
+    for (const Request& request : shared_.requests().of(group)) {
+      if (!request.requester) return std::nullopt;
+      const Provider& row = model_.providers[*request.requester];
+      const bool pushed = facts_.pushed.contains(*request.requester);
+      if (accepts_any(facts_.region_to_run(model_, *request.requester, pushed), set)) return std::nullopt;
+      if (!out && facts_.chosen.contains(*request.requester) && accepts_any(region_of(model_, row.when), stop))
+        out = *request.requester;
+    }
+    return out;
+  }
+
   /// With each pack of the task.
   std::vector<Granted> find_granted(const Wanting& wanting) const {
     std::vector<Granted> out;
@@ -176,7 +221,9 @@ private:
   bool look_at_stop(const Granted& granted, const Want& want, const Setting& causer, GroupId stopped,
                     const StopValue& stop, const std::vector<ChainStep>& chain) {
     const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, stop.values);
-    if (values.empty() || seen_.count({stop.span, want.condition.span}) != 0) return false;
+    if (values.empty() || seen_.count({stop.span, want.condition.span}) != 0 ||
+        ends_.count({stopped, model_.conditions[want.condition.id].state}) != 0)
+      return false;
     Search search{causer.provider, {}, {}};
     std::optional<Taking> how = why_stopped(granted, stopped, search);
     if (!how) return false;
@@ -206,14 +253,16 @@ private:
       for (const ConditionUse& entry : group.stop->sets) {
         if (model_.conditions[entry.id].state != state) continue;
         out.push_back({model_.conditions[entry.id].accepts, entry.span,
-                       fmt::format("the stop of {} may set {}", name_of(model_, id), name_of(model_, entry.id))});
+                       fmt::format("the stop of {} may set {}", name_of(model_, id), name_of(model_, entry.id)),
+                       fmt::format("let the stop of {} leave it as it is", name_of(model_, id))});
       }
     }
     // The handler's own value takes precedence, but it may not declare one.
     if (row.of && row.of->id == id)
       out.push_back({ValueSet::single(*row.initial), row.of->span,
                      fmt::format("{} is {} again when {} stops", name_of(model_, state), row.value_text(*row.initial),
-                                 name_of(model_, id))});
+                                 name_of(model_, id)),
+                     "leave `of` out"});
     return out;
   }
 
@@ -297,6 +346,36 @@ private:
     finding.help = stay_help(model_, want, values);
   }
 
+  void report(ProviderId ended, ProviderId setter, const ConditionUse& entry, bool promised, const StopValue& stop) {
+    const Condition& set = model_.conditions[entry.id];
+    const GroupId group = model_.providers[setter].group;
+    const std::string condition = name_of(model_, entry.id), requester = name_of(model_, ended);
+    dsl::Diagnostic& finding = findings_.add(
+        stop.span, fmt::format("{}, and it is stopped when it has {} {}, which ends {}, which requests it: the two go "
+                               "round",
+                               stop.what, promised ? "caused" : "set", condition, requester));
+    finding.notes.push_back(
+        {entry.span, fmt::format("{} {} {}", name_of(model_, setter), promised ? "causes" : "may set", condition)});
+    for (const compiler::Provider& provider : model_.providers) {
+      for (const ConditionUse& each : provider.when) {
+        const Condition& waits = model_.conditions[each.id];
+        if (waits.state == set.state && !waits.accepts.intersected(set.accepts).empty() &&
+            waits.accepts.intersected(stop.values).empty())
+          finding.rules_out.push_back(each.span);
+      }
+    }
+    const std::vector<ConditionUse>& when = model_.providers[ended].when;
+    const auto use = std::find_if(when.begin(), when.end(), [&](const ConditionUse& each) {
+      return model_.conditions[each.id].state == set.state;
+    });
+    if (use != when.end()) finding.notes.push_back(runs_only_while(model_, ended, *use));
+    if (const RequestEntry request = find_entry(model_, ended, group); request.task != nullptr)
+      finding.notes.push_back(requests(model_, ended, *request.task));
+    finding.help =
+        fmt::format("give {} a `stay` under which {} may be {}, or {}", requester, name_of(model_, set.state),
+                    values_in_words(model_.states[set.state], set.accepts), stop.without);
+  }
+
   const Model& model_;
   const Facts& facts_;
   const Shared& shared_;
@@ -304,6 +383,7 @@ private:
   Findings& findings_;
   IdTable<StateId, std::vector<GroupId>> stopping_; ///< groups whose stop may set it
   std::set<std::pair<dsl::Span, dsl::Span>> seen_;
+  std::set<std::pair<GroupId, StateId>> ends_;   ///< reported, of what such a group sets itself
   std::set<std::pair<GroupId, StateId>> beside_; ///< reported, of groups beside the two
 };
 
@@ -311,6 +391,7 @@ private:
 
 void undone_by_stop(const Input& input, Findings& findings) {
   UndoneByStop undone(input, findings);
+  undone.look_at_requests();
   for (const Wanting& wanting : input.shared.wants()) undone.look_at(wanting);
   for (const ProviderId id : input.model.providers.ids()) {
     if (input.facts.chosen.contains(id)) undone.look_at_unpushed(id);

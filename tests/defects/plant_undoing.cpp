@@ -9,7 +9,7 @@ namespace director::defects {
 
 namespace {
 
-// self_defeating_handler, undone_by_stop, undone_by_fallback, undone_by_itself, undone_in_turn
+// self_defeating_handler, undone_by_stop, undone_by_expiry, undone_by_fallback, undone_by_itself, undone_in_turn
 
 void start_shuts_itself_out(Robot& robot, bool defect) {
   const std::string grip = make_state(robot, "open", "closed");
@@ -49,6 +49,25 @@ void it_belongs_to_the_group(Robot& robot, bool defect) {
                                        : "{when: [$0 == near], stay: [$0 == near|far], packs: {shoot: {$1: {}}}}",
                                 {feet, kick});
   ask_for_both(robot, play, walk);
+}
+void ends_what_requests_it(Robot& robot, bool defect) {
+  const std::string seen = robot.name("Seen");
+  robot.add_state(seen, "{values: [gone, ball, out], initial: gone, external: true}");
+  const std::string search = make(robot, "{stop: {sets: [@$0 == gone]}, sets: [$0 == ball]}", {seen});
+  make_root(robot,
+            defect ? "{providers: [{name: searching, when: [$0 == gone], tasks: [$1]}, {name: resting}]}"
+                   : "{providers: [{name: searching, when: [$0 == gone], stay: [$0 == gone|ball], tasks: [$1]}, "
+                     "{name: resting}]}",
+            {seen, search});
+}
+void nobody_renews_it(Robot& robot, bool defect) {
+  const std::string pose = robot.name("Pose"), camera = robot.add_part();
+  robot.add_state(pose, "{values: [stale, fresh], initial: stale, expires: {@after: 1 s, to: stale}}");
+  const std::string grasp = make(robot,
+                                 defect ? "{when: [$0 == fresh], needs: [$1], tasks: [$1]}"
+                                        : "{when: [$0 == fresh], stay: [$0 == fresh|stale], needs: [$1], tasks: [$1]}",
+                                 {pose, camera});
+  ask_for_both(robot, grasp, make(robot, "{needs: [$1], causing: [$0 == fresh], tasks: [$1]}", {pose, camera}));
 }
 void falls_back_to_another(Robot& robot, bool defect) {
   const std::string base = make_state(robot, "rolling", "still"), arm = robot.add_part(), wheels = robot.add_part();
@@ -113,6 +132,8 @@ constexpr Planter of_undoing[]{
     {"self_defeating_handler", "stop", stop_lets_itself_in},
     {"undone_by_stop", "its handler", stop_takes_it_back},
     {"undone_by_stop", "of the group", it_belongs_to_the_group},
+    {"undone_by_stop", "what it sets itself", ends_what_requests_it},
+    {"undone_by_expiry", "nobody renews it", nobody_renews_it},
     {"undone_by_fallback", "what it needs besides", falls_back_to_another},
     {"undone_by_itself", "the task", unsettles_itself},
     {"undone_by_itself", "a task below", unsettled_by_a_task},

@@ -58,6 +58,20 @@ ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId con
   return out;
 }
 
+bool is_undone_when_unset(const Model& model, ProviderId provider, StateId state) {
+  const Provider& row = model.providers[provider];
+  const auto accepts_unset = [&](const Region& region) { return region.states.count(state) == 0; };
+  if (!row.stay.empty() && accepts_unset(region_of(model, row.stay))) return false;
+  Region here = region_of(model, row.when);
+  here.states.erase(state);
+  std::vector<Region> others;
+  for (const ProviderId id : model.groups[row.group].providers) {
+    Region region = region_of(model, model.providers[id].when);
+    if (id != provider && accepts_unset(region) && compatible(here, region)) others.push_back(std::move(region));
+  }
+  return !cover(model, here, others);
+}
+
 std::string stay_help(const Model& model, const Want& want, const ValueSet& values) {
   const StateId state = model.conditions[want.condition.id].state;
   return fmt::format("give {} a `stay` under which {} may be {}", name_of(model, want.waiter), name_of(model, state),

@@ -11,6 +11,9 @@ namespace director::analysis {
 /// say.
 ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId condition, const ValueSet& values);
 
+/// The same for a state that becomes unset: whether the provider cannot continue then.
+bool is_undone_when_unset(const Model& model, ProviderId provider, StateId state);
+
 /// Help for a wanted condition that these values make false again.
 std::string stay_help(const Model& model, const Want& want, const ValueSet& values);
 

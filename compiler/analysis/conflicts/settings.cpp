@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace director::analysis {
 
@@ -43,16 +44,20 @@ bool Settings::never_runs(ProviderId id) const {
 }
 
 std::optional<Setting> Settings::find_setting(ProviderId waiter, const ConditionUse& use, GroupId group,
-                                              const ValueSet& values) const {
+                                              const std::optional<ValueSet>& values) const {
   const StateId state = model_.conditions[use.id].state;
-  const ValueSet undoing = values.without(model_.conditions[use.id].accepts);
-  if (undoing.empty()) return std::nullopt;
   Region here = region_of(model_, model_.providers[waiter].when);
-  here.states.insert_or_assign(state, undoing);
+  here.states.erase(state);
+  if (values) {
+    ValueSet undoing = values->without(model_.conditions[use.id].accepts);
+    if (undoing.empty()) return std::nullopt;
+    here.states.emplace(state, std::move(undoing));
+  }
   for (const ProviderId id : model_.groups[group].providers) {
     const Provider& row = model_.providers[id];
     const Region own = region_of(model_, row.when);
     if (!facts_.chosen.contains(id) || never_runs(id) || !compatible(here, own)) continue;
+    if (!values && own.states.count(state) != 0) continue;
     for (const ConditionUse& entry : row.sets) {
       if (model_.satisfies(entry.id, use.id))
         return Setting{id, {entry.span, fmt::format("{} may set {}", name_of(model_, id), name_of(model_, entry.id))}};

@@ -33,9 +33,9 @@ public:
   /// Whether all that request the group need what the waiting provider needs.
   bool is_kept_off(ProviderId waiter, GroupId group) const;
   /// The first provider that the group chooses when the state has one of these values, with which the condition is
-  /// false, if that makes it true again.
+  /// false, or without `values` is unset, if that makes it true again.
   std::optional<Setting> find_setting(ProviderId waiter, const ConditionUse& use, GroupId group,
-                                      const ValueSet& values) const;
+                                      const std::optional<ValueSet>& values) const;
 
 private:
   /// Otherwise what its unit lacks may be something else.

@@ -41,6 +41,7 @@ const std::map<std::string, Kinds> by_check{
     {"uncovered_state", {"provider_removed"}},
     {"undeclared_need", {"needs_removed"}},
     {"undeclared_state_write", {}},
+    {"undone_by_expiry", {"condition_tightened"}},
     {"undone_by_fallback", {"needs_added"}},
     {"undone_by_itself", {"condition_tightened"}},
     {"undone_by_stop", {"condition_tightened"}},

@@ -1,0 +1,220 @@
+// Header: compiler/checks/check.hpp. Test: compiler/checks/undone_by_expiry.md.
+// SPDX-License-Identifier: MIT
+#include "compiler/analysis/causing/undoing.hpp"
+#include "compiler/analysis/clashes/granted.hpp"
+#include "compiler/analysis/conflicts/settings.hpp"
+#include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/states/region.hpp"
+#include "compiler/analysis/states/sources.hpp"
+#include "compiler/analysis/words/notes.hpp"
+#include "compiler/analysis/words/words.hpp"
+#include "compiler/checks/check.hpp"
+#include "dsl/lexical/duration.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace director::checks {
+
+namespace {
+
+class UndoneByExpiry {
+public:
+  UndoneByExpiry(const Input& input, Findings& findings)
+      : model_(input.model),
+        facts_(input.facts),
+        shared_(input.shared),
+        settings_(input),
+        findings_(findings),
+        sources_(find_sources(input.model)) {}
+
+  /// What is caused by a push.
+  void look_at(const Wanting& wanting) {
+    if (std::none_of(wanting.wants.begin(), wanting.wants.end(), [&](const Want& want) { return ends(want); })) return;
+    for (Granted& any : granted_with(model_, shared_, wanting.task)) {
+      for (const Granted& granted : with_each_pack(model_, facts_, shared_, std::move(any), wanting.provider)) {
+        for (const Want& want : wanting.wants) look_at(granted, wanting.provider, want);
+      }
+    }
+  }
+
+  /// What a group that goes after the task sets without a push.
+  void look_at_unpushed(ProviderId waiter) {
+    const GroupId task = model_.providers[waiter].group;
+    std::optional<Granted> granted;
+    for (const ConditionUse& use : model_.providers[waiter].when) {
+      const Want want{waiter, use, {}};
+      if (!ends(want)) continue;
+      if (!settings_.may_undo(waiter)) return;
+      for (const Source& source : sources_[state_of(want)]) {
+        if (source.kind != Source::Kind::sets || !facts_.chosen.contains(*source.provider)) continue;
+        const GroupId group = model_.providers[*source.provider].group;
+        if (group == task || settings_.is_kept_off(waiter, group)) continue;
+        const std::optional<Setting> setting = settings_.find_setting(waiter, use, group, expired(want));
+        if (!setting || setting->provider != *source.provider) continue;
+        if (!granted) granted.emplace(granted_alone(model_, shared_, task));
+        look_at_setting(*granted, active_region(model_, model_.providers[waiter]), want, *setting);
+      }
+    }
+  }
+
+private:
+  StateId state_of(const Want& want) const { return model_.conditions[want.condition.id].state; }
+
+  /// What the state becomes; nothing: unset.
+  std::optional<ValueSet> expired(const Want& want) const {
+    const auto& to = model_.states[state_of(want)].expires->to;
+    return to ? std::optional(ValueSet::single(*to)) : std::nullopt;
+  }
+
+  /// Whether the waiting provider cannot continue when the state expires. An external one may be set at any time.
+  bool ends(const Want& want) const {
+    const State& row = model_.states[state_of(want)];
+    if (!row.expires || row.external) return false;
+    const std::optional<ValueSet> values = expired(want);
+    return values ? !undoing_values(model_, want.waiter, want.condition.id, *values).empty()
+                  : is_undone_when_unset(model_, want.waiter, state_of(want));
+  }
+
+  void look_at(const Granted& granted, ProviderId provider, const Want& want) {
+    if (!ends(want)) return;
+    Region here = active_region(model_, model_.providers[want.waiter]);
+    if (provider != want.waiter) here.meet(active_region(model_, model_.providers[provider]));
+    for (const ProviderId causer : want.causers) {
+      if (is_requested_beside(shared_, granted, model_.providers[causer].group))
+        look_at_setting(granted, here, want, {causer, causes(model_, causer, want.condition.id)});
+    }
+  }
+
+  /// `here`: where the waiting provider runs.
+  void look_at_setting(const Granted& granted, const Region& here, const Want& want, const Setting& setting) {
+    const GroupId group = model_.providers[setting.provider].group;
+    if (seen_.count({state_of(want), want.condition.span}) != 0 || !loses(granted.takings, setting.provider) ||
+        !may_begin_again(setting.provider, want) || !compatible(here, region_of_run(setting.provider)) ||
+        !shared_.chains().may_beat(granted.task, group) || is_undone_at_once(granted.takings, want, setting.provider))
+      return;
+    const std::vector<Source>& sources = sources_[state_of(want)];
+    if (std::none_of(sources.begin(), sources.end(),
+                     [&](const Source& source) { return may_renew(granted, here, want, source); }))
+      report(granted, want, setting);
+  }
+
+  /// Whether it may be chosen or pushed when the state has expired.
+  bool may_begin_again(ProviderId id, const Want& want) const {
+    const Region begins = region_of(model_, model_.providers[id].when);
+    const auto at = begins.states.find(state_of(want));
+    const std::optional<ValueSet> values = expired(want);
+    return at == begins.states.end() || (values && values->subset_of(at->second));
+  }
+
+  Region region_of_run(ProviderId id) const { return facts_.region_to_run(model_, id, facts_.pushed.contains(id)); }
+
+  bool loses(const Takings& takings, ProviderId id) const {
+    return takings.takes(model_.providers[id].group) || takings.need_taken(id) != nullptr;
+  }
+
+  /// Whether it may give the state a value that is waited for while the task runs.
+  bool may_renew(const Granted& granted, const Region& here, const Want& want, const Source& source) const {
+    if (source.values.intersected(model_.conditions[want.condition.id].accepts).empty()) return false;
+    if (source.group) return facts_.requested.contains(*source.group);
+    if (!source.provider || !facts_.active.contains(*source.provider)) return false;
+    const GroupId group = model_.providers[*source.provider].group;
+    if (!compatible(here, region_of_run(*source.provider))) return false;
+    return runs_below(granted.task, group) || runs_below(granted.waits, group) ||
+           !loses(granted.takings, *source.provider) || !shared_.chains().may_beat(granted.task, group);
+  }
+
+  /// With any pack.
+  bool runs_below(GroupId task, GroupId group) const {
+    const Claims& claims = shared_.claims(task);
+    return task == group || (claims.contains(group) && RunsBelow(shared_.branches(), claims, task).contains(group));
+  }
+
+  /// Whether the state is set back before it expires: by the stop of the causing group, or by what runs instead of the
+  /// provider. undone_by_stop and undone_by_fallback report that.
+  bool is_undone_at_once(const Takings& takings, const Want& want, ProviderId causer) const {
+    const GroupId id = model_.providers[causer].group;
+    const Group& group = model_.groups[id];
+    const auto undoes = [&](const ValueSet& values) {
+      return !undoing_values(model_, want.waiter, want.condition.id, values).empty();
+    };
+    const auto stops = [&](ProviderId each) { return !facts_.active.contains(each) || loses(takings, each); };
+    if (std::all_of(group.providers.begin(), group.providers.end(), stops)) {
+      const State& state = model_.states[state_of(want)];
+      if (state.of && state.of->id == id && undoes(ValueSet::single(*state.initial))) return true;
+      return group.stop && std::any_of(group.stop->sets.begin(), group.stop->sets.end(), [&](const ConditionUse& use) {
+               return model_.conditions[use.id].state == state_of(want) && undoes(model_.conditions[use.id].accepts);
+             });
+    }
+    const Region here = region_of(model_, model_.providers[want.waiter].when);
+    for (const ProviderId each : group.providers) {
+      const Region own = region_of(model_, model_.providers[each].when);
+      if (stops(each) || !compatible(here, own)) continue;
+      if (undoes(values_set_by(model_, model_.providers[each], state_of(want)))) return true;
+      if (contains(own, here)) return false;
+    }
+    return false;
+  }
+
+  void report(const Granted& granted, const Want& want, const Setting& setting) {
+    const StateId state = state_of(want);
+    seen_.insert({state, want.condition.span});
+    const State::Expires& expires = *model_.states[state].expires;
+    const GroupId group = model_.providers[setting.provider].group;
+    const std::string causing = name_of(model_, setting.provider), waiter = name_of(model_, want.waiter);
+    Taking how = granted.takings.takes(group) ? granted.takings.way_to({group, {}}) : Taking{};
+    std::string lost = "stops";
+    if (const Use<GroupId>* need = granted.takings.need_taken(setting.provider); how.notes.empty() && need != nullptr) {
+      std::vector<std::string> names;
+      for (const Use<GroupId>* each : granted.takings.needs_taken(setting.provider))
+        names.push_back(name_of(model_, each->id));
+      lost = fmt::format("loses {}", list_of(names));
+      how = granted.takings.way_to(*need);
+      how.notes.insert(how.notes.begin(), {need->span, fmt::format("{} needs {}", causing, name_of(model_, need->id))});
+    }
+    dsl::Diagnostic& finding = findings_.add(
+        expires.span,
+        fmt::format("{} expires after {}, and {}, which could renew it, {} when {}, which waits for {}: the two go "
+                    "round",
+                    name_of(model_, state), dsl::time_text(expires.after), causing, lost, is_granted(model_, granted),
+                    name_of(model_, want.condition.id)));
+    finding.notes.push_back(runs_only_while(model_, want.waiter, want.condition));
+    finding.notes.push_back(setting.note);
+    for (dsl::Note& note : how.notes) finding.notes.push_back(std::move(note));
+    const std::string stay =
+        expires.to ? stay_help(model_, want, ValueSet::single(*expires.to))
+                   : fmt::format("let {} expire to a value, `expires: {{after: ..., to: ...}}`, and give {} a `stay` "
+                                 "under which it may be that",
+                                 name_of(model_, state), waiter);
+    finding.help = fmt::format("{}; or let {} renew it while it runs", stay, waiter);
+  }
+
+  const Model& model_;
+  const Facts& facts_;
+  const Shared& shared_;
+  const Settings settings_;
+  Findings& findings_;
+  const IdTable<StateId, std::vector<Source>> sources_;
+  std::set<std::pair<StateId, dsl::Span>> seen_; ///< with the condition that is waited for
+};
+
+} // namespace
+
+void undone_by_expiry(const Input& input, Findings& findings) {
+  if (std::none_of(input.model.states.begin(), input.model.states.end(),
+                   [](const State& state) { return state.expires && !state.external; }))
+    return;
+  UndoneByExpiry undone(input, findings);
+  for (const Wanting& wanting : input.shared.wants()) undone.look_at(wanting);
+  for (const ProviderId id : input.model.providers.ids()) {
+    if (input.facts.chosen.contains(id)) undone.look_at_unpushed(id);
+  }
+}
+
+} // namespace director::checks
