@@ -6,6 +6,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace director::compiler {
 
@@ -68,16 +72,31 @@ void declare_group(Resolver& r, const dsl::BehaviourSpec& file, const dsl::Group
 /// Declares `extern` names without a group as groups without providers, so that they can be resolved.
 void declare_extern(Resolver& r, const dsl::BehaviourSpec& file, const Word& name) {
   const auto at = r.groups.find(name.value);
+  bool can_be_provided = true;
   if (at == r.groups.end()) {
+    can_be_provided = check_name(r, "group", name) && claim_cpp_name(r, "group", name);
     GroupSource source;
     source.file = &file;
     add_group(r, name, std::move(source));
   }
   const GroupId group = r.groups.find(name.value)->second;
   r.model.externs.push_back({group, name.span});
-  if (!r.model.deployment || r.group_sources[group].spec) return;
+  if (!r.model.deployment || r.group_sources[group].spec || !can_be_provided) return;
   r.error("unprovided_task", name.span, fmt::format("nothing provides `{}`", name.value),
           fmt::format("import a file that declares a group `{}`", name.value));
+}
+
+void declare_externs(Resolver& r, const dsl::BehaviourSpec& file) {
+  std::map<std::string_view, Span> listed;
+  for (const Word& name : file.externs) {
+    const auto [first, is_new] = listed.emplace(name.value, name.span);
+    if (is_new) {
+      declare_extern(r, file, name);
+      continue;
+    }
+    r.error("redefined_name", name.span, fmt::format("`{}` is listed twice", name.value), "leave one of them out")
+        .notes.push_back({first->second, "listed first here"});
+  }
 }
 
 /// The provider of that name that another file adds to the group.
@@ -128,9 +147,7 @@ void declare_groups(Resolver& r) {
   for (const dsl::BehaviourSpec& file : r.spec.files) {
     for (const dsl::GroupSpec& spec : file.groups) declare_group(r, file, spec);
   }
-  for (const dsl::BehaviourSpec& file : r.spec.files) {
-    for (const Word& name : file.externs) declare_extern(r, file, name);
-  }
+  for (const dsl::BehaviourSpec& file : r.spec.files) declare_externs(r, file);
   for (const dsl::BehaviourSpec& file : r.spec.files) {
     for (const dsl::ExtendSpec& spec : file.extend) extend(r, spec);
   }
