@@ -27,7 +27,7 @@ void add_group(Resolver& r, Word name, GroupSource source) {
 void add_providers(Resolver& r, const Word& group, GroupSource& source, const std::vector<dsl::ProviderSpec>& specs,
                    std::size_t place) {
   for (const dsl::ProviderSpec& spec : specs) {
-    if (!spec.direct) check_name(r, "provider", spec.name);
+    const bool is_good = spec.direct || check_name(r, "provider", spec.name);
     const std::string name = capitalised(spec.name.value);
     if (!spec.direct && name == capitalised(group.value)) { // a direct provider has no name of its own
       r.error("redefined_name", spec.name.span,
@@ -43,6 +43,8 @@ void add_providers(Resolver& r, const Word& group, GroupSource& source, const st
       source.providers.insert(source.providers.begin() + static_cast<std::ptrdiff_t>(place++), &spec);
       continue;
     }
+    source.forgotten.push_back(&spec);
+    if (!is_good) continue; // such as `default`, beside the provider of a group without `providers`
     const Word& other = (*first)->name;
     const std::string message =
         other.value == spec.name.value
@@ -51,7 +53,6 @@ void add_providers(Resolver& r, const Word& group, GroupSource& source, const st
                           spec.name.value, group.value, name);
     r.error("redefined_name", spec.name.span, message, "give one of them another name, or leave it out")
         .notes.push_back({other.span, "declared first here"});
-    source.forgotten.push_back(&spec);
   }
 }
 

@@ -34,6 +34,11 @@ TEST_CASE("providers that lack their names are not declared twice") {
         "main.yaml:5: a provider needs `name` [missing_key]\n");
 }
 
+TEST_CASE("a reserved name of a provider is not called declared twice too") {
+  CHECK(findings("roots: [A]\ngroups: {A: {}}\nextend: {A: {providers: [{name: default}]}}\n") ==
+        "main.yaml:5: a provider cannot be called `default`: that is a keyword of C++ [reserved_name]\n");
+}
+
 TEST_CASE("a task that is listed twice") {
   CHECK(findings("roots: [Walk]\ngroups:\n  Walk: {tasks: [Legs, Legs]}\n  Legs: {}\n") ==
         "main.yaml:5: `Legs` is listed twice [redefined_name]\n");
