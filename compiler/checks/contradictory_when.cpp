@@ -6,6 +6,11 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
 namespace director::checks {
 
 namespace {
@@ -37,12 +42,25 @@ Contradiction find_contradiction(const Model& model, const Impossible& fault) {
   return clash;
 }
 
+/// Whether this unordered value is where the comparison would include it.
+bool seems_to_accept(const Condition& condition, std::int64_t value) {
+  using Op = Condition::Op;
+  if (condition.op == Op::less || condition.op == Op::less_equal) return value < condition.operands[0];
+  return (condition.op == Op::greater || condition.op == Op::greater_equal) && value > condition.operands[0];
+}
+
 dsl::Diagnostic& report_empty(const Model& model, const ConditionUse& use, Findings& findings) {
   const StateId id = model.conditions[use.id].state;
   const State& state = model.states[id];
   dsl::Diagnostic& finding =
       findings.add(use.span, fmt::format("no value of {} satisfies {}", name_of(model, id), name_of(model, use.id)));
   finding.notes.push_back({state.name.span, fmt::format("its values are {}", values_in_words(state, state.domain()))});
+  for (const std::int64_t value : state.unordered) {
+    if (seems_to_accept(model.conditions[use.id], value))
+      finding.notes.push_back(
+          {state.value_spans[static_cast<std::size_t>(value)],
+           fmt::format("`{}` is `unordered`: it satisfies no ordered comparison", state.value_text(value))});
+  }
   finding.help = "correct the value, or leave the condition out";
   return finding;
 }

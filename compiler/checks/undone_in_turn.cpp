@@ -24,13 +24,15 @@ namespace director::checks {
 
 namespace {
 
-/// A task whose provider waits for a condition by itself, and a state that the provider sets, or what it pushes.
+/// A task whose provider waits for a condition by itself, and a state that the provider sets, its start, or what it
+/// pushes.
 struct Undoer {
   GroupId task{};
   const Want* want = nullptr;
   const ConditionUse* entry = nullptr;
   std::optional<ProviderId> pushed; ///< this one sets it
   bool promised = false;            ///< ... by causing it
+  bool at_start = false;            ///< the start of the task sets it
 };
 
 /// Pairs of tasks are considered up to this many.
@@ -63,7 +65,10 @@ private:
   using Undoers = std::map<std::pair<ConditionId, ConditionId>, std::vector<Undoer>>;
 
   void add(GroupId task, const Want& want) {
-    for (const ConditionUse& entry : model_.providers[want.waiter].sets) add({task, &want, &entry, {}, false});
+    for (const ConditionUse& entry : model_.providers[want.waiter].sets) add({task, &want, &entry, {}});
+    if (const std::optional<Handler>& start = model_.groups[task].start) {
+      for (const ConditionUse& entry : start->sets) add({task, &want, &entry, {}, false, true});
+    }
     std::set<ConditionId> known; // of several that set the same the first is enough
     for (const ProviderId causer : want.causers) {
       const Provider& row = model_.providers[causer];
@@ -194,6 +199,8 @@ private:
 
   /// "`Pick` may set `Arm == out`"
   std::string set_by(const Undoer& one) const {
+    if (one.at_start)
+      return fmt::format("the start of {} may set {}", name_of(model_, one.task), name_of(model_, one.entry->id));
     const std::string waiter = name_of(model_, one.want->waiter);
     return fmt::format("{} may {} {}",
                        one.pushed ? fmt::format("{}, pushed for {},", name_of(model_, *one.pushed), waiter) : waiter,

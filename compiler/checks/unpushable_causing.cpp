@@ -171,8 +171,8 @@ std::string propose(const Model& model, ProviderId causer, const Obstacles& obst
     return fmt::format("leave out either the other ways of those that wait for it, or {} and what waits for it",
                        name_of(model, causer));
   if (obstacles.all.empty())
-    return fmt::format("request the two side by side{}: a task pushes nothing below itself, nothing above, and nothing "
-                       "that is never requested with it",
+    return fmt::format("request the two side by side, what waits with the higher priority and, in a pack, `apart`{}: a "
+                       "task pushes nothing below itself, nothing above, and nothing that is never requested with it",
                        obstacles.none_waits ? ", and let those that wait for it have no other way" : "");
   const Obstacle& obstacle = obstacles.all.front();
   const std::string rank = propose_rank(model, obstacle);

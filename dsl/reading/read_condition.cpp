@@ -147,8 +147,14 @@ private:
     if (!fault_) fault_ = Fault{span(place), std::move(message), std::move(help)};
   }
 
-  static std::string op_help(std::string_view found) {
-    if (found == "within") return "say which value it promises: `Phase == ready within 2 s`";
+  std::string op_help(std::string_view found) const {
+    if (found == "within") {
+      switch (use_) {
+      case ConditionUse::causing: return "say which value it promises: `Phase == ready within 2 s`";
+      case ConditionUse::sets: return "leave out `within`: it belongs to a promise, in `causing`";
+      case ConditionUse::comparison: return "a condition compares a state with a value: `Phase == ready`";
+      }
+    }
     return found == "." ? "a condition compares a state with a value: `Phase == ready`" : habit_help(found);
   }
 

@@ -56,7 +56,7 @@ LimitsSpec read_limits(Reader& reader, const YamlNode* node) {
 
 /// `beats: {FallRecovery: Striker}`.
 std::vector<Word> read_pair(Reader& reader, const YamlNode& node) {
-  if (!reader.is_mapping(&node, "beats", "a mapping such as {Winner: Loser}")) return {};
+  if (!reader.is_mapping(&node, "beats", "a mapping such as {Winner: Loser}", "", "")) return {};
   if (node.pairs.size() != 1) {
     reader.error("wrong_node_kind", node.span,
                  fmt::format("`beats`: expected one pair {{Winner: Loser}}, found {}", node.pairs.size()),
@@ -71,7 +71,7 @@ std::vector<Word> read_pair(Reader& reader, const YamlNode& node) {
 std::vector<Word> read_from_to(Reader& reader, const YamlNode& node, Span key) {
   static const Keys keys{"from", "to"};
   std::vector<Word> groups;
-  if (!reader.is_mapping(&node, "soft", "a mapping {from: A, to: B}")) return groups;
+  if (!reader.is_mapping(&node, "soft", "a mapping {from: A, to: B}", "", "")) return groups;
   reader.know_keys(node, "`soft`", keys);
   for (const std::string& end : keys)
     if (auto group = reader.word(reader.require(node, end, "`soft`", key, "soft: {from: Walk, to: Kick}"), end,
@@ -81,11 +81,11 @@ std::vector<Word> read_from_to(Reader& reader, const YamlNode& node, Span key) {
 }
 
 std::vector<Word> read_together(Reader& reader, const YamlNode& node) {
-  std::vector<Word> groups = reader.words(&node, "never_together", "the name of a group");
+  constexpr const char* help = "for example `never_together: [Walk, GetUp]`";
+  std::vector<Word> groups = reader.words(&node, "never_together", "the name of a group", help);
   if (node.kind == YamlNode::Kind::list && node.items.size() < 2) {
     reader.error("wrong_node_kind", node.span,
-                 fmt::format("`never_together`: expected two groups or more, found {}", node.items.size()),
-                 "for example `never_together: [Walk, GetUp]`");
+                 fmt::format("`never_together`: expected two groups or more, found {}", node.items.size()), help);
     return {};
   }
   return groups;
@@ -94,7 +94,7 @@ std::vector<Word> read_together(Reader& reader, const YamlNode& node) {
 std::optional<AssertionSpec> read_assertion(Reader& reader, const YamlNode& node) {
   using Kind = AssertionSpec::Kind;
   static const Keys kinds{"never_together", "beats", "can_run", "soft"}; // in the order of Kind
-  if (!reader.is_mapping(&node, "assertions", "a mapping such as {can_run: Kick}")) return std::nullopt;
+  if (!reader.is_mapping(&node, "assertions", "a mapping such as {can_run: Kick}", "", "")) return std::nullopt;
   reader.know_keys(node, "an assertion", kinds, slips_of_assertion());
   for (std::size_t i = 0; i < kinds.size(); ++i)
     for (std::size_t j = i + 1; j < kinds.size(); ++j)

@@ -77,11 +77,13 @@ std::string help_for_providers(const YamlNode* node) {
 
 std::vector<ProviderSpec> read_providers(Reader& reader, const YamlNode* node) {
   std::vector<ProviderSpec> out;
-  if (!reader.is_list(node, "providers", "a list of providers", help_for_providers(node))) return out;
+  if (!reader.is_list(node, "providers", "a list of providers", help_for_providers(node),
+                      "for example `[{name: walking}, {name: standing}]`"))
+    return out;
   for (const YamlNode& item : node->items) {
     const std::string word = item.kind == YamlNode::Kind::scalar ? item.text : "";
     if (!reader.is_mapping(&item, "providers", "a mapping such as {name: walking}",
-                           word.empty() ? "" : fmt::format("write `{{name: {}}}`", word)))
+                           word.empty() ? "" : fmt::format("write `{{name: {}}}`", word), ""))
       continue;
     if (const YamlPair* pair = named_by_its_key(item)) {
       reader.error("missing_key", pair->key.span, "a provider needs `name`",
@@ -219,7 +221,8 @@ ExtendSpec read_extend(Reader& reader, const YamlPair& pair) {
   ExtendSpec extend;
   extend.span = pair.span;
   extend.group = reader.name(pair);
-  if (!reader.is_mapping(&pair.value, pair.key.value)) return extend;
+  if (!reader.is_mapping(&pair.value, pair.key.value, "a mapping", "", "for example `{providers: [{name: quickly}]}`"))
+    return extend;
   const std::string thing = fmt::format("extend of `{}`", pair.key.value);
   reader.know_keys(pair.value, thing, keys);
   extend.before = reader.word(pair.value.find("before"), "before", "the name of a provider");

@@ -111,7 +111,7 @@ std::vector<InputSpec> read_inputs(Reader& reader, const YamlNode* node) {
   std::vector<InputSpec> out;
   if (!reader.is_list(node, "inputs", "a list of inputs")) return out;
   for (const YamlNode& item : node->items) {
-    if (!reader.is_mapping(&item, "inputs", "a mapping such as {request: Walk}")) continue;
+    if (!reader.is_mapping(&item, "inputs", "a mapping such as {request: Walk}", "", "")) continue;
     reader.know_keys(item, "an input", input_words());
     if (const auto word = only_word(reader, item, "an input", input_words(), input_words()))
       out.push_back(read_input(reader, item, *word));
@@ -174,7 +174,7 @@ void read_top(Reader& reader, const YamlNode& root, const std::string& path, Fil
     return is_name && !item.text.empty() ? fmt::format("to request it, write `request: {}`", item.text) : "";
   };
   for (const YamlNode& item : steps->items)
-    if (reader.is_mapping(&item, "steps", "a mapping such as {request: Walk}", help(item)))
+    if (reader.is_mapping(&item, "steps", "a mapping such as {request: Walk}", help(item), ""))
       out.steps.push_back(read_step(reader, item));
 }
 

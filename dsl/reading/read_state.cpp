@@ -15,7 +15,7 @@ namespace {
 std::optional<RangeSpec> read_range(Reader& reader, const YamlNode* node) {
   constexpr std::string_view expected = "a list of the lowest and the highest number";
   constexpr const char* help = "for example `[0, 100]`";
-  if (!reader.is_list(node, "range", expected, help)) return std::nullopt;
+  if (!reader.is_list(node, "range", expected, help, help)) return std::nullopt;
   if (node->items.size() != 2) {
     reader.error("wrong_node_kind", node->span,
                  fmt::format("`range`: expected {}, found a list of {}", expected, node->items.size()), help);
@@ -87,7 +87,9 @@ StateSpec read_state(Reader& reader, const YamlPair& pair) {
   state.name = reader.name(pair);
   state.external.span = pair.key.span;
   const YamlNode& mapping = pair.value;
-  if (!reader.is_mapping(&mapping, pair.key.value, "a mapping", help_for_short_state(pair))) return state;
+  if (!reader.is_mapping(&mapping, pair.key.value, "a mapping", help_for_short_state(pair),
+                         "for example `{values: [low, high]}`, or `{range: [0, 100]}`"))
+    return state;
   const std::string thing = fmt::format("state `{}`", pair.key.value);
   const YamlNode* value = mapping.find("value");
   const bool is_initial = mapping.find("values") || mapping.find("range") || mapping.find("type") ||
@@ -109,10 +111,10 @@ StateSpec read_state(Reader& reader, const YamlPair& pair) {
                  "give it the value to which it returns when the group stops");
   state.type = read_type(reader, mapping);
   if (const YamlNode* values = mapping.find("values")) {
-    state.values = reader.words(values, "values", "the name of a value");
+    constexpr const char* help = "for example `[low, high]`";
+    state.values = reader.words(values, "values", "the name of a value", help);
     if (values->kind == YamlNode::Kind::list && values->items.empty())
-      reader.error("wrong_node_kind", values->span, "`values`: expected at least one value, found an empty list",
-                   "for example `[low, high]`");
+      reader.error("wrong_node_kind", values->span, "`values`: expected at least one value, found an empty list", help);
   }
   state.unordered = reader.words(mapping.find("unordered"), "unordered", "the name of a value");
   state.range = read_range(reader, mapping.find("range"));

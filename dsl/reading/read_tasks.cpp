@@ -44,11 +44,12 @@ std::string help_for_short_task(const YamlPair& pair) {
   return fmt::format("a priority is a whole number: `{}: {{priority: 10}}`", name);
 }
 
+constexpr const char* example_of_levels = "for example `{normal: {priority: 10}}`";
+
 bool names_a_level(Reader& reader, const YamlNode& mapping, std::string_view subject) {
   if (mapping.pairs.empty())
     reader.error("wrong_node_kind", mapping.span, fmt::format("`{}`: expected at least one level, found none", subject),
-                 subject == "levels" ? "for example `{normal: {priority: 10}}`"
-                                     : "for example `{normal: 10, urgent: 80}`");
+                 subject == "levels" ? example_of_levels : "for example `{normal: 10, urgent: 80}`");
   return !mapping.pairs.empty();
 }
 
@@ -96,7 +97,8 @@ void read_entry(Reader& reader, const YamlNode& mapping, TaskSpec& task) {
     read_priority(reader, priority, level);
   }
   if (const YamlNode* levels = mapping.find("levels"))
-    if (reader.is_mapping(levels, "levels") && names_a_level(reader, *levels, "levels"))
+    if (reader.is_mapping(levels, "levels", "a mapping", "", example_of_levels) &&
+        names_a_level(reader, *levels, "levels"))
       task.levels = read_levels(reader, *levels);
   task.doc = reader.text(mapping.find("doc"), "doc");
   task.allow = read_allow(reader, mapping);
@@ -151,7 +153,8 @@ std::optional<std::vector<TaskSpec>> read_tasks(Reader& reader, const YamlNode* 
 std::optional<std::vector<PackSpec>> read_packs(Reader& reader, const YamlNode* node) {
   const bool list = node && node->kind == YamlNode::Kind::list;
   if (!reader.is_mapping(node, "packs", "a mapping of names to tasks",
-                         list ? "give each pack a name: `packs: {attack: [Kick, Walk]}`" : ""))
+                         list ? "give each pack a name: `packs: {attack: [Kick, Walk]}`" : "",
+                         "for example `{attack: [Kick, Walk]}`; or leave `packs` out"))
     return std::nullopt;
   if (node->pairs.empty())
     reader.error("missing_key", node->span, "`packs` needs a pack",

@@ -113,10 +113,11 @@ void Reader::unexpected(const YamlNode& node, std::string_view subject, std::str
         std::move(help));
 }
 
-bool Reader::is_mapping(const YamlNode* node, std::string_view subject, std::string_view expected, std::string help) {
+bool Reader::is_mapping(const YamlNode* node, std::string_view subject, std::string_view expected, std::string help,
+                        std::string for_nothing) {
   if (!node) return false;
   const bool good = node->kind == YamlNode::Kind::mapping;
-  if (node->kind == YamlNode::Kind::null) help = "an empty one is `{}`";
+  if (node->kind == YamlNode::Kind::null) help = std::move(for_nothing);
   const std::size_t blank = node->text.find(' ');
   if (help.empty() && node->kind == YamlNode::Kind::scalar && !node->quoted() && blank != std::string::npos)
     help = fmt::format("if `{0}` is a key, write `{0}:`", node->text.substr(0, blank));
@@ -124,10 +125,11 @@ bool Reader::is_mapping(const YamlNode* node, std::string_view subject, std::str
   return good;
 }
 
-bool Reader::is_list(const YamlNode* node, std::string_view subject, std::string_view expected, std::string help) {
+bool Reader::is_list(const YamlNode* node, std::string_view subject, std::string_view expected, std::string help,
+                     std::string for_nothing) {
   if (!node) return false;
   const bool good = node->kind == YamlNode::Kind::list;
-  if (node->kind == YamlNode::Kind::null) help = "an empty one is `[]`";
+  if (node->kind == YamlNode::Kind::null) help = std::move(for_nothing);
   if (const auto entry = behind_bare_dash(*node))
     help = fmt::format("an entry of a list needs a blank behind its dash: `- {}`", *entry);
   if (help.empty() && node->kind == YamlNode::Kind::scalar && !node->text.empty())
@@ -226,7 +228,8 @@ std::optional<Word> Reader::word(const YamlNode* node, std::string_view subject,
   return word;
 }
 
-std::vector<Word> Reader::words(const YamlNode* node, std::string_view subject, std::string_view expected) {
+std::vector<Word> Reader::words(const YamlNode* node, std::string_view subject, std::string_view expected,
+                                std::string for_nothing) {
   std::vector<Word> out;
   std::vector<std::string_view> keys; // of a mapping that stands there instead
   if (node)
@@ -234,7 +237,9 @@ std::vector<Word> Reader::words(const YamlNode* node, std::string_view subject, 
   // Also for a list in the spelling of another tool, `open|shut`.
   if (node && node->kind == YamlNode::Kind::scalar) keys = parts_of(node->text);
   const bool named = !keys.empty() && keys.size() <= most_quoted_words;
-  if (!is_list(node, subject, "a list", named ? fmt::format("write `[{}]`", fmt::join(keys, ", ")) : "")) return out;
+  if (!is_list(node, subject, "a list", named ? fmt::format("write `[{}]`", fmt::join(keys, ", ")) : "",
+               std::move(for_nothing)))
+    return out;
   for (const YamlNode& item : node->items)
     if (auto one = word(&item, subject, expected)) out.push_back(std::move(*one));
   return out;

@@ -41,11 +41,12 @@ public:
   void unexpected(const YamlNode& node, std::string_view subject, std::string_view expected, std::string help = "");
 
   /// False, and reported, unless the node is there and has this kind. `help`: what to write instead; by default a help
-  /// for its kind.
+  /// for its kind. `for_nothing`: likewise, where nothing is there; of what cannot be empty an example, or "" if
+  /// `expected` has one.
   bool is_mapping(const YamlNode* node, std::string_view subject, std::string_view expected = "a mapping",
-                  std::string help = "");
+                  std::string help = "", std::string for_nothing = "an empty one is `{}`");
   bool is_list(const YamlNode* node, std::string_view subject, std::string_view expected = "a list",
-               std::string help = "");
+               std::string help = "", std::string for_nothing = "an empty one is `[]`");
   bool is_scalar(const YamlNode* node, std::string_view subject, std::string_view expected);
 
   /// Reports unknown_key for every other key of the mapping. `thing`: "a group", "provider `walking`". Call it before
@@ -67,8 +68,9 @@ public:
 
   /// A name or a value: any scalar. Warns of words that YAML 1.1 reads as booleans.
   std::optional<Word> word(const YamlNode* node, std::string_view subject, std::string_view expected);
-  /// A list of them.
-  std::vector<Word> words(const YamlNode* node, std::string_view subject, std::string_view expected);
+  /// A list of them. `for_nothing`: as of is_list().
+  std::vector<Word> words(const YamlNode* node, std::string_view subject, std::string_view expected,
+                          std::string for_nothing = "an empty one is `[]`");
   /// A C++ word; if `fault` finds a fault in it, that is reported as `id`.
   std::optional<Word> cpp_word(const YamlNode* node, std::string_view subject, std::string_view expected,
                                std::string_view id, std::optional<CppFault> (*fault)(std::string_view));

@@ -32,11 +32,17 @@ namespace {
 namespace fs = std::filesystem;
 using namespace director::compiler::stubs;
 
-/// The planned changes.
+/// A file where a new class would be written.
+struct InTheWay {
+  std::string path, message, help;
+};
+
+/// The planned changes. If a file is in the way, none of them is made: what is new may include what would be there.
 struct Plan {
   std::vector<Artefact> fresh; ///< whole paths
   std::vector<Insertion> insertions;
   std::vector<Remark> leftovers, obstacles, stale;
+  std::vector<InTheWay> in_the_way{};
   bool is_empty() const { return fresh.empty() && insertions.empty(); }
 };
 
@@ -189,13 +195,17 @@ private:
   }
 
   /// Why a file that was read, or could not be, is in the way of a class that implements the module.
-  std::string obstacle(const std::string& path, const WantedModule& module) const {
+  InTheWay in_the_way(const std::string& path, const WantedModule& module) const {
     if (const auto there = console_.files.read(path, dsl::largest_file, dsl::Kinds::ordinary); !there)
-      return fmt::format("this file cannot be read: {}; a class that implements `{}` would be written here, unless it "
-                         "has one already",
-                         there.error().message, module.interface);
-    return fmt::format("this file is in the way: it has no class that implements `{}`, which would be written here",
-                       module.interface);
+      return {path,
+              fmt::format("this file cannot be read: {}; a class that implements `{}` would be written here, unless it "
+                          "has one already",
+                          there.error().message, module.interface),
+              "move it away, or give the module another name"};
+    return {path,
+            fmt::format("this file is in the way: it has no class that implements `{}`, which would be written here",
+                        module.interface),
+            "put the class into it, or give the module another name"};
   }
 
   void add_first_files(const WantedModule& module, Plan& plan) {
@@ -203,7 +213,7 @@ private:
     for (Artefact& file : files) {
       file.path = (fs::path(program_.folder) / file.path).string();
       if (is_free(file.path)) continue;
-      plan.obstacles.push_back({{file.path, 1, 1}, obstacle(file.path, module)});
+      plan.in_the_way.push_back(in_the_way(file.path, module));
       return;
     }
     std::move(files.begin(), files.end(), std::back_inserter(plan.fresh));
@@ -231,8 +241,8 @@ private:
              std::move(merge.obstacles), std::move(stale_)};
     for (const std::size_t module : merge.fresh) add_first_files(wanted_.modules[module], out);
     for (const Remark& each : program_.unread) {
-      const auto is_told = [&](const Remark& obstacle) { return obstacle.place.path == each.place.path; };
-      if (std::none_of(out.obstacles.begin(), out.obstacles.end(), is_told)) out.leftovers.push_back(each);
+      const auto is_told = [&](const InTheWay& file) { return file.path == each.place.path; };
+      if (std::none_of(out.in_the_way.begin(), out.in_the_way.end(), is_told)) out.leftovers.push_back(each);
     }
     add_main(out);
     return out;
@@ -262,6 +272,9 @@ private:
   void print(const Plan& plan) {
     for (const Remark& each : plan.obstacles)
       print_message(console_, fmt::format("{}: error: {}\n", shown(each.place), each.message));
+    for (const InTheWay& each : plan.in_the_way)
+      print_message(console_,
+                    fmt::format("{}: error: {}\n  help: {}\n", shown({each.path, 1, 1}), each.message, each.help));
     for (const Remark& each : plan.leftovers)
       print_message(console_, fmt::format("{}: warning: {}\n", shown(each.place), each.message));
     for (const Remark& each : plan.stale)
@@ -287,10 +300,14 @@ private:
 
   int carry_out(const Plan& plan) {
     print(plan);
-    const int status = plan.obstacles.empty() ? clean : compiler::cli::found;
+    const int status = plan.obstacles.empty() && plan.in_the_way.empty() ? clean : compiler::cli::found;
     if (request_.check) {
       list(plan, "missing:", "to be added to:");
       return plan.is_empty() ? status : compiler::cli::found;
+    }
+    if (!plan.in_the_way.empty()) {
+      if (!plan.is_empty()) print_message(console_, "directorc: nothing is written\n");
+      return status;
     }
     if (request_.dry_run) {
       print_diff(plan);

@@ -6,6 +6,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace director::compiler {
 
@@ -23,7 +27,7 @@ void add_group(Resolver& r, Word name, GroupSource source) {
 void add_providers(Resolver& r, const Word& group, GroupSource& source, const std::vector<dsl::ProviderSpec>& specs,
                    std::size_t place) {
   for (const dsl::ProviderSpec& spec : specs) {
-    if (!spec.direct) check_name(r, "provider", spec.name);
+    const bool is_good = spec.direct || check_name(r, "provider", spec.name);
     const std::string name = capitalised(spec.name.value);
     if (!spec.direct && name == capitalised(group.value)) { // a direct provider has no name of its own
       r.error("redefined_name", spec.name.span,
@@ -39,6 +43,8 @@ void add_providers(Resolver& r, const Word& group, GroupSource& source, const st
       source.providers.insert(source.providers.begin() + static_cast<std::ptrdiff_t>(place++), &spec);
       continue;
     }
+    source.forgotten.push_back(&spec);
+    if (!is_good) continue; // such as `default`, beside the provider of a group without `providers`
     const Word& other = (*first)->name;
     const std::string message =
         other.value == spec.name.value
@@ -47,7 +53,6 @@ void add_providers(Resolver& r, const Word& group, GroupSource& source, const st
                           spec.name.value, group.value, name);
     r.error("redefined_name", spec.name.span, message, "give one of them another name, or leave it out")
         .notes.push_back({other.span, "declared first here"});
-    source.forgotten.push_back(&spec);
   }
 }
 
@@ -68,16 +73,31 @@ void declare_group(Resolver& r, const dsl::BehaviourSpec& file, const dsl::Group
 /// Declares `extern` names without a group as groups without providers, so that they can be resolved.
 void declare_extern(Resolver& r, const dsl::BehaviourSpec& file, const Word& name) {
   const auto at = r.groups.find(name.value);
+  bool can_be_provided = true;
   if (at == r.groups.end()) {
+    can_be_provided = check_name(r, "group", name) && claim_cpp_name(r, "group", name);
     GroupSource source;
     source.file = &file;
     add_group(r, name, std::move(source));
   }
   const GroupId group = r.groups.find(name.value)->second;
   r.model.externs.push_back({group, name.span});
-  if (!r.model.deployment || r.group_sources[group].spec) return;
+  if (!r.model.deployment || r.group_sources[group].spec || !can_be_provided) return;
   r.error("unprovided_task", name.span, fmt::format("nothing provides `{}`", name.value),
           fmt::format("import a file that declares a group `{}`", name.value));
+}
+
+void declare_externs(Resolver& r, const dsl::BehaviourSpec& file) {
+  std::map<std::string_view, Span> listed;
+  for (const Word& name : file.externs) {
+    const auto [first, is_new] = listed.emplace(name.value, name.span);
+    if (is_new) {
+      declare_extern(r, file, name);
+      continue;
+    }
+    r.error("redefined_name", name.span, fmt::format("`{}` is listed twice", name.value), "leave one of them out")
+        .notes.push_back({first->second, "listed first here"});
+  }
 }
 
 /// The provider of that name that another file adds to the group.
@@ -128,9 +148,7 @@ void declare_groups(Resolver& r) {
   for (const dsl::BehaviourSpec& file : r.spec.files) {
     for (const dsl::GroupSpec& spec : file.groups) declare_group(r, file, spec);
   }
-  for (const dsl::BehaviourSpec& file : r.spec.files) {
-    for (const Word& name : file.externs) declare_extern(r, file, name);
-  }
+  for (const dsl::BehaviourSpec& file : r.spec.files) declare_externs(r, file);
   for (const dsl::BehaviourSpec& file : r.spec.files) {
     for (const dsl::ExtendSpec& spec : file.extend) extend(r, spec);
   }

@@ -78,12 +78,15 @@ bool is_about_lost(const Diagnostic& finding, std::string_view word, const std::
 std::vector<Diagnostic> without_lost_names(const dsl::Sources& sources, const std::vector<Diagnostic>& reading,
                                            std::vector<Diagnostic> resolving) {
   std::set<std::string, std::less<>> lost;
+  bool is_whole = true; // what is lost may have no word, as in `providers: ~`
   for (const Diagnostic& error : reading) {
     if (error.level != dsl::Level::error) continue;
     if (loses_files(error)) return {};
-    if (!loses_nothing(error)) add_lost_words(sources[error.span.file], error, lost);
+    if (loses_nothing(error)) continue;
+    is_whole = false;
+    add_lost_words(sources[error.span.file], error, lost);
   }
-  if (lost.empty()) return resolving;
+  if (is_whole) return resolving;
   const auto is_lost = [&](const Diagnostic& finding) {
     return is_about_lost(finding, sources.text(finding.span), lost);
   };

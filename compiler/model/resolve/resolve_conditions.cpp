@@ -77,6 +77,7 @@ void report_sentinels(Resolver& r, const State& state, const Condition& conditio
   if (std::none_of(state.unordered.begin(), state.unordered.end(), is_accepted)) return; // as of every range
   std::vector<std::string> meant;
   const ValueSet others = condition.accepts.without(sentinels);
+  if (others.empty()) return; // contradictory_when reports that
   if (others.count() <= most_values_listed) {
     for (const ValueSet::Interval& each : others.intervals())
       for (std::int64_t value = each.low; value <= each.high; ++value) meant.push_back(state.value_text(value));

@@ -163,6 +163,14 @@ TEST_CASE("A promise's time is a duration above 0") {
   }
 }
 
+TEST_CASE("A time stands where nothing is promised") {
+  const std::string begin = "bad_condition: expected one of ==, !=, <, <=, >, >= behind `Phase`, found `within` ";
+  CHECK(with_conditions("sets", "[Phase within 2 s]").findings() ==
+        "5:18 `within` " + begin + "(leave out `within`: it belongs to a promise, in `causing`)\n");
+  CHECK(with_conditions("when", "[Phase within 2 s]").findings() ==
+        "5:18 `within` " + begin + "(a condition compares a state with a value: `Phase == ready`)\n");
+}
+
 TEST_CASE("A promise's time stands behind another word") {
   CHECK(with_conditions("causing", "[Phase == ready in 3 s]").findings() ==
         "5:30 `in` bad_condition: expected the end of the condition, found `in` (the time of a promise stands behind "

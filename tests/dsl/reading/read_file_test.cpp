@@ -116,6 +116,30 @@ TEST_CASE("What is wrong at the top of a file is reported at its place") {
   }
 }
 
+TEST_CASE("Where nothing is there, an empty one is proposed only if it may be empty") {
+  const auto help = [](const std::string& text) {
+    const std::string findings = read_body(text).findings();
+    const std::size_t found = findings.find(", found nothing"), open = findings.find(" (", found);
+    CHECK(found != std::string::npos);
+    return open == std::string::npos ? "" : findings.substr(open + 2, findings.size() - open - 4);
+  };
+  CHECK(help("states:\n") == "an empty one is `{}`");
+  CHECK(help("groups:\n  A: {when: }\n") == "an empty one is `[]`");
+  CHECK(help("states:\n  S:\n") == "for example `{values: [low, high]}`, or `{range: [0, 100]}`");
+  CHECK(help("states: {S: {values: }}\n") == "for example `[low, high]`");
+  CHECK(help("states: {S: {range: }}\n") == "for example `[0, 100]`");
+  CHECK(help("groups: {A: {providers: }}\n") == "for example `[{name: walking}, {name: standing}]`");
+  CHECK(help("groups:\n  A:\n    providers:\n      -\n") == "");
+  CHECK(help("groups: {A: {packs: }}\n") == "for example `{attack: [Kick, Walk]}`; or leave `packs` out");
+  CHECK(help("groups: {A: {tasks: {B: {levels: }}}}\n") == "for example `{normal: {priority: 10}}`");
+  CHECK(help("extend:\n  A:\n") == "for example `{providers: [{name: quickly}]}`");
+  CHECK(help("assertions:\n") == "an empty one is `[]`");
+  CHECK(help("assertions:\n  -\n") == "");
+  CHECK(help("assertions: [never_together: ]\n") == "for example `never_together: [Walk, GetUp]`");
+  CHECK(help("assertions: [beats: ]\n") == "");
+  CHECK(help("assertions: [soft: ]\n") == "");
+}
+
 TEST_CASE("What is wrong in an assertion is reported at its place") {
   for (const Case& c : {
            Case{"{can_run: Kick}",

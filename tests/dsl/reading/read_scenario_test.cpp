@@ -36,6 +36,13 @@ TEST_CASE("The head of a scenario is read") {
   CHECK(scenario.steps.empty());
 }
 
+TEST_CASE("Where nothing is there, no empty step or input is proposed") {
+  CHECK(steps_findings("[~]") ==
+        "2:9 `~` wrong_node_kind: `steps`: expected a mapping such as {request: Walk}, found nothing\n");
+  CHECK(steps_findings("[{inputs: [~]}]") ==
+        "2:19 `~` wrong_node_kind: `inputs`: expected a mapping such as {request: Walk}, found nothing\n");
+}
+
 TEST_CASE("A script's entries have guards and effects") {
   const auto read = read_scenario_body(R"(script:
   Walk.walking:

@@ -556,8 +556,21 @@ TEST_CASE("the content of bodies is ignored, and a file at the place of a new on
   shop.write("src/x.cpp", "#include \"cart.hpp\"\nvoid f() { cart::Gone{1}( ; }\n");
   CHECK(shop.stubs() ==
         "src/wheels.hpp:1:1: error: this file is in the way: it has no class that implements `cart::Wheels`, which "
-        "would be written here\nstatus 1\n");
+        "would be written here\n  help: put the class into it, or give the module another name\nstatus 1\n");
   CHECK(shop.text("src/wheels.hpp") == "#pragma once\n");
+}
+
+TEST_CASE("nothing is written if a file is in the way of one of the new classes") {
+  const Workshop shop;
+  std::filesystem::create_directories(std::filesystem::path(shop.folder()) / "src/wheels.cpp");
+  const std::string said = "src/wheels.cpp:1:1: error: this file cannot be read: Is a directory; a class that "
+                           "implements `cart::Wheels` would be written here, unless it has one already\n"
+                           "  help: move it away, or give the module another name\n";
+  CHECK(shop.stubs("--main") == said + "directorc: nothing is written\nstatus 1\n");
+  CHECK(shop.stubs("--main --dry-run") == said + "directorc: nothing is written\nstatus 1\n");
+  CHECK(shop.stubs("--main --check") == said + "missing: src/main.cpp\nstatus 1\n");
+  CHECK_FALSE(std::filesystem::exists(std::filesystem::path(shop.folder()) / "src/main.cpp"));
+  CHECK_FALSE(std::filesystem::exists(std::filesystem::path(shop.folder()) / "src/wheels.hpp"));
 }
 
 TEST_CASE("a file that cannot be read is reported with the reason, and what is in it counts as missing") {
@@ -568,7 +581,8 @@ TEST_CASE("a file that cannot be read is reported with the reason, and what is i
   };
   make_large("src/wheels.hpp");
   CHECK(shop.stubs() == "src/wheels.hpp:1:1: error: this file cannot be read: file too large; a class that implements "
-                        "`cart::Wheels` would be written here, unless it has one already\nstatus 1\n");
+                        "`cart::Wheels` would be written here, unless it has one already\n"
+                        "  help: move it away, or give the module another name\nstatus 1\n");
   std::filesystem::remove(std::filesystem::path(shop.folder()) / "src/wheels.hpp");
   make_large("src/other.cpp");
   CHECK(shop.stubs("--check") ==

@@ -28,6 +28,19 @@ TEST_CASE("mistakes of reading and of names are reported in one run") {
         "main.yaml:6: expected one of ==, !=, <, <=, >, >= behind `Pose`, found `=` [bad_condition]\n");
 }
 
+TEST_CASE("a group whose providers are nothing, or no list, is not called unprovided too") {
+  const std::string begin = "roots: [A]\ngroups:\n  A: ";
+  const auto findings = [&](const std::string& group) { return tests::check_text(begin + group + "\n").findings(); };
+  const std::string of_group = "main.yaml:5: `A`: expected a mapping, found ";
+  CHECK(findings("~") == of_group + "nothing [wrong_node_kind]\n");
+  CHECK(findings("[]") == of_group + "a list [wrong_node_kind]\n");
+  CHECK(findings("{providers: ~}") == "main.yaml:5: `providers`: expected a list of providers, found nothing "
+                                      "[wrong_node_kind]\n");
+  CHECK(findings("{providers: [~]}") == "main.yaml:5: `providers`: expected a mapping such as {name: walking}, found "
+                                        "nothing [wrong_node_kind]\n");
+  CHECK(findings("{providers: []}") == "main.yaml:5: the group `A` has no provider [unprovided_task]\n");
+}
+
 TEST_CASE("a promise that is lost in reading is not reported as missing") {
   const std::string walk = "states: {Pose: {values: [moving, standing], initial: moving}}\nroots: [Walk]\ngroups:\n"
                            "  Walk:\n    providers:\n      - {name: walking, triggers: [Walk.halting.broken, Walk.x]}\n"

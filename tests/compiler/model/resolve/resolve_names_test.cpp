@@ -34,6 +34,11 @@ TEST_CASE("providers that lack their names are not declared twice") {
         "main.yaml:5: a provider needs `name` [missing_key]\n");
 }
 
+TEST_CASE("a reserved name of a provider is not called declared twice too") {
+  CHECK(findings("roots: [A]\ngroups: {A: {}}\nextend: {A: {providers: [{name: default}]}}\n") ==
+        "main.yaml:5: a provider cannot be called `default`: that is a keyword of C++ [reserved_name]\n");
+}
+
 TEST_CASE("a task that is listed twice") {
   CHECK(findings("roots: [Walk]\ngroups:\n  Walk: {tasks: [Legs, Legs]}\n  Legs: {}\n") ==
         "main.yaml:5: `Legs` is listed twice [redefined_name]\n");
@@ -88,6 +93,32 @@ TEST_CASE("an extern that two files name is reported in both") {
                           {"a.yaml", tests::beginning("a") + "extern: [Say]\ngroups: {A: {tasks: [Say]}}\n"}});
   CHECK(text.findings() == "main.yaml:4: nothing provides `Say` [unprovided_task]\n"
                            "a.yaml:3: nothing provides `Say` [unprovided_task]\n");
+}
+
+TEST_CASE("a module lists names under extern that no group can have") {
+  CHECK(findings("extern: [class, start, a-b, Q]\nstates: {Q: {values: [a, b], initial: a, external: true}}\n"
+                 "groups: {M: {when: [Q == a], tasks: [class, start, a-b, Q]}}\n") ==
+        "main.yaml:3: a group cannot be called `class`: that is a keyword of C++ [reserved_name]\n"
+        "main.yaml:3: a group cannot be called `start`: that is a word of Director's own [reserved_name]\n"
+        "main.yaml:3: `a-b` is no name for a group [reserved_name]\n"
+        "main.yaml:3: the group `Q` and the state `Q` become one name in C++, `Q` [redefined_name]\n");
+}
+
+TEST_CASE("a deployment lacks a group whose name none can have") {
+  CHECK(findings("extern: [class]\nroots: [class]\n") ==
+        "main.yaml:3: a group cannot be called `class`: that is a keyword of C++ [reserved_name]\n");
+}
+
+TEST_CASE("a name is listed twice under extern") {
+  CHECK(findings("extern: [Say, Say]\ngroups: {A: {tasks: [Say]}}\n") ==
+        "main.yaml:3: `Say` is listed twice [redefined_name]\n");
+}
+
+TEST_CASE("files list the same name under extern") {
+  const auto text = tests::check_files(
+      {{"main.yaml", tests::beginning("b") + "imports: [a.yaml]\nextern: [Say]\ngroups: {B: {tasks: [Say]}}\n"},
+       {"a.yaml", tests::beginning("a") + "extern: [Say]\ngroups: {A: {tasks: [Say]}}\n"}});
+  CHECK(text.findings().empty());
 }
 
 TEST_CASE("a promise of a provider called default") {
