@@ -104,9 +104,19 @@ std::optional<GroupId> note_unpushed(const Input& input, ProviderId id, dsl::Dia
     const GroupId group = model.providers[other].group;
     if (!input.facts.requested.contains(group) || group == own) continue;
     const bool waits = waiting.may_wait(group);
-    if (waits && input.shared.chains().may_beat(group, own)) continue;
+    const bool goes_before = waits && input.shared.chains().may_beat(group, own);
+    const std::optional<StateId> state = input.shared.push_exclusion().find(other, id);
+    if (goes_before && !state) continue;
     for (const ConditionUse& use : model.providers[other].when) {
       if (!model.causes(id, use.id)) continue;
+      if (goes_before) {
+        finding.notes.push_back(
+            {use.span,
+             fmt::format("{} waits for this, but never pushes {}: the two run only with different values of {}",
+                         name_of(model, other), name_of(model, id), name_of(model, *state))});
+        add_exclusion(model, input.shared.push_exclusion(), *state, other, id, finding.notes);
+        continue;
+      }
       const std::string name = name_of(model, group);
       finding.notes.push_back(
           {use.span,

@@ -101,7 +101,7 @@ private:
     const std::vector<ProviderId>& causers = shared_.causers()[use.id];
     return std::none_of(causers.begin(), causers.end(), [&](ProviderId causer) {
       return model_.providers[causer].group != group && facts_.chosen.contains(causer) &&
-             facts_.active.contains(causer);
+             facts_.active.contains(causer) && !shared_.push_exclusion().find_outside(provider, causer);
     });
   }
 
