@@ -4,6 +4,7 @@
 #include "compiler/analysis/clashes/holdings.hpp"
 #include "compiler/analysis/clashes/losses.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/facts/waiting.hpp"
 #include "compiler/analysis/requests/company.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/at_rest.hpp"
@@ -207,6 +208,75 @@ private:
   std::set<std::pair<ProviderId, GroupId>> starving_; ///< groups that never run below this provider (self_conflict)
 };
 
+/// While the task waits, the outside excludes all that cause what it waits for.
+class ExcludedCausers {
+public:
+  ExcludedCausers(const Input& input, Findings& findings)
+      : input_(input),
+        model_(input.model),
+        waiting_(input.model, input.facts),
+        losses_(input.model, input.graph, input.facts, input.shared),
+        findings_(findings) {
+    for (const Clash& clash : input.conflicts.clashes()) seen_.insert(clash.second.span);
+  }
+
+  void look_at(GroupId task) {
+    if (!waiting_.may_wait(task)) return;
+    for (const ProviderId waiter : model_.groups[task].providers) {
+      if (!input_.facts.capable.contains(waiter) || !waiting_.may_be_first(waiter)) continue;
+      for (const ConditionUse& use : model_.providers[waiter].when) look_at(task, waiter, use);
+    }
+  }
+
+private:
+  void look_at(GroupId task, ProviderId waiter, const ConditionUse& use) {
+    if (seen_.count(use.span) != 0 || input_.facts.is_impossible(waiter, model_.conditions[use.id].state)) return;
+    const PushExclusion& exclusion = input_.shared.push_exclusion();
+    Want want{waiter, use, {}};
+    std::vector<StateId> states;
+    for (const ProviderId causer : input_.shared.causers()[use.id]) {
+      const GroupId group = model_.providers[causer].group;
+      if (group == task || !input_.facts.active.contains(causer)) continue;
+      const std::optional<StateId> state = exclusion.find_outside(waiter, causer);
+      if (!state || !input_.shared.chains().may_beat(task, group)) return;
+      want.causers.push_back(causer);
+      states.push_back(*state);
+    }
+    if (want.causers.empty() || losses_.comes_otherwise(want)) return;
+    const std::vector<Request>& requests = input_.shared.requests().of(task);
+    if (std::any_of(requests.begin(), requests.end(),
+                    [&](const Request& each) { return input_.shared.standstill().may_wait(each, waiter, use, {}); }))
+      report(want, states);
+  }
+
+  void report(const Want& want, const std::vector<StateId>& states) {
+    const PushExclusion& exclusion = input_.shared.push_exclusion();
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      if (states[i] == states.front()) names.push_back(name_of(model_, want.causers[i]));
+    }
+    const State& state = model_.states[states.front()];
+    dsl::Diagnostic& finding = findings_.add(
+        want.condition.span,
+        fmt::format("{} waits for {} in vain while {} is {}: {}, which could cause it, cannot run then",
+                    name_of(model_, want.waiter), name_of(model_, want.condition.id), name_of(model_, states.front()),
+                    values_in_words(state, exclusion.values_of(states.front(), want.waiter)), few_of(names)));
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      finding.notes.push_back(causes(model_, want.causers[i], want.condition.id));
+      add_exclusion(model_, exclusion, states[i], want.waiter, want.causers[i], finding.notes);
+    }
+    shorten(finding.notes);
+    finding.help = propose_causer(model_, exclusion, states.front(), want.waiter, want.condition.id);
+  }
+
+  const Input& input_;
+  const Model& model_;
+  Waiting waiting_;
+  const Losses losses_;
+  Findings& findings_;
+  std::set<dsl::Span> seen_; ///< conditions with a finding
+};
+
 } // namespace
 
 void push_in_vain(const Input& input, Findings& findings) {
@@ -220,6 +290,10 @@ void push_in_vain(const Input& input, Findings& findings) {
   }
   KeptWhileRequested kept(input, findings);
   for (const Wanting& wanting : input.shared.wants()) kept.look_at(wanting);
+  ExcludedCausers excluded(input, findings);
+  for (const GroupId task : model.groups.ids()) {
+    if (input.facts.requested.contains(task)) excluded.look_at(task);
+  }
 }
 
 } // namespace director::checks

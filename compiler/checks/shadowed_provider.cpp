@@ -8,6 +8,7 @@
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/choice.hpp"
 #include "compiler/analysis/states/region.hpp"
+#include "compiler/analysis/states/sources.hpp"
 #include "compiler/analysis/words/proposals.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -104,9 +105,19 @@ std::optional<GroupId> note_unpushed(const Input& input, ProviderId id, dsl::Dia
     const GroupId group = model.providers[other].group;
     if (!input.facts.requested.contains(group) || group == own) continue;
     const bool waits = waiting.may_wait(group);
-    if (waits && input.shared.chains().may_beat(group, own)) continue;
+    const bool goes_before = waits && input.shared.chains().may_beat(group, own);
+    const std::optional<StateId> state = input.shared.push_exclusion().find(other, id);
+    if (goes_before && !state) continue;
     for (const ConditionUse& use : model.providers[other].when) {
       if (!model.causes(id, use.id)) continue;
+      if (goes_before) {
+        finding.notes.push_back(
+            {use.span,
+             fmt::format("{} waits for this, but never pushes {}: the two run only with different values of {}",
+                         name_of(model, other), name_of(model, id), name_of(model, *state))});
+        add_exclusion(model, input.shared.push_exclusion(), *state, other, id, finding.notes);
+        continue;
+      }
       const std::string name = name_of(model, group);
       finding.notes.push_back(
           {use.span,
@@ -168,6 +179,37 @@ Culprits find_culprits(const Input& input, ProviderId id, const std::vector<Riva
   return out;
 }
 
+/// Others that could bring about what it waits for, if all of them are requested and wait themselves; else none.
+std::vector<ProviderId> find_waiting_setters(const Input& input, ProviderId id) {
+  const Model& model = input.model;
+  const auto sources = find_sources(model);
+  std::vector<ProviderId> out;
+  for (const ConditionUse& use : model.providers[id].when) {
+    if (input.facts.may_hold(model, id, use)) continue;
+    for (const Source& source : sources[model.conditions[use.id].state]) {
+      if (source.values.intersected(model.conditions[use.id].accepts).empty()) continue;
+      if (!source.provider || input.facts.capable.contains(*source.provider) ||
+          !input.facts.requested.contains(model.providers[*source.provider].group))
+        return {};
+      if (std::find(out.begin(), out.end(), *source.provider) == out.end()) out.push_back(*source.provider);
+    }
+  }
+  return out;
+}
+
+void propose_beginning(const Input& input, ProviderId id, const std::vector<ProviderId>& setters,
+                       dsl::Diagnostic& finding) {
+  const std::string name = name_of(input.model, id), other = name_of(input.model, setters.front());
+  if (setters == std::vector{id}) {
+    finding.help = fmt::format("let {} begin without what it sets itself", name);
+  } else if (setters.size() == 1 && find_waiting_setters(input, setters.front()) == std::vector{id}) {
+    finding.notes.push_back({input.model.providers[setters.front()].span, fmt::format("nor can {}", other)});
+    finding.help = fmt::format("let {} or {} begin without what the other one sets", name, other);
+  } else {
+    finding.help = fmt::format("let {}, or one of those that it waits for, begin without what another one sets", name);
+  }
+}
+
 /// For another reason than the earlier providers: what it waits for or needs never comes.
 void report_never(const Input& input, ProviderId id, Findings& findings) {
   const std::string name = name_of(input.model, id);
@@ -176,8 +218,11 @@ void report_never(const Input& input, ProviderId id, Findings& findings) {
   Idleness idleness = explain_idle(input, id);
   finding.notes = std::move(idleness.notes);
   const bool excluded = !explain_exclusion(input.model, input.facts, id).empty();
+  const std::vector<ProviderId> setters = excluded ? std::vector<ProviderId>{} : find_waiting_setters(input, id);
   if (idleness.deadlock)
     finding.help = apart_help(input.model, *idleness.deadlock);
+  else if (!setters.empty())
+    propose_beginning(input, id, setters, finding);
   else
     propose_or_leave_out(input.model, input.facts, id,
                          excluded ? "say these conditions so that all of them can hold at once"

@@ -3,12 +3,14 @@
 #include "compiler/analysis/causing/exclusion.hpp"
 #include "compiler/analysis/causing/promises.hpp"
 #include "compiler/analysis/causing/self_defeats.hpp"
+#include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/chains/sparse_set.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/requests/earlier.hpp"
 #include "compiler/analysis/requests/gaps.hpp"
 #include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/states/sources.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -101,7 +103,7 @@ private:
     const std::vector<ProviderId>& causers = shared_.causers()[use.id];
     return std::none_of(causers.begin(), causers.end(), [&](ProviderId causer) {
       return model_.providers[causer].group != group && facts_.chosen.contains(causer) &&
-             facts_.active.contains(causer);
+             facts_.active.contains(causer) && !shared_.push_exclusion().find_outside(provider, causer);
     });
   }
 
@@ -280,6 +282,7 @@ private:
     const bool by_program =
         std::any_of(all.begin(), all.end(), [](const Uncoveredness* one) { return !one->where->requester; });
     const bool one = all.size() == 1;
+    if (const std::string stay = one ? help_for_done(*all.front()) : std::string(); !stay.empty()) return stay;
     const std::string name = one ? name_of(model_, all.front()->group) : "them";
     return fmt::format("end {}with a provider that can always run, or ", one ? "" : "each ") +
            (by_program ? fmt::format("allow this, if {} requested only while {} can run",
@@ -287,6 +290,28 @@ private:
                        : fmt::format("request {} only in providers that run while {} can, followed by one without that "
                                      "request",
                                      name, one ? "it" : "they"));
+  }
+
+  /// A provider of it sets what ends its own condition, and the requester looks at its done: that is lost if nothing
+  /// runs then, and also if another provider begins.
+  std::string help_for_done(const Uncoveredness& one) const {
+    if (!one.where->requester) return {};
+    const std::vector<Use<GroupId>>& uses = model_.providers[*one.where->requester].uses;
+    if (std::none_of(uses.begin(), uses.end(), [&](const Use<GroupId>& use) { return use.id == one.group; })) return {};
+    for (const ProviderId id : model_.groups[one.group].providers) {
+      for (const ConditionUse& use : model_.providers[id].when) {
+        const StateId state = model_.conditions[use.id].state;
+        const ValueSet values = undoing_values(model_, id, use.id, values_set_by(model_, model_.providers[id], state));
+        const bool ends = std::any_of(one.boxes.begin(), one.boxes.end(), [&](const Box& box) {
+          const auto at = box.find(state);
+          return at != box.end() && !at->second.values.intersected(values).empty();
+        });
+        if (ends && counts(one.group, id, use))
+          return fmt::format("{}: {} looks at its done, which is lost as soon as it cannot run",
+                             stay_help(model_, {id, use, {}}, values), name_of(model_, *one.where->requester));
+      }
+    }
+    return {};
   }
 
   /// With all values of the states.

@@ -3,6 +3,8 @@
 #include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/chains/runs_below.hpp"
 #include "compiler/analysis/clashes/granted.hpp"
+#include "compiler/analysis/requests/earlier.hpp"
+#include "compiler/analysis/requests/gaps.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/sources.hpp"
 #include "compiler/analysis/words/notes.hpp"
@@ -23,12 +25,18 @@ namespace {
 
 class Undone {
 public:
-  Undone(const Input& input, Findings& findings) : model_(input.model), facts_(input.facts), findings_(findings) {}
+  Undone(const Input& input, Findings& findings)
+      : model_(input.model),
+        facts_(input.facts),
+        shared_(input.shared),
+        earlier_(model_, facts_, shared_.requests(), shared_.rivals(), shared_.budget()),
+        findings_(findings) {}
 
   void look_at(const Granted& granted, const Want& want) {
     if (!granted.is_other()) {
       for (const ConditionUse& entry : model_.providers[want.waiter].sets)
         look_at_entry(granted, want, setter(want.waiter), entry);
+      for (const ConditionUse& entry : model_.providers[want.waiter].causing) look_at_goal(granted, want, entry);
     }
     for (const GroupId group : granted.below.groups()) {
       if (group != granted.waits) look_below(granted, want, group);
@@ -203,6 +211,29 @@ private:
     return std::nullopt;
   }
 
+  /// What the provider promises ends its task, where the request ends too: the program's does. While it is pushed, its
+  /// condition does not count.
+  void look_at_goal(const Granted& granted, const Want& want, const ConditionUse& entry) {
+    const Condition& promise = model_.conditions[entry.id];
+    if (promise.state != model_.conditions[want.condition.id].state || facts_.pushed.contains(want.waiter)) return;
+    const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, promise.accepts);
+    const std::vector<Request>& requests = shared_.requests().of(granted.task);
+    const auto lasts = [&](const Request& request) {
+      if (!request.requester) return false;
+      const std::vector<Region> regions = shared_.requests().regions(request);
+      return std::any_of(regions.begin(), regions.end(), [&](const Region& region) {
+        Box box = box_of(facts_.values, region);
+        Possible& here = possible_in(model_, facts_, promise.state, box);
+        here = {here.values.intersected(values), false};
+        return !here.empty() && earlier_.may_exist(request, box);
+      });
+    };
+    if (values.empty() || std::none_of(requests.begin(), requests.end(), lasts)) return;
+    Setter by = setter(want.waiter);
+    by.promised = true;
+    look_at_entry(granted, want, by, entry);
+  }
+
   Setter setter(ProviderId id) const { return {name_of(model_, id), model_.providers[id].group}; }
 
   void look_below(const Granted& granted, const Want& want, GroupId group) {
@@ -250,6 +281,8 @@ private:
 
   const Model& model_;
   const Facts& facts_;
+  const Shared& shared_;
+  const Earlier earlier_;
   Findings& findings_;
   std::set<std::pair<dsl::Span, dsl::Span>> seen_;
   std::optional<IdTable<StateId, std::vector<Source>>> sources_;

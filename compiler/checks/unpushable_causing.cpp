@@ -5,6 +5,7 @@
 #include "compiler/analysis/facts/waiting.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/at_rest.hpp"
+#include "compiler/analysis/words/proposals.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
@@ -199,6 +200,7 @@ void report(const Input& input, const Chains& chains, Waiting& waits, const Neve
                                name_of(model, group), promise.at_first ? ": once lost, it never comes back" : ""));
   Obstacles obstacles;
   std::optional<Before> earlier;
+  std::string causer_help; // if conditions exclude each other
   obstacles.none_waits = std::none_of(promise.waiting.begin(), promise.waiting.end(), [&](const auto& each) {
     return waits.may_wait(model.providers[each.provider].group);
   });
@@ -208,6 +210,14 @@ void report(const Input& input, const Chains& chains, Waiting& waits, const Neve
     finding.notes.push_back({waiting.condition.span, fmt::format("{} waits for {}", name_of(model, waiting.provider),
                                                                  name_of(model, waiting.condition.id))});
     if (!model.satisfies(promise.promise.id, waiting.condition.id)) continue;
+    const PushExclusion& exclusion = input.shared.push_exclusion();
+    if (const std::optional<StateId> state = exclusion.find(waiting.provider, promise.causer);
+        state && !obstacles.none_waits) {
+      add_exclusion(model, exclusion, *state, waiting.provider, promise.causer, finding.notes);
+      if (causer_help.empty())
+        causer_help = propose_causer(model, exclusion, *state, waiting.provider, waiting.condition.id);
+      continue;
+    }
     if (const std::optional<Before> found = find_before(input, waiting.provider)) {
       const std::string order =
           fmt::format("{} comes first: where that cannot run either, {} waits for {}", name_of(model, found->earlier),
@@ -223,7 +233,8 @@ void report(const Input& input, const Chains& chains, Waiting& waits, const Neve
     for (std::size_t i = before; i < obstacles.all.size() && !obstacles.none_waits; ++i)
       explain(model, obstacles.all[i], waiter, group, finding);
   }
-  finding.help = propose(model, promise.causer, obstacles, earlier);
+  finding.help =
+      causer_help.empty() || obstacles.meet ? propose(model, promise.causer, obstacles, earlier) : causer_help;
 }
 
 } // namespace

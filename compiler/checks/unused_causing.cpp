@@ -1,14 +1,18 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/unused_causing.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/clashes/pushers.hpp"
+#include "compiler/analysis/facts/waiting.hpp"
 #include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/words/proposals.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace director::checks {
@@ -30,6 +34,25 @@ bool is_no_choice_for_need(const Input& input, ProviderId id) {
     return needer.group != provider.group && needer.needs_group(provider.group) &&
            std::any_of(provider.needs.begin(), provider.needs.end(),
                        [&](const Use<GroupId>& need) { return clashes(needer, need.id); });
+  });
+}
+
+/// A state of which a task that waits for the promise requires other values than this provider, so that it never pushes
+/// it.
+std::optional<StateId> find_exclusion(const Input& input, Waiting& waiting, const Graph::Causing& arrow) {
+  const GroupId task = input.model.providers[arrow.waiter].group;
+  if (!input.facts.requested.contains(task) || !waiting.may_wait(task) || !waiting.may_be_first(arrow.waiter) ||
+      !input.shared.chains().may_beat(task, input.model.providers[arrow.causer].group))
+    return std::nullopt;
+  return input.shared.push_exclusion().find(arrow.waiter, arrow.causer);
+}
+
+/// Whether another provider causes it, which the task may push.
+bool has_another(const Input& input, const Graph::Causing& arrow) {
+  const std::vector<ProviderId>& causers = input.shared.causers()[arrow.condition.id];
+  return std::any_of(causers.begin(), causers.end(), [&](ProviderId other) {
+    return other != arrow.causer && input.facts.active.contains(other) &&
+           !input.shared.push_exclusion().excludes(arrow.waiter, other);
   });
 }
 
@@ -67,8 +90,20 @@ void report_unpushed(const Input& input, Pushers& pushers, ProviderId causer, co
   dsl::Diagnostic& finding =
       findings.add(promise.span, fmt::format("no task ever pushes for {}", name_of(model, promise.id)));
   std::set<dsl::Span> noted;
+  std::string help; // for a task that waits for this promise
+  Waiting waiting(model, input.facts);
   for (const Graph::Causing* arrow : waiters) {
     if (!noted.insert(arrow->condition.span).second) continue;
+    if (const std::optional<StateId> state = find_exclusion(input, waiting, *arrow)) {
+      finding.notes.push_back(
+          {arrow->condition.span,
+           fmt::format("{} waits for it here, but never pushes {}: the two run only with different values of {}",
+                       name_of(model, arrow->waiter), name_of(model, causer), name_of(model, *state))});
+      add_exclusion(model, input.shared.push_exclusion(), *state, arrow->waiter, causer, finding.notes);
+      if (help.empty() && !has_another(input, *arrow))
+        help = propose_causer(model, input.shared.push_exclusion(), *state, arrow->waiter, arrow->condition.id);
+      continue;
+    }
     if (const auto rival = pushers.preferred(causer, arrow->condition.id);
         rival && pushers.may_push(*rival, arrow->condition.id)) {
       finding.notes.push_back(
@@ -84,6 +119,7 @@ void report_unpushed(const Input& input, Pushers& pushers, ProviderId causer, co
                                             name_of(model, arrow->waiter))});
   }
   advise(input, causer, promise, finding);
+  if (!help.empty()) finding.help = help;
 }
 
 } // namespace

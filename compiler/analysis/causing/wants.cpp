@@ -43,7 +43,7 @@ private:
     if (found.empty()) return;
     PushSearch search(pushes_, task);
     for (Wanting& wanting : found) {
-      for (Want& want : wanting.wants) want.causers = causers_for(want, task, search);
+      for (Want& want : wanting.wants) want.causers = causers_for(want, wanting, search);
       const auto is_hopeless = [](const Want& want) { return want.causers.empty(); };
       wanting.wants.erase(std::remove_if(wanting.wants.begin(), wanting.wants.end(), is_hopeless), wanting.wants.end());
       if (!wanting.wants.empty()) out_.push_back(std::move(wanting));
@@ -54,11 +54,14 @@ private:
     return !causers_[id].empty() && !facts_.holds_always(model_, id, facts_.contexts[task]);
   }
 
-  std::vector<ProviderId> causers_for(const Want& want, GroupId task, PushSearch& search) const {
+  std::vector<ProviderId> causers_for(const Want& want, const Wanting& wanting, PushSearch& search) const {
+    const PushExclusion& exclusion = pushes_.exclusion();
     std::vector<ProviderId> out;
     for (const ProviderId id : causers_[want.condition.id]) {
       const GroupId group = model_.providers[id].group;
-      if (group == task || group == model_.providers[want.waiter].group || !facts_.active.contains(id)) continue;
+      if (group == wanting.task || group == model_.providers[want.waiter].group || !facts_.active.contains(id) ||
+          exclusion.excludes(want.waiter, id) || exclusion.find_beside(wanting.provider, id))
+        continue;
       if (search.may_push(id, want.condition.id)) out.push_back(id);
     }
     return out;

@@ -3,6 +3,8 @@
 #include "compiler/analysis/facts/pushes.hpp"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace director::analysis {
 
@@ -42,6 +44,7 @@ Pushes::Pushes(const Model& model, const Facts& facts, const Chains& chains, con
       chains_(chains),
       causers_(causers),
       waiting_(model, facts),
+      exclusion_(model, facts, causers),
       hopeful_(model.providers.size()) {
   find_hopeful();
 }
@@ -98,6 +101,12 @@ std::optional<ProviderId> Pushes::earlier_causer(ProviderId causer, ConditionId 
 /// Whether it is reported as impossible, and treated as corrected.
 bool Pushes::is_mended(ProviderId provider, ConditionId id) const {
   return facts_.is_impossible(provider, model_.conditions[id].state);
+}
+
+/// Whether it cannot push all that cause this condition of it.
+bool Pushes::excludes_some_causer(ProviderId waiter, ConditionId id) const {
+  return std::any_of(causers_[id].begin(), causers_[id].end(),
+                     [&](ProviderId causer) { return exclusion_.excludes(waiter, causer); });
 }
 
 /// Each provider counts the conditions that it lacks, and each condition notifies the providers that wait for it.
@@ -182,8 +191,18 @@ bool PushSearch::may_serve(ProviderId causer) {
 /// A soft transition begins only if it can be completed.
 bool PushSearch::can_be_completed(ProviderId provider) {
   const std::vector<ConditionUse>& when = all_.model_.providers[provider].when;
-  return std::all_of(when.begin(), when.end(),
-                     [&](const ConditionUse& use) { return all_.is_mended(provider, use.id) || is_servable(use.id); });
+  return std::all_of(when.begin(), when.end(), [&](const ConditionUse& use) {
+    return all_.is_mended(provider, use.id) || is_servable_for(provider, use.id);
+  });
+}
+
+/// Not if it excludes all that could be pushed for it.
+bool PushSearch::is_servable_for(ProviderId provider, ConditionId id) {
+  if (all_.may_hold(id)) return true;
+  const std::vector<ProviderId>& causers = all_.causers_[id];
+  return is_servable(id) && std::any_of(causers.begin(), causers.end(), [&](ProviderId causer) {
+           return may_serve(causer) && !all_.exclusion_.excludes(provider, causer);
+         });
 }
 
 bool PushSearch::serves(ProviderId causer) { return may_serve(causer) && can_be_completed(causer); }
@@ -193,24 +212,41 @@ bool PushSearch::may_push(ProviderId causer, ConditionId condition) {
     wanted_.emplace();
     for (const ProviderId provider : providers_) {
       if (!can_be_completed(provider)) continue;
+      wanting_.push_back(provider);
       for (const ConditionUse& use : all_.model_.providers[provider].when) {
         if (!all_.is_mended(provider, use.id)) wanted_->add(use.id);
       }
     }
   }
-  return wanted_->contains(condition) && serves(causer) && !all_.is_passed_over(causer, condition);
+  return wanted_->contains(condition) && serves(causer) && !all_.is_passed_over(causer, condition) &&
+         std::any_of(wanting_.begin(), wanting_.end(), [&](ProviderId provider) {
+           const std::vector<ConditionUse>& when = all_.model_.providers[provider].when;
+           return std::any_of(when.begin(), when.end(), [&](const ConditionUse& use) { return use.id == condition; }) &&
+                  !all_.is_mended(provider, condition) && !all_.exclusion_.excludes(provider, causer);
+         });
 }
 
 std::vector<ProviderId> PushSearch::explore(Explored& explored) {
+  struct Wanted {
+    ConditionId id{};
+    std::optional<ProviderId> by; ///< that excludes some of its causers; empty: those do not matter
+  };
   std::vector<ProviderId> out;
-  std::vector<ConditionId> wanted;
+  std::vector<Wanted> wanted;
   SparseSet<ConditionId> seen;
+  std::set<std::pair<ProviderId, ConditionId>> seen_by;
   SparseSet<ProviderId> passed;
   const auto want = [&](ProviderId provider, std::optional<ConditionId> lacking) {
     for (const ConditionUse& use : all_.model_.providers[provider].when) {
-      if (!explored.conditions.contains(use.id) && !all_.causers_[use.id].empty() &&
-          !all_.is_mended(provider, use.id) && (!lacking || all_.may_lack_with(use.id, *lacking)) && seen.add(use.id))
-        wanted.push_back(use.id);
+      if (seen.contains(use.id) || explored.conditions.contains(use.id) || all_.causers_[use.id].empty() ||
+          all_.is_mended(provider, use.id) || (lacking && !all_.may_lack_with(use.id, *lacking)))
+        continue;
+      if (!all_.excludes_some_causer(provider, use.id)) {
+        seen.add(use.id);
+        wanted.push_back({use.id, std::nullopt});
+      } else if (seen_by.emplace(provider, use.id).second) {
+        wanted.push_back({use.id, provider});
+      }
     }
   };
   // Also for the groups that it may need.
@@ -232,18 +268,19 @@ std::vector<ProviderId> PushSearch::explore(Explored& explored) {
     if (can_be_completed(provider)) want(provider, std::nullopt);
   }
   for (std::size_t next = 0; next < wanted.size(); ++next) {
-    for (const ProviderId causer : all_.causers_[wanted[next]]) {
-      if (!serves(causer) || all_.is_passed_over(causer, wanted[next])) continue;
-      want(causer, wanted[next]);
+    const auto [id, by] = wanted[next];
+    for (const ProviderId causer : all_.causers_[id]) {
+      if (!serves(causer) || all_.is_passed_over(causer, id) || (by && all_.exclusion_.excludes(*by, causer))) continue;
+      want(causer, id);
       if (!passed.add(causer)) continue;
       if (explored.pushable.add(causer)) out.push_back(causer);
       want_below(causer);
     }
   }
   for (auto at = wanted.rbegin(); at != wanted.rend(); ++at) {
-    const std::vector<ProviderId>& causers = all_.causers_[*at];
+    const std::vector<ProviderId>& causers = all_.causers_[at->id];
     const bool all_found = std::all_of(causers.begin(), causers.end(), [&](ProviderId causer) {
-      if (all_.is_passed_over(causer, *at)) return true;
+      if (all_.is_passed_over(causer, at->id)) return true;
       const std::vector<ConditionUse>& when = all_.model_.providers[causer].when;
       const std::vector<Use<GroupId>>& needs = all_.model_.providers[causer].needs;
       if (std::any_of(needs.begin(), needs.end(),
@@ -251,10 +288,10 @@ std::vector<ProviderId> PushSearch::explore(Explored& explored) {
         return false;
       return explored.pushable.contains(causer) && std::all_of(when.begin(), when.end(), [&](const ConditionUse& use) {
                return explored.conditions.contains(use.id) || all_.causers_[use.id].empty() ||
-                      all_.is_mended(causer, use.id) || !all_.may_lack_with(use.id, *at);
+                      all_.is_mended(causer, use.id) || !all_.may_lack_with(use.id, at->id);
              });
     });
-    if (all_found) explored.conditions.add(*at);
+    if (all_found) explored.conditions.add(at->id);
   }
   return out;
 }

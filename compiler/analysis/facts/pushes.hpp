@@ -6,6 +6,7 @@
 #include "compiler/analysis/chains/meetings.hpp"
 #include "compiler/analysis/chains/sparse_set.hpp"
 #include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/facts/push_exclusion.hpp"
 #include "compiler/analysis/facts/waiting.hpp"
 #include "compiler/model/causers.hpp"
 
@@ -31,10 +32,13 @@ public:
   bool is_passed_over(ProviderId causer, ConditionId wanted) const;
   std::optional<ProviderId> earlier_causer(ProviderId causer, ConditionId wanted) const;
 
+  const PushExclusion& exclusion() const { return exclusion_; }
+
 private:
   friend class PushSearch;
   bool may_hold(ConditionId id) const;
   bool is_mended(ProviderId provider, ConditionId id) const;
+  bool excludes_some_causer(ProviderId waiter, ConditionId id) const;
   void find_hopeful();
 
   const Model& model_;
@@ -42,6 +46,7 @@ private:
   const Chains& chains_;
   const Causers& causers_;
   Waiting waiting_;
+  PushExclusion exclusion_;
   IdSet<ProviderId> hopeful_; ///< causing providers that a task before all others could push
 };
 
@@ -71,6 +76,7 @@ public:
 private:
   bool may_serve(ProviderId causer);
   bool serves(ProviderId causer);
+  bool is_servable_for(ProviderId provider, ConditionId id);
   bool can_be_completed(ProviderId provider);
   void settle(ConditionId id);
 
@@ -80,6 +86,7 @@ private:
   SparseSet<GroupId> beaten_, compared_;
   SparseSet<ConditionId> settled_, servable_;    ///< of those that do not hold anyway
   std::optional<SparseSet<ConditionId>> wanted_; ///< by the task itself, if it can be completed
+  std::vector<ProviderId> wanting_;              ///< ... of its providers
 };
 
 /// In order of id.

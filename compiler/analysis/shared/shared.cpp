@@ -31,6 +31,11 @@ const Causers& Shared::causers() const {
   return *causers_;
 }
 
+const PushExclusion& Shared::push_exclusion() const {
+  if (!push_exclusion_) push_exclusion_.emplace(model_, facts_, causers());
+  return *push_exclusion_;
+}
+
 const std::vector<Imprecise>& Shared::imprecise() const {
   if (!imprecise_) imprecise_ = find_imprecise(model_, causers(), facts_, chains());
   return *imprecise_;

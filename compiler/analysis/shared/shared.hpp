@@ -9,6 +9,7 @@
 #include "compiler/analysis/chains/meetings.hpp"
 #include "compiler/analysis/decisions/decisions.hpp"
 #include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/facts/push_exclusion.hpp"
 #include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/plans/plans.hpp"
 #include "compiler/analysis/requests/requests.hpp"
@@ -40,6 +41,7 @@ public:
   const Decisions& decisions() const;
   const Requests& requests() const;
   const Causers& causers() const;
+  const PushExclusion& push_exclusion() const;
   const std::vector<Imprecise>& imprecise() const;
   const std::vector<Wanting>& wants() const;
   /// Of a task for this group, with any provider.
@@ -67,6 +69,7 @@ private:
   mutable std::optional<Decisions> decisions_;
   mutable std::optional<Requests> requests_;
   mutable std::optional<Causers> causers_;
+  mutable std::optional<PushExclusion> push_exclusion_;
   mutable std::optional<std::vector<Imprecise>> imprecise_;
   mutable std::optional<std::vector<Wanting>> wants_;
   mutable std::optional<Indispensable> indispensable_;

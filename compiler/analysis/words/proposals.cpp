@@ -4,6 +4,7 @@
 
 #include "compiler/analysis/facts/waiting.hpp"
 #include "compiler/analysis/states/sources.hpp"
+#include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "dsl/source/diagnostic.hpp"
 
@@ -21,6 +22,26 @@ std::string put_last(const Model& model, ProviderId id, const std::function<bool
   if (is_last || !provider.needs.empty() || !std::all_of(provider.when.begin(), provider.when.end(), removed))
     return {};
   return ", and put it last";
+}
+
+void add_exclusion(const Model& model, const PushExclusion& exclusion, StateId state, ProviderId waiter,
+                   ProviderId causer, std::vector<dsl::Note>& notes) {
+  for (const ProviderId id : {waiter, causer}) {
+    for (const auto& [at, use] : exclusion.conditions_on(state, id)) {
+      const GroupId group = model.providers[at].group;
+      for (const Use<GroupId>& need : model.providers[id].needs) {
+        if (at != id && need.id == group)
+          add_once({need.span, fmt::format("{} needs {}", name_of(model, id), name_of(model, group))}, notes);
+      }
+      add_once(runs_only_while(model, at, use), notes);
+    }
+  }
+}
+
+std::string propose_causer(const Model& model, const PushExclusion& exclusion, StateId state, ProviderId waiter,
+                           ConditionId wanted) {
+  return fmt::format("let a provider cause {} that can run while {} is {}", name_of(model, wanted),
+                     name_of(model, state), values_in_words(model.states[state], exclusion.values_of(state, waiter)));
 }
 
 namespace {

@@ -3,11 +3,13 @@
 // The wording of what several checks propose.
 
 #include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/facts/push_exclusion.hpp"
 #include "compiler/model/model.hpp"
 #include "dsl/source/diagnostic.hpp"
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace director::analysis {
 
@@ -15,6 +17,13 @@ namespace director::analysis {
 /// anything, once the conditions for which `removed` is true are removed from it.
 std::string put_last(const compiler::Model& model, compiler::ProviderId id,
                      const std::function<bool(const compiler::ConditionUse&)>& removed);
+
+/// Adds what the two require of a state that keeps the one from ever pushing the other.
+void add_exclusion(const compiler::Model& model, const PushExclusion& exclusion, compiler::StateId state,
+                   compiler::ProviderId waiter, compiler::ProviderId causer, std::vector<dsl::Note>& notes);
+/// Help for that.
+std::string propose_causer(const compiler::Model& model, const PushExclusion& exclusion, compiler::StateId state,
+                           compiler::ProviderId waiter, compiler::ConditionId wanted);
 
 /// Sets this help, with the advice to leave the provider out; but not if a group that needs its group may hold it by
 /// this provider, whose body may never run: that is noted.

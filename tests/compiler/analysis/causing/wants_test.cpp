@@ -42,4 +42,17 @@ TEST_CASE("a task wants nothing that it may not push for, or that never is lacki
                  "  Kick: {when: [Pose == standing|moving]}\n") == "");
 }
 
+TEST_CASE("a task wants nothing of what its own conditions exclude, or those of the provider that needs it") {
+  const std::string states = "states:\n  Pose: {values: [moving, standing], initial: moving}\n"
+                             "  Estop: {values: [pressed, clear], initial: clear, external: true}\n"
+                             "roots: {Kick: {priority: 2}, Walk: {priority: 1}}\ngroups:\n";
+  const std::string halt = "  Walk: {providers: [{name: halting, when: [Estop == clear], causing: [Pose == standing]}, "
+                           "{name: walking, sets: [Pose == moving]}]}\n";
+  CHECK(wants_in(states + halt + "  Kick: {when: [Pose == standing, Estop == pressed]}\n") == "");
+  CHECK(wants_in(states + halt +
+                 "  Kick: {when: [Estop == pressed], needs: [Leg]}\n  Leg: {when: [Pose == standing]}\n") == "");
+  CHECK(wants_in(states + halt + "  Kick: {when: [Pose == standing, Estop == clear]}\n") ==
+        "`Kick`: `Kick` `Pose == standing` <- `Walk.halting`\n");
+}
+
 } // namespace

@@ -47,6 +47,16 @@ TEST_CASE("a waiting task does not push what priorities put before it, or beside
     CHECK(possible_pushes(kicker("priority: 2", walk, "when: [Motion == still], needs: [Legs]")).empty());
 }
 
+TEST_CASE("a waiting task does not push what runs only while it could not") {
+  const std::string text = "states:\n  Estop: {values: [pressed, clear], initial: clear, external: true}\n"
+                           "  Motion: {values: [moving, still], initial: moving}\n"
+                           "roots: {Freeze: {priority: 2}, Park: {priority: 3}, Walk: {priority: 1}}\ngroups:\n"
+                           "  Freeze: {when: [Estop == pressed, Motion == still]}\n  Park: {when: [Motion == still]}\n"
+                           "  Walk: {providers: [{name: walking, sets: [Motion == moving]}, "
+                           "{name: halting, when: [Estop == clear], causing: [Motion == still]}]}\n";
+  CHECK(possible_pushes(text) == std::vector<std::string>{"Park waits for Motion == still of Walk.halting"});
+}
+
 TEST_CASE("what a need waits for, the task pushes for that needs it") {
   const std::string foot = "  Foot: {when: [Motion == still]}\n";
   CHECK(possible_pushes(kicker("priority: 2", "priority: 1", "needs: [Foot]") + foot) ==
@@ -196,8 +206,9 @@ assertions: [soft: {from: Walk, to: GetUp}]
 )")["transitions"];
   const std::vector<compiler::Json>& rows = transitions["rows"].items();
   REQUIRE(rows.size() == 2);
-  CHECK(rows[1]["cells"].items()[0]["words"].as_text() ==
-        "GetUp takes at once what Walk holds. Walk stops. It is asserted that granting GetUp is soft for Walk: refuted.");
+  CHECK(
+      rows[1]["cells"].items()[0]["words"].as_text() ==
+      "GetUp takes at once what Walk holds. Walk stops. It is asserted that granting GetUp is soft for Walk: refuted.");
   CHECK(rows[1]["cells"].items()[0]["asserted"].as_text() == "refuted");
   CHECK(rows[0]["cells"].items()[1]["asserted"].is_null());
 }
