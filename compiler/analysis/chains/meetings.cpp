@@ -131,8 +131,15 @@ void Chains::visit(GroupId waiter, const std::vector<GroupId>& others,
 }
 
 bool Chains::beats(const Entry& waiting, const Entry& entry, GroupId other) const {
+  // What each provider of the requester needs is claimed with it; another one may keep the requests of this one.
   const std::optional<ProviderId> requester = waiting.together->provider;
-  if (requester && model_.providers[*requester].needs_group(other)) return false; // it is claimed with the requester
+  if (requester) {
+    const std::vector<ProviderId>& all = model_.group_of(*requester).providers;
+    if (std::all_of(all.begin(), all.end(), [&](ProviderId id) {
+          return (id != *requester && !counts_(id)) || model_.providers[id].needs_group(other);
+        }))
+      return false;
+  }
   for (const Task::NamedLevel& a : waiting.task->levels) {
     for (const Task::NamedLevel& b : entry.task->levels) {
       Meeting meeting{waiting.together, waiting.task, entry.task, model_.edges[waiting.task->edge].levels[a.level],
