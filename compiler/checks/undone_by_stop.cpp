@@ -80,7 +80,8 @@ public:
         if (!granted) granted.emplace(granted_alone(model_, shared_, task));
         if (!takes_from(granted->takings, stopped) || settings_.is_kept_off(waiter, stopped)) continue;
         for (const StopValue& stop : stop_values(stopped, state)) {
-          const std::optional<Setting> setting = settings_.find_setting(waiter, use, stopped, stop.values);
+          std::optional<Setting> setting = settings_.find_start(waiter, use, stopped, stop.values);
+          if (!setting) setting = settings_.find_setting(waiter, use, stopped, stop.values);
           if (!setting || !shared_.chains().may_beat(task, stopped)) continue;
           look_at_stop(*granted, {waiter, use, {}}, *setting, stopped, stop, {});
         }
