@@ -152,17 +152,8 @@ private:
   }
 
   void look_below(const Granted& granted, const Want& want, const Setting& causer, GroupId stopped, StateId state) {
-    for (const Pack& pack : model_.providers[causer.provider].packs) {
-      for (const Task& task : pack.tasks) {
-        const Claims& claims = shared_.claims(task.target);
-        if (!claims.contains(stopped)) continue;
-        const RunsBelow below(shared_.branches(), claims, task.target);
-        if (!below.contains(stopped)) continue;
-        std::vector<ChainStep> chain = below.path(stopped);
-        chain.insert(chain.begin(), {model_.providers[causer.provider].group, task.target, false, task.span});
-        look_at_stops(granted, want, causer, stopped, state, chain);
-      }
-    }
+    const std::vector<ChainStep> chain = way_below(model_, shared_, causer.provider, stopped);
+    if (!chain.empty()) look_at_stops(granted, want, causer, stopped, state, chain);
   }
 
   /// A group that has nothing to do with the causing one, runs again when the task has lost control, and loses what it
