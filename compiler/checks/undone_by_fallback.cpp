@@ -3,6 +3,7 @@
 #include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/clashes/granted.hpp"
 #include "compiler/analysis/conflicts/settings.hpp"
+#include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -28,6 +29,13 @@ struct Fallback {
   ValueSet values; ///< of these, those with which the waiter cannot continue
 };
 
+/// A provider that loses a need: the causing one, or one whose requests lead to it.
+struct Loser {
+  ProviderId provider{};
+  const Use<GroupId>* need = nullptr;
+  std::vector<ChainStep> down; ///< from its group to the causing one
+};
+
 class UndoneByFallback {
 public:
   UndoneByFallback(const Input& input, Findings& findings)
@@ -36,19 +44,21 @@ public:
         shared_(input.shared),
         settings_(input),
         findings_(findings),
-        setters_(input.model.states.size()) {
+        setters_(input.model.states.size()),
+        alternatives_(input.model.states.size()) {
     for (const ProviderId id : model_.providers.ids()) {
       if (!facts_.chosen.contains(id) || model_.providers[id].needs.empty()) continue;
       for (const ConditionUse& entry : model_.providers[id].sets)
         setters_[model_.conditions[entry.id].state].emplace_back(id, entry.id);
     }
+    for (const GroupId group : model_.groups.ids()) add_alternatives(group);
   }
 
   /// What is caused by a push.
   void look_at(const Wanting& wanting) {
     const auto has_needs = [&](ProviderId causer) { return !model_.providers[causer].needs.empty(); };
     const auto may_be_lost = [&](const Want& want) {
-      return std::any_of(want.causers.begin(), want.causers.end(), has_needs);
+      return !alternatives_[state_of(want)].empty() || std::any_of(want.causers.begin(), want.causers.end(), has_needs);
     };
     if (std::none_of(wanting.wants.begin(), wanting.wants.end(), may_be_lost)) return;
     for (Granted& any : granted_with(model_, shared_, wanting.task)) {
@@ -76,11 +86,36 @@ public:
   }
 
 private:
-  /// Whether some pack takes something of what is pushed.
-  static bool may_take(const Granted& granted, const Wanting& wanting) {
+  StateId state_of(const Want& want) const { return model_.conditions[want.condition.id].state; }
+
+  /// Of a group of which one provider may set a state, and another one may lose a need and what it requests.
+  void add_alternatives(GroupId group) {
+    const std::vector<ProviderId>& all = model_.groups[group].providers;
+    const auto may_lose = [&](ProviderId id) {
+      return facts_.chosen.contains(id) && !model_.providers[id].needs.empty() && !model_.providers[id].packs.empty();
+    };
+    if (all.size() < 2 || std::none_of(all.begin(), all.end(), may_lose)) return;
+    for (const ProviderId id : all) {
+      if (!facts_.active.contains(id)) continue;
+      for (const std::vector<ConditionUse>* entries : {&model_.providers[id].sets, &model_.providers[id].causing}) {
+        for (const ConditionUse& entry : *entries) {
+          std::vector<GroupId>& groups = alternatives_[model_.conditions[entry.id].state];
+          if (groups.empty() || groups.back() != group) groups.push_back(group);
+        }
+      }
+    }
+  }
+
+  /// Whether some pack takes something of what is pushed, or of what may lead to that.
+  bool may_take(const Granted& granted, const Wanting& wanting) const {
+    const auto is_lost = [&](ProviderId id) { return granted.takings.need_taken(id) != nullptr; };
     return std::any_of(wanting.wants.begin(), wanting.wants.end(), [&](const Want& want) {
-      return std::any_of(want.causers.begin(), want.causers.end(),
-                         [&](ProviderId causer) { return granted.takings.need_taken(causer) != nullptr; });
+      const std::vector<GroupId>& groups = alternatives_[state_of(want)];
+      return std::any_of(want.causers.begin(), want.causers.end(), is_lost) ||
+             std::any_of(groups.begin(), groups.end(), [&](GroupId group) {
+               const std::vector<ProviderId>& all = model_.groups[group].providers;
+               return std::any_of(all.begin(), all.end(), is_lost);
+             });
     });
   }
 
@@ -97,7 +132,7 @@ private:
     if (!fallback || settings_.never_runs(fallback->provider) || is_pushed_for(want, group)) return;
     const std::optional<Setting> setting = settings_.find_setting(want.waiter, want.condition, group, fallback->values);
     if (setting && setting->provider == id && shared_.chains().may_beat(granted.task, group))
-      report(granted, want, *setting, *need, *fallback);
+      report(granted, want, *setting, {id, need, {}}, *fallback);
   }
 
   /// Whether the task pushes the group for this condition: then another provider of it causes that.
@@ -111,24 +146,94 @@ private:
   }
 
   void look_at(const Granted& granted, const Wanting& wanting, const Want& want) {
+    Region here = region_of(model_, model_.providers[wanting.provider].when);
+    here.meet(region_of(model_, model_.providers[want.waiter].when));
     for (const ProviderId causer : want.causers) {
-      if (granted.takings.takes(model_.providers[causer].group)) continue;
-      const Use<GroupId>* need = granted.takings.need_taken(causer);
-      if (need == nullptr || seen_.count({need->span, want.condition.span}) != 0 ||
-          !is_requested_beside(shared_, granted, model_.providers[causer].group))
-        continue;
-      Region here = region_of(model_, model_.providers[wanting.provider].when);
-      here.meet(region_of(model_, model_.providers[want.waiter].when));
-      const std::optional<Fallback> fallback = find_fallback(here, want, causer, granted.takings);
-      if (fallback) report(granted, want, {causer, causes(model_, causer, want.condition.id)}, *need, *fallback);
+      const GroupId group = model_.providers[causer].group;
+      if (granted.takings.takes(group) || !is_requested_beside(shared_, granted, group)) continue;
+      look_at_loser(granted, here, want, causer, {causer, granted.takings.need_taken(causer), {}});
+      for (const GroupId above : alternatives_[state_of(want)]) look_above(granted, here, want, causer, above);
     }
   }
 
+  /// Where a provider of this group leads to the causing one.
+  void look_above(const Granted& granted, const Region& here, const Want& want, ProviderId causer, GroupId above) {
+    const GroupId group = model_.providers[causer].group;
+    if (above == group || settings_.never_runs(causer) || granted.takings.takes(above) ||
+        !shared_.claims(above).contains(group) || leads_to(above, granted) ||
+        !shared_.chains().may_beat(granted.task, above))
+      return;
+    for (const ProviderId id : model_.groups[above].providers) {
+      const Use<GroupId>* need = granted.takings.need_taken(id);
+      if (need == nullptr || !facts_.chosen.contains(id) || settings_.never_runs(id) ||
+          !compatible(here, facts_.region_to_run(model_, id, facts_.pushed.contains(id))))
+        continue;
+      const std::vector<ChainStep> down = way_below(model_, shared_, id, group);
+      if (!down.empty()) look_at_loser(granted, here, want, causer, {id, need, down});
+    }
+  }
+
+  void look_at_loser(const Granted& granted, const Region& here, const Want& want, ProviderId causer,
+                     const Loser& loser) {
+    if (loser.need == nullptr || seen_.count({loser.need->span, want.condition.span}) != 0) return;
+    const std::optional<Fallback> fallback = find_fallback(here, want, loser.provider, granted.takings);
+    if (!fallback || (loser.provider != causer && (settings_.never_runs(fallback->provider) ||
+                                                   !begins_again(loser.provider, want, fallback->values))))
+      return;
+    std::set<GroupId> seen;
+    if (!stays_requested(granted, model_.providers[loser.provider].group, seen)) return;
+    report(granted, want, {causer, causes(model_, causer, want.condition.id)}, loser, *fallback);
+  }
+
+  bool leads_to(GroupId above, const Granted& granted) const {
+    const Claims& claims = shared_.claims(above);
+    return claims.contains(granted.task) || claims.contains(granted.waits);
+  }
+
+  /// Whether its group is requested and chooses the provider when the condition has one of these values.
+  bool begins_again(ProviderId id, const Want& want, const ValueSet& values) const {
+    Region here = region_of(model_, model_.providers[want.waiter].when);
+    here.states[state_of(want)] = values;
+    if (!compatible(here, shared_.requests().region(model_.providers[id].group))) return false;
+    for (const ProviderId each : model_.group_of(id).providers) {
+      const Region own = region_of(model_, model_.providers[each].when);
+      if (each == id) return compatible(own, here);
+      if (facts_.chosen.contains(each) && contains(own, here)) return false;
+    }
+    return false;
+  }
+
+  /// Whether something that requests the group goes on when the task is granted, and with it this request. Another
+  /// provider may keep the requests of the one that it replaces.
+  bool stays_requested(const Granted& granted, GroupId group, std::set<GroupId>& seen) const {
+    if (!seen.insert(group).second) return false;
+    const std::vector<Request>& requests = shared_.requests().of(group);
+    return std::any_of(requests.begin(), requests.end(), [&](const Request& request) {
+      if (!request.requester) return true;
+      const GroupId above = model_.providers[*request.requester].group;
+      if (leads_to(above, granted) || !shared_.chains().may_beat(granted.task, above)) return true;
+      const std::vector<ProviderId>& all = model_.groups[above].providers;
+      const bool goes_on = std::any_of(all.begin(), all.end(), [&](ProviderId id) {
+        return facts_.active.contains(id) && granted.takings.need_taken(id) == nullptr;
+      });
+      return goes_on && !granted.takings.takes(above) && !is_refused(granted, request) &&
+             stays_requested(granted, above, seen);
+    });
+  }
+
+  /// Whether its unit lacks another member.
+  bool is_refused(const Granted& granted, const Request& request) const {
+    if (request.pack->name.empty() || !model_.is_always_member(*request.task)) return false;
+    const std::vector<const Task*> unit = unit_members(model_, *request.pack);
+    return std::any_of(unit.begin(), unit.end(),
+                       [&](const Task* member) { return granted.takings.takes(member->target); });
+  }
+
   /// The first one that can continue without what is taken, if no earlier one always can.
-  std::optional<Fallback> find_fallback(const Region& here, const Want& want, ProviderId causer,
+  std::optional<Fallback> find_fallback(const Region& here, const Want& want, ProviderId loser,
                                         const Takings& takings) const {
-    for (const ProviderId id : model_.groups[model_.providers[causer].group].providers) {
-      if (id == causer || !facts_.active.contains(id) || takings.need_taken(id) != nullptr) continue;
+    for (const ProviderId id : model_.group_of(loser).providers) {
+      if (id == loser || !facts_.active.contains(id) || takings.need_taken(id) != nullptr) continue;
       const Region own = region_of(model_, model_.providers[id].when);
       if (!compatible(here, own)) continue;
       const std::optional<Fallback> found = find_undoing(want, id);
@@ -142,7 +247,7 @@ private:
     for (const std::vector<ConditionUse>* entries : {&row.sets, &row.causing}) {
       for (const ConditionUse& entry : *entries) {
         const Condition& set = model_.conditions[entry.id];
-        if (set.state != model_.conditions[want.condition.id].state) continue;
+        if (set.state != state_of(want)) continue;
         ValueSet values = undoing_values(model_, want.waiter, want.condition.id, set.accepts);
         if (!values.empty()) return Fallback{id, entry, entries == &row.causing, std::move(values)};
       }
@@ -150,22 +255,27 @@ private:
     return std::nullopt;
   }
 
-  void report(const Granted& granted, const Want& want, const Setting& setting, const Use<GroupId>& need,
+  void report(const Granted& granted, const Want& want, const Setting& setting, const Loser& loser,
               const Fallback& fallback) {
     std::vector<std::string> names;
-    for (const Use<GroupId>* each : granted.takings.needs_taken(setting.provider)) {
+    for (const Use<GroupId>* each : granted.takings.needs_taken(loser.provider)) {
       seen_.insert({each->span, want.condition.span});
       names.push_back(name_of(model_, each->id));
     }
-    const std::string causing = name_of(model_, setting.provider), lost = list_of(names);
+    const std::string losing = name_of(model_, loser.provider), lost = list_of(names);
     const std::string set = fmt::format("{} may {} {}", name_of(model_, fallback.provider),
                                         fallback.promised ? "cause" : "set", name_of(model_, fallback.entry.id));
-    dsl::Diagnostic& finding = findings_.add(
-        need.span, fmt::format("{} loses {} when {}, which waits for {}; instead of it {}: the two go round", causing,
-                               lost, is_granted(model_, granted), name_of(model_, want.condition.id), set));
-    add_taking(model_, want, setting.note, granted.takings.way_to(need), finding);
+    dsl::Diagnostic& finding =
+        findings_.add(loser.need->span,
+                      fmt::format("{} loses {} when {}, which waits for {}; instead of it {}: the two go round", losing,
+                                  lost, is_granted(model_, granted), name_of(model_, want.condition.id), set));
+    Taking how = granted.takings.way_to(*loser.need);
+    std::vector<dsl::Note> notes;
+    add_chain(model_, loser.down, notes);
+    how.notes.insert(how.notes.begin(), notes.begin(), notes.end());
+    add_taking(model_, want, setting.note, std::move(how), finding);
     finding.notes.push_back({fallback.entry.span, set});
-    finding.help = fmt::format("let {} do without {}, or {}", causing, lost, stay_help(model_, want, fallback.values));
+    finding.help = fmt::format("let {} do without {}, or {}", losing, lost, stay_help(model_, want, fallback.values));
   }
 
   const Model& model_;
@@ -174,6 +284,7 @@ private:
   const Settings settings_;
   Findings& findings_;
   IdTable<StateId, std::vector<std::pair<ProviderId, ConditionId>>> setters_; ///< what they may set, without a promise
+  IdTable<StateId, std::vector<GroupId>> alternatives_; ///< groups of which some provider may set it instead of another
   std::set<std::pair<dsl::Span, dsl::Span>> seen_;
 };
 

@@ -80,7 +80,8 @@ public:
         if (!granted) granted.emplace(granted_alone(model_, shared_, task));
         if (!takes_from(granted->takings, stopped) || settings_.is_kept_off(waiter, stopped)) continue;
         for (const StopValue& stop : stop_values(stopped, state)) {
-          const std::optional<Setting> setting = settings_.find_setting(waiter, use, stopped, stop.values);
+          std::optional<Setting> setting = settings_.find_start(waiter, use, stopped, stop.values);
+          if (!setting) setting = settings_.find_setting(waiter, use, stopped, stop.values);
           if (!setting || !shared_.chains().may_beat(task, stopped)) continue;
           look_at_stop(*granted, {waiter, use, {}}, *setting, stopped, stop, {});
         }
@@ -151,17 +152,8 @@ private:
   }
 
   void look_below(const Granted& granted, const Want& want, const Setting& causer, GroupId stopped, StateId state) {
-    for (const Pack& pack : model_.providers[causer.provider].packs) {
-      for (const Task& task : pack.tasks) {
-        const Claims& claims = shared_.claims(task.target);
-        if (!claims.contains(stopped)) continue;
-        const RunsBelow below(shared_.branches(), claims, task.target);
-        if (!below.contains(stopped)) continue;
-        std::vector<ChainStep> chain = below.path(stopped);
-        chain.insert(chain.begin(), {model_.providers[causer.provider].group, task.target, false, task.span});
-        look_at_stops(granted, want, causer, stopped, state, chain);
-      }
-    }
+    const std::vector<ChainStep> chain = way_below(model_, shared_, causer.provider, stopped);
+    if (!chain.empty()) look_at_stops(granted, want, causer, stopped, state, chain);
   }
 
   /// A group that has nothing to do with the causing one, runs again when the task has lost control, and loses what it

@@ -93,6 +93,21 @@ bool is_requested_beside(const Shared& shared, const Granted& granted, GroupId g
   return out;
 }
 
+std::vector<ChainStep> way_below(const Model& model, const Shared& shared, ProviderId from, GroupId to) {
+  for (const Pack& pack : model.providers[from].packs) {
+    for (const Task& task : pack.tasks) {
+      const Claims& claims = shared.claims(task.target);
+      if (!claims.contains(to)) continue;
+      const RunsBelow below(shared.branches(), claims, task.target);
+      if (!below.contains(to)) continue;
+      std::vector<ChainStep> out = below.path(to);
+      out.insert(out.begin(), {model.providers[from].group, task.target, false, task.span});
+      return out;
+    }
+  }
+  return {};
+}
+
 std::string is_granted(const Model& model, const Granted& granted) {
   const std::string out = name_of(model, granted.task) + " is granted";
   return granted.is_other() ? fmt::format("{} together with {}", out, name_of(model, granted.waits)) : out;

@@ -40,6 +40,9 @@ std::vector<Granted> with_each_pack(const Model& model, const Facts& facts, cons
 /// Whether the task takes the group from others: with other packs it requests it itself, and while it waits, nothing.
 bool is_requested_beside(const Shared& shared, const Granted& granted, GroupId group);
 
+/// The requests from the provider down to the group, with any pack. Empty: it leads to it by none.
+std::vector<ChainStep> way_below(const Model& model, const Shared& shared, ProviderId from, GroupId to);
+
 /// "`Kick` is granted", "`Look` is granted together with `Kick`"
 std::string is_granted(const Model& model, const Granted& granted);
 

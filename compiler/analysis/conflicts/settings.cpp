@@ -67,4 +67,28 @@ std::optional<Setting> Settings::find_setting(ProviderId waiter, const Condition
   return std::nullopt;
 }
 
+std::optional<Setting> Settings::find_start(ProviderId waiter, const ConditionUse& use, GroupId group,
+                                            const ValueSet& values) const {
+  const Group& row = model_.groups[group];
+  const Condition& condition = model_.conditions[use.id];
+  Region before = region_of(model_, model_.providers[waiter].when);
+  const Region here = before;
+  before.states[condition.state] = values.without(condition.accepts);
+  if (!row.start || before.states[condition.state].empty()) return std::nullopt;
+  const auto entry = std::find_if(row.start->sets.begin(), row.start->sets.end(),
+                                  [&](const ConditionUse& each) { return model_.satisfies(each.id, use.id); });
+  const auto begins = std::find_if(row.providers.begin(), row.providers.end(), [&](ProviderId id) {
+    return facts_.chosen.contains(id) && !never_runs(id) &&
+           compatible(before, region_of(model_, model_.providers[id].when));
+  });
+  // Otherwise the group stops by itself then.
+  const bool continues = std::any_of(row.providers.begin(), row.providers.end(), [&](ProviderId id) {
+    return facts_.active.contains(id) && compatible(here, active_region(model_, model_.providers[id]));
+  });
+  if (entry == row.start->sets.end() || begins == row.providers.end() || !continues) return std::nullopt;
+  return Setting{
+      *begins,
+      {entry->span, fmt::format("the start of {} may set {}", name_of(model_, group), name_of(model_, entry->id))}};
+}
+
 } // namespace director::analysis

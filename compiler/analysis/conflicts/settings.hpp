@@ -36,6 +36,9 @@ public:
   /// false, or without `values` is unset, if that makes it true again.
   std::optional<Setting> find_setting(ProviderId waiter, const ConditionUse& use, GroupId group,
                                       const std::optional<ValueSet>& values) const;
+  /// The same if the start of the group makes it true again, which runs when any provider of it is chosen.
+  std::optional<Setting> find_start(ProviderId waiter, const ConditionUse& use, GroupId group,
+                                    const ValueSet& values) const;
 
 private:
   /// Otherwise what its unit lacks may be something else.
