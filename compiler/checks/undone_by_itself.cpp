@@ -65,6 +65,10 @@ public:
         const Setter start{fmt::format("the start of {}", name_of(model_, group)), group};
         for (const ConditionUse& entry : model_.groups[group].start->sets) look_at_unpushed(wait, start, entry, path);
       }
+      if (model_.groups[group].stop && may_be_dropped(path, group, waiter)) {
+        const Setter stop{fmt::format("the stop of {}", name_of(model_, group)), group};
+        for (const ConditionUse& entry : model_.groups[group].stop->sets) look_at_unpushed(wait, stop, entry, path);
+      }
       for (const ProviderId id : model_.groups[group].providers) {
         const Provider& provider = model_.providers[id];
         if (!facts_.active.contains(id) || !compatible(here, active_region(model_, provider))) continue;
@@ -234,6 +238,33 @@ private:
     look_at_entry(granted, want, by, entry);
   }
 
+  /// Whether the group may stop while the task goes on above it: something on the path may run without the next group,
+  /// with another pack or provider, or with the same one if that is `optional` or `apart`.
+  bool may_be_dropped(const std::vector<ChainStep>& path, GroupId group, ProviderId waiter) const {
+    const Region here = region_of(model_, model_.providers[waiter].when);
+    return std::any_of(path.begin(), path.end(), [&](const ChainStep& step) {
+      bool leads = false, does_without = false;
+      for (const ProviderId id : model_.groups[step.from].providers) {
+        const Provider& row = model_.providers[id];
+        const bool goes_on = step.from == model_.providers[waiter].group
+                                 ? id == waiter
+                                 : facts_.active.contains(id) && compatible(here, active_region(model_, row));
+        if (!goes_on) continue;
+        does_without = does_without || row.packs.empty();
+        for (const Pack& pack : row.packs) {
+          bool keeps = false;
+          for (const Task& task : pack.tasks) {
+            if (!shared_.claims(task.target).contains(group)) continue;
+            leads = true;
+            keeps = keeps || ((!pack.name.empty() || pack.tasks.size() == 1) && model_.is_always_member(task));
+          }
+          does_without = does_without || !keeps;
+        }
+      }
+      return leads && does_without;
+    });
+  }
+
   Setter setter(ProviderId id) const { return {name_of(model_, id), model_.providers[id].group}; }
 
   void look_below(const Granted& granted, const Want& want, GroupId group) {
@@ -241,6 +272,10 @@ private:
     if (model_.groups[group].start) {
       const Setter start{fmt::format("the start of {}", name_of(model_, group)), group};
       for (const ConditionUse& entry : model_.groups[group].start->sets) look_at_entry(granted, want, start, entry);
+    }
+    if (model_.groups[group].stop && may_be_dropped(granted.below.path(group), group, want.waiter)) {
+      const Setter stop{fmt::format("the stop of {}", name_of(model_, group)), group};
+      for (const ConditionUse& entry : model_.groups[group].stop->sets) look_at_entry(granted, want, stop, entry);
     }
     bool comes_first = true; // no earlier one is always chosen
     for (const ProviderId id : model_.groups[group].providers) {
