@@ -51,6 +51,11 @@ public:
     for (const SelfDefeat& fault : find_self_defeats(model_, facts_)) {
       if (!fault.stop) explained_.add(fault.provider);
     }
+    for (const PackConflict& conflict : input.conflicts.pack_conflicts()) {
+      if (!model_.providers[conflict.provider].has_packs || conflict.verdict != UnitVerdict::impossible) continue;
+      for (const Task* member : conflict.members) conflicting_.insert(member);
+      for (const Task* member : conflict.others) conflicting_.insert(member);
+    }
     for (const Wanting& wanting : shared_.wants()) {
       for (const Want& want : wanting.wants) pushed_.insert({wanting.task, want.condition.id});
     }
@@ -147,6 +152,16 @@ private:
            !waits_with_reported(group);
   }
 
+  /// Whether it could run, and all its requests are granted only together with what they exclude, which is reported.
+  bool is_in_conflict(GroupId group) const {
+    const std::vector<Request>& requests = shared_.requests().of(group);
+    return facts_.capable_groups.contains(group) &&
+           std::all_of(requests.begin(), requests.end(), [&](const Request& request) {
+             return request.requester && conflicting_.count(request.task) != 0 &&
+                    model_.is_always_member(*request.task);
+           });
+  }
+
   /// Whether all its requests are granted only together with something that never runs and is reported.
   bool waits_with_reported(GroupId group) const {
     bool any = false;
@@ -220,6 +235,7 @@ private:
   }
 
   void look_at(GroupId group) {
+    if (is_in_conflict(group)) return;
     std::vector<Region> open = ways_for(group).of(group);
     add_circles(group, open);
     if (never_runs(group)) {
@@ -481,6 +497,7 @@ private:
   Findings& findings_;
   IdSet<ProviderId> explained_;
   std::set<std::pair<GroupId, ConditionId>> pushed_, told_; ///< told_: another finding says why it is not pushed
+  std::set<const Task*> conflicting_;                       ///< entries of packs whose members exclude each other
   std::vector<Uncoveredness> found_;
 };
 
