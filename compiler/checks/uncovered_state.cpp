@@ -1,5 +1,6 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/uncovered_state.md.
 // SPDX-License-Identifier: MIT
+#include "compiler/analysis/causing/circles.hpp"
 #include "compiler/analysis/causing/exclusion.hpp"
 #include "compiler/analysis/causing/promises.hpp"
 #include "compiler/analysis/causing/self_defeats.hpp"
@@ -39,6 +40,7 @@ public:
         shared_(input.shared),
         grants_(input.conflicts.grants()),
         earlier_(model_, facts_, shared_.requests(), shared_.rivals(), shared_.budget()),
+        circles_(model_, facts_, shared_.causers()),
         findings_(findings),
         explained_(input.shared.promises().explained) {
     for (const Imprecise& fault : shared_.imprecise()) explained_.add(fault.waiter);
@@ -49,11 +51,16 @@ public:
     for (const SelfDefeat& fault : find_self_defeats(model_, facts_)) {
       if (!fault.stop) explained_.add(fault.provider);
     }
+    for (const PackConflict& conflict : input.conflicts.pack_conflicts()) {
+      if (!model_.providers[conflict.provider].has_packs || conflict.verdict != UnitVerdict::impossible) continue;
+      for (const Task* member : conflict.members) conflicting_.insert(member);
+      for (const Task* member : conflict.others) conflicting_.insert(member);
+    }
     for (const Wanting& wanting : shared_.wants()) {
       for (const Want& want : wanting.wants) pushed_.insert({wanting.task, want.condition.id});
     }
-    for (const Outranked& one : input.conflicts.outranked()) pushed_.insert({one.request->target, one.condition.id});
-    for (const HeldPush& held : input.conflicts.held_pushes()) pushed_.insert({held.waits->target, held.wanted.id});
+    for (const Outranked& one : input.conflicts.outranked()) told_.insert({one.request->target, one.condition.id});
+    for (const HeldPush& held : input.conflicts.held_pushes()) told_.insert({held.waits->target, held.wanted.id});
   }
 
   void run() {
@@ -99,12 +106,39 @@ private:
 
   /// Whether the condition is one that a task for this group has to wait for without being able to cause it.
   bool counts(GroupId group, ProviderId provider, const ConditionUse& use) const {
-    if (explained_.contains(provider) || pushed_.count({group, use.id}) != 0) return false;
+    if (explained_.contains(provider) || told_.count({group, use.id}) != 0) return false;
+    if (beginnings(group, provider, use)) return true;
+    if (pushed_.count({group, use.id}) != 0) return false;
     const std::vector<ProviderId>& causers = shared_.causers()[use.id];
-    return std::none_of(causers.begin(), causers.end(), [&](ProviderId causer) {
-      return model_.providers[causer].group != group && facts_.chosen.contains(causer) &&
-             facts_.active.contains(causer) && !shared_.push_exclusion().find_outside(provider, causer);
-    });
+    return std::none_of(causers.begin(), causers.end(),
+                        [&](ProviderId causer) { return may_cause(group, provider, causer); });
+  }
+
+  bool may_cause(GroupId group, ProviderId provider, ProviderId causer) const {
+    return model_.providers[causer].group != group && facts_.chosen.contains(causer) &&
+           facts_.active.contains(causer) && !shared_.push_exclusion().find_outside(provider, causer);
+  }
+
+  /// Where a push can lead to the condition, if all that could cause it waits for it, itself or in a circle.
+  std::optional<std::vector<Region>> beginnings(GroupId group, ProviderId provider, const ConditionUse& use) const {
+    return circles_.beginnings(use.id, [&](ProviderId causer) { return may_cause(group, provider, causer); });
+  }
+
+  /// Adds the ways to run by such a push.
+  void add_circles(GroupId group, std::vector<Region>& ways) const {
+    for (const ProviderId id : model_.groups[group].providers) {
+      for (const ConditionUse& use : model_.providers[id].when) {
+        const auto found = beginnings(group, id, use);
+        if (!found) continue;
+        for (Region way : *found) {
+          for (const ConditionUse& other : model_.providers[id].when) {
+            if (other.id == use.id || !counts(group, id, other)) continue;
+            way.meet(model_.conditions[other.id].state, model_.conditions[other.id].accepts);
+          }
+          if (!way.empty()) ways.push_back(std::move(way));
+        }
+      }
+    }
   }
 
   /// Whether none of its providers ever runs, and no finding about one of them reports that.
@@ -116,6 +150,16 @@ private:
                          return !facts_.active.contains(id) && !is_told(id, seen);
                        }) &&
            !waits_with_reported(group);
+  }
+
+  /// Whether it could run, and all its requests are granted only together with what they exclude, which is reported.
+  bool is_in_conflict(GroupId group) const {
+    const std::vector<Request>& requests = shared_.requests().of(group);
+    return facts_.capable_groups.contains(group) &&
+           std::all_of(requests.begin(), requests.end(), [&](const Request& request) {
+             return request.requester && conflicting_.count(request.task) != 0 &&
+                    model_.is_always_member(*request.task);
+           });
   }
 
   /// Whether all its requests are granted only together with something that never runs and is reported.
@@ -191,7 +235,9 @@ private:
   }
 
   void look_at(GroupId group) {
-    const std::vector<Region> open = ways_for(group).of(group);
+    if (is_in_conflict(group)) return;
+    std::vector<Region> open = ways_for(group).of(group);
+    add_circles(group, open);
     if (never_runs(group)) {
       const Request& first = shared_.requests().of(group).front();
       found_.push_back({group, {std::string(everywhere)}, true, {}, &first});
@@ -420,6 +466,7 @@ private:
         if (evidence.states.count(model_.conditions[use.id].state) == 0 || !counts(evidence.task, id, use)) continue;
         any = true;
         evidence.notes.push_back(runs_only_while(model_, id, use));
+        if (beginnings(evidence.task, id, use)) add_waiting_causers(evidence.task, id, use, evidence.notes);
       }
       for (const Use<GroupId>& need : model_.providers[id].needs) {
         if (!add_conditions(need.id, evidence)) continue;
@@ -431,14 +478,26 @@ private:
     return evidence.seen[group] = any;
   }
 
+  void add_waiting_causers(GroupId task, ProviderId provider, const ConditionUse& use,
+                           std::vector<dsl::Note>& notes) const {
+    for (const ProviderId causer : shared_.causers()[use.id]) {
+      if (!may_cause(task, provider, causer)) continue;
+      notes.push_back(causes(model_, causer, use.id));
+      for (const ConditionUse& each : model_.providers[causer].when)
+        notes.push_back(runs_only_while(model_, causer, each));
+    }
+  }
+
   const Model& model_;
   const Facts& facts_;
   const Shared& shared_;
   const Grants& grants_;
   const Earlier earlier_;
+  const Circles circles_;
   Findings& findings_;
   IdSet<ProviderId> explained_;
-  std::set<std::pair<GroupId, ConditionId>> pushed_;
+  std::set<std::pair<GroupId, ConditionId>> pushed_, told_; ///< told_: another finding says why it is not pushed
+  std::set<const Task*> conflicting_;                       ///< entries of packs whose members exclude each other
   std::vector<Uncoveredness> found_;
 };
 

@@ -65,6 +65,10 @@ public:
         const Setter start{fmt::format("the start of {}", name_of(model_, group)), group};
         for (const ConditionUse& entry : model_.groups[group].start->sets) look_at_unpushed(wait, start, entry, path);
       }
+      if (model_.groups[group].stop && may_be_dropped(path, group, waiter)) {
+        const Setter stop{fmt::format("the stop of {}", name_of(model_, group)), group};
+        for (const ConditionUse& entry : model_.groups[group].stop->sets) look_at_unpushed(wait, stop, entry, path);
+      }
       for (const ProviderId id : model_.groups[group].providers) {
         const Provider& provider = model_.providers[id];
         if (!facts_.active.contains(id) || !compatible(here, active_region(model_, provider))) continue;
@@ -76,14 +80,24 @@ public:
     }
   }
 
-  /// The start of a task below ends the condition, and its stop brings it back, without a push.
-  void look_at_starts(const RunsBelow& below, ProviderId waiter) {
-    for (const GroupId group : below.groups()) {
+  /// The start of a task below ends the condition, and its stop brings it back, without a push. Of a task that is
+  /// granted together with it, also the body may: undone_by_stop reports that of what the task requests itself.
+  void look_at_rounds(const Granted& granted, ProviderId waiter) {
+    const Region here = region_of(model_, model_.providers[waiter].when);
+    for (const GroupId group : granted.below.groups()) {
       const Group& row = model_.groups[group];
-      if (group == model_.providers[waiter].group || !row.start) continue;
-      for (const ConditionUse& entry : row.start->sets) {
-        for (const ConditionUse& use : model_.providers[waiter].when)
-          look_at_start(below, {waiter, use, {}}, group, entry);
+      if (group == model_.providers[waiter].group || (granted.is_other() && row.requesters.size() > 1)) continue;
+      if (row.start)
+        look_at_rounds(granted, waiter, {fmt::format("the start of {}", name_of(model_, group)), group},
+                       row.start->sets);
+      if (!granted.is_other()) continue;
+      for (const ProviderId id : row.providers) {
+        const Provider& provider = model_.providers[id];
+        if (!facts_.active.contains(id) || !compatible(here, active_region(model_, provider))) continue;
+        Setter by = setter(id);
+        look_at_rounds(granted, waiter, by, provider.sets);
+        by.promised = true;
+        look_at_rounds(granted, waiter, by, provider.causing);
       }
     }
   }
@@ -127,22 +141,37 @@ private:
     finding.help = stay_help(model_, {waiter, use, {}}, values);
   }
 
-  void look_at_start(const RunsBelow& below, const Want& want, GroupId group, const ConditionUse& entry) {
+  void look_at_rounds(const Granted& granted, ProviderId waiter, const Setter& by,
+                      const std::vector<ConditionUse>& entries) {
+    for (const ConditionUse& entry : entries) {
+      for (const ConditionUse& use : model_.providers[waiter].when)
+        look_at_round(granted, {waiter, use, {}}, by, entry);
+    }
+  }
+
+  void look_at_round(const Granted& granted, const Want& want, const Setter& by, const ConditionUse& entry) {
     const Condition& condition = model_.conditions[want.condition.id];
     if (model_.conditions[entry.id].state != condition.state || facts_.is_impossible(want.waiter, condition.state))
       return;
     const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, model_.conditions[entry.id].accepts);
     if (values.empty()) return;
-    const std::optional<dsl::Note> back = stop_that_causes(group, want.condition.id);
+    const std::optional<dsl::Note> back = stop_that_causes(model_, by.group, want.condition.id);
     if (!back || !seen_.insert({entry.span, want.condition.span}).second) return;
-    const std::string waiter = name_of(model_, want.waiter), starts = name_of(model_, group);
-    dsl::Diagnostic& finding = findings_.add(
-        entry.span, fmt::format("the start of {} may set {}, and then {} is cut off until {} stops: the two go round",
-                                starts, name_of(model_, entry.id), waiter, starts));
+    dsl::Diagnostic& finding =
+        findings_.add(entry.span, fmt::format("{} may {} {}, and then {} is cut off until {} stops: the two go round",
+                                              by.name, by.promised ? "cause" : "set", name_of(model_, entry.id),
+                                              name_of(model_, want.waiter), name_of(model_, by.group)));
     finding.notes.push_back(runs_only_while(model_, want.waiter, want.condition));
-    add_chain(model_, below.path(group), finding.notes);
+    add_company(granted, finding.notes);
+    add_chain(model_, granted.below.path(by.group), finding.notes);
     finding.notes.push_back(*back);
     finding.help = stay_help(model_, want, values);
+  }
+
+  void add_company(const Granted& granted, std::vector<dsl::Note>& notes) const {
+    if (!granted.is_other()) return;
+    notes.push_back({granted.member->span, fmt::format("{} is granted together with {}", name_of(model_, granted.task),
+                                                       name_of(model_, granted.waits))});
   }
 
   /// The provider that causes the condition, if nothing else can make it true after the start.
@@ -192,25 +221,6 @@ private:
     });
   }
 
-  /// How the stop of the group makes the condition true.
-  std::optional<dsl::Note> stop_that_causes(GroupId group, ConditionId id) const {
-    const Group& row = model_.groups[group];
-    const Condition& condition = model_.conditions[id];
-    if (row.stop) {
-      for (const ConditionUse& entry : row.stop->sets) {
-        const Condition& set = model_.conditions[entry.id];
-        if (set.state == condition.state && !set.accepts.intersected(condition.accepts).empty())
-          return dsl::Note{entry.span,
-                           fmt::format("the stop of {} may set {}", name_of(model_, group), name_of(model_, entry.id))};
-      }
-    }
-    const State& state = model_.states[condition.state];
-    if (state.of && state.of->id == group && condition.accepts.contains(*state.initial))
-      return dsl::Note{state.of->span, fmt::format("{} is {} again when {} stops", name_of(model_, condition.state),
-                                                   state.value_text(*state.initial), name_of(model_, group))};
-    return std::nullopt;
-  }
-
   /// What the provider promises ends its task, where the request ends too: the program's does. While it is pushed, its
   /// condition does not count.
   void look_at_goal(const Granted& granted, const Want& want, const ConditionUse& entry) {
@@ -234,6 +244,33 @@ private:
     look_at_entry(granted, want, by, entry);
   }
 
+  /// Whether the group may stop while the task goes on above it: something on the path may run without the next group,
+  /// with another pack or provider, or with the same one if that is `optional` or `apart`.
+  bool may_be_dropped(const std::vector<ChainStep>& path, GroupId group, ProviderId waiter) const {
+    const Region here = region_of(model_, model_.providers[waiter].when);
+    return std::any_of(path.begin(), path.end(), [&](const ChainStep& step) {
+      bool leads = false, does_without = false;
+      for (const ProviderId id : model_.groups[step.from].providers) {
+        const Provider& row = model_.providers[id];
+        const bool goes_on = step.from == model_.providers[waiter].group
+                                 ? id == waiter
+                                 : facts_.active.contains(id) && compatible(here, active_region(model_, row));
+        if (!goes_on) continue;
+        does_without = does_without || row.packs.empty();
+        for (const Pack& pack : row.packs) {
+          bool keeps = false;
+          for (const Task& task : pack.tasks) {
+            if (!shared_.claims(task.target).contains(group)) continue;
+            leads = true;
+            keeps = keeps || ((!pack.name.empty() || pack.tasks.size() == 1) && model_.is_always_member(task));
+          }
+          does_without = does_without || !keeps;
+        }
+      }
+      return leads && does_without;
+    });
+  }
+
   Setter setter(ProviderId id) const { return {name_of(model_, id), model_.providers[id].group}; }
 
   void look_below(const Granted& granted, const Want& want, GroupId group) {
@@ -241,6 +278,10 @@ private:
     if (model_.groups[group].start) {
       const Setter start{fmt::format("the start of {}", name_of(model_, group)), group};
       for (const ConditionUse& entry : model_.groups[group].start->sets) look_at_entry(granted, want, start, entry);
+    }
+    if (model_.groups[group].stop && may_be_dropped(granted.below.path(group), group, want.waiter)) {
+      const Setter stop{fmt::format("the stop of {}", name_of(model_, group)), group};
+      for (const ConditionUse& entry : model_.groups[group].stop->sets) look_at_entry(granted, want, stop, entry);
     }
     bool comes_first = true; // no earlier one is always chosen
     for (const ProviderId id : model_.groups[group].providers) {
@@ -270,10 +311,7 @@ private:
                                               by.promised ? "cause" : "set", name_of(model_, entry.id), waiter,
                                               name_of(model_, *causer), condition));
     finding.notes.push_back(runs_only_while(model_, want.waiter, want.condition));
-    if (granted.is_other())
-      finding.notes.push_back(
-          {granted.member->span, fmt::format("{} is granted together with {}", name_of(model_, granted.task),
-                                             name_of(model_, granted.waits))});
+    add_company(granted, finding.notes);
     add_chain(model_, granted.below.path(by.group), finding.notes);
     finding.notes.push_back(causes(model_, *causer, want.condition.id));
     finding.help = stay_help(model_, want, values);
@@ -289,12 +327,15 @@ private:
   std::map<ConditionId, std::optional<ProviderId>> only_causers_;
 };
 
-/// The states that some start handler sets.
-IdSet<StateId> states_of_starts(const Model& model) {
+/// The states to which the stop of some group gives a value.
+IdSet<StateId> states_of_stops(const Model& model) {
   IdSet<StateId> out(model.states.size());
+  for (const StateId id : model.states.ids()) {
+    if (model.states[id].of) out.add(id);
+  }
   for (const Group& group : model.groups) {
-    if (!group.start) continue;
-    for (const ConditionUse& entry : group.start->sets) out.add(model.conditions[entry.id].state);
+    if (!group.stop) continue;
+    for (const ConditionUse& entry : group.stop->sets) out.add(model.conditions[entry.id].state);
   }
   return out;
 }
@@ -314,15 +355,15 @@ void undone_by_itself(const Input& input, Findings& findings) {
     if (!input.facts.chosen.contains(id)) continue;
     for (const ConditionUse& use : input.model.providers[id].when) undone.look_at_unpushed(input, id, use);
   }
-  const IdSet<StateId> by_starts = states_of_starts(input.model);
+  const IdSet<StateId> by_stops = states_of_stops(input.model);
   for (const ProviderId id : input.model.providers.ids()) {
     const compiler::Provider& provider = input.model.providers[id];
-    if (provider.packs.empty() || !input.facts.active.contains(id) ||
+    if (!input.facts.active.contains(id) ||
         std::none_of(provider.when.begin(), provider.when.end(),
-                     [&](const ConditionUse& use) { return by_starts.contains(input.model.conditions[use.id].state); }))
+                     [&](const ConditionUse& use) { return by_stops.contains(input.model.conditions[use.id].state); }))
       continue;
-    const RunsBelow below(input.shared.branches(), input.shared.claims(provider.group), provider.group);
-    undone.look_at_starts(below, id);
+    for (const Granted& granted : granted_with(input.model, input.shared, provider.group))
+      undone.look_at_rounds(granted, id);
   }
 }
 

@@ -1,5 +1,6 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/waiting_company.md.
 // SPDX-License-Identifier: MIT
+#include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/requests/company.hpp"
@@ -56,6 +57,7 @@ public:
           continue;
         if (takes_from_causers(member->target, other->target) || takes_from_causers(other->target, member->target))
           continue;
+        if (go_round(member->target, other->target)) continue;
         const auto where = find_held_back(member->target, other->target, region);
         if (!where) continue;
         report(*member, *other, *where);
@@ -125,6 +127,33 @@ private:
     });
   }
 
+  /// Whether the member ends what the other one waits for, and its stop brings that back: then undone_by_itself reports
+  /// the two, and by itself the member would only keep the other one waiting.
+  bool go_round(GroupId member, GroupId waiting) const {
+    const Model& model = input_.model;
+    const Group& row = model.groups[member];
+    const auto ends = [&](const std::vector<ConditionUse>& entries, ProviderId waiter, const ConditionUse& use) {
+      return std::any_of(entries.begin(), entries.end(), [&](const ConditionUse& entry) {
+        const Condition& set = model.conditions[entry.id];
+        return set.state == model.conditions[use.id].state &&
+               !undoing_values(model, waiter, use.id, set.accepts).empty();
+      });
+    };
+    const auto undoes = [&](ProviderId waiter, const ConditionUse& use) {
+      return (row.start && ends(row.start->sets, waiter, use)) ||
+             std::any_of(row.providers.begin(), row.providers.end(), [&](ProviderId id) {
+               return ends(model.providers[id].sets, waiter, use) || ends(model.providers[id].causing, waiter, use);
+             });
+    };
+    const std::vector<ProviderId>& waiters = model.groups[waiting].providers;
+    return row.requesters.size() == 1 && std::any_of(waiters.begin(), waiters.end(), [&](ProviderId waiter) {
+             const std::vector<ConditionUse>& when = model.providers[waiter].when;
+             return std::any_of(when.begin(), when.end(), [&](const ConditionUse& use) {
+               return stop_that_causes(model, member, use.id) && undoes(waiter, use);
+             });
+           });
+  }
+
   /// The member itself: even if the other one requests it, that happens only after the other one runs.
   bool sets_what_it_waits_for(GroupId member, GroupId waiting) const {
     const auto is_its_own = [&](const Source& source) {
@@ -140,12 +169,12 @@ private:
     return false;
   }
 
-  /// Whether it, or something that it leads to, could satisfy the condition.
+  /// Whether it, or something that it leads to, could satisfy the condition while it runs.
   bool could_satisfy(GroupId member, const Condition& condition) const {
     const Claims& claims = input_.shared.claims(member);
     return any_source(condition, [&](const Source& source) {
       const auto by = source.provider ? std::optional(input_.model.providers[*source.provider].group) : source.group;
-      return by && claims.contains(*by);
+      return by && source.kind != Source::Kind::stop && claims.contains(*by);
     });
   }
 

@@ -72,6 +72,24 @@ bool is_undone_when_unset(const Model& model, ProviderId provider, StateId state
   return !cover(model, here, others);
 }
 
+std::optional<dsl::Note> stop_that_causes(const Model& model, GroupId group, ConditionId condition) {
+  const Group& row = model.groups[group];
+  const Condition& wanted = model.conditions[condition];
+  if (row.stop) {
+    for (const ConditionUse& entry : row.stop->sets) {
+      const Condition& set = model.conditions[entry.id];
+      if (set.state == wanted.state && !set.accepts.intersected(wanted.accepts).empty())
+        return dsl::Note{entry.span,
+                         fmt::format("the stop of {} may set {}", name_of(model, group), name_of(model, entry.id))};
+    }
+  }
+  const State& state = model.states[wanted.state];
+  if (state.of && state.of->id == group && wanted.accepts.contains(*state.initial))
+    return dsl::Note{state.of->span, fmt::format("{} is {} again when {} stops", name_of(model, wanted.state),
+                                                 state.value_text(*state.initial), name_of(model, group))};
+  return std::nullopt;
+}
+
 std::string stay_help(const Model& model, const Want& want, const ValueSet& values) {
   const StateId state = model.conditions[want.condition.id].state;
   return fmt::format("give {} a `stay` under which {} may be {}", name_of(model, want.waiter), name_of(model, state),

@@ -3,6 +3,9 @@
 // Finds the values that make a condition of a running task false again.
 
 #include "compiler/analysis/causing/wants.hpp"
+#include "dsl/source/diagnostic.hpp"
+
+#include <optional>
 
 namespace director::analysis {
 
@@ -13,6 +16,9 @@ ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId con
 
 /// The same for a state that becomes unset: whether the provider cannot continue then.
 bool is_undone_when_unset(const Model& model, ProviderId provider, StateId state);
+
+/// How the stop of the group makes the condition true: by its handler, or because the state belongs to the group.
+std::optional<dsl::Note> stop_that_causes(const Model& model, GroupId group, ConditionId condition);
 
 /// Help for a wanted condition that these values make false again.
 std::string stay_help(const Model& model, const Want& want, const ValueSet& values);
