@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The threads of this process, for tests of what scheduling a thread has that is not the test's own.
+// The threads of this process, for tests of what scheduling and which signals a thread has that is not the test's own.
 
 #include <sched.h>
 #include <sys/resource.h>
@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -44,6 +45,20 @@ Scheduling scheduling_of_new_thread(Prepare prepare, Make make) {
     }
   }).join();
   return result;
+}
+
+/// Whether this thread gets a signal to the process that it blocks only now, and waits for. Otherwise another thread
+/// takes it, and the process ends.
+inline bool gets_signal_that_it_waits_for() {
+  sigset_t wanted, before;
+  sigemptyset(&wanted);
+  sigaddset(&wanted, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &wanted, &before);
+  kill(getpid(), SIGTERM);
+  const timespec ten_seconds{10, 0};
+  const bool out = sigtimedwait(&wanted, nullptr, &ten_seconds) == SIGTERM;
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  return out;
 }
 
 inline bool become_nice() { return setpriority(PRIO_PROCESS, 0, 15) == 0; }

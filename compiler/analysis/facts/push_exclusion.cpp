@@ -51,15 +51,15 @@ PushExclusion::PushExclusion(const Model& model, const Facts& facts, const Cause
 }
 
 std::optional<StateId> PushExclusion::find(ProviderId waiter, ProviderId causer) const {
-  return find_different(waiting(waiter), chosen(causer), nullptr);
+  return find_different(region(waiter, true), region(causer, false), nullptr);
 }
 
 std::optional<StateId> PushExclusion::find_outside(ProviderId waiter, ProviderId causer) const {
-  return find_different(waiting(waiter), chosen(causer), &outside_);
+  return find_different(region(waiter, true), region(causer, false), &outside_);
 }
 
-std::optional<StateId> PushExclusion::find_beside(ProviderId chosen_one, ProviderId causer) const {
-  return find_different(chosen(chosen_one), chosen(causer), nullptr);
+std::optional<StateId> PushExclusion::find_beside(ProviderId chosen, ProviderId causer) const {
+  return find_different(region(chosen, false), region(causer, false), nullptr);
 }
 
 std::vector<std::pair<ProviderId, ConditionUse>> PushExclusion::conditions_on(StateId state,
@@ -81,18 +81,10 @@ ValueSet PushExclusion::values_of(StateId state, ProviderId provider) const {
   return out;
 }
 
-const Region& PushExclusion::waiting(ProviderId id) const {
-  std::optional<Region>& known = waiting_[id];
+const Region& PushExclusion::region(ProviderId id, bool waits) const {
+  std::optional<Region>& known = (waits ? waiting_ : chosen_)[id];
   if (known) return *known;
-  Region out = own(id, true);
-  for (const ProviderId each : needed(id)) out.meet(own(each, false));
-  return known.emplace(std::move(out));
-}
-
-const Region& PushExclusion::chosen(ProviderId id) const {
-  std::optional<Region>& known = chosen_[id];
-  if (known) return *known;
-  Region out = own(id, false);
+  Region out = own(id, waits);
   for (const ProviderId each : needed(id)) out.meet(own(each, false));
   return known.emplace(std::move(out));
 }

@@ -32,8 +32,8 @@ public:
   ValueSet values_of(StateId state, ProviderId provider) const;
 
 private:
-  const Region& waiting(ProviderId id) const;
-  const Region& chosen(ProviderId id) const;
+  /// Around the states with which the provider waits for a push, or can be chosen; what it needs included.
+  const Region& region(ProviderId id, bool waits) const;
   Region own(ProviderId id, bool waits) const;
   /// Of the groups that it needs, directly or not, and that have no other provider.
   std::vector<ProviderId> needed(ProviderId id) const;

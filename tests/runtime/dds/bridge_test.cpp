@@ -141,14 +141,7 @@ TEST_CASE("no thread of a bridge is real-time, or takes a signal that the progra
   const Scheduling real_time = scheduling_of_new_thread(become_real_time, robot);
   if (real_time != Scheduling{}) CHECK(real_time.policy == SCHED_OTHER); // not every user may be real-time
   const Robot one(speaks);
-  sigset_t wanted, before;
-  sigemptyset(&wanted);
-  sigaddset(&wanted, SIGTERM);
-  pthread_sigmask(SIG_BLOCK, &wanted, &before);
-  kill(getpid(), SIGTERM);
-  const timespec patience{10, 0};
-  CHECK(sigtimedwait(&wanted, nullptr, &patience) == SIGTERM);
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  CHECK(gets_signal_that_it_waits_for());
 }
 
 TEST_CASE("a robot that joins late receives current states that were published before") {

@@ -227,14 +227,7 @@ TEST_CASE("a signal that the program waits for is not taken by the thread of a r
   const Lamp lamp;
   const TemporaryFolder folder;
   const Recorder recorder{lamp.names, (folder.path() / "run.jsonl").string()};
-  sigset_t wanted, before;
-  sigemptyset(&wanted);
-  sigaddset(&wanted, SIGTERM);
-  pthread_sigmask(SIG_BLOCK, &wanted, &before);
-  kill(getpid(), SIGTERM);
-  const timespec patience{10, 0};
-  CHECK(sigtimedwait(&wanted, nullptr, &patience) == SIGTERM);
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  CHECK(gets_signal_that_it_waits_for());
 }
 
 TEST_CASE("a failure of the last write is known when the recorder is closed") {
