@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <set>
 #include <utility>
 
 namespace director::compiler {
@@ -65,16 +66,15 @@ bool reports_never(const dsl::Diagnostic& finding) {
 
 /// Drops findings about a substitute for a missing thing, which are not about the file.
 Diagnostics without_stand_ins(const Diagnostics& before, Diagnostics found) {
-  const auto is_missing = [&](dsl::Span span) {
-    return std::any_of(before.begin(), before.end(), [&](const dsl::Diagnostic& finding) {
-      return has(finding, checks::Consequence::stand_in) && finding.span == span;
-    });
-  };
-  const bool any_missing = any_has(before, checks::Consequence::stand_in);
+  std::set<dsl::Span> missing;
+  for (const dsl::Diagnostic& finding : before) {
+    if (has(finding, checks::Consequence::stand_in)) missing.insert(finding.span);
+  }
+  if (missing.empty()) return found;
   std::erase_if(found, [&](const dsl::Diagnostic& finding) {
-    if (any_missing && reports_never(finding)) return true;
-    return is_missing(finding.span) || std::any_of(finding.notes.begin(), finding.notes.end(),
-                                                   [&](const dsl::Note& note) { return is_missing(note.span); });
+    return reports_never(finding) || missing.contains(finding.span) ||
+           std::any_of(finding.notes.begin(), finding.notes.end(),
+                       [&](const dsl::Note& note) { return missing.contains(note.span); });
   });
   return found;
 }

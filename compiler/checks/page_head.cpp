@@ -14,9 +14,10 @@ namespace {
 
 /// The rest of the line of the page with this beginning.
 std::string_view header_of(const Registered& check, std::string_view label) {
-  const std::size_t at = check.page.find(label);
+  const std::string_view head = check.page.substr(0, check.page.find("\n\n"));
+  const std::size_t at = head.find(label);
   if (at == std::string_view::npos) return {};
-  const std::string_view rest = check.page.substr(at + label.size());
+  const std::string_view rest = head.substr(at + label.size());
   return rest.substr(0, rest.find('\n'));
 }
 

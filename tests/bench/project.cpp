@@ -196,6 +196,14 @@ std::string dense(std::size_t size) {
   return out;
 }
 
+/// The values of each state are words that other readers of YAML take for booleans, and a provider of each group never
+/// runs.
+std::string warnings(std::size_t size) {
+  return head + "states:\n" + rows(size, "  S{}: {{values: [off, on], initial: off, external: true}}\n") +
+         "roots: [All]\ngroups:\n  All:\n    tasks:\n" + rows(size, "      T{0}: {{priority: {0}}}\n") +
+         rows(size, "  T{}: {{providers: [{{name: first}}, {{name: second}}]}}\n");
+}
+
 } // namespace
 
 Files project(std::size_t groups) {
@@ -225,7 +233,8 @@ const std::vector<Shape>& shapes() {
                                       {"tasks of one provider", 1'000, 10'000, one_requests_all},
                                       {"groups, each requesting all behind it", 20, 100, dense},
                                       {"values of a state", 500, 5'000, many_values},
-                                      {"tasks of equal rank that want one group", 200, 2'000, rivals}};
+                                      {"tasks of equal rank that want one group", 200, 2'000, rivals},
+                                      {"warnings, of reading and of checks", 500, 5'000, warnings}};
   return all;
 }
 
