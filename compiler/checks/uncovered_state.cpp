@@ -21,7 +21,10 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <set>
+#include <tuple>
+#include <vector>
 
 namespace director::checks {
 
@@ -120,15 +123,19 @@ private:
   }
 
   /// Where a push can lead to the condition, if all that could cause it waits for it, itself or in a circle.
-  std::optional<std::vector<Region>> beginnings(GroupId group, ProviderId provider, const ConditionUse& use) const {
-    return circles_.beginnings(use.id, [&](ProviderId causer) { return may_cause(group, provider, causer); });
+  const std::optional<std::vector<Region>>& beginnings(GroupId group, ProviderId provider,
+                                                       const ConditionUse& use) const {
+    const auto [at, is_new] = beginnings_.try_emplace({group, provider, use.id});
+    if (is_new)
+      at->second = circles_.beginnings(use.id, [&](ProviderId causer) { return may_cause(group, provider, causer); });
+    return at->second;
   }
 
   /// Adds the ways to run by such a push.
   void add_circles(GroupId group, std::vector<Region>& ways) const {
     for (const ProviderId id : model_.groups[group].providers) {
       for (const ConditionUse& use : model_.providers[id].when) {
-        const auto found = beginnings(group, id, use);
+        const std::optional<std::vector<Region>>& found = beginnings(group, id, use);
         if (!found) continue;
         for (Region way : *found) {
           for (const ConditionUse& other : model_.providers[id].when) {
@@ -494,6 +501,7 @@ private:
   const Grants& grants_;
   const Earlier earlier_;
   const Circles circles_;
+  mutable std::map<std::tuple<GroupId, ProviderId, ConditionId>, std::optional<std::vector<Region>>> beginnings_;
   Findings& findings_;
   IdSet<ProviderId> explained_;
   std::set<std::pair<GroupId, ConditionId>> pushed_, told_; ///< told_: another finding says why it is not pushed

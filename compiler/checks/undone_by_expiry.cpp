@@ -146,11 +146,8 @@ private:
     };
     const auto stops = [&](ProviderId each) { return !facts_.active.contains(each) || loses(takings, each); };
     if (std::all_of(group.providers.begin(), group.providers.end(), stops)) {
-      const State& state = model_.states[state_of(want)];
-      if (state.of && state.of->id == id && undoes(ValueSet::single(*state.initial))) return true;
-      return group.stop && std::any_of(group.stop->sets.begin(), group.stop->sets.end(), [&](const ConditionUse& use) {
-               return model_.conditions[use.id].state == state_of(want) && undoes(model_.conditions[use.id].accepts);
-             });
+      const std::vector<StopValue> values = stop_values(model_, id, state_of(want));
+      return std::any_of(values.begin(), values.end(), [&](const StopValue& stop) { return undoes(stop.values); });
     }
     const Region here = region_of(model_, model_.providers[want.waiter].when);
     for (const ProviderId each : group.providers) {

@@ -19,14 +19,6 @@ namespace director::checks {
 
 namespace {
 
-/// The value that the stop of a group gives a state, and where it is declared.
-struct StopValue {
-  ValueSet values;
-  dsl::Span span{};
-  std::string what;
-  std::string without; ///< how to do without it
-};
-
 class UndoneByStop {
 public:
   UndoneByStop(const Input& input, Findings& findings)
@@ -79,7 +71,7 @@ public:
         if (stopped == task) continue;
         if (!granted) granted.emplace(granted_alone(model_, shared_, task));
         if (!takes_from(granted->takings, stopped) || settings_.is_kept_off(waiter, stopped)) continue;
-        for (const StopValue& stop : stop_values(stopped, state)) {
+        for (const StopValue& stop : stop_values(model_, stopped, state)) {
           std::optional<Setting> setting = settings_.find_start(waiter, use, stopped, stop.values);
           if (!setting) setting = settings_.find_setting(waiter, use, stopped, stop.values);
           if (!setting || !shared_.chains().may_beat(task, stopped)) continue;
@@ -96,7 +88,7 @@ private:
       for (const ConditionUse& entry : *entries) {
         const Condition& set = model_.conditions[entry.id];
         if (set.state != state) continue;
-        for (const StopValue& stop : stop_values(group, state)) {
+        for (const StopValue& stop : stop_values(model_, group, state)) {
           const std::optional<ProviderId> ended = find_ended(group, state, set.accepts, stop.values);
           if (ended && ends_.insert({group, state}).second) report(*ended, id, entry, entries == &row.causing, stop);
         }
@@ -166,7 +158,7 @@ private:
       return;
     const Takings before(model_, shared_.indispensable(), shared_.claims(causing), causing);
     if (takes_from(before, stopped)) return; // it has stopped before, because of the push
-    for (const StopValue& stop : stop_values(stopped, state)) {
+    for (const StopValue& stop : stop_values(model_, stopped, state)) {
       const ValueSet values = stop.values.without(model_.conditions[want.condition.id].accepts);
       if (!values.empty() && runs_until_granted(want, causer.provider, stopped, state, values) &&
           look_at_stop(granted, want, causer, stopped, stop, {}))
@@ -206,7 +198,8 @@ private:
   /// `chain`: from the causing group to the one that stops; empty: that is the causing group itself.
   void look_at_stops(const Granted& granted, const Want& want, const Setting& causer, GroupId stopped, StateId state,
                      const std::vector<ChainStep>& chain) {
-    for (const StopValue& stop : stop_values(stopped, state)) look_at_stop(granted, want, causer, stopped, stop, chain);
+    for (const StopValue& stop : stop_values(model_, stopped, state))
+      look_at_stop(granted, want, causer, stopped, stop, chain);
   }
 
   /// Whether it is reported now.
@@ -235,27 +228,6 @@ private:
     const std::vector<ProviderId>& all = model_.groups[group].providers;
     return takings.takes(group) ||
            std::any_of(all.begin(), all.end(), [&](ProviderId id) { return takings.need_taken(id) != nullptr; });
-  }
-
-  std::vector<StopValue> stop_values(GroupId id, StateId state) const {
-    const Group& group = model_.groups[id];
-    const State& row = model_.states[state];
-    std::vector<StopValue> out;
-    if (group.stop) {
-      for (const ConditionUse& entry : group.stop->sets) {
-        if (model_.conditions[entry.id].state != state) continue;
-        out.push_back({model_.conditions[entry.id].accepts, entry.span,
-                       fmt::format("the stop of {} may set {}", name_of(model_, id), name_of(model_, entry.id)),
-                       fmt::format("let the stop of {} leave it as it is", name_of(model_, id))});
-      }
-    }
-    // The handler's own value takes precedence, but it may not declare one.
-    if (row.of && row.of->id == id)
-      out.push_back({ValueSet::single(*row.initial), row.of->span,
-                     fmt::format("{} is {} again when {} stops", name_of(model_, state), row.value_text(*row.initial),
-                                 name_of(model_, id)),
-                     "leave `of` out"});
-    return out;
   }
 
   struct Search {

@@ -148,9 +148,10 @@ std::vector<std::optional<Verdict>> decide_early(const Ground& ground, SearchOpt
   for (const std::size_t i : without_verdict(out)) {
     if (all) break;
     for (const Goal& goal : goals_of(ground.model.assertions[i], ground.model)) {
+      if (out[i]) break;
       Ground focused(ground.model, ground.timed);
       focus_on(focused, goal);
-      if (!out[i]) look(focused, {i}, few, Breadth::usual);
+      look(focused, {i}, few, Breadth::usual);
       if (!out[i]) look(focused, {i}, few);
       if (!out[i] && focused.make_all_packs_usual()) look(focused, {i}, few);
     }

@@ -72,21 +72,32 @@ bool is_undone_when_unset(const Model& model, ProviderId provider, StateId state
   return !cover(model, here, others);
 }
 
-std::optional<dsl::Note> stop_that_causes(const Model& model, GroupId group, ConditionId condition) {
-  const Group& row = model.groups[group];
-  const Condition& wanted = model.conditions[condition];
-  if (row.stop) {
-    for (const ConditionUse& entry : row.stop->sets) {
-      const Condition& set = model.conditions[entry.id];
-      if (set.state == wanted.state && !set.accepts.intersected(wanted.accepts).empty())
-        return dsl::Note{entry.span,
-                         fmt::format("the stop of {} may set {}", name_of(model, group), name_of(model, entry.id))};
+std::vector<StopValue> stop_values(const Model& model, GroupId group, StateId state) {
+  const Group& owner = model.groups[group];
+  const State& row = model.states[state];
+  std::vector<StopValue> out;
+  if (owner.stop) {
+    for (const ConditionUse& entry : owner.stop->sets) {
+      if (model.conditions[entry.id].state != state) continue;
+      out.push_back({model.conditions[entry.id].accepts, entry.span,
+                     fmt::format("the stop of {} may set {}", name_of(model, group), name_of(model, entry.id)),
+                     fmt::format("let the stop of {} leave it as it is", name_of(model, group))});
     }
   }
-  const State& state = model.states[wanted.state];
-  if (state.of && state.of->id == group && wanted.accepts.contains(*state.initial))
-    return dsl::Note{state.of->span, fmt::format("{} is {} again when {} stops", name_of(model, wanted.state),
-                                                 state.value_text(*state.initial), name_of(model, group))};
+  // The handler's own value takes precedence, but it may not declare one.
+  if (row.of && row.of->id == group)
+    out.push_back({ValueSet::single(*row.initial), row.of->span,
+                   fmt::format("{} is {} again when {} stops", name_of(model, state), row.value_text(*row.initial),
+                               name_of(model, group)),
+                   "leave `of` out"});
+  return out;
+}
+
+std::optional<dsl::Note> stop_that_causes(const Model& model, GroupId group, ConditionId condition) {
+  const Condition& wanted = model.conditions[condition];
+  for (StopValue& stop : stop_values(model, group, wanted.state)) {
+    if (!stop.values.intersected(wanted.accepts).empty()) return dsl::Note{stop.span, std::move(stop.what)};
+  }
   return std::nullopt;
 }
 

@@ -6,6 +6,8 @@
 #include "dsl/source/diagnostic.hpp"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace director::analysis {
 
@@ -17,7 +19,16 @@ ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId con
 /// The same for a state that becomes unset: whether the provider cannot continue then.
 bool is_undone_when_unset(const Model& model, ProviderId provider, StateId state);
 
-/// How the stop of the group makes the condition true: by its handler, or because the state belongs to the group.
+/// Values that the stop of a group may give a state: by its handler, or because the state belongs to the group.
+struct StopValue {
+  ValueSet values;
+  dsl::Span span{};
+  std::string what;    ///< "the stop of `Walk` may set `Pose == lost`"
+  std::string without; ///< how to do without it
+};
+std::vector<StopValue> stop_values(const Model& model, GroupId group, StateId state);
+
+/// How the stop of the group makes the condition true.
 std::optional<dsl::Note> stop_that_causes(const Model& model, GroupId group, ConditionId condition);
 
 /// Help for a wanted condition that these values make false again.

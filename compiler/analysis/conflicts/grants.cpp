@@ -272,13 +272,14 @@ Grants::Standing Grants::standing_of(GroupId group) {
 std::vector<Grants::Entry> Grants::entries_of(const Provider& provider, const Pack& pack, const Standing& above) {
   const GroupId requester = provider.group;
   // When another provider takes over, the group is stale: each of its tasks goes on or is lost by itself.
+  static const std::vector<Packmate> none;
   const bool is_kept = running_ == Running::any && &pack == pack_;
   std::vector<Entry> out;
   for (const PackEntry& each : packmates_.of(provider, pack)) {
     Entry entry{
         each.task, each.unit != nullptr, false, takers_.is_optional(*each.task) ? above.optional : above.held, {}};
     entry.below = {entry.held, above.optional};
-    for (const Packmate& mate : is_kept ? std::vector<Packmate>{} : each.mates) {
+    for (const Packmate& mate : is_kept ? none : each.mates) {
       if (each.unit != mate.unit) {
         if (!std::all_of(mate.unit->begin(), mate.unit->end(),
                          [&](const Task* member) { return is_grantable(requester, *member, above.held); }))
