@@ -87,7 +87,7 @@ std::optional<Microseconds> bound_of(const std::vector<Transition::Push>& pushes
 
 void Judge::judge(const Beginning& row, const Beginning& column, const Play& now, const Values& change, Transition& out,
                   CellContext& context) const {
-  const std::vector<GroupId> lost = find_losses(row, column, now.trial, out, context);
+  std::vector<GroupId> lost = find_losses(row, column, now.trial, out, context);
   std::vector<GroupId> all = lost;
   all.insert(all.end(), out.again.begin(), out.again.end());
   out.pushes = pushes_of(now.trial, row);
@@ -96,7 +96,7 @@ void Judge::judge(const Beginning& row, const Beginning& column, const Play& now
   const bool ended = !runs(now.trial.rest, row.way) || contains(out.again, row.way.target);
   context.withdrawer = parting.link ? model_.groups[row.way.group(*parting.link)].name.value : "The program";
   // What is handed over and pushed does not end by the values, though what requested it does.
-  const bool pushed_on = ended && !all.empty() && pushed_first(row, column, now.trial) &&
+  const bool pushed_on = ended && !all.empty() && pushed_first(row, column, now.trial, lost) &&
                          first_pushes(row, now.trial).groups.count(row.way.target.value) != 0;
   if (!pushed_on && (ended || !all.empty()) && player_.ends_by(row, column, change, all)) {
     out.kind = Kind::condition_lost;
@@ -106,19 +106,31 @@ void Judge::judge(const Beginning& row, const Beginning& column, const Play& now
     out.kind = Kind::replaced;
     context.withdrawn = row.way.links[*parting.link].next->target;
     context.replacement = column.way.links[*parting.link].next->target;
-  } else if (all.empty()) {
+  } else if (all.empty() && (lost = player_.needs_taken(row, now.trial)).empty()) {
     out.kind = Kind::both;
   } else if ((context.ender = find_ender(row, column, now.trial, lost, out, context))) {
     out.kind = Kind::condition_lost;
     context.row_runs_on = !ended;
   } else {
-    out.kind = pushed_first(row, column, now.trial) ? Kind::soft : Kind::hard;
+    out.kind = pushed_first(row, column, now.trial, lost) ? Kind::soft : Kind::hard;
     context.takes_over = !lost.empty() && takes_from_side(row, column, now.trial);
     if (context.takes_over) find_all_takers(row, column, now.trial, lost, out, context);
     context.runs_at_once = runs_before(now.trial, row, column);
+    if (all.empty()) context.instead = instead_of_needing(row, now.trial.rest, lost);
   }
   if (out.kind != Kind::soft) return;
   out.bound = bound_of(out.pushes);
+}
+
+std::vector<ProviderId> Judge::instead_of_needing(const Beginning& row, const Rest& rest,
+                                                  const std::vector<GroupId>& taken) const {
+  std::vector<ProviderId> out;
+  for (const GroupId id : taken) {
+    const std::optional<GroupId> needer = model_.edges[*row.rest.groups[id.value].by].requester;
+    const std::optional<ProviderId> now = needer ? rest.groups[needer->value].active : std::nullopt;
+    if (now && std::find(out.begin(), out.end(), *now) == out.end()) out.push_back(*now);
+  }
+  return out;
 }
 
 /// Whether it is a push, and not for a task that ran on the row's own side and is requested there.
@@ -141,13 +153,16 @@ Judge::Pushed Judge::first_pushes(const Beginning& row, const Trial& trial) cons
   return out;
 }
 
-/// Whether nothing was taken from the row's side before the first push, nor with it, other than what is pushed or is
-/// requested on the column's chain too: that may get another requester at once, and goes on.
-bool Judge::pushed_first(const Beginning& row, const Beginning& column, const Trial& trial) const {
+/// Whether nothing was taken from the row's side before the first push, nor with it, other than what is pushed or,
+/// below the row's group, is requested on the column's chain too: that may get another requester at once, and goes on.
+/// Of what is lost some is left then.
+bool Judge::pushed_first(const Beginning& row, const Beginning& column, const Trial& trial,
+                         const std::vector<GroupId>& lost) const {
   const EdgeId edge = row.way.last().edge;
   const auto [first, pushed] = first_pushes(row, trial);
   const auto is_handed_over = [&](const Event& event) {
     if (event.kind != Event::Kind::grant || event.edge >= model_.edges.size()) return false;
+    if (GroupId{event.group} == row.way.target && pushed.count(event.group) == 0) return false;
     const Edge& by = model_.edges[EdgeId{event.edge}];
     return by.requester && !by.levels.empty() && column.way.passes(*by.requester);
   };
@@ -159,7 +174,11 @@ bool Judge::pushed_first(const Beginning& row, const Beginning& column, const Tr
       return false;
     return event.micro_step < first || pushed.count(event.group) == 0;
   });
-  return !pushed.empty() && !any_taken;
+  if (pushed.empty() || any_taken) return false;
+  const Rest with_push = holders_after(row, trial, first);
+  return lost.empty() || std::any_of(lost.begin(), lost.end(), [&](GroupId id) {
+           return pushed.count(id.value) != 0 || with_push.is_under(model_, id, edge);
+         });
 }
 
 /// Whether the column was granted when the first push was made.

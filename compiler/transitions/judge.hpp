@@ -43,8 +43,13 @@ private:
                    const std::vector<GroupId>& lost, std::vector<Transition::Push>& pushes) const;
   /// The pushes for the column in the first micro-step that has any.
   Pushed first_pushes(const Beginning& row, const Trial& trial) const;
-  bool pushed_first(const Beginning& row, const Beginning& column, const Trial& trial) const;
+  bool pushed_first(const Beginning& row, const Beginning& column, const Trial& trial,
+                    const std::vector<GroupId>& lost) const;
   bool runs_before(const Trial& trial, const Beginning& row, const Beginning& column) const;
+
+  /// What those run now that needed what was taken.
+  std::vector<ProviderId> instead_of_needing(const Beginning& row, const Rest& rest,
+                                             const std::vector<GroupId>& taken) const;
 
   /// Adds the groups on the row's chain, below where the chains part, that have stopped; and finds which of them held
   /// what was taken, if that was nothing of the row's.
@@ -67,6 +72,8 @@ private:
   void find_pushed_takers(const Beginning& row, const Beginning& column, const Trial& trial,
                           const std::vector<GroupId>& lost, CellContext& context) const;
 
+  /// As the row began, with the holders after the micro-step.
+  static Rest holders_after(const Beginning& row, const Trial& trial, std::uint64_t micro_step);
   /// The first moment when some of these groups, which run for the row's task, have a holder elsewhere.
   struct Taken {
     Rest when;              ///< with the holders of that moment

@@ -10,6 +10,12 @@ namespace director::compiler::transitions {
 
 namespace {
 
+void set_holder(const Event& event, Rest& rest) {
+  if (event.kind != Event::Kind::lose && event.kind != Event::Kind::grant) return;
+  rest.groups[event.group].by.reset();
+  if (event.edge < rest.running.size()) rest.groups[event.group].by = EdgeId{event.edge}; // else: lost, or limbo
+}
+
 /// The request at which the chain of the row leaves that of the column.
 EdgeId side_of(const Beginning& row, const Parting& parting) {
   return parting.link ? row.way.links[*parting.link].next->edge : row.way.root->edge;
@@ -74,17 +80,21 @@ void Judge::find_above(const Beginning& row, const Parting& parting, const Trial
   if (deepest) context.holder = chain[*deepest];
 }
 
+Rest Judge::holders_after(const Beginning& row, const Trial& trial, std::uint64_t micro_step) {
+  Rest out = row.rest;
+  for (const Event& event : trial.events) {
+    if (event.micro_step <= micro_step) set_holder(event, out);
+  }
+  return out;
+}
+
 Judge::Taken Judge::first_taken(const Beginning& row, const Beginning& column, const Trial& trial,
                                 const std::vector<GroupId>& groups) const {
   const EdgeId side = side_of(row, part(model_, row.way, column.way));
   Taken out{row.rest, {}};
   for (auto at = trial.events.begin(); at != trial.events.end() && out.by.empty();) {
     const std::uint64_t micro_step = at->micro_step;
-    for (; at != trial.events.end() && at->micro_step == micro_step; ++at) {
-      if (at->kind != Event::Kind::lose && at->kind != Event::Kind::grant) continue;
-      out.when.groups[at->group].by.reset();
-      if (at->edge < model_.edges.size()) out.when.groups[at->group].by = EdgeId{at->edge}; // else: lost, or limbo
-    }
+    for (; at != trial.events.end() && at->micro_step == micro_step; ++at) set_holder(*at, out.when);
     for (const GroupId id : groups) {
       std::optional<EdgeId> by = out.when.groups[id.value].by;
       if (!by || out.when.is_under(model_, id, side)) continue;

@@ -46,6 +46,24 @@ std::vector<GroupId> Player::lost(const Beginning& row, const Rest& rest) const 
   return out;
 }
 
+std::vector<GroupId> Player::needs_taken(const Beginning& row, const Trial& trial) const {
+  const EdgeId edge = row.way.last().edge;
+  const auto is_taken = [&](GroupId id) {
+    return std::any_of(trial.events.begin(), trial.events.end(), [&](const Event& event) {
+      return event.kind == Event::Kind::grant && event.group == id.value && event.other != nil &&
+             EdgeId{event.other} == row.rest.groups[id.value].by;
+    });
+  };
+  std::vector<GroupId> out;
+  for (const GroupId id : model_.groups.ids()) {
+    const Rest::Held& before = row.rest.groups[id.value];
+    if (before.by && !before.active && row.rest.is_under(model_, id, edge) && trial.rest.groups[id.value].by &&
+        !trial.rest.is_under(model_, id, edge) && is_taken(id))
+      out.push_back(id);
+  }
+  return out;
+}
+
 std::vector<GroupId> Player::interrupted(const Beginning& row, const Trial& trial) const {
   const EdgeId edge = row.way.last().edge;
   std::vector<GroupId> out;

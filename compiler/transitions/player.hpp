@@ -41,6 +41,8 @@ public:
 
   /// What ran for the row's task and no longer runs for it.
   std::vector<GroupId> lost(const Beginning& row, const Rest& rest) const;
+  /// What the row's side held for needs, and others took from it.
+  std::vector<GroupId> needs_taken(const Beginning& row, const Trial& trial) const;
   /// What ran for the row's task, has stopped since, and runs again, for whichever requester.
   std::vector<GroupId> interrupted(const Beginning& row, const Trial& trial) const;
 

@@ -90,6 +90,14 @@ std::string stops(const Transition& cell, const CellContext& context) {
   return out + goes_to_others(others, name(row.group), cell, context.model);
 }
 
+/// What goes on without what was taken.
+std::string goes_on(const CellContext& context) {
+  std::string out;
+  for (const ProviderId id : context.instead)
+    out += fmt::format(" {} goes on in {}.", context.model.group_of(id).name.value, context.model.providers[id].name);
+  return out;
+}
+
 /// `Stand, which is requested with Grab,`, `Brake, which runs for Guard,`
 std::string others(const CellContext& context) {
   const bool one = context.takers.size() == 1;
@@ -226,8 +234,8 @@ std::string words_of(const Transition& cell, const CellContext& context) {
                               : any_within ? " No time is promised for all of that."
                                            : " No time is promised for that.";
     return fmt::format("{} waits.{}{} Then {}.{}{}", waiting(context), pushes(cell, context.model), bound,
-                       context.takes_over ? taking(context) + " over" : second + " runs", stops(cell, context),
-                       outside(cell.states));
+                       context.takes_over ? taking(context) + " over" : second + " runs",
+                       stops(cell, context) + goes_on(context), outside(cell.states));
   }
   case Kind::hard:
     if (!context.takes_over)
@@ -235,7 +243,7 @@ std::string words_of(const Transition& cell, const CellContext& context) {
                          outside(cell.states));
     return fmt::format("{} at once what {} holds.{}{}", taking(context),
                        leading(context.holder.value_or(context.row.group), context.row.group, context.model),
-                       stops(cell, context), outside(cell.states));
+                       stops(cell, context) + goes_on(context), outside(cell.states));
   case Kind::waits:
     return with_losses(fmt::format("{} {} {}.", second,
                                    context.is_requested ? "is queued, and runs" : "is not requested yet, and runs",

@@ -158,4 +158,85 @@ groups:
       "TakeOff any more.");
 }
 
+TEST_CASE("hard: what the first one holds for a need only is taken, and it goes on in another provider") {
+  const auto needs = [](int priority) {
+    return fmt::format(R"(roots: {{Carry: {{priority: 10}}, Wave: {{priority: {}}}}}
+groups:
+  Carry:
+    providers:
+      - {{name: with_both, needs: [LeftArm, RightArm]}}
+      - {{name: with_left, needs: [LeftArm]}}
+  Wave: {{needs: [RightArm]}}
+  LeftArm: {{}}
+  RightArm: {{}}
+)",
+                       priority);
+  };
+  CHECK(cell_words(needs(20), "Carry", "Wave") ==
+        "hard: Wave takes at once what Carry holds. Carry goes on in with_left.");
+  CHECK(cell_words(needs(5), "Carry", "Wave").starts_with("waits: "));
+}
+
+TEST_CASE(
+    "both: what the first one held for a need is free, as its own condition has ended the provider that held it") {
+  CHECK(cell_words(R"(states: {Load: {values: [heavy, light], initial: heavy, external: true}}
+roots: {Carry: {priority: 20}, Wave: {priority: 10}}
+groups:
+  Carry:
+    providers:
+      - {name: with_both, when: [Load == heavy], needs: [LeftArm, RightArm]}
+      - {name: with_left, needs: [LeftArm]}
+  Wave: {when: [Load == light], needs: [RightArm]}
+  LeftArm: {}
+  RightArm: {}
+)",
+                   "Carry", "Wave") == "both: Carry and Wave run beside each other. The outside says Load == light.");
+}
+
+TEST_CASE("hard: what is requested with the second one too has another requester before the push is answered") {
+  const auto talk = [](const char* when) {
+    return fmt::format(R"(states: {{Motion: {{values: [still, rolling], initial: still}}}}
+roots: {{Tour: {{priority: 10}}, Deliver: {{priority: 20}}}}
+groups:
+  Tour: {{packs: {{go: {{Drive: {{priority: 5}}, Talk: {{apart: true}}}}}}}}
+  Deliver: {{packs: {{give: {{HandOver: {{priority: 5}}, Drive: {{apart: true}}, Talk: {{apart: true}}}}}}}}
+  HandOver: {{{}needs: [Wheels], tasks: [Wheels]}}
+  Drive:
+    providers:
+      - {{name: rolling, needs: [Wheels], sets: [Motion == rolling], tasks: [Wheels]}}
+      - {{name: braking, needs: [Wheels], causing: [Motion == still within 3 s], tasks: [Wheels]}}
+  Talk: {{needs: [Speaker], tasks: [Speaker]}}
+  Speaker: {{}}
+  Wheels: {{}}
+)",
+                       when);
+  };
+  constexpr std::string_view words = "hard: Deliver, which leads to HandOver, takes at once what Talk holds. Talk and "
+                                     "Speaker run on, but not for Tour any more.";
+  CHECK(cell_words(talk(""), "Talk", "HandOver") == words);
+  CHECK(cell_words(talk("when: [Motion == still], "), "Talk", "HandOver") == words);
+}
+
+TEST_CASE("hard, soft: what the first one runs for is requested with the second one too, and runs on") {
+  const char* const text = R"(states: {Stability: {values: [moving, standing], initial: moving}}
+roots: {Gaze: {priority: 5}, Game: {priority: 10}}
+groups:
+  Game: {packs: {go: {Kick: {priority: 5}, Walk: {apart: true}, LookAt: {apart: true}}}}
+  Gaze: {tasks: [LookAt]}
+  LookAt: {needs: [Head], tasks: [Head]}
+  Kick: {when: [Stability == standing], needs: [Legs], tasks: [Legs]}
+  Walk:
+    providers:
+      - {name: walking, needs: [Legs], sets: [Stability == moving], tasks: [Legs]}
+      - {name: halting, needs: [Legs], causing: [Stability == standing within 2 s], tasks: [Legs]}
+  Legs: {}
+  Head: {}
+)";
+  for (const char* const first : {"LookAt", "Gaze"}) {
+    CHECK(cell_words(text, first, "Kick") == fmt::format("hard: Game, which leads to Kick, takes at once what {} "
+                                                         "holds. LookAt and Head run on, but not for Gaze any more.",
+                                                         first));
+  }
+}
+
 } // namespace director::tests

@@ -199,29 +199,6 @@ groups:
         soft);
 }
 
-TEST_CASE("soft: what the first one runs for is requested with the second one too, and runs on") {
-  const char* const text = R"(states: {Stability: {values: [moving, standing], initial: moving}}
-roots: {Gaze: {priority: 5}, Game: {priority: 10}}
-groups:
-  Game: {packs: {go: {Kick: {priority: 5}, Walk: {apart: true}, LookAt: {apart: true}}}}
-  Gaze: {tasks: [LookAt]}
-  LookAt: {needs: [Head], tasks: [Head]}
-  Kick: {when: [Stability == standing], needs: [Legs], tasks: [Legs]}
-  Walk:
-    providers:
-      - {name: walking, needs: [Legs], sets: [Stability == moving], tasks: [Legs]}
-      - {name: halting, needs: [Legs], causing: [Stability == standing within 2 s], tasks: [Legs]}
-  Legs: {}
-  Head: {}
-)";
-  for (const char* const first : {"LookAt", "Gaze"}) {
-    CHECK(
-        cell_words(text, first, "Kick") ==
-        "soft: Kick waits. Walk is pushed to halting for Stability == standing, within 2 s. Then Game, which leads to "
-        "Kick, takes over. LookAt and Head run on, but not for Gaze any more.");
-  }
-}
-
 TEST_CASE("soft: what the second wants from outside ends what requested the first, which runs on and is pushed") {
   CHECK(
       cell_words(R"(states:
