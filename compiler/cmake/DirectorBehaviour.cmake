@@ -159,9 +159,9 @@ function(director_add_behaviour)
     set_source_files_properties(${outputs} TARGET_DIRECTORY ${target} PROPERTIES GENERATED TRUE)
   endif()
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${folder}>)
-  # -iquote adds the folder for `#include "..."` only, so that no file in it can hide a system header.
+  # -idirafter adds the folder behind all others, so that no file in it can hide a header of the program or of the system.
   cmake_path(GET file PARENT_PATH beside)
-  target_compile_options(${target} PUBLIC $<BUILD_INTERFACE:$<$<COMPILE_LANGUAGE:C,CXX>:-iquote${beside}>>)
+  target_compile_options(${target} PUBLIC $<BUILD_INTERFACE:$<$<COMPILE_LANGUAGE:C,CXX>:-idirafter${beside}>>)
   target_link_libraries(${target} PUBLIC Director::core)
   # A pragma in runtime/core/api/behaviour.hpp makes a body without an answer an error; g++ loses the pragma if that header is in a precompiled header:
   # of this target, or of one that links it and has bodies.

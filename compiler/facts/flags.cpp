@@ -103,8 +103,22 @@ bool among(std::string_view word, const auto& list) { return std::find(list.begi
 
 std::string stem_of(const std::string& program) { return fs::path(program).filename().string(); }
 
-/// The short form, and the value after `=`, if there is one.
+/// `-DNAME`: of the options for the preprocessor those that decide what a file contains.
+bool is_definition(std::string_view word) {
+  constexpr std::array<std::string_view, 3> kinds{"-D", "-U", "-I"};
+  return word.size() > 2 && begins(word, kinds);
+}
+
+/// The short form, and the value after `=`, if there is one; of `-Wp,-MD,a.d,-DNAME` the definitions.
 Words shortened(const std::string& word) {
+  if (word.starts_with("-Wp,")) {
+    Words out;
+    for (std::size_t at = 4, end = 0; at <= word.size(); at = end + 1) {
+      end = std::min(word.find(',', at), word.size());
+      if (std::string part = word.substr(at, end - at); is_definition(part)) out.push_back(std::move(part));
+    }
+    return out;
+  }
   const std::size_t end = word.find('=');
   for (const auto& [form, instead] : long_forms) {
     if (word.substr(0, end) != form) continue;
@@ -167,10 +181,10 @@ Flags fit_for_clang(const Words& as_written) {
       // CMake's way to make Clang use a precompiled header: its text is beside it.
       out.words.insert(out.words.end(), {"-include", command[i + 3]});
       i += 3;
+    } else if (word == "-Xpreprocessor" && has_next && is_definition(command[i + 1])) {
+      out.words.push_back(command[++i]);
     } else if (word == "-Xclang" || word == "-Xpreprocessor") {
       ++i;
-    } else if (word.starts_with("-Wp,")) {
-      continue;
     } else if (among(word, dropped) || begins(word, dropped_beginnings)) {
       continue;
     } else if (word == "--" || (!word.starts_with('-') && !word.starts_with('@'))) {

@@ -11,7 +11,7 @@ namespace director::dsl {
 
 namespace {
 
-constexpr std::array<std::string_view, 92> cpp_keywords{
+constexpr std::array<std::string_view, 93> cpp_keywords{
     "alignas",     "alignof",  "and",        "and_eq",    "asm",       "auto",         "bitand",
     "bitor",       "bool",     "break",      "case",      "catch",     "char",         "char16_t",
     "char32_t",    "char8_t",  "class",      "co_await",  "co_return", "co_yield",     "compl",
@@ -23,9 +23,9 @@ constexpr std::array<std::string_view, 92> cpp_keywords{
     "or",          "or_eq",    "private",    "protected", "public",    "register",     "reinterpret_cast",
     "requires",    "return",   "short",      "signed",    "sizeof",    "static",       "static_assert",
     "static_cast", "struct",   "switch",     "template",  "this",      "thread_local", "throw",
-    "true",        "try",      "typedef",    "typeid",    "typename",  "union",        "unsigned",
-    "using",       "virtual",  "void",       "volatile",  "wchar_t",   "while",        "xor",
-    "xor_eq"};
+    "true",        "try",      "typedef",    "typeid",    "typename",  "typeof",       "union",
+    "unsigned",    "using",    "virtual",    "void",      "volatile",  "wchar_t",      "while",
+    "xor",         "xor_eq"};
 static_assert(std::is_sorted(cpp_keywords.begin(), cpp_keywords.end()));
 
 constexpr std::array<std::string_view, 5> reserved{"start", "stop", "default", "root", "limbo"};

@@ -3,6 +3,7 @@
 #include "compiler/clang/ast/places.hpp"
 
 #include <clang/AST/ASTContext.h>
+#include <clang/AST/DeclCXX.h>
 #include <clang/Lex/Lexer.h>
 
 #include <filesystem>
@@ -38,7 +39,11 @@ std::int64_t Places::row_of(const std::string& path) {
 }
 
 std::string name_of(const clang::NamedDecl& decl) {
-  std::string name = decl.getDeclName().isIdentifier() && decl.getName().empty() ? "" : decl.getNameAsString();
+  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(&decl);
+  const bool is_lambda = method != nullptr && method->getParent()->isLambda();
+  std::string name = is_lambda                                                     ? "(lambda)"
+                     : decl.getDeclName().isIdentifier() && decl.getName().empty() ? ""
+                                                                                   : decl.getNameAsString();
   for (const clang::DeclContext* at = decl.getDeclContext(); at != nullptr; at = at->getParent()) {
     const auto* outer = llvm::dyn_cast<clang::NamedDecl>(at);
     if (outer == nullptr || llvm::isa<clang::FunctionDecl>(outer)) continue;

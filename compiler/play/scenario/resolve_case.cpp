@@ -19,7 +19,7 @@ std::vector<RequestedTask> whole(const Pack& pack) {
   return out;
 }
 
-/// An edge that is requested twice: the last entry counts.
+/// An edge that the pack requests already: the entry counts.
 void add_request(std::vector<RequestedTask>& request, RequestedTask entry) {
   const auto same =
       std::find_if(request.begin(), request.end(), [&](const RequestedTask& a) { return a.edge == entry.edge; });
@@ -85,9 +85,22 @@ void leave_out(const Word& name, const dsl::CaseSpec& spec, const Pack& pack, Na
     names.error("redefined_name", name.span, fmt::format("`{}` is listed twice", name.value), "remove one of them");
 }
 
+void check_requests(const std::vector<dsl::RequestSpec>& entries, Names& names) {
+  for (auto entry = entries.begin(); entry != entries.end(); ++entry) {
+    const auto earlier = std::find_if(
+        entries.begin(), entry, [&](const dsl::RequestSpec& each) { return each.group.value == entry->group.value; });
+    if (earlier == entry) continue;
+    names
+        .error("redefined_name", entry->group.span, fmt::format("`{}` is listed twice", entry->group.value),
+               "remove one of them")
+        .notes.push_back({earlier->group.span, "it is listed here first"});
+  }
+}
+
 void resolve_answer(const dsl::CaseSpec& spec, ProviderId id, Names& names, Case& out) {
   const Provider& provider = names.model.providers[id];
   const std::string owner = fmt::format("`{}` requests", names.model.full_name(id));
+  check_requests(spec.tasks, names);
   switch (spec.answer.value) {
   case dsl::Answer::done: out.answer = Case::Answer::done; return;
   case dsl::Answer::failed: out.answer = Case::Answer::failed; return;

@@ -35,8 +35,10 @@ struct Task {
   using data_type = Data; ///< the type named by `data` of the group
   /// The data of the request, and its level.
   explicit Task(Data given, LevelOf<Self> at = {}) : data(std::move(given)), level(at) {}
-  Data data;           ///< moved by the request
-  LevelOf<Self> level; ///< one that the requester declares
+  template <class Other>
+  explicit Task(LevelOf<Other>) = delete; ///< the data come first: `std::any` would take the level for them
+  Data data;                              ///< moved by the request
+  LevelOf<Self> level;                    ///< one that the requester declares
 };
 
 /// Base of a task type without data: `soccer::Look{}`, `soccer::Look{soccer::Look::urgent}`.

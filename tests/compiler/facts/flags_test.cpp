@@ -89,6 +89,12 @@ TEST_CASE("long forms of flags are equal to the short ones") {
                             "-D", "A=1", "-U", "B", "--sysroot=/s"});
 }
 
+TEST_CASE("what is defined by way of the preprocessor counts") {
+  CHECK(fit_for_clang({"g++", "-Wp,-MD,a.d,-DSIM", "-Wp,-UHOST,-Iinclude", "-Wp,-D", "-Xpreprocessor", "-DREAL=1",
+                       "-Xpreprocessor", "-MD", "-Xpreprocessor", "x.d", "x.cpp"})
+            .words == Words{"-DSIM", "-UHOST", "-Iinclude", "-DREAL=1"});
+}
+
 TEST_CASE("compile_commands.json of a build, or what is wrong with it") {
   director::dsl::MemoryFiles files;
   const LoadedCommands absent = load_compile_commands("b", files);

@@ -11,8 +11,8 @@ TEST_CASE("An identifier has letters, digits and underscores, and begins with no
   for (const char* text : {"", "1a", "left-leg", "Walk.halting", "Ärm", "a b"}) CHECK_FALSE(is_identifier(text));
 }
 
-TEST_CASE("Keywords of C++20 are known in all their spellings, and nothing else is") {
-  for (const char* text : {"alignas", "class", "co_yield", "requires", "xor_eq", "and", "true", "while"})
+TEST_CASE("Keywords of C++20 and GNU C++ are known in all their spellings, and nothing else is") {
+  for (const char* text : {"alignas", "class", "co_yield", "requires", "xor_eq", "and", "true", "while", "typeof"})
     CHECK(is_cpp_keyword(text));
   for (const char* text : {"", "Class", "final", "override", "import", "walk"}) CHECK_FALSE(is_cpp_keyword(text));
 }

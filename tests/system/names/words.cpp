@@ -49,7 +49,7 @@ std director detail names main abs exit abort int32_t size_t time clock signal r
 FILE tm div_t max_align_t nullptr_t string vector array function chrono placeholders posix literals
 alignas auto bool char class const default delete do double else enum export extern false float for friend goto if inline int long
 namespace new noexcept not nullptr operator or private protected public register return short signed sizeof static struct switch
-template this throw true try typedef typeid typename union unsigned using virtual void volatile while xor final override import
+template this throw true try typedef typeid typename typeof union unsigned using virtual void volatile while xor final override import
 module requires concept co_await consteval char8_t start Start stop Stop Default root limbo Behaviour behaviour observer
 Observer observer_module Class class_module thrown modules modules_ module_0 module_1 pack_0 pack_names core_ data_ eOF nULL
 iNFINITY i I linux unix i386 errno Errno assert Assert stdin offsetof request done fail keep task tasks reasons set try_set wait

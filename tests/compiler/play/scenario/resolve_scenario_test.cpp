@@ -118,6 +118,19 @@ script:
 )"));
 }
 
+TEST_CASE("a case requests no task twice, other than one of its pack at another level") {
+  CHECK(findings("script: {Kick: [{pack: hard, with: [Legs]}], Walk: [{tasks: [Legs, Legs]}]}\n") ==
+        R"(test.scenario.yaml:2:68: error: `Legs` is listed twice [redefined_name]
+    2 | script: {Kick: [{pack: hard, with: [Legs]}], Walk: [{tasks: [Legs, Legs]}]}
+      |                                                                    ^~~~
+test.scenario.yaml:2:62: note: it is listed here first
+    2 | script: {Kick: [{pack: hard, with: [Legs]}], Walk: [{tasks: [Legs, Legs]}]}
+      |                                                              ^~~~
+  help: remove one of them
+1 error
+)");
+}
+
 TEST_CASE("a handler of the group is among the names that may be meant") {
   CHECK(findings("script: {Walk.stp: {}, Walk.rest: {}}\n") ==
         R"(test.scenario.yaml:2:15: error: the group `Walk` has no provider or handler called `stp` [undefined_name]
