@@ -144,8 +144,26 @@ private:
         {{"file", Json::text(path)}, {"holds", Json::boolean(true)}, {"updated", Json::list(std::move(steps))}}));
     if (text())
       console_.out << fmt::format("wrote {}\n    what happens in step {}\n", titled(path, title),
-                                  fmt::join(updated.steps, ", "));
+                                  ranges(updated.steps));
     return clean;
+  }
+
+  /// `1, 3 to 7, 9`; of very many the first.
+  static std::string ranges(const std::vector<std::uint32_t>& steps) {
+    constexpr std::size_t most = 20;
+    std::vector<std::string> out;
+    for (std::size_t i = 0; i < steps.size();) {
+      if (out.size() == most) {
+        out.push_back(fmt::format("and {} more", steps.size() - i));
+        break;
+      }
+      std::size_t last = i;
+      while (last + 1 < steps.size() && steps[last + 1] == steps[last] + 1) ++last;
+      if (last < i + 2) last = i;
+      out.push_back(last == i ? fmt::format("{}", steps[i]) : fmt::format("{} to {}", steps[i], steps[last]));
+      i = last + 1;
+    }
+    return fmt::format("{}", fmt::join(out, ", "));
   }
 
   ScenarioResult play(const LoadedScenario& loaded, const dsl::Sources& sources) {

@@ -185,10 +185,14 @@ Updated write_expect(const std::string& text, const Scenario& scenario, const Sc
     for (std::uint32_t i = 1; i <= result.happened.size(); ++i) steps.insert(i);
   out.steps.assign(steps.begin(), steps.end());
   const Writing writing(text);
-  for (auto step = steps.rbegin(); step != steps.rend(); ++step) { // from the last, so that earlier places stay valid
-    const LineEdit edit = writing.edit(scenario.steps[*step - 1], result.happened[*step - 1]);
-    out.text.replace(edit.begin, edit.end - edit.begin, edit.text);
+  out.text.clear();
+  std::size_t copied = 0;
+  for (const std::uint32_t step : steps) {
+    const LineEdit edit = writing.edit(scenario.steps[step - 1], result.happened[step - 1]);
+    out.text.append(text, copied, edit.begin - copied).append(edit.text);
+    copied = edit.end;
   }
+  out.text.append(text, copied);
   return out;
 }
 

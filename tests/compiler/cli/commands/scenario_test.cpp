@@ -221,6 +221,25 @@ TEST_CASE("what happens is written into a scenario that is to be updated, and on
   CHECK(world.outputs.written.empty());
 }
 
+TEST_CASE("of many steps that are to be updated, the ranges are named, or the first ones") {
+  World world = lamp("''");
+  std::string all = "behaviour: lamp.yaml\nsteps:\n", every_second = all;
+  for (int i = 1; i <= 50; ++i) {
+    all += "  - advance: 1 ms\n";
+    every_second += fmt::format("  - {{advance: 1 ms, expect: {}}}\n", i % 2 == 1 ? "run Lamp pushed" : "''");
+  }
+  world.files.add("s.yaml", all);
+  world.outputs.files["s.yaml"] = all;
+  CHECK(world.directorc({"test", "--update", "s.yaml"}) == 0);
+  CHECK(world.out == "wrote s.yaml\n    what happens in step 1 to 50\n");
+  world.files.add("s.yaml", every_second);
+  world.outputs.files["s.yaml"] = every_second;
+  CHECK(world.directorc({"test", "--update", "s.yaml"}) == 0);
+  CHECK(world.out ==
+        "wrote s.yaml\n    what happens in step 1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31, "
+        "33, 35, 37, 39, and 5 more\n");
+}
+
 TEST_CASE("a scenario that cannot be written is reported, and so is one that a body ends") {
   World world = lamp("run Lamp pushed"); // the file on the disk has changed meanwhile
   world.outputs.files["s.yaml"] = "something else\n";
