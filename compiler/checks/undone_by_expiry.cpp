@@ -165,14 +165,14 @@ private:
     const State::Expires& expires = *model_.states[state].expires;
     const GroupId group = model_.providers[setting.provider].group;
     const std::string causing = name_of(model_, setting.provider), waiter = name_of(model_, want.waiter);
-    Taking how = granted.takings.takes(group) ? granted.takings.way_to({group, {}}) : Taking{};
+    Taking how = granted.takings.takes(group) ? granted.takings.way_to(group) : Taking{};
     std::string lost = "stops";
     if (const Use<GroupId>* need = granted.takings.need_taken(setting.provider); how.notes.empty() && need != nullptr) {
       std::vector<std::string> names;
       for (const Use<GroupId>* each : granted.takings.needs_taken(setting.provider))
         names.push_back(name_of(model_, each->id));
       lost = fmt::format("loses {}", list_of(names));
-      how = granted.takings.way_to(*need);
+      how = granted.takings.way_to(*need, group);
       how.notes.insert(how.notes.begin(), {need->span, fmt::format("{} needs {}", causing, name_of(model_, need->id))});
     }
     dsl::Diagnostic& finding = findings_.add(

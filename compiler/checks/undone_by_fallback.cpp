@@ -269,7 +269,7 @@ private:
         findings_.add(loser.need->span,
                       fmt::format("{} loses {} when {}, which waits for {}; instead of it {}: the two go round", losing,
                                   lost, is_granted(model_, granted), name_of(model_, want.condition.id), set));
-    Taking how = granted.takings.way_to(*loser.need);
+    Taking how = granted.takings.way_to(*loser.need, model_.providers[loser.provider].group);
     std::vector<dsl::Note> notes;
     add_chain(model_, loser.down, notes);
     how.notes.insert(how.notes.begin(), notes.begin(), notes.end());

@@ -156,7 +156,7 @@ private:
         (!granted.takings.takes(stopped) && !why_needs_fail(granted.takings, stopped, causer.provider)) ||
         !is_beside(granted.task, causing, stopped))
       return;
-    const Takings before(model_, shared_.indispensable(), shared_.claims(causing), causing);
+    const Takings before(model_, shared_.indispensable(), shared_.claims(causing), causing, nullptr);
     if (takes_from(before, stopped)) return; // it has stopped before, because of the push
     for (const StopValue& stop : stop_values(model_, stopped, state)) {
       const ValueSet values = stop.values.without(model_.conditions[want.condition.id].accepts);
@@ -242,7 +242,7 @@ private:
     if (granted.is_other() && shared_.claims(granted.waits).contains(group)) return std::nullopt;
     if (!is_requested_beside(shared_, granted, group)) return std::nullopt;
     // It is held only as a need then, and a group that is not requested stops.
-    if (granted.takings.takes(group)) return granted.takings.way_to({group, {}});
+    if (granted.takings.takes(group)) return granted.takings.way_to(group);
     if (std::optional<Taking> out = why_needs_fail(granted.takings, group, search.causer)) return out;
     return why_unrequested(granted, group, search);
   }
@@ -256,7 +256,7 @@ private:
       const Use<GroupId>* need = takings.need_taken(id);
       if (need == nullptr) return std::nullopt;
       if (causes ? id != causer : out.has_value()) continue;
-      out = takings.way_to(*need);
+      out = takings.way_to(*need, group);
       out->notes.insert(out->notes.begin(),
                         {need->span, fmt::format("{} needs {}", name_of(model_, id), name_of(model_, need->id))});
     }

@@ -23,21 +23,21 @@ void add_taking(const Model& model, const Want& want, dsl::Note source, Taking h
 std::vector<const Use<GroupId>*> Takings::needs_taken(ProviderId id) const {
   std::vector<const Use<GroupId>*> out;
   for (const Use<GroupId>& need : model_.providers[id].needs) {
-    if (part_taken(need.id)) out.push_back(&need);
+    if (part_taken(model_.providers[id].group, need.id)) out.push_back(&need);
   }
   return out;
 }
 
 const Use<GroupId>* Takings::need_taken(ProviderId id) const {
-  const std::vector<Use<GroupId>>& needs = model_.providers[id].needs;
-  const auto at = std::find_if(needs.begin(), needs.end(),
-                               [&](const Use<GroupId>& need) { return part_taken(need.id).has_value(); });
-  return at == needs.end() ? nullptr : &*at;
+  const Provider& row = model_.providers[id];
+  const auto at = std::find_if(row.needs.begin(), row.needs.end(),
+                               [&](const Use<GroupId>& need) { return part_taken(row.group, need.id).has_value(); });
+  return at == row.needs.end() ? nullptr : &*at;
 }
 
-Taking Takings::way_to(const Use<GroupId>& need) const {
+Taking Takings::way_to(const Use<GroupId>& need, GroupId of) const {
   Taking out;
-  const std::optional<GroupId> taken = part_taken(need.id);
+  const std::optional<GroupId> taken = part_taken(of, need.id);
   if (!taken) return out;
   if (*taken == task_) {
     out.notes.push_back({model_.groups[task_].name.span, fmt::format("{} is taken", name_of(model_, task_))});
@@ -51,11 +51,17 @@ Taking Takings::way_to(const Use<GroupId>& need) const {
   return out;
 }
 
-std::optional<GroupId> Takings::part_taken(GroupId needed) const {
-  if (takes(needed)) return needed;
+bool Takings::takes_from(GroupId loser, GroupId group) const {
+  if (!claims_.contains(group)) return false;
+  if (ranks_ == nullptr || claims_.find(group, Reach::own) || claims_.find(group, Reach::mandatory)) return true;
+  return ranks_->may_beat(task_, loser, true);
+}
+
+std::optional<GroupId> Takings::part_taken(GroupId loser, GroupId needed) const {
+  if (takes_from(loser, needed)) return needed;
   const auto& parts = indispensable_.of(needed);
   if (!parts) return std::nullopt;
-  const auto at = std::find_if(parts->begin(), parts->end(), [&](GroupId part) { return takes(part); });
+  const auto at = std::find_if(parts->begin(), parts->end(), [&](GroupId part) { return takes_from(loser, part); });
   if (at == parts->end()) return std::nullopt;
   return *at;
 }

@@ -24,29 +24,36 @@ void add_taking(const Model& model, const Want& want, dsl::Note source, Taking h
 
 class Takings {
 public:
-  /// `claims`: those of the task; must outlive this.
-  Takings(const Model& model, const Indispensable& indispensable, const Claims& claims, GroupId task)
+  /// By `ranks`: what it leads to only by an optional request it takes only from what that may go before. Null: from
+  /// everything. `claims`: those of the task; must outlive this.
+  Takings(const Model& model, const Indispensable& indispensable, const Claims& claims, GroupId task,
+          const Chains* ranks)
       : model_(model),
         indispensable_(indispensable),
         claims_(claims),
-        task_(task) {}
+        task_(task),
+        ranks_(ranks) {}
 
   /// Whether the task, or one below it, may hold the group itself.
-  bool takes(GroupId group) const { return claims_.contains(group); }
+  bool takes(GroupId group) const { return takes_from(group, group); }
   /// The provider's needs that lead to a group which is certainly taken.
   std::vector<const Use<GroupId>*> needs_taken(ProviderId id) const;
   /// The first of them; null: there is none.
   const Use<GroupId>* need_taken(ProviderId id) const;
-  /// How that need is lost.
-  Taking way_to(const Use<GroupId>& need) const;
+  /// How a provider of this group loses that need.
+  Taking way_to(const Use<GroupId>& need, GroupId of) const;
+  /// How the group itself is taken.
+  Taking way_to(GroupId group) const { return way_to({group, {}}, group); }
 
 private:
-  std::optional<GroupId> part_taken(GroupId needed) const;
+  bool takes_from(GroupId loser, GroupId group) const;
+  std::optional<GroupId> part_taken(GroupId loser, GroupId needed) const;
 
   const Model& model_;
   const Indispensable& indispensable_;
   const Claims& claims_;
   GroupId task_;
+  const Chains* ranks_;
 };
 
 } // namespace director::analysis
