@@ -94,10 +94,9 @@ private:
 
   /// `here`: where the waiting provider runs.
   void look_at_setting(const Granted& granted, const Region& here, const Want& want, const Setting& setting) {
-    const GroupId group = model_.providers[setting.provider].group;
     if (seen_.count({state_of(want), want.condition.span}) != 0 || !loses(granted.takings, setting.provider) ||
         !may_begin_again(setting.provider, want) || !compatible(here, region_of_run(setting.provider)) ||
-        !shared_.chains().may_beat(granted.task, group) || is_undone_at_once(granted.takings, want, setting.provider))
+        is_undone_at_once(granted.takings, want, setting.provider))
       return;
     const std::vector<Source>& sources = sources_[state_of(want)];
     if (std::none_of(sources.begin(), sources.end(),
@@ -127,7 +126,7 @@ private:
     const GroupId group = model_.providers[*source.provider].group;
     if (!compatible(here, region_of_run(*source.provider))) return false;
     return runs_below(granted.task, group) || runs_below(granted.waits, group) ||
-           !loses(granted.takings, *source.provider) || !shared_.chains().may_beat(granted.task, group);
+           !loses(granted.takings, *source.provider);
   }
 
   /// With any pack.

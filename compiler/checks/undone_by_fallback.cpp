@@ -131,8 +131,7 @@ private:
     const std::optional<Fallback> fallback = find_fallback(here, want, id, granted.takings);
     if (!fallback || settings_.never_runs(fallback->provider) || is_pushed_for(want, group)) return;
     const std::optional<Setting> setting = settings_.find_setting(want.waiter, want.condition, group, fallback->values);
-    if (setting && setting->provider == id && shared_.chains().may_beat(granted.task, group))
-      report(granted, want, *setting, {id, need, {}}, *fallback);
+    if (setting && setting->provider == id) report(granted, want, *setting, {id, need, {}}, *fallback);
   }
 
   /// Whether the task pushes the group for this condition: then another provider of it causes that.
@@ -160,8 +159,7 @@ private:
   void look_above(const Granted& granted, const Region& here, const Want& want, ProviderId causer, GroupId above) {
     const GroupId group = model_.providers[causer].group;
     if (above == group || settings_.never_runs(causer) || granted.takings.takes(above) ||
-        !shared_.claims(above).contains(group) || leads_to(above, granted) ||
-        !shared_.chains().may_beat(granted.task, above))
+        !shared_.claims(above).contains(group) || leads_to(above, granted))
       return;
     for (const ProviderId id : model_.groups[above].providers) {
       const Use<GroupId>* need = granted.takings.need_taken(id);
@@ -211,7 +209,7 @@ private:
     return std::any_of(requests.begin(), requests.end(), [&](const Request& request) {
       if (!request.requester) return true;
       const GroupId above = model_.providers[*request.requester].group;
-      if (leads_to(above, granted) || !shared_.chains().may_beat(granted.task, above)) return true;
+      if (leads_to(above, granted) || !granted.takings.may_beat(above)) return true;
       const std::vector<ProviderId>& all = model_.groups[above].providers;
       const bool goes_on = std::any_of(all.begin(), all.end(), [&](ProviderId id) {
         return facts_.active.contains(id) && granted.takings.need_taken(id) == nullptr;

@@ -156,7 +156,7 @@ private:
         (!granted.takings.takes(stopped) && !why_needs_fail(granted.takings, stopped, causer.provider)) ||
         !is_beside(granted.task, causing, stopped))
       return;
-    const Takings before(model_, shared_.indispensable(), shared_.claims(causing), causing, nullptr);
+    const Takings before(model_, shared_.indispensable(), shared_.claims(causing), causing);
     if (takes_from(before, stopped)) return; // it has stopped before, because of the push
     for (const StopValue& stop : stop_values(model_, stopped, state)) {
       const ValueSet values = stop.values.without(model_.conditions[want.condition.id].accepts);
@@ -289,7 +289,7 @@ private:
   std::optional<Taking> why_requester_stopped(const Granted& granted, GroupId requester, Search& search) const {
     // The task does not stop what leads to it, or what goes before it.
     if (shared_.claims(requester).contains(granted.task)) return std::nullopt;
-    if (!shared_.chains().may_beat(granted.task, requester)) return std::nullopt;
+    if (!granted.takings.may_beat(requester)) return std::nullopt;
     return why_stopped(granted, requester, search);
   }
 

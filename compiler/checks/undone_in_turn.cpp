@@ -189,7 +189,7 @@ private:
 
   /// What causes the condition of the one while the other one runs: if it sets the state, what it pushes.
   std::optional<ProviderId> causer(const Undoer& one, const Undoer& other) const {
-    const Takings takings(model_, shared_.indispensable(), shared_.claims(other.task), other.task, nullptr);
+    const Takings takings(model_, shared_.indispensable(), shared_.claims(other.task), other.task);
     for (const ProviderId id : one.want->causers) {
       if (one.pushed && *one.pushed != id) continue;
       if (!takings.takes(model_.providers[id].group) && takings.need_taken(id) == nullptr) return id;

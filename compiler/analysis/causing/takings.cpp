@@ -51,10 +51,16 @@ Taking Takings::way_to(const Use<GroupId>& need, GroupId of) const {
   return out;
 }
 
+bool Takings::may_beat(GroupId group) const {
+  return ranks_ == nullptr || ranks_->may_beat(unit_, group) || (task_ != unit_ && ranks_->may_beat(task_, group));
+}
+
+/// What the task needs itself is claimed with the whole unit, where its first member stands; what it requests, by the
+/// rank of the task.
 bool Takings::takes_from(GroupId loser, GroupId group) const {
-  if (!claims_.contains(group)) return false;
-  if (ranks_ == nullptr || claims_.find(group, Reach::own) || claims_.find(group, Reach::mandatory)) return true;
-  return ranks_->may_beat(task_, loser, true);
+  if (ranks_ == nullptr || !claims_.contains(group)) return claims_.contains(group);
+  if (claims_.find(group, Reach::own) != nullptr) return may_beat(loser);
+  return ranks_->may_beat(task_, loser, claims_.find(group, Reach::mandatory) == nullptr);
 }
 
 std::optional<GroupId> Takings::part_taken(GroupId loser, GroupId needed) const {

@@ -24,15 +24,22 @@ void add_taking(const Model& model, const Want& want, dsl::Note source, Taking h
 
 class Takings {
 public:
-  /// By `ranks`: what it leads to only by an optional request it takes only from what that may go before. Null: from
-  /// everything. `claims`: those of the task; must outlive this.
-  Takings(const Model& model, const Indispensable& indispensable, const Claims& claims, GroupId task,
-          const Chains* ranks)
+  /// From everything, whatever goes first. `claims`: those of the task; must outlive this.
+  Takings(const Model& model, const Indispensable& indispensable, const Claims& claims, GroupId task)
       : model_(model),
         indispensable_(indispensable),
         claims_(claims),
         task_(task),
-        ranks_(ranks) {}
+        unit_(task) {}
+  /// Only from what it may go before. `unit`: a task that is granted together with it, or the same.
+  Takings(const Model& model, const Indispensable& indispensable, const Claims& claims, GroupId task, GroupId unit,
+          const Chains& ranks)
+      : model_(model),
+        indispensable_(indispensable),
+        claims_(claims),
+        task_(task),
+        unit_(unit),
+        ranks_(&ranks) {}
 
   /// Whether the task, or one below it, may hold the group itself.
   bool takes(GroupId group) const { return takes_from(group, group); }
@@ -40,6 +47,8 @@ public:
   std::vector<const Use<GroupId>*> needs_taken(ProviderId id) const;
   /// The first of them; null: there is none.
   const Use<GroupId>* need_taken(ProviderId id) const;
+  /// Whether the task, or the one that is granted together with it, may go before the group.
+  bool may_beat(GroupId group) const;
   /// How a provider of this group loses that need.
   Taking way_to(const Use<GroupId>& need, GroupId of) const;
   /// How the group itself is taken.
@@ -53,7 +62,8 @@ private:
   const Indispensable& indispensable_;
   const Claims& claims_;
   GroupId task_;
-  const Chains* ranks_;
+  GroupId unit_;
+  const Chains* ranks_ = nullptr;
 };
 
 } // namespace director::analysis

@@ -26,7 +26,7 @@ Granted grant(const Model& model, const Shared& shared, GroupId waits, GroupId t
           task,
           member,
           nullptr,
-          Takings(model, shared.indispensable(), claims, task, &shared.chains()),
+          Takings(model, shared.indispensable(), claims, task, waits, shared.chains()),
           RunsBelow(shared.branches(), claims, task)};
 }
 
@@ -75,7 +75,7 @@ std::vector<Granted> with_each_pack(const Model& model, const Facts& facts, cons
     const Branches branches = shared.branches().with(id, pack);
     const auto claims = std::make_shared<const Claims>(branches, granted.task);
     out.push_back({granted.waits, granted.task, granted.member, claims,
-                   Takings(model, shared.indispensable(), *claims, granted.task, &shared.chains()),
+                   Takings(model, shared.indispensable(), *claims, granted.task, granted.waits, shared.chains()),
                    RunsBelow(branches, *claims, granted.task)});
   }
   return out;
