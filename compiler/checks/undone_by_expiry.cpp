@@ -27,7 +27,8 @@ namespace {
 class UndoneByExpiry {
 public:
   UndoneByExpiry(const Input& input, Findings& findings)
-      : model_(input.model),
+      : input_(input),
+        model_(input.model),
         facts_(input.facts),
         shared_(input.shared),
         settings_(input),
@@ -37,7 +38,7 @@ public:
   /// What is caused by a push.
   void look_at(const Wanting& wanting) {
     if (std::none_of(wanting.wants.begin(), wanting.wants.end(), [&](const Want& want) { return ends(want); })) return;
-    for (Granted& any : granted_with(model_, shared_, wanting.task)) {
+    for (Granted& any : granted_with(input_, wanting.task)) {
       for (const Granted& granted : with_each_pack(model_, facts_, shared_, std::move(any), wanting.provider)) {
         for (const Want& want : wanting.wants) look_at(granted, wanting.provider, want);
       }
@@ -191,6 +192,7 @@ private:
     finding.help = fmt::format("{}; or let {} renew it while it runs", stay, waiter);
   }
 
+  const Input& input_;
   const Model& model_;
   const Facts& facts_;
   const Shared& shared_;

@@ -39,7 +39,8 @@ struct Loser {
 class UndoneByFallback {
 public:
   UndoneByFallback(const Input& input, Findings& findings)
-      : model_(input.model),
+      : input_(input),
+        model_(input.model),
         facts_(input.facts),
         shared_(input.shared),
         settings_(input),
@@ -61,7 +62,7 @@ public:
       return !alternatives_[state_of(want)].empty() || std::any_of(want.causers.begin(), want.causers.end(), has_needs);
     };
     if (std::none_of(wanting.wants.begin(), wanting.wants.end(), may_be_lost)) return;
-    for (Granted& any : granted_with(model_, shared_, wanting.task)) {
+    for (Granted& any : granted_with(input_, wanting.task)) {
       if (!may_take(any, wanting)) continue;
       for (const Granted& granted : with_each_pack(model_, facts_, shared_, std::move(any), wanting.provider)) {
         for (const Want& want : wanting.wants) look_at(granted, wanting, want);
@@ -276,6 +277,7 @@ private:
     finding.help = fmt::format("let {} do without {}, or {}", losing, lost, stay_help(model_, want, fallback.values));
   }
 
+  const Input& input_;
   const Model& model_;
   const Facts& facts_;
   const Shared& shared_;

@@ -22,7 +22,8 @@ namespace {
 class UndoneByStop {
 public:
   UndoneByStop(const Input& input, Findings& findings)
-      : model_(input.model),
+      : input_(input),
+        model_(input.model),
         facts_(input.facts),
         shared_(input.shared),
         settings_(input),
@@ -118,7 +119,7 @@ private:
   /// With each pack of the task.
   std::vector<Granted> find_granted(const Wanting& wanting) const {
     std::vector<Granted> out;
-    for (Granted& any : granted_with(model_, shared_, wanting.task)) {
+    for (Granted& any : granted_with(input_, wanting.task)) {
       for (Granted& each : with_each_pack(model_, facts_, shared_, std::move(any), wanting.provider))
         out.push_back(std::move(each));
     }
@@ -340,6 +341,7 @@ private:
                     values_in_words(model_.states[set.state], set.accepts), stop.without);
   }
 
+  const Input& input_;
   const Model& model_;
   const Facts& facts_;
   const Shared& shared_;

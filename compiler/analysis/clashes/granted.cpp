@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/clashes/granted.hpp"
 
+#include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -30,6 +31,23 @@ Granted grant(const Model& model, const Shared& shared, GroupId waits, GroupId t
           RunsBelow(shared.branches(), claims, task)};
 }
 
+/// Whether members of the pack exclude each other, so that its unit is never granted.
+bool has_conflict(const Input& input, const Pack* pack) {
+  const std::vector<PackConflict>& all = input.conflicts.pack_conflicts();
+  return std::any_of(all.begin(), all.end(), [&](const PackConflict& conflict) {
+    return conflict.pack == pack && conflict.verdict == UnitVerdict::impossible;
+  });
+}
+
+/// Whether the provider has the group because it needs that, or something that the group cannot do without.
+bool keeps(const Input& input, ProviderId provider, GroupId group) {
+  const Indispensable& indispensable = input.shared.indispensable();
+  const auto& parts = indispensable.of(group);
+  return parts && std::any_of(parts->begin(), parts->end(), [&](GroupId part) {
+           return indispensable.needs_contain(input.model.providers[provider], part);
+         });
+}
+
 /// What the group runs with: a provider, and a pack of it.
 std::vector<std::pair<ProviderId, const Pack*>> packs_of(const Model& model, const Facts& facts, GroupId group,
                                                          std::optional<ProviderId> provider) {
@@ -48,15 +66,20 @@ Granted granted_alone(const Model& model, const Shared& shared, GroupId task) {
   return grant(model, shared, task, task, nullptr);
 }
 
-std::vector<Granted> granted_with(const Model& model, const Shared& shared, GroupId task) {
+std::vector<Granted> granted_with(const Input& input, GroupId task) {
+  const Model& model = input.model;
+  const Shared& shared = input.shared;
   std::vector<Granted> out;
   out.push_back(granted_alone(model, shared, task));
   for (const Request& request : shared.requests().of(task)) {
-    if (!request.requester || request.pack->name.empty() || !model.is_always_member(*request.task)) continue;
+    if (!request.requester || request.pack->name.empty() || !model.is_always_member(*request.task) ||
+        has_conflict(input, request.pack))
+      continue;
     for (const Task* member : unit_members(model, *request.pack)) {
       const bool known =
           std::any_of(out.begin(), out.end(), [&](const Granted& each) { return each.task == member->target; });
-      if (!known && out.size() < most_members) out.push_back(grant(model, shared, task, member->target, member));
+      if (!known && !keeps(input, *request.requester, member->target) && out.size() < most_members)
+        out.push_back(grant(model, shared, task, member->target, member));
     }
   }
   return out;

@@ -28,9 +28,9 @@ struct Granted {
 /// The task itself.
 Granted granted_alone(const Model& model, const Shared& shared, GroupId task);
 
-/// First the task itself, then the members of its units in named packs. Of a flat list, it depends on the body which
-/// tasks are granted together.
-std::vector<Granted> granted_with(const Model& model, const Shared& shared, GroupId task);
+/// First the task itself, then the members of its units in named packs, if these are ever granted, without what the
+/// requester needs: that is taken before. Of a flat list, it depends on the body which tasks are granted together.
+std::vector<Granted> granted_with(const Input& input, GroupId task);
 
 /// The same with each pack of the provider that was pushed for, because only one of them is requested at a time. Of
 /// other members, with all.
