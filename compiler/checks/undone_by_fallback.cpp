@@ -129,7 +129,7 @@ private:
     const Region here = region_of(model_, model_.providers[want.waiter].when);
     // Otherwise it does not run any more then.
     if (!compatible(here, active_region(model_, model_.providers[id]))) return;
-    const std::optional<Fallback> fallback = find_fallback(here, want, id, granted.takings);
+    const std::optional<Fallback> fallback = find_fallback(here, granted, want, id);
     if (!fallback || settings_.never_runs(fallback->provider) || is_pushed_for(want, group)) return;
     const std::optional<Setting> setting = settings_.find_setting(want.waiter, want.condition, group, fallback->values);
     if (setting && setting->provider == id) report(granted, want, *setting, {id, need, {}}, *fallback);
@@ -175,7 +175,7 @@ private:
   void look_at_loser(const Granted& granted, const Region& here, const Want& want, ProviderId causer,
                      const Loser& loser) {
     if (loser.need == nullptr || seen_.count({loser.need->span, want.condition.span}) != 0) return;
-    const std::optional<Fallback> fallback = find_fallback(here, want, loser.provider, granted.takings);
+    const std::optional<Fallback> fallback = find_fallback(here, granted, want, loser.provider);
     if (!fallback || (loser.provider != causer && (settings_.never_runs(fallback->provider) ||
                                                    !begins_again(loser.provider, want, fallback->values))))
       return;
@@ -229,25 +229,25 @@ private:
   }
 
   /// The first one that can continue without what is taken, if no earlier one always can.
-  std::optional<Fallback> find_fallback(const Region& here, const Want& want, ProviderId loser,
-                                        const Takings& takings) const {
+  std::optional<Fallback> find_fallback(const Region& here, const Granted& granted, const Want& want,
+                                        ProviderId loser) const {
     for (const ProviderId id : model_.group_of(loser).providers) {
-      if (id == loser || !facts_.active.contains(id) || takings.need_taken(id) != nullptr) continue;
+      if (id == loser || !facts_.active.contains(id) || granted.takings.need_taken(id) != nullptr) continue;
       const Region own = region_of(model_, model_.providers[id].when);
       if (!compatible(here, own)) continue;
-      const std::optional<Fallback> found = find_undoing(want, id);
+      const std::optional<Fallback> found = find_undoing(granted.waits, want, id);
       if (found || contains(own, here)) return found;
     }
     return std::nullopt;
   }
 
-  std::optional<Fallback> find_undoing(const Want& want, ProviderId id) const {
+  std::optional<Fallback> find_undoing(GroupId task, const Want& want, ProviderId id) const {
     const Provider& row = model_.providers[id];
     for (const std::vector<ConditionUse>* entries : {&row.sets, &row.causing}) {
       for (const ConditionUse& entry : *entries) {
         const Condition& set = model_.conditions[entry.id];
         if (set.state != state_of(want)) continue;
-        ValueSet values = undoing_values(model_, want.waiter, want.condition.id, set.accepts);
+        ValueSet values = undoing_values(model_, task, want, set.accepts);
         if (!values.empty()) return Fallback{id, entry, entries == &row.causing, std::move(values)};
       }
     }
@@ -274,7 +274,8 @@ private:
     how.notes.insert(how.notes.begin(), notes.begin(), notes.end());
     add_taking(model_, want, setting.note, std::move(how), finding);
     finding.notes.push_back({fallback.entry.span, set});
-    finding.help = fmt::format("let {} do without {}, or {}", losing, lost, stay_help(model_, want, fallback.values));
+    finding.help = fmt::format("let {} do without {}, or {}", losing, lost,
+                               stay_help(model_, granted.waits, want, fallback.values));
   }
 
   const Input& input_;

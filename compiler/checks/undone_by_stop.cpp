@@ -206,7 +206,7 @@ private:
   /// Whether it is reported now.
   bool look_at_stop(const Granted& granted, const Want& want, const Setting& causer, GroupId stopped,
                     const StopValue& stop, const std::vector<ChainStep>& chain) {
-    const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, stop.values);
+    const ValueSet values = undoing_values(model_, granted.waits, want, stop.values);
     if (values.empty() || seen_.count({stop.span, want.condition.span}) != 0 ||
         ends_.count({stopped, model_.conditions[want.condition.id].state}) != 0)
       return false;
@@ -308,7 +308,7 @@ private:
         stop.span, fmt::format("{}, and it is stopped when {}, which waits for {}: the two go round", stop.what,
                                is_granted(model_, granted), name_of(model_, want.condition.id)));
     add_taking(model_, want, causer.note, std::move(how), finding);
-    finding.help = stay_help(model_, want, values);
+    finding.help = stay_help(model_, granted.waits, want, values);
   }
 
   void report(ProviderId ended, ProviderId setter, const ConditionUse& entry, bool promised, const StopValue& stop) {
