@@ -1,7 +1,7 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/undone_by_fallback.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/undoing.hpp"
-#include "compiler/analysis/clashes/granted.hpp"
+#include "compiler/analysis/conflicts/granted.hpp"
 #include "compiler/analysis/conflicts/settings.hpp"
 #include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/shared/shared.hpp"

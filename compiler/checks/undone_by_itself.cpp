@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/chains/runs_below.hpp"
-#include "compiler/analysis/clashes/granted.hpp"
+#include "compiler/analysis/conflicts/granted.hpp"
 #include "compiler/analysis/requests/earlier.hpp"
 #include "compiler/analysis/requests/gaps.hpp"
 #include "compiler/analysis/shared/shared.hpp"

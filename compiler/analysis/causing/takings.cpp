@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace director::analysis {
@@ -43,7 +44,7 @@ Taking Takings::way_to(const Use<GroupId>& need, GroupId of) const {
     out.notes.push_back({model_.groups[task_].name.span, fmt::format("{} is taken", name_of(model_, task_))});
     return out;
   }
-  const std::vector<ChainStep> path = claims_.path(*taken);
+  const std::vector<ChainStep> path = claims_.path(*taken, *find_taking(of, *taken));
   add_chain(model_, path, out.notes);
   for (const ChainStep& step : path) {
     if (!step.by_need) out.requests.push_back(step.span);
@@ -55,12 +56,21 @@ bool Takings::may_beat(GroupId group) const {
   return ranks_ == nullptr || ranks_->may_beat(unit_, group) || (task_ != unit_ && ranks_->may_beat(task_, group));
 }
 
+/// The first in which the task holds the group and takes it from the other one.
+std::optional<Reach> Takings::find_taking(GroupId loser, GroupId group) const {
+  if (!claims_.contains(group)) return std::nullopt;
+  const auto reach = std::find_if(std::begin(all_reaches), std::end(all_reaches), [&](Reach each) {
+    return claims_.find(group, each) != nullptr && goes_before(each, loser);
+  });
+  return reach == std::end(all_reaches) ? std::nullopt : std::optional(*reach);
+}
+
 /// What the task needs itself is claimed with the whole unit, where its first member stands; what it requests, by the
 /// rank of the task.
-bool Takings::takes_from(GroupId loser, GroupId group) const {
-  if (ranks_ == nullptr || !claims_.contains(group)) return claims_.contains(group);
-  if (claims_.find(group, Reach::own) != nullptr) return may_beat(loser);
-  return ranks_->may_beat(task_, loser, claims_.find(group, Reach::mandatory) == nullptr);
+bool Takings::goes_before(Reach reach, GroupId loser) const {
+  if (ranks_ == nullptr) return true;
+  if (reach == Reach::own) return !is_held_ && may_beat(loser);
+  return ranks_->may_beat(task_, loser, reach == Reach::optional);
 }
 
 std::optional<GroupId> Takings::part_taken(GroupId loser, GroupId needed) const {

@@ -31,14 +31,16 @@ public:
         claims_(claims),
         task_(task),
         unit_(task) {}
-  /// Only from what it may go before. `unit`: a task that is granted together with it, or the same.
+  /// Only from what it may go before. `unit`: a task that is granted together with it, or the same. `is_held`: its
+  /// requester needs it, so that it and its needs were taken before.
   Takings(const Model& model, const Indispensable& indispensable, const Claims& claims, GroupId task, GroupId unit,
-          const Chains& ranks)
+          bool is_held, const Chains& ranks)
       : model_(model),
         indispensable_(indispensable),
         claims_(claims),
         task_(task),
         unit_(unit),
+        is_held_(is_held),
         ranks_(&ranks) {}
 
   /// Whether the task, or one below it, may hold the group itself.
@@ -55,7 +57,9 @@ public:
   Taking way_to(GroupId group) const { return way_to({group, {}}, group); }
 
 private:
-  bool takes_from(GroupId loser, GroupId group) const;
+  bool takes_from(GroupId loser, GroupId group) const { return find_taking(loser, group).has_value(); }
+  std::optional<Reach> find_taking(GroupId loser, GroupId group) const;
+  bool goes_before(Reach reach, GroupId loser) const;
   std::optional<GroupId> part_taken(GroupId loser, GroupId needed) const;
 
   const Model& model_;
@@ -63,6 +67,7 @@ private:
   const Claims& claims_;
   GroupId task_;
   GroupId unit_;
+  bool is_held_ = false;
   const Chains* ranks_ = nullptr;
 };
 
