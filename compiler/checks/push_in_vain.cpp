@@ -157,7 +157,9 @@ public:
     for (const Want& want : wanting.wants) {
       if (want.waiter != wanting.provider || seen_.count(want.condition.span) != 0) continue;
       for (const Request& request : input_.shared.requests().of(wanting.task)) {
-        if (!request.requester) continue;
+        if (!request.requester ||
+            input_.shared.indispensable().needs_contain(model_.providers[*request.requester], wanting.task))
+          continue;
         const std::vector<KeptNeed> kept = find_kept_needs(model_, input_.shared, *request.requester, want.causers);
         if (kept.empty() || !waits_here(request, want)) continue;
         report(request, want, kept.front());

@@ -454,19 +454,19 @@ private:
     std::vector<dsl::Note> notes;
   };
 
-  /// Whether the group can run everywhere in the gaps: then it prevents nothing.
-  bool runs_there(GroupId group, Evidence& evidence) const {
-    const std::vector<Region>& ways = evidence.ways.of(group);
+  /// Whether the group, or this need of another one, can run everywhere in the gaps: then it prevents nothing.
+  bool runs_there(GroupId group, std::optional<GroupId> needer, Evidence& evidence) const {
+    const std::vector<Region>& ways = needer ? evidence.ways.of_need(*needer, group) : evidence.ways.of(group);
     return std::all_of(evidence.gaps.begin(), evidence.gaps.end(), [&](const Box& gap) {
       return find_covering(model_, facts_.values, gap, ways, shared_.budget()) == Covering::covered;
     });
   }
 
   /// True if there is one in the group or below; each is noted once.
-  bool add_conditions(GroupId group, Evidence& evidence) const {
+  bool add_conditions(GroupId group, Evidence& evidence, std::optional<GroupId> needer = {}) const {
     const auto [at, is_new] = evidence.seen.try_emplace(group, false);
     if (!is_new) return at->second;
-    if (runs_there(group, evidence)) return false;
+    if (runs_there(group, needer, evidence)) return false;
     bool any = false;
     for (const ProviderId id : model_.groups[group].providers) {
       for (const ConditionUse& use : model_.providers[id].when) {
@@ -476,7 +476,7 @@ private:
         if (beginnings(evidence.task, id, use)) add_waiting_causers(evidence.task, id, use, evidence.notes);
       }
       for (const Use<GroupId>& need : model_.providers[id].needs) {
-        if (!add_conditions(need.id, evidence)) continue;
+        if (!add_conditions(need.id, evidence, group)) continue;
         any = true;
         evidence.notes.push_back(
             {need.span, fmt::format("{} needs {}", name_of(model_, id), name_of(model_, need.id))});

@@ -1,7 +1,7 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/undone_by_expiry.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/undoing.hpp"
-#include "compiler/analysis/clashes/granted.hpp"
+#include "compiler/analysis/conflicts/granted.hpp"
 #include "compiler/analysis/conflicts/settings.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/region.hpp"
@@ -27,7 +27,8 @@ namespace {
 class UndoneByExpiry {
 public:
   UndoneByExpiry(const Input& input, Findings& findings)
-      : model_(input.model),
+      : input_(input),
+        model_(input.model),
         facts_(input.facts),
         shared_(input.shared),
         settings_(input),
@@ -36,8 +37,10 @@ public:
 
   /// What is caused by a push.
   void look_at(const Wanting& wanting) {
-    if (std::none_of(wanting.wants.begin(), wanting.wants.end(), [&](const Want& want) { return ends(want); })) return;
-    for (Granted& any : granted_with(model_, shared_, wanting.task)) {
+    if (std::none_of(wanting.wants.begin(), wanting.wants.end(),
+                     [&](const Want& want) { return ends(wanting.task, want); }))
+      return;
+    for (Granted& any : granted_with(input_, wanting.task)) {
       for (const Granted& granted : with_each_pack(model_, facts_, shared_, std::move(any), wanting.provider)) {
         for (const Want& want : wanting.wants) look_at(granted, wanting.provider, want);
       }
@@ -50,7 +53,7 @@ public:
     std::optional<Granted> granted;
     for (const ConditionUse& use : model_.providers[waiter].when) {
       const Want want{waiter, use, {}};
-      if (!ends(want)) continue;
+      if (!ends(task, want)) continue;
       if (!settings_.may_undo(waiter)) return;
       for (const Source& source : sources_[state_of(want)]) {
         if (source.kind != Source::Kind::sets || !facts_.chosen.contains(*source.provider)) continue;
@@ -74,16 +77,15 @@ private:
   }
 
   /// Whether the waiting provider cannot continue when the state expires. An external one may be set at any time.
-  bool ends(const Want& want) const {
+  bool ends(GroupId task, const Want& want) const {
     const State& row = model_.states[state_of(want)];
     if (!row.expires || row.external) return false;
     const std::optional<ValueSet> values = expired(want);
-    return values ? !undoing_values(model_, want.waiter, want.condition.id, *values).empty()
-                  : is_undone_when_unset(model_, want.waiter, state_of(want));
+    return values ? !undoing_values(model_, task, want, *values).empty() : is_undone_when_unset(model_, task, want);
   }
 
   void look_at(const Granted& granted, ProviderId provider, const Want& want) {
-    if (!ends(want)) return;
+    if (!ends(granted.waits, want)) return;
     Region here = active_region(model_, model_.providers[want.waiter]);
     if (provider != want.waiter) here.meet(active_region(model_, model_.providers[provider]));
     for (const ProviderId causer : want.causers) {
@@ -94,10 +96,9 @@ private:
 
   /// `here`: where the waiting provider runs.
   void look_at_setting(const Granted& granted, const Region& here, const Want& want, const Setting& setting) {
-    const GroupId group = model_.providers[setting.provider].group;
     if (seen_.count({state_of(want), want.condition.span}) != 0 || !loses(granted.takings, setting.provider) ||
         !may_begin_again(setting.provider, want) || !compatible(here, region_of_run(setting.provider)) ||
-        !shared_.chains().may_beat(granted.task, group) || is_undone_at_once(granted.takings, want, setting.provider))
+        is_undone_at_once(granted, want, setting.provider))
       return;
     const std::vector<Source>& sources = sources_[state_of(want)];
     if (std::none_of(sources.begin(), sources.end(),
@@ -127,7 +128,7 @@ private:
     const GroupId group = model_.providers[*source.provider].group;
     if (!compatible(here, region_of_run(*source.provider))) return false;
     return runs_below(granted.task, group) || runs_below(granted.waits, group) ||
-           !loses(granted.takings, *source.provider) || !shared_.chains().may_beat(granted.task, group);
+           !loses(granted.takings, *source.provider);
   }
 
   /// With any pack.
@@ -138,13 +139,13 @@ private:
 
   /// Whether the state is set back before it expires: by the stop of the causing group, or by what runs instead of the
   /// provider. undone_by_stop and undone_by_fallback report that.
-  bool is_undone_at_once(const Takings& takings, const Want& want, ProviderId causer) const {
+  bool is_undone_at_once(const Granted& granted, const Want& want, ProviderId causer) const {
     const GroupId id = model_.providers[causer].group;
     const Group& group = model_.groups[id];
     const auto undoes = [&](const ValueSet& values) {
-      return !undoing_values(model_, want.waiter, want.condition.id, values).empty();
+      return !undoing_values(model_, granted.waits, want, values).empty();
     };
-    const auto stops = [&](ProviderId each) { return !facts_.active.contains(each) || loses(takings, each); };
+    const auto stops = [&](ProviderId each) { return !facts_.active.contains(each) || loses(granted.takings, each); };
     if (std::all_of(group.providers.begin(), group.providers.end(), stops)) {
       const std::vector<StopValue> values = stop_values(model_, id, state_of(want));
       return std::any_of(values.begin(), values.end(), [&](const StopValue& stop) { return undoes(stop.values); });
@@ -164,15 +165,15 @@ private:
     seen_.insert({state, want.condition.span});
     const State::Expires& expires = *model_.states[state].expires;
     const GroupId group = model_.providers[setting.provider].group;
-    const std::string causing = name_of(model_, setting.provider), waiter = name_of(model_, want.waiter);
-    Taking how = granted.takings.takes(group) ? granted.takings.way_to({group, {}}) : Taking{};
+    const std::string causing = name_of(model_, setting.provider);
+    Taking how = granted.takings.takes(group) ? granted.takings.way_to(group) : Taking{};
     std::string lost = "stops";
     if (const Use<GroupId>* need = granted.takings.need_taken(setting.provider); how.notes.empty() && need != nullptr) {
       std::vector<std::string> names;
       for (const Use<GroupId>* each : granted.takings.needs_taken(setting.provider))
         names.push_back(name_of(model_, each->id));
       lost = fmt::format("loses {}", list_of(names));
-      how = granted.takings.way_to(*need);
+      how = granted.takings.way_to(*need, group);
       how.notes.insert(how.notes.begin(), {need->span, fmt::format("{} needs {}", causing, name_of(model_, need->id))});
     }
     dsl::Diagnostic& finding = findings_.add(
@@ -185,13 +186,17 @@ private:
     finding.notes.push_back(setting.note);
     for (dsl::Note& note : how.notes) finding.notes.push_back(std::move(note));
     const std::string stay =
-        expires.to ? stay_help(model_, want, ValueSet::single(*expires.to))
-                   : fmt::format("let {} expire to a value, `expires: {{after: ..., to: ...}}`, and give {} a `stay` "
-                                 "under which it may be that",
-                                 name_of(model_, state), waiter);
-    finding.help = fmt::format("{}; or let {} renew it while it runs", stay, waiter);
+        expires.to ? stay_help(model_, granted.waits, want, ValueSet::single(*expires.to))
+                   : fmt::format("let {} expire to a value, `expires: {{after: ..., to: ...}}`, and {} under which it "
+                                 "may be that",
+                                 name_of(model_, state), giving_stay(model_, granted.waits, want));
+    // A group that is held only as a need does not run.
+    const bool runs = is_granted_with(model_, granted.waits, want);
+    finding.help = fmt::format("{}; or let {} renew it while it runs", stay,
+                               runs ? name_of(model_, want.waiter) : name_of(model_, granted.waits));
   }
 
+  const Input& input_;
   const Model& model_;
   const Facts& facts_;
   const Shared& shared_;

@@ -1,7 +1,7 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/undone_by_fallback.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/undoing.hpp"
-#include "compiler/analysis/clashes/granted.hpp"
+#include "compiler/analysis/conflicts/granted.hpp"
 #include "compiler/analysis/conflicts/settings.hpp"
 #include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/shared/shared.hpp"
@@ -39,7 +39,8 @@ struct Loser {
 class UndoneByFallback {
 public:
   UndoneByFallback(const Input& input, Findings& findings)
-      : model_(input.model),
+      : input_(input),
+        model_(input.model),
         facts_(input.facts),
         shared_(input.shared),
         settings_(input),
@@ -61,7 +62,7 @@ public:
       return !alternatives_[state_of(want)].empty() || std::any_of(want.causers.begin(), want.causers.end(), has_needs);
     };
     if (std::none_of(wanting.wants.begin(), wanting.wants.end(), may_be_lost)) return;
-    for (Granted& any : granted_with(model_, shared_, wanting.task)) {
+    for (Granted& any : granted_with(input_, wanting.task)) {
       if (!may_take(any, wanting)) continue;
       for (const Granted& granted : with_each_pack(model_, facts_, shared_, std::move(any), wanting.provider)) {
         for (const Want& want : wanting.wants) look_at(granted, wanting, want);
@@ -128,11 +129,10 @@ private:
     const Region here = region_of(model_, model_.providers[want.waiter].when);
     // Otherwise it does not run any more then.
     if (!compatible(here, active_region(model_, model_.providers[id]))) return;
-    const std::optional<Fallback> fallback = find_fallback(here, want, id, granted.takings);
+    const std::optional<Fallback> fallback = find_fallback(here, granted, want, id);
     if (!fallback || settings_.never_runs(fallback->provider) || is_pushed_for(want, group)) return;
     const std::optional<Setting> setting = settings_.find_setting(want.waiter, want.condition, group, fallback->values);
-    if (setting && setting->provider == id && shared_.chains().may_beat(granted.task, group))
-      report(granted, want, *setting, {id, need, {}}, *fallback);
+    if (setting && setting->provider == id) report(granted, want, *setting, {id, need, {}}, *fallback);
   }
 
   /// Whether the task pushes the group for this condition: then another provider of it causes that.
@@ -160,8 +160,7 @@ private:
   void look_above(const Granted& granted, const Region& here, const Want& want, ProviderId causer, GroupId above) {
     const GroupId group = model_.providers[causer].group;
     if (above == group || settings_.never_runs(causer) || granted.takings.takes(above) ||
-        !shared_.claims(above).contains(group) || leads_to(above, granted) ||
-        !shared_.chains().may_beat(granted.task, above))
+        !shared_.claims(above).contains(group) || leads_to(above, granted))
       return;
     for (const ProviderId id : model_.groups[above].providers) {
       const Use<GroupId>* need = granted.takings.need_taken(id);
@@ -176,7 +175,7 @@ private:
   void look_at_loser(const Granted& granted, const Region& here, const Want& want, ProviderId causer,
                      const Loser& loser) {
     if (loser.need == nullptr || seen_.count({loser.need->span, want.condition.span}) != 0) return;
-    const std::optional<Fallback> fallback = find_fallback(here, want, loser.provider, granted.takings);
+    const std::optional<Fallback> fallback = find_fallback(here, granted, want, loser.provider);
     if (!fallback || (loser.provider != causer && (settings_.never_runs(fallback->provider) ||
                                                    !begins_again(loser.provider, want, fallback->values))))
       return;
@@ -211,7 +210,7 @@ private:
     return std::any_of(requests.begin(), requests.end(), [&](const Request& request) {
       if (!request.requester) return true;
       const GroupId above = model_.providers[*request.requester].group;
-      if (leads_to(above, granted) || !shared_.chains().may_beat(granted.task, above)) return true;
+      if (leads_to(above, granted) || !granted.takings.may_beat(above)) return true;
       const std::vector<ProviderId>& all = model_.groups[above].providers;
       const bool goes_on = std::any_of(all.begin(), all.end(), [&](ProviderId id) {
         return facts_.active.contains(id) && granted.takings.need_taken(id) == nullptr;
@@ -230,25 +229,25 @@ private:
   }
 
   /// The first one that can continue without what is taken, if no earlier one always can.
-  std::optional<Fallback> find_fallback(const Region& here, const Want& want, ProviderId loser,
-                                        const Takings& takings) const {
+  std::optional<Fallback> find_fallback(const Region& here, const Granted& granted, const Want& want,
+                                        ProviderId loser) const {
     for (const ProviderId id : model_.group_of(loser).providers) {
-      if (id == loser || !facts_.active.contains(id) || takings.need_taken(id) != nullptr) continue;
+      if (id == loser || !facts_.active.contains(id) || granted.takings.need_taken(id) != nullptr) continue;
       const Region own = region_of(model_, model_.providers[id].when);
       if (!compatible(here, own)) continue;
-      const std::optional<Fallback> found = find_undoing(want, id);
+      const std::optional<Fallback> found = find_undoing(granted.waits, want, id);
       if (found || contains(own, here)) return found;
     }
     return std::nullopt;
   }
 
-  std::optional<Fallback> find_undoing(const Want& want, ProviderId id) const {
+  std::optional<Fallback> find_undoing(GroupId task, const Want& want, ProviderId id) const {
     const Provider& row = model_.providers[id];
     for (const std::vector<ConditionUse>* entries : {&row.sets, &row.causing}) {
       for (const ConditionUse& entry : *entries) {
         const Condition& set = model_.conditions[entry.id];
         if (set.state != state_of(want)) continue;
-        ValueSet values = undoing_values(model_, want.waiter, want.condition.id, set.accepts);
+        ValueSet values = undoing_values(model_, task, want, set.accepts);
         if (!values.empty()) return Fallback{id, entry, entries == &row.causing, std::move(values)};
       }
     }
@@ -269,15 +268,17 @@ private:
         findings_.add(loser.need->span,
                       fmt::format("{} loses {} when {}, which waits for {}; instead of it {}: the two go round", losing,
                                   lost, is_granted(model_, granted), name_of(model_, want.condition.id), set));
-    Taking how = granted.takings.way_to(*loser.need);
+    Taking how = granted.takings.way_to(*loser.need, model_.providers[loser.provider].group);
     std::vector<dsl::Note> notes;
     add_chain(model_, loser.down, notes);
     how.notes.insert(how.notes.begin(), notes.begin(), notes.end());
     add_taking(model_, want, setting.note, std::move(how), finding);
     finding.notes.push_back({fallback.entry.span, set});
-    finding.help = fmt::format("let {} do without {}, or {}", losing, lost, stay_help(model_, want, fallback.values));
+    finding.help = fmt::format("let {} do without {}, or {}", losing, lost,
+                               stay_help(model_, granted.waits, want, fallback.values));
   }
 
+  const Input& input_;
   const Model& model_;
   const Facts& facts_;
   const Shared& shared_;

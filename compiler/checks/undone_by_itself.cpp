@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/chains/runs_below.hpp"
-#include "compiler/analysis/clashes/granted.hpp"
+#include "compiler/analysis/conflicts/granted.hpp"
 #include "compiler/analysis/requests/earlier.hpp"
 #include "compiler/analysis/requests/gaps.hpp"
 #include "compiler/analysis/shared/shared.hpp"
@@ -345,7 +345,7 @@ IdSet<StateId> states_of_stops(const Model& model) {
 void undone_by_itself(const Input& input, Findings& findings) {
   Undone undone(input, findings);
   for (const Wanting& wanting : input.shared.wants()) {
-    for (const Granted& granted : granted_with(input.model, input.shared, wanting.task)) {
+    for (const Granted& granted : granted_with(input, wanting.task)) {
       for (const Want& want : wanting.wants) {
         if (want.waiter == wanting.provider) undone.look_at(granted, want);
       }
@@ -362,8 +362,7 @@ void undone_by_itself(const Input& input, Findings& findings) {
         std::none_of(provider.when.begin(), provider.when.end(),
                      [&](const ConditionUse& use) { return by_stops.contains(input.model.conditions[use.id].state); }))
       continue;
-    for (const Granted& granted : granted_with(input.model, input.shared, provider.group))
-      undone.look_at_rounds(granted, id);
+    for (const Granted& granted : granted_with(input, provider.group)) undone.look_at_rounds(granted, id);
   }
 }
 

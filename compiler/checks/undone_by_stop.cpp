@@ -1,7 +1,7 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/undone_by_stop.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/undoing.hpp"
-#include "compiler/analysis/clashes/granted.hpp"
+#include "compiler/analysis/conflicts/granted.hpp"
 #include "compiler/analysis/conflicts/settings.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/region.hpp"
@@ -22,7 +22,8 @@ namespace {
 class UndoneByStop {
 public:
   UndoneByStop(const Input& input, Findings& findings)
-      : model_(input.model),
+      : input_(input),
+        model_(input.model),
         facts_(input.facts),
         shared_(input.shared),
         settings_(input),
@@ -118,7 +119,7 @@ private:
   /// With each pack of the task.
   std::vector<Granted> find_granted(const Wanting& wanting) const {
     std::vector<Granted> out;
-    for (Granted& any : granted_with(model_, shared_, wanting.task)) {
+    for (Granted& any : granted_with(input_, wanting.task)) {
       for (Granted& each : with_each_pack(model_, facts_, shared_, std::move(any), wanting.provider))
         out.push_back(std::move(each));
     }
@@ -205,7 +206,7 @@ private:
   /// Whether it is reported now.
   bool look_at_stop(const Granted& granted, const Want& want, const Setting& causer, GroupId stopped,
                     const StopValue& stop, const std::vector<ChainStep>& chain) {
-    const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, stop.values);
+    const ValueSet values = undoing_values(model_, granted.waits, want, stop.values);
     if (values.empty() || seen_.count({stop.span, want.condition.span}) != 0 ||
         ends_.count({stopped, model_.conditions[want.condition.id].state}) != 0)
       return false;
@@ -242,7 +243,7 @@ private:
     if (granted.is_other() && shared_.claims(granted.waits).contains(group)) return std::nullopt;
     if (!is_requested_beside(shared_, granted, group)) return std::nullopt;
     // It is held only as a need then, and a group that is not requested stops.
-    if (granted.takings.takes(group)) return granted.takings.way_to({group, {}});
+    if (granted.takings.takes(group)) return granted.takings.way_to(group);
     if (std::optional<Taking> out = why_needs_fail(granted.takings, group, search.causer)) return out;
     return why_unrequested(granted, group, search);
   }
@@ -256,7 +257,7 @@ private:
       const Use<GroupId>* need = takings.need_taken(id);
       if (need == nullptr) return std::nullopt;
       if (causes ? id != causer : out.has_value()) continue;
-      out = takings.way_to(*need);
+      out = takings.way_to(*need, group);
       out->notes.insert(out->notes.begin(),
                         {need->span, fmt::format("{} needs {}", name_of(model_, id), name_of(model_, need->id))});
     }
@@ -289,7 +290,7 @@ private:
   std::optional<Taking> why_requester_stopped(const Granted& granted, GroupId requester, Search& search) const {
     // The task does not stop what leads to it, or what goes before it.
     if (shared_.claims(requester).contains(granted.task)) return std::nullopt;
-    if (!shared_.chains().may_beat(granted.task, requester)) return std::nullopt;
+    if (!granted.takings.may_beat(requester)) return std::nullopt;
     return why_stopped(granted, requester, search);
   }
 
@@ -307,7 +308,7 @@ private:
         stop.span, fmt::format("{}, and it is stopped when {}, which waits for {}: the two go round", stop.what,
                                is_granted(model_, granted), name_of(model_, want.condition.id)));
     add_taking(model_, want, causer.note, std::move(how), finding);
-    finding.help = stay_help(model_, want, values);
+    finding.help = stay_help(model_, granted.waits, want, values);
   }
 
   void report(ProviderId ended, ProviderId setter, const ConditionUse& entry, bool promised, const StopValue& stop) {
@@ -340,6 +341,7 @@ private:
                     values_in_words(model_.states[set.state], set.accepts), stop.without);
   }
 
+  const Input& input_;
   const Model& model_;
   const Facts& facts_;
   const Shared& shared_;

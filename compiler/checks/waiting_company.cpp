@@ -110,20 +110,39 @@ private:
                        [&](GroupId group) { return std::binary_search(second.begin(), second.end(), group); });
   }
 
-  /// Whether it may take what a provider needs that the other one pushes: it would, if the two did not wait together.
+  /// Whether it may take what a provider needs that the other one pushes, or all that request that: it would, if the
+  /// two did not wait together.
   bool takes_from_causers(GroupId member, GroupId waiting) const {
-    const Claims& claims = input_.shared.claims(member);
-    const auto needs_some = [&](ProviderId causer) {
-      const Provider& provider = input_.model.providers[causer];
-      if (claims.contains(provider.group)) return false;
-      return std::any_of(provider.needs.begin(), provider.needs.end(), [&](const Use<GroupId>& need) {
-        const auto& parts = input_.shared.indispensable().of(need.id);
-        return parts && std::any_of(parts->begin(), parts->end(), [&](GroupId part) { return claims.contains(part); });
-      });
+    const auto is_lost = [&](ProviderId causer) {
+      std::set<GroupId> seen;
+      return takes_need(member, causer) || takes_requests(member, input_.model.providers[causer].group, seen);
     };
     const std::vector<const Want*> wants = input_.shared.wants_of(waiting);
     return std::any_of(wants.begin(), wants.end(), [&](const Want* want) {
-      return std::any_of(want->causers.begin(), want->causers.end(), needs_some);
+      return std::any_of(want->causers.begin(), want->causers.end(), is_lost);
+    });
+  }
+
+  bool takes_need(GroupId member, ProviderId id) const {
+    const Claims& claims = input_.shared.claims(member);
+    const Provider& provider = input_.model.providers[id];
+    if (claims.contains(provider.group)) return false;
+    return std::any_of(provider.needs.begin(), provider.needs.end(), [&](const Use<GroupId>& need) {
+      const auto& parts = input_.shared.indispensable().of(need.id);
+      return parts && std::any_of(parts->begin(), parts->end(), [&](GroupId part) { return claims.contains(part); });
+    });
+  }
+
+  /// Whether it takes a need from each provider that requests the group, or from all that request that one in turn. It
+  /// takes nothing from what is above it.
+  bool takes_requests(GroupId member, GroupId group, std::set<GroupId>& seen) const {
+    if (!seen.insert(group).second) return true;
+    const std::vector<Request>& requests = input_.shared.requests().of(group);
+    return !requests.empty() && std::all_of(requests.begin(), requests.end(), [&](const Request& request) {
+      if (!request.requester) return false;
+      const GroupId above = input_.model.providers[*request.requester].group;
+      return !input_.shared.claims(member).contains(above) && !input_.shared.claims(above).contains(member) &&
+             (takes_need(member, *request.requester) || takes_requests(member, above, seen));
     });
   }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/undoing.hpp"
 
+#include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/states/choice.hpp"
 #include "compiler/analysis/states/region.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -26,9 +27,8 @@ bool cover(const Model& model, const Region& here, const std::vector<Region>& ot
   return find_covering(model, here, others, domains, budget) == Covering::covered;
 }
 
-} // namespace
-
-ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId condition, const ValueSet& values) {
+ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId condition, const ValueSet& values,
+                        bool with_stay) {
   const StateId state = model.conditions[condition].state;
   const auto accepted_by = [&](const Region& region) {
     const auto at = region.states.find(state);
@@ -36,7 +36,7 @@ ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId con
   };
   const Provider& row = model.providers[provider];
   ValueSet out = values.without(model.conditions[condition].accepts);
-  if (!row.stay.empty()) out = out.without(accepted_by(region_of(model, row.stay)));
+  if (with_stay && !row.stay.empty()) out = out.without(accepted_by(region_of(model, row.stay)));
   Region here = region_of(model, row.when);
   here.states.erase(state);
   std::vector<std::pair<ValueSet, Region>> others; // what each accepts of the state, and its other conditions
@@ -58,16 +58,28 @@ ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId con
   return out;
 }
 
-bool is_undone_when_unset(const Model& model, ProviderId provider, StateId state) {
-  const Provider& row = model.providers[provider];
+} // namespace
+
+ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId condition, const ValueSet& values) {
+  return undoing_values(model, provider, condition, values, true);
+}
+
+ValueSet undoing_values(const Model& model, GroupId task, const Want& want, const ValueSet& values) {
+  return undoing_values(model, want.waiter, want.condition.id, values, is_granted_with(model, task, want));
+}
+
+bool is_undone_when_unset(const Model& model, GroupId task, const Want& want) {
+  const Provider& row = model.providers[want.waiter];
+  const StateId state = model.conditions[want.condition.id].state;
   const auto accepts_unset = [&](const Region& region) { return region.states.count(state) == 0; };
-  if (!row.stay.empty() && accepts_unset(region_of(model, row.stay))) return false;
+  if (!row.stay.empty() && is_granted_with(model, task, want) && accepts_unset(region_of(model, row.stay)))
+    return false;
   Region here = region_of(model, row.when);
   here.states.erase(state);
   std::vector<Region> others;
   for (const ProviderId id : model.groups[row.group].providers) {
     Region region = region_of(model, model.providers[id].when);
-    if (id != provider && accepts_unset(region) && compatible(here, region)) others.push_back(std::move(region));
+    if (id != want.waiter && accepts_unset(region) && compatible(here, region)) others.push_back(std::move(region));
   }
   return !cover(model, here, others);
 }
@@ -101,10 +113,31 @@ std::optional<dsl::Note> stop_that_causes(const Model& model, GroupId group, Con
   return std::nullopt;
 }
 
-std::string stay_help(const Model& model, const Want& want, const ValueSet& values) {
+bool is_granted_with(const Model& model, GroupId task, const Want& want) {
+  const GroupId group = model.providers[want.waiter].group;
+  const std::vector<EdgeId>& edges = model.groups[group].requesters;
+  return group == task || std::any_of(edges.begin(), edges.end(), [&](EdgeId id) {
+           return model.edges[id].needed && !model.edges[id].levels.empty();
+         });
+}
+
+std::string giving_stay(const Model& model, GroupId task, const Want& want) {
+  const std::string waiter = name_of(model, want.waiter);
+  if (is_granted_with(model, task, want)) return fmt::format("give {} a `stay`", waiter);
+  std::string out;
+  for (const ChainStep& step : need_path(model, task, model.providers[want.waiter].group))
+    out += fmt::format("let {} request {} too, ", name_of(model, step.from), name_of(model, step.to));
+  return out + fmt::format("and give {} a `stay`", waiter);
+}
+
+std::string stay_help(const Model& model, GroupId task, const Want& want, const ValueSet& values) {
   const StateId state = model.conditions[want.condition.id].state;
-  return fmt::format("give {} a `stay` under which {} may be {}", name_of(model, want.waiter), name_of(model, state),
+  return fmt::format("{} under which {} may be {}", giving_stay(model, task, want), name_of(model, state),
                      values_in_words(model.states[state], values));
+}
+
+std::string stay_help(const Model& model, const Want& want, const ValueSet& values) {
+  return stay_help(model, model.providers[want.waiter].group, want, values);
 }
 
 } // namespace director::analysis

@@ -16,8 +16,11 @@ namespace director::analysis {
 /// say.
 ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId condition, const ValueSet& values);
 
+/// The same of what a task for this group waits for: the `stay` of a group that it only needs does not count.
+ValueSet undoing_values(const Model& model, GroupId task, const Want& want, const ValueSet& values);
+
 /// The same for a state that becomes unset: whether the provider cannot continue then.
-bool is_undone_when_unset(const Model& model, ProviderId provider, StateId state);
+bool is_undone_when_unset(const Model& model, GroupId task, const Want& want);
 
 /// Values that the stop of a group may give a state: by its handler, or because the state belongs to the group.
 struct StopValue {
@@ -31,7 +34,15 @@ std::vector<StopValue> stop_values(const Model& model, GroupId group, StateId st
 /// How the stop of the group makes the condition true.
 std::optional<dsl::Note> stop_that_causes(const Model& model, GroupId group, ConditionId condition);
 
+/// Whether what a task for this group waits for is granted with it, and runs: the task itself, or a group that it, or a
+/// need of it, needs and requests too. Else it is held only as a need.
+bool is_granted_with(const Model& model, GroupId task, const Want& want);
+
+/// "give `Kick` a `stay`", "let `Screw` request `Clamp` too, and give that a `stay`"
+std::string giving_stay(const Model& model, GroupId task, const Want& want);
 /// Help for a wanted condition that these values make false again.
+std::string stay_help(const Model& model, GroupId task, const Want& want, const ValueSet& values);
+/// The same for what the task waits for by itself.
 std::string stay_help(const Model& model, const Want& want, const ValueSet& values);
 
 } // namespace director::analysis

@@ -130,7 +130,7 @@ void Chains::visit(GroupId waiter, const std::vector<GroupId>& others,
   }
 }
 
-bool Chains::beats(const Entry& waiting, const Entry& entry, GroupId other) const {
+bool Chains::beats(const Entry& waiting, const Entry& entry, GroupId other, bool by_optional) const {
   // What each provider of the requester needs is claimed with it; another one may keep the requests of this one.
   const std::optional<ProviderId> requester = waiting.together->provider;
   if (requester) {
@@ -146,7 +146,7 @@ bool Chains::beats(const Entry& waiting, const Entry& entry, GroupId other) cons
                       model_.edges[entry.task->edge].levels[b.level]};
       if (other == entry.task->target && meeting.one_unit()) continue;
       // Either having no optional edge above it helps only the one, or having one helps only the other.
-      meeting.first_optional = meeting.first_level.optional || !waiting.mandatory;
+      meeting.first_optional = by_optional || meeting.first_level.optional || !waiting.mandatory;
       meeting.second_optional = meeting.second_level.optional || entry.optional;
       if (meeting.first_goes_before()) return true;
     }
@@ -154,7 +154,7 @@ bool Chains::beats(const Entry& waiting, const Entry& entry, GroupId other) cons
   return false;
 }
 
-bool Chains::may_beat(GroupId waiter, GroupId other) const {
+bool Chains::may_beat(GroupId waiter, GroupId other, bool by_optional) const {
   if (waiter != other && always_below(waiter, other)) return false; // that is granted by then
   const std::vector<Entry>& ours = entries_above(waiter, End::pushing);
   const std::vector<Entry>& theirs = entries_above(other);
@@ -162,7 +162,7 @@ bool Chains::may_beat(GroupId waiter, GroupId other) const {
   for (const Entry& waiting : ours) {
     while (first != theirs.end() && first->together < waiting.together) ++first;
     for (auto at = first; at != theirs.end() && at->together == waiting.together; ++at) {
-      if (at->task->target != waiting.task->target && beats(waiting, *at, other)) return true;
+      if (at->task->target != waiting.task->target && beats(waiting, *at, other, by_optional)) return true;
     }
   }
   return false;

@@ -73,8 +73,8 @@ public:
 
   /// Whether a task for `waiter` may push the other group: an edge requests that group which the task may go before,
   /// and which is not granted in one unit with the task or with what is above it. True for itself if another requester
-  /// requests it too.
-  bool may_beat(GroupId waiter, GroupId other) const;
+  /// requests it too. `by_optional`: for something to which it leads by an optional request.
+  bool may_beat(GroupId waiter, GroupId other, bool by_optional = false) const;
 
   /// Whether every chain to the group, of requests and needs, passes the other one.
   bool always_below(GroupId group, GroupId other) const;
@@ -89,7 +89,7 @@ private:
     bool direct = false;   ///< it requests the group itself, in the sense of End::pushing
   };
   std::vector<Above> above(GroupId group, End end) const;
-  bool beats(const Entry& waiting, const Entry& entry, GroupId other) const;
+  bool beats(const Entry& waiting, const Entry& entry, GroupId other, bool by_optional) const;
   /// The entries beside this one that lead to one of `others`, in order of the entries.
   std::vector<std::pair<const Entry*, GroupId>> siblings(const Together& together, const Task& task, GroupId waiter,
                                                          const std::vector<GroupId>& others) const;

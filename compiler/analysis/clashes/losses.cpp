@@ -98,6 +98,8 @@ std::optional<Note> Losses::always_keeps(GroupId group, GroupId task, GroupId ke
   std::optional<Note> out;
   for (const ProviderId id : model_.groups[group].providers) {
     if (!facts_.active.contains(id) || !leads_to(model_, shared_, id, task)) continue;
+    // It runs only while the conditions of what it needs hold.
+    if (shared_.indispensable().needs_contain(row(id), task)) return std::nullopt;
     const std::vector<Holding> taken = holdings_of(model_, shared_, id);
     const auto at =
         std::find_if(taken.begin(), taken.end(), [&](const Holding& one) { return one.by_need && one.group == kept; });

@@ -144,24 +144,24 @@ Ways::Ways(const Model& model, const Facts& facts, bool with_stay,
       with_stay_(with_stay),
       counts_(std::move(counts)) {}
 
-const std::vector<Region>& Ways::of(GroupId group) {
+const std::vector<Region>& Ways::of(GroupId group, bool with_stay) {
   static const std::vector<Region> always{Region{}};
   if (!facts_.may_wait.contains(group)) return always;
-  const auto [at, is_new] = ways_.try_emplace(group);
+  const auto [at, is_new] = ways_.try_emplace({group, with_stay});
   if (!is_new) return at->second; // in a cycle of needs: no way
   std::vector<Region> out;
   for (const ProviderId id : model_.groups[group].providers) {
-    for (Region& way : of(id)) add_way(out, std::move(way));
+    for (Region& way : of(id, with_stay)) add_way(out, std::move(way));
     if (out.size() > most_open_ways) unite(out);
     if (out.size() > most_open_ways) {
       out = {Region{}};
       break;
     }
   }
-  return ways_[group] = std::move(out);
+  return ways_[{group, with_stay}] = std::move(out);
 }
 
-std::vector<Region> Ways::of(ProviderId id) {
+std::vector<Region> Ways::of(ProviderId id, bool with_stay) {
   const Provider& provider = model_.providers[id];
   // What another check reports is treated as corrected.
   if (facts_.plans[id] != PlanVerdict::found) return {Region{}};
@@ -179,12 +179,13 @@ std::vector<Region> Ways::of(ProviderId id) {
   };
   std::vector<Region> out;
   add_way(out, region_by(provider.when, false));
-  if (with_stay_ && !provider.stay.empty()) add_way(out, region_by(provider.stay, true));
+  if (with_stay && !provider.stay.empty()) add_way(out, region_by(provider.stay, true));
   for (const Use<GroupId>& need : provider.needs) {
     std::vector<Region> both;
-    if (out.size() * of(need.id).size() > most_combined) return {Region{}};
+    const bool also = with_stay && is_requested(provider.group, need.id);
+    if (out.size() * of(need.id, also).size() > most_combined) return {Region{}};
     for (const Region& own : out) {
-      for (const Region& below : of(need.id)) {
+      for (const Region& below : of(need.id, also)) {
         Region way = own;
         way.meet(below);
         add_way(both, std::move(way));
@@ -195,6 +196,12 @@ std::vector<Region> Ways::of(ProviderId id) {
     out = std::move(both);
   }
   return out;
+}
+
+bool Ways::is_requested(GroupId from, GroupId need) const {
+  const std::vector<EdgeId>& edges = model_.groups[from].edges;
+  return std::any_of(edges.begin(), edges.end(),
+                     [&](EdgeId id) { return model_.edges[id].target == need && !model_.edges[id].levels.empty(); });
 }
 
 } // namespace director::analysis

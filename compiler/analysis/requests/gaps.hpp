@@ -9,6 +9,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace director::analysis {
@@ -35,22 +36,30 @@ inline constexpr std::string_view everywhere = "always";
 std::string gap_in_words(const Model& model, const Facts& facts, const Box& box);
 
 /// The regions in which a group or provider can run: its own conditions with those of the providers that its needs can
-/// lead to.
+/// lead to. The `stay` of a need counts only if it is requested too: a group that is only needed is not granted.
 class Ways {
 public:
   /// `counts`: conditions that are considered; others are assumed to hold.
   Ways(const Model& model, const Facts& facts, bool with_stay,
        std::function<bool(ProviderId, const ConditionUse&)> counts);
 
-  const std::vector<Region>& of(GroupId group);
-  std::vector<Region> of(ProviderId provider);
+  const std::vector<Region>& of(GroupId group) { return of(group, with_stay_); }
+  std::vector<Region> of(ProviderId provider) { return of(provider, with_stay_); }
+  /// Of a need of the first group, while that is granted.
+  const std::vector<Region>& of_need(GroupId from, GroupId need) {
+    return of(need, with_stay_ && is_requested(from, need));
+  }
 
 private:
+  const std::vector<Region>& of(GroupId group, bool with_stay);
+  std::vector<Region> of(ProviderId provider, bool with_stay);
+  bool is_requested(GroupId from, GroupId need) const;
+
   const Model& model_;
   const Facts& facts_;
   bool with_stay_;
   std::function<bool(ProviderId, const ConditionUse&)> counts_;
-  std::map<GroupId, std::vector<Region>> ways_;
+  std::map<std::pair<GroupId, bool>, std::vector<Region>> ways_; ///< with `stay` or without
 };
 
 } // namespace director::analysis

@@ -1,7 +1,8 @@
-// Header: compiler/analysis/clashes/granted.hpp. Test: compiler/checks/undone_by_stop.md.
+// Header: compiler/analysis/conflicts/granted.hpp. Test: compiler/checks/undone_by_stop.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/analysis/clashes/granted.hpp"
+#include "compiler/analysis/conflicts/granted.hpp"
 
+#include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -20,14 +21,32 @@ constexpr std::size_t most_members = 16;
 /// Packs of a task are considered one by one if there are at most so many; else all together.
 constexpr std::size_t most_packs = 16;
 
-Granted grant(const Model& model, const Shared& shared, GroupId waits, GroupId task, const Task* member) {
+Granted grant(const Model& model, const Shared& shared, GroupId waits, GroupId task, const Task* member, bool is_held) {
   const Claims& claims = shared.claims(task);
   return {waits,
           task,
           member,
+          is_held,
           nullptr,
-          Takings(model, shared.indispensable(), claims, task),
+          Takings(model, shared.indispensable(), claims, task, waits, is_held, shared.chains()),
           RunsBelow(shared.branches(), claims, task)};
+}
+
+/// Whether members of the pack exclude each other, so that its unit is never granted.
+bool has_conflict(const Input& input, const Pack* pack) {
+  const std::vector<PackConflict>& all = input.conflicts.pack_conflicts();
+  return std::any_of(all.begin(), all.end(), [&](const PackConflict& conflict) {
+    return conflict.pack == pack && conflict.verdict == UnitVerdict::impossible;
+  });
+}
+
+/// Whether the provider needs something that the group cannot do without, so that it is never granted.
+bool keeps_off(const Input& input, ProviderId provider, GroupId group) {
+  const Indispensable& indispensable = input.shared.indispensable();
+  const auto& parts = indispensable.of(group);
+  return parts && std::any_of(parts->begin(), parts->end(), [&](GroupId part) {
+           return indispensable.needs_contain(input.model.providers[provider], part);
+         });
 }
 
 /// What the group runs with: a provider, and a pack of it.
@@ -45,18 +64,25 @@ std::vector<std::pair<ProviderId, const Pack*>> packs_of(const Model& model, con
 } // namespace
 
 Granted granted_alone(const Model& model, const Shared& shared, GroupId task) {
-  return grant(model, shared, task, task, nullptr);
+  return grant(model, shared, task, task, nullptr, false);
 }
 
-std::vector<Granted> granted_with(const Model& model, const Shared& shared, GroupId task) {
+std::vector<Granted> granted_with(const Input& input, GroupId task) {
+  const Model& model = input.model;
+  const Shared& shared = input.shared;
   std::vector<Granted> out;
   out.push_back(granted_alone(model, shared, task));
   for (const Request& request : shared.requests().of(task)) {
-    if (!request.requester || request.pack->name.empty() || !model.is_always_member(*request.task)) continue;
+    if (!request.requester || request.pack->name.empty() || !model.is_always_member(*request.task) ||
+        has_conflict(input, request.pack))
+      continue;
     for (const Task* member : unit_members(model, *request.pack)) {
-      const bool known =
-          std::any_of(out.begin(), out.end(), [&](const Granted& each) { return each.task == member->target; });
-      if (!known && out.size() < most_members) out.push_back(grant(model, shared, task, member->target, member));
+      const bool is_held = model.providers[*request.requester].needs_group(member->target);
+      const bool known = std::any_of(out.begin(), out.end(), [&](const Granted& each) {
+        return each.task == member->target && (is_held || !each.is_held);
+      });
+      if (!known && (is_held || !keeps_off(input, *request.requester, member->target)) && out.size() < most_members)
+        out.push_back(grant(model, shared, task, member->target, member, is_held));
     }
   }
   return out;
@@ -74,9 +100,10 @@ std::vector<Granted> with_each_pack(const Model& model, const Facts& facts, cons
   for (const auto& [id, pack] : packs) {
     const Branches branches = shared.branches().with(id, pack);
     const auto claims = std::make_shared<const Claims>(branches, granted.task);
-    out.push_back({granted.waits, granted.task, granted.member, claims,
-                   Takings(model, shared.indispensable(), *claims, granted.task),
-                   RunsBelow(branches, *claims, granted.task)});
+    out.push_back(
+        {granted.waits, granted.task, granted.member, granted.is_held, claims,
+         Takings(model, shared.indispensable(), *claims, granted.task, granted.waits, granted.is_held, shared.chains()),
+         RunsBelow(branches, *claims, granted.task)});
   }
   return out;
 }

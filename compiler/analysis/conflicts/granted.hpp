@@ -18,6 +18,7 @@ struct Granted {
   GroupId waits{};                      ///< the task that was pushed for
   GroupId task{};                       ///< the same, or one that is granted together with it
   const Task* member = nullptr;         ///< that other one, in the unit
+  bool is_held = false;                 ///< the requester needs it too, so that it was held before
   std::shared_ptr<const Claims> claims; ///< with one of its packs; null: with any of them
   Takings takings;
   RunsBelow below;
@@ -28,9 +29,9 @@ struct Granted {
 /// The task itself.
 Granted granted_alone(const Model& model, const Shared& shared, GroupId task);
 
-/// First the task itself, then the members of its units in named packs. Of a flat list, it depends on the body which
-/// tasks are granted together.
-std::vector<Granted> granted_with(const Model& model, const Shared& shared, GroupId task);
+/// First the task itself, then the members of its units in named packs, if these are ever granted. Of a flat list, it
+/// depends on the body which tasks are granted together.
+std::vector<Granted> granted_with(const Input& input, GroupId task);
 
 /// The same with each pack of the provider that was pushed for, because only one of them is requested at a time. Of
 /// other members, with all.
