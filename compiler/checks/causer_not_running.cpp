@@ -5,12 +5,14 @@
 #include "compiler/analysis/requests/company.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
+#include "compiler/analysis/words/proposals.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace director::checks {
@@ -110,6 +112,7 @@ private:
                        : fmt::format("request {} too, here{}, `apart` and with a lower priority", group,
                                      would_be_stopped(model_.providers[causer].group, waiting) ? "" : " or above");
     add_kept(*request.requester, causers, causer, finding);
+    add_excluded(waiter, use, request, causer, finding);
     if (held_back.empty()) finding.help += ": a push never starts a group";
   }
 
@@ -124,6 +127,24 @@ private:
     finding.notes.push_back(one.kept);
     finding.help += fmt::format(", and let {} or {} do without {}", name_of(model_, causer), name_of(model_, requester),
                                 name_of(model_, one.group));
+  }
+
+  /// Nor could it run, requested there, with the values of a state that only the outside changes.
+  void add_excluded(ProviderId waiter, const ConditionUse& use, const Request& request, ProviderId causer,
+                    dsl::Diagnostic& finding) const {
+    const PushExclusion& exclusion = shared_.push_exclusion();
+    std::optional<StateId> state;
+    ValueSet values;
+    for (const Region& region : shared_.requests().regions(request)) {
+      const auto here = exclusion.find_outside(waiter, region, causer, Region{});
+      if (!here || (state && here != state)) return;
+      state = here;
+      values = values.united(exclusion.values_of(*here, waiter, region));
+    }
+    if (!state) return;
+    add_exclusion(model_, exclusion, *state, waiter, causer, finding.notes);
+    add_exclusion(model_, exclusion, *state, *request.requester, causer, finding.notes);
+    finding.help += fmt::format(", and {}", propose_causer(model_, *state, values, use.id));
   }
 
   /// Whether it would not pass to an entry above the waiting task at once, as that task may take what it has to have
