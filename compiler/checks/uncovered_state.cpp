@@ -391,12 +391,24 @@ private:
           const auto at = box.find(state);
           return at != box.end() && !at->second.values.intersected(values).empty();
         });
-        if (ends && counts(one.group, id, use))
+        if (ends && counts(one.group, id, use) && !is_step(id, state, values))
           return fmt::format("{}: {} looks at its done, which is lost as soon as it cannot run",
                              stay_help(model_, {id, use, {}}, values), name_of(model_, *one.where->requester));
       }
     }
     return {};
+  }
+
+  /// Whether the value is one with which another provider of the group begins, which a `stay` would prevent.
+  bool is_step(ProviderId id, StateId state, const ValueSet& values) const {
+    const std::vector<ProviderId>& all = model_.group_of(id).providers;
+    return std::any_of(all.begin(), all.end(), [&](ProviderId other) {
+      const std::vector<ConditionUse>& when = model_.providers[other].when;
+      return other != id && std::any_of(when.begin(), when.end(), [&](const ConditionUse& each) {
+               const Condition& condition = model_.conditions[each.id];
+               return condition.state == state && !condition.accepts.intersected(values).empty();
+             });
+    });
   }
 
   /// With all values of the states.
