@@ -4,6 +4,7 @@
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/requests/company.hpp"
 #include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/states/at_rest.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/proposals.hpp"
 #include "compiler/analysis/words/words.hpp"
@@ -102,6 +103,13 @@ private:
       finding.notes.push_back({task.span, fmt::format("{} would request {}, but is granted only together with {}",
                                                       name_of(model_, task.target), list_of(brought, "or"),
                                                       name_of(model_, request.task->target))});
+    }
+    if (const ConditionUse* step = find_own_step(model_, waiter); step != nullptr && step->id != use.id) {
+      const State& own = model_.states[model_.conditions[step->id].state];
+      finding.help = fmt::format("let {} request a group that waits for {} instead: while {} waits, {} is {} again",
+                                 name_of(model_, waiter), name_of(model_, use.id), name_of(model_, waiting),
+                                 name_of(model_, model_.conditions[step->id].state), own.value_text(*own.initial));
+      return;
     }
     finding.help = !held_back.empty() ? set_apart(request, held_back)
                    : leads_back(model_.providers[causer].group, chain)

@@ -102,33 +102,67 @@ bool holds_before(const Model& model, ProviderId id, const ConditionUse& step, c
   });
 }
 
-/// What could be pushed for the condition, if it is not below the group itself, which would bring it about before.
-std::optional<ProviderId> find_pushed(const Input& input, GroupId group, ConditionId id) {
+using Sources = IdTable<StateId, std::vector<Source>>;
+
+/// Whether something below the group may bring the condition about before it waits, without a push.
+bool comes_below(const Input& input, const Sources& sources, const Claims& below, ConditionId id) {
+  const Condition& wanted = input.model.conditions[id];
+  const auto comes = [&](const Source& source) {
+    if (source.kind == Source::Kind::initial || source.values.intersected(wanted.accepts).empty()) return false;
+    if (source.provider)
+      return input.facts.chosen.contains(*source.provider) &&
+             below.contains(input.model.providers[*source.provider].group);
+    return !source.group || below.contains(*source.group);
+  };
+  return std::any_of(sources[wanted.state].begin(), sources[wanted.state].end(), comes);
+}
+
+/// What could be pushed for the condition, if nothing below the group itself would bring it about before. What is below
+/// is not requested while the group waits.
+std::optional<ProviderId> find_pushed(const Input& input, const Sources& sources, GroupId group, ConditionId id) {
   const Claims& below = input.shared.claims(group);
   std::optional<ProviderId> out;
   for (const ProviderId causer : input.shared.causers()[id]) {
-    if (below.contains(input.model.providers[causer].group)) return std::nullopt;
-    if (!out && input.facts.active.contains(causer) && !input.shared.promises().explained.contains(causer))
-      out = causer;
+    const bool is_below = below.contains(input.model.providers[causer].group);
+    if (is_below && comes_below(input, sources, below, id)) return std::nullopt;
+    const IdSet<ProviderId>& running = is_below ? input.facts.capable : input.facts.active;
+    if (!out && running.contains(causer) && !input.shared.promises().explained.contains(causer)) out = causer;
   }
   return out;
+}
+
+bool has_root(const Model& model, const std::vector<GroupId>& groups) {
+  return std::any_of(model.roots.begin(), model.roots.end(), [&](const Task& root) {
+    return std::find(groups.begin(), groups.end(), root.target) != groups.end();
+  });
+}
+
+/// Whether none of the groups need be requested where the task is: that is reported there (causer_not_running).
+bool need_not_be_requested(const Input& input, const Request& request, const std::vector<GroupId>& groups) {
+  return request.requester && !has_root(input.model, groups) &&
+         !Company(input.model, input.facts, input.shared.requests(), groups).find_bare_chain(request).empty();
 }
 
 /// A step that has to wait: the group is not granted meanwhile, so that its own state begins again.
 void look_at_steps(const Input& input, Findings& findings) {
   const Model& model = input.model;
+  const Sources sources = find_sources(model);
   for (const ProviderId id : model.providers.ids()) {
     const GroupId group = model.providers[id].group;
     const ConditionUse* step = find_own_step(model, id);
     if (step == nullptr || !input.facts.requested.contains(group) || !input.facts.capable.contains(id)) continue;
     const StateId own = model.conditions[step->id].state;
+    const std::vector<Request>& of_group = input.shared.requests().of(group);
     for (const ConditionUse& use : model.providers[id].when) {
       const StateId state = model.conditions[use.id].state;
       if (state == own || input.facts.is_impossible(id, state) || input.facts.holds_always(model, use.id, Region{}) ||
           holds_before(model, id, *step, use))
         continue;
-      const std::optional<ProviderId> causer = find_pushed(input, group, use.id);
-      if (!causer) continue;
+      const std::optional<ProviderId> causer = find_pushed(input, sources, group, use.id);
+      if (!causer || std::any_of(of_group.begin(), of_group.end(), [&](const Request& request) {
+            return need_not_be_requested(input, request, {model.providers[*causer].group});
+          }))
+        continue;
       const std::string waiter = name_of(model, id), name = name_of(model, group), of = name_of(model, own);
       dsl::Diagnostic& finding =
           findings.add(use.span, fmt::format("{} waits for {} in vain: while {} waits, {} is {} again", waiter,
@@ -140,12 +174,6 @@ void look_at_steps(const Input& input, Findings& findings) {
       finding.help = fmt::format("let {} request a group that waits for {} instead", waiter, name_of(model, use.id));
     }
   }
-}
-
-bool has_root(const Model& model, const std::vector<GroupId>& groups) {
-  return std::any_of(model.roots.begin(), model.roots.end(), [&](const Task& root) {
-    return std::find(groups.begin(), groups.end(), root.target) != groups.end();
-  });
 }
 
 /// What the pushed provider needs is kept by the one that requests the task, though not by all that do.
@@ -269,7 +297,7 @@ private:
       if (one->unrequested || none_can_run(groups.back(), want.waiter, region)) absent.push_back(groups.back());
     }
     if (!input_.shared.standstill().may_wait(region, want.waiter, want.condition, absent) ||
-        need_not_be_requested(request, groups))
+        need_not_be_requested(input_, request, groups))
       return false;
     report(want, request, region, all);
     return true;
@@ -294,12 +322,6 @@ private:
     }
     if (!first) return std::nullopt;
     return Excluded{causer, *first, true};
-  }
-
-  /// That is reported where the task is requested (causer_not_running).
-  bool need_not_be_requested(const Request& request, const std::vector<GroupId>& groups) const {
-    return request.requester && !has_root(model_, groups) &&
-           !Company(model_, input_.facts, input_.shared.requests(), groups).find_bare_chain(request).empty();
   }
 
   void report(const Want& want, const Request& request, const Region& region, const std::vector<Excluded>& all) {
