@@ -4,13 +4,16 @@
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/requests/company.hpp"
 #include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/states/at_rest.hpp"
 #include "compiler/analysis/words/notes.hpp"
+#include "compiler/analysis/words/proposals.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace director::checks {
@@ -101,6 +104,13 @@ private:
                                                       name_of(model_, task.target), list_of(brought, "or"),
                                                       name_of(model_, request.task->target))});
     }
+    if (const ConditionUse* step = find_own_step(model_, waiter); step != nullptr && step->id != use.id) {
+      const State& own = model_.states[model_.conditions[step->id].state];
+      finding.help = fmt::format("let {} request a group that waits for {} instead: while {} waits, {} is {} again",
+                                 name_of(model_, waiter), name_of(model_, use.id), name_of(model_, waiting),
+                                 name_of(model_, model_.conditions[step->id].state), own.value_text(*own.initial));
+      return;
+    }
     finding.help = !held_back.empty() ? set_apart(request, held_back)
                    : leads_back(model_.providers[causer].group, chain)
                        ? fmt::format("let the program request {} too, with a lower priority", group)
@@ -110,6 +120,7 @@ private:
                        : fmt::format("request {} too, here{}, `apart` and with a lower priority", group,
                                      would_be_stopped(model_.providers[causer].group, waiting) ? "" : " or above");
     add_kept(*request.requester, causers, causer, finding);
+    add_excluded(waiter, use, request, causer, finding);
     if (held_back.empty()) finding.help += ": a push never starts a group";
   }
 
@@ -124,6 +135,24 @@ private:
     finding.notes.push_back(one.kept);
     finding.help += fmt::format(", and let {} or {} do without {}", name_of(model_, causer), name_of(model_, requester),
                                 name_of(model_, one.group));
+  }
+
+  /// Nor could it run, requested there, with the values of a state that only the outside changes.
+  void add_excluded(ProviderId waiter, const ConditionUse& use, const Request& request, ProviderId causer,
+                    dsl::Diagnostic& finding) const {
+    const PushExclusion& exclusion = shared_.push_exclusion();
+    std::optional<StateId> state;
+    ValueSet values;
+    for (const Region& region : shared_.requests().regions(request)) {
+      const auto here = exclusion.find_outside(waiter, region, causer, Region{});
+      if (!here || (state && here != state)) return;
+      state = here;
+      values = values.united(exclusion.values_of(*here, waiter, region));
+    }
+    if (!state) return;
+    add_exclusion(model_, exclusion, *state, waiter, causer, finding.notes);
+    add_exclusion(model_, exclusion, *state, *request.requester, causer, finding.notes);
+    finding.help += fmt::format(", and {}", propose_causer(model_, *state, values, use.id));
   }
 
   /// Whether it would not pass to an entry above the waiting task at once, as that task may take what it has to have

@@ -1,5 +1,6 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/push_in_vain.md.
 // SPDX-License-Identifier: MIT
+#include "compiler/analysis/chains/sparse_set.hpp"
 #include "compiler/analysis/clashes/exclusions.hpp"
 #include "compiler/analysis/clashes/holdings.hpp"
 #include "compiler/analysis/clashes/losses.hpp"
@@ -101,33 +102,67 @@ bool holds_before(const Model& model, ProviderId id, const ConditionUse& step, c
   });
 }
 
-/// What could be pushed for the condition, if it is not below the group itself, which would bring it about before.
-std::optional<ProviderId> find_pushed(const Input& input, GroupId group, ConditionId id) {
+using Sources = IdTable<StateId, std::vector<Source>>;
+
+/// Whether something below the group may bring the condition about before it waits, without a push.
+bool comes_below(const Input& input, const Sources& sources, const Claims& below, ConditionId id) {
+  const Condition& wanted = input.model.conditions[id];
+  const auto comes = [&](const Source& source) {
+    if (source.kind == Source::Kind::initial || source.values.intersected(wanted.accepts).empty()) return false;
+    if (source.provider)
+      return input.facts.chosen.contains(*source.provider) &&
+             below.contains(input.model.providers[*source.provider].group);
+    return !source.group || below.contains(*source.group);
+  };
+  return std::any_of(sources[wanted.state].begin(), sources[wanted.state].end(), comes);
+}
+
+/// What could be pushed for the condition, if nothing below the group itself would bring it about before. What is below
+/// is not requested while the group waits.
+std::optional<ProviderId> find_pushed(const Input& input, const Sources& sources, GroupId group, ConditionId id) {
   const Claims& below = input.shared.claims(group);
   std::optional<ProviderId> out;
   for (const ProviderId causer : input.shared.causers()[id]) {
-    if (below.contains(input.model.providers[causer].group)) return std::nullopt;
-    if (!out && input.facts.active.contains(causer) && !input.shared.promises().explained.contains(causer))
-      out = causer;
+    const bool is_below = below.contains(input.model.providers[causer].group);
+    if (is_below && comes_below(input, sources, below, id)) return std::nullopt;
+    const IdSet<ProviderId>& running = is_below ? input.facts.capable : input.facts.active;
+    if (!out && running.contains(causer) && !input.shared.promises().explained.contains(causer)) out = causer;
   }
   return out;
+}
+
+bool has_root(const Model& model, const std::vector<GroupId>& groups) {
+  return std::any_of(model.roots.begin(), model.roots.end(), [&](const Task& root) {
+    return std::find(groups.begin(), groups.end(), root.target) != groups.end();
+  });
+}
+
+/// Whether none of the groups need be requested where the task is: that is reported there (causer_not_running).
+bool need_not_be_requested(const Input& input, const Request& request, const std::vector<GroupId>& groups) {
+  return request.requester && !has_root(input.model, groups) &&
+         !Company(input.model, input.facts, input.shared.requests(), groups).find_bare_chain(request).empty();
 }
 
 /// A step that has to wait: the group is not granted meanwhile, so that its own state begins again.
 void look_at_steps(const Input& input, Findings& findings) {
   const Model& model = input.model;
+  const Sources sources = find_sources(model);
   for (const ProviderId id : model.providers.ids()) {
     const GroupId group = model.providers[id].group;
     const ConditionUse* step = find_own_step(model, id);
     if (step == nullptr || !input.facts.requested.contains(group) || !input.facts.capable.contains(id)) continue;
     const StateId own = model.conditions[step->id].state;
+    const std::vector<Request>& of_group = input.shared.requests().of(group);
     for (const ConditionUse& use : model.providers[id].when) {
       const StateId state = model.conditions[use.id].state;
       if (state == own || input.facts.is_impossible(id, state) || input.facts.holds_always(model, use.id, Region{}) ||
           holds_before(model, id, *step, use))
         continue;
-      const std::optional<ProviderId> causer = find_pushed(input, group, use.id);
-      if (!causer) continue;
+      const std::optional<ProviderId> causer = find_pushed(input, sources, group, use.id);
+      if (!causer || std::any_of(of_group.begin(), of_group.end(), [&](const Request& request) {
+            return need_not_be_requested(input, request, {model.providers[*causer].group});
+          }))
+        continue;
       const std::string waiter = name_of(model, id), name = name_of(model, group), of = name_of(model, own);
       dsl::Diagnostic& finding =
           findings.add(use.span, fmt::format("{} waits for {} in vain: while {} waits, {} is {} again", waiter,
@@ -181,10 +216,8 @@ private:
     if (losses_.comes_otherwise(want) ||
         !input_.shared.standstill().may_wait(request, want.waiter, want.condition, groups))
       return false;
-    const bool is_root = std::any_of(model_.roots.begin(), model_.roots.end(), [&](const Task& root) {
-      return std::find(groups.begin(), groups.end(), root.target) != groups.end();
-    });
-    return is_root || Company(model_, input_.facts, input_.shared.requests(), groups).find_bare_chain(request).empty();
+    return has_root(model_, groups) ||
+           Company(model_, input_.facts, input_.shared.requests(), groups).find_bare_chain(request).empty();
   }
 
   void report(const Request& request, const Want& want, const KeptNeed& one) {
@@ -210,12 +243,13 @@ private:
   std::set<std::pair<ProviderId, GroupId>> starving_; ///< groups that never run below this provider (self_conflict)
 };
 
-/// While the task waits, the outside excludes all that cause what it waits for.
+/// While the task waits, the outside excludes all that cause what it waits for, or all that request those.
 class ExcludedCausers {
 public:
   ExcludedCausers(const Input& input, Findings& findings)
       : input_(input),
         model_(input.model),
+        exclusion_(input.shared.push_exclusion()),
         waiting_(input.model, input.facts),
         losses_(input.model, input.graph, input.facts, input.shared),
         findings_(findings) {
@@ -231,48 +265,119 @@ public:
   }
 
 private:
+  struct Excluded {
+    ProviderId causer{};
+    StateId state{};
+    bool unrequested = false; ///< it is not requested with these values; else it cannot run itself
+  };
+
   void look_at(GroupId task, ProviderId waiter, const ConditionUse& use) {
     if (seen_.count(use.span) != 0 || input_.facts.is_impossible(waiter, model_.conditions[use.id].state)) return;
-    const PushExclusion& exclusion = input_.shared.push_exclusion();
     Want want{waiter, use, {}};
-    std::vector<StateId> states;
     for (const ProviderId causer : input_.shared.causers()[use.id]) {
       const GroupId group = model_.providers[causer].group;
       if (group == task || !input_.facts.active.contains(causer)) continue;
-      const std::optional<StateId> state = exclusion.find_outside(waiter, causer);
-      if (!state || !input_.shared.chains().may_beat(task, group)) return;
+      if (!input_.shared.chains().may_beat(task, group)) return;
       want.causers.push_back(causer);
-      states.push_back(*state);
     }
     if (want.causers.empty() || losses_.comes_otherwise(want)) return;
-    const std::vector<Request>& requests = input_.shared.requests().of(task);
-    if (std::any_of(requests.begin(), requests.end(),
-                    [&](const Request& each) { return input_.shared.standstill().may_wait(each, waiter, use, {}); }))
-      report(want, states);
+    for (const Request& request : input_.shared.requests().of(task)) {
+      for (const Region& region : input_.shared.requests().regions(request)) {
+        if (look_at(want, request, region)) return;
+      }
+    }
   }
 
-  void report(const Want& want, const std::vector<StateId>& states) {
-    const PushExclusion& exclusion = input_.shared.push_exclusion();
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < states.size(); ++i) {
-      if (states[i] == states.front()) names.push_back(name_of(model_, want.causers[i]));
+  bool look_at(const Want& want, const Request& request, const Region& region) {
+    std::vector<Excluded> all;
+    std::vector<GroupId> groups, absent;
+    for (const ProviderId causer : want.causers) {
+      const std::optional<Excluded> one = find_excluded(want.waiter, region, causer);
+      if (!one) return false;
+      all.push_back(*one);
+      groups.push_back(model_.providers[causer].group);
+      if (one->unrequested || none_can_run(groups.back(), want.waiter, region)) absent.push_back(groups.back());
     }
-    const State& state = model_.states[states.front()];
-    dsl::Diagnostic& finding = findings_.add(
-        want.condition.span,
-        fmt::format("{} waits for {} in vain while {} is {}: {}, which could cause it, cannot run then",
-                    name_of(model_, want.waiter), name_of(model_, want.condition.id), name_of(model_, states.front()),
-                    values_in_words(state, exclusion.values_of(states.front(), want.waiter)), few_of(names)));
-    for (std::size_t i = 0; i < states.size(); ++i) {
-      finding.notes.push_back(causes(model_, want.causers[i], want.condition.id));
-      add_exclusion(model_, exclusion, states[i], want.waiter, want.causers[i], finding.notes);
+    if (!input_.shared.standstill().may_wait(region, want.waiter, want.condition, absent) ||
+        need_not_be_requested(input_, request, groups))
+      return false;
+    report(want, request, region, all);
+    return true;
+  }
+
+  bool none_can_run(GroupId group, ProviderId waiter, const Region& region) const {
+    const std::vector<ProviderId>& providers = model_.groups[group].providers;
+    return std::all_of(providers.begin(), providers.end(), [&](ProviderId id) {
+      return !input_.facts.active.contains(id) || exclusion_.find_outside(waiter, region, id, Region{});
+    });
+  }
+
+  std::optional<Excluded> find_excluded(ProviderId waiter, const Region& region, ProviderId causer) const {
+    if (const auto state = exclusion_.find_outside(waiter, region, causer, Region{})) return Excluded{causer, *state};
+    std::optional<StateId> first;
+    for (const Request& request : input_.shared.requests().of(model_.providers[causer].group)) {
+      for (const Region& requested : input_.shared.requests().regions(request)) {
+        const auto state = exclusion_.find_outside(waiter, region, causer, requested);
+        if (!state) return std::nullopt;
+        if (!first) first = state;
+      }
+    }
+    if (!first) return std::nullopt;
+    return Excluded{causer, *first, true};
+  }
+
+  void report(const Want& want, const Request& request, const Region& region, const std::vector<Excluded>& all) {
+    const Excluded& first = all.front();
+    std::vector<std::string> names;
+    for (const Excluded& each : all) {
+      if (each.state == first.state && each.unrequested == first.unrequested)
+        names.push_back(name_of(model_, each.causer));
+    }
+    const ValueSet values = exclusion_.values_of(first.state, want.waiter, region);
+    const std::string wanted = name_of(model_, want.condition.id);
+    const std::string then = fmt::format("while {} is {}", name_of(model_, first.state),
+                                         values_in_words(model_.states[first.state], values));
+    dsl::Diagnostic& finding =
+        findings_.add(want.condition.span, fmt::format("{} waits for {} in vain {}: {}, which could cause it, {} then",
+                                                       name_of(model_, want.waiter), wanted, then, few_of(names),
+                                                       !first.unrequested  ? "cannot run"
+                                                       : names.size() == 1 ? "is not requested"
+                                                                           : "are not requested"));
+    for (const Excluded& each : all) {
+      finding.notes.push_back(causes(model_, each.causer, want.condition.id));
+      add_exclusion(model_, exclusion_, each.state, want.waiter, each.causer, finding.notes);
+      if (exclusion_.conditions_on(each.state, want.waiter).empty()) add_request(request, each.state, finding.notes);
+      if (!each.unrequested) continue;
+      for (const Request& other : input_.shared.requests().of(model_.providers[each.causer].group))
+        add_request(other, each.state, finding.notes);
     }
     shorten(finding.notes);
-    finding.help = propose_causer(model_, exclusion, states.front(), want.waiter, want.condition.id);
+    finding.help = first.unrequested ? fmt::format("let something request {} that runs {}",
+                                                   name_of(model_, model_.providers[first.causer].group), then)
+                                     : propose_causer(model_, first.state, values, want.condition.id);
+  }
+
+  /// Adds the request, and the nearest above it whose conditions are on the state.
+  void add_request(const Request& request, StateId state, std::vector<dsl::Note>& notes) const {
+    std::vector<Request> open{request};
+    SparseSet<GroupId> seen;
+    for (std::size_t next = 0; next < open.size() && next < most_notes; ++next) {
+      const Request at = open[next]; // the list grows
+      if (!at.requester) continue;
+      const GroupId above = model_.providers[*at.requester].group;
+      add_once(requests(model_, *at.requester, *at.task), notes);
+      if (!exclusion_.conditions_on(state, *at.requester).empty()) {
+        add_exclusion(model_, exclusion_, state, *at.requester, *at.requester, notes);
+      } else if (seen.add(above)) {
+        const std::vector<Request>& further = input_.shared.requests().of(above);
+        open.insert(open.end(), further.begin(), further.end());
+      }
+    }
   }
 
   const Input& input_;
   const Model& model_;
+  const PushExclusion& exclusion_;
   Waiting waiting_;
   const Losses losses_;
   Findings& findings_;

@@ -94,11 +94,15 @@ void note_always_true(const Input& input, ProviderId rival, dsl::Diagnostic& fin
 }
 
 /// Notes why no group that waits for its promise pushes it: others of that group can run instead, so it never waits; or
-/// it never goes first. Returns the first such group.
-std::optional<GroupId> note_unpushed(const Input& input, ProviderId id, dsl::Diagnostic& finding) {
+/// it never goes first; or their conditions exclude that.
+struct Unpushed {
+  std::optional<GroupId> outranked; ///< the first that never goes first
+  bool excluded = false;
+};
+Unpushed note_unpushed(const Input& input, ProviderId id, dsl::Diagnostic& finding) {
   const Model& model = input.model;
   const GroupId own = model.providers[id].group;
-  std::optional<GroupId> out;
+  Unpushed out;
   if (model.providers[id].causing.empty()) return out;
   Waiting waiting(model, input.facts);
   for (const ProviderId other : model.providers.ids()) {
@@ -116,6 +120,7 @@ std::optional<GroupId> note_unpushed(const Input& input, ProviderId id, dsl::Dia
              fmt::format("{} waits for this, but never pushes {}: the two run only with different values of {}",
                          name_of(model, other), name_of(model, id), name_of(model, *state))});
         add_exclusion(model, input.shared.push_exclusion(), *state, other, id, finding.notes);
+        out.excluded = true;
         continue;
       }
       const std::string name = name_of(model, group);
@@ -126,7 +131,7 @@ std::optional<GroupId> note_unpushed(const Input& input, ProviderId id, dsl::Dia
                        name_of(model, other), name_of(model, own))
                  : fmt::format("{} looks at this, but {} never waits for it: another provider of it can run",
                                name_of(model, other), name)});
-      if (waits && !out) out = group;
+      if (waits && !out.outranked) out.outranked = group;
     }
   }
   return out;
@@ -260,18 +265,16 @@ bool would_be_shadowed(const Input& input, ProviderId earlier, ProviderId id) {
 }
 
 /// Another order helps if then no other provider never runs: neither one of these, nor one whose promise is never
-/// pushed.
-void propose(const Input& input, ProviderId id, const Culprits& culprits, dsl::Diagnostic& finding) {
+/// pushed. `promises`: it is meant to be pushed, and would then run without that.
+void propose(const Input& input, ProviderId id, const Culprits& culprits, bool promises, dsl::Diagnostic& finding) {
   const Model& model = input.model;
   const std::vector<ProviderId>& providers = model.group_of(id).providers;
-  const bool helps = std::none_of(culprits.all.begin(), culprits.all.end(),
-                                  [&](ProviderId each) {
-                                    const bool is_promise =
-                                        !model.providers[each].causing.empty() && !input.facts.pushed.contains(each);
-                                    return is_promise || can_always_replace(model, id, each);
-                                  }) &&
-                     std::none_of(providers.begin(), std::find(providers.begin(), providers.end(), id),
-                                  [&](ProviderId each) { return would_be_shadowed(input, each, id); });
+  const bool helps = !promises && std::none_of(culprits.all.begin(), culprits.all.end(), [&](ProviderId each) {
+    const bool is_promise = !model.providers[each].causing.empty() && !input.facts.pushed.contains(each);
+    return is_promise || can_always_replace(model, id, each);
+  }) && std::none_of(providers.begin(), std::find(providers.begin(), providers.end(), id), [&](ProviderId each) {
+    return would_be_shadowed(input, each, id);
+  });
   const bool is_one = culprits.all.size() == 1;
   const std::string help =
       fmt::format("give {} a `when` that leaves something", culprits.others_are_enough ? "those before it"
@@ -330,15 +333,15 @@ void shadowed_provider(const Input& input, Findings& findings) {
       finding.notes.push_back({model.providers[culprits.all[i]].span, fmt::format("{} is preferred", names[i])});
       note_always_true(input, culprits.all[i], finding);
     }
-    const std::optional<GroupId> outranked = note_unpushed(input, id, finding);
+    const Unpushed unpushed = note_unpushed(input, id, finding);
     note_members(input, id, rivals.of(id), finding);
-    if (outranked)
+    if (unpushed.outranked)
       propose_or_leave_out(input.model, input.facts, id,
-                           fmt::format("let {} go before {}, not in one unit with it", name_of(model, *outranked),
-                                       name_of(model, provider.group)),
+                           fmt::format("let {} go before {}, not in one unit with it",
+                                       name_of(model, *unpushed.outranked), name_of(model, provider.group)),
                            finding);
     else
-      propose(input, id, culprits, finding);
+      propose(input, id, culprits, unpushed.excluded, finding);
   }
 }
 

@@ -110,11 +110,27 @@ private:
   /// Whether the condition is one that a task for this group has to wait for without being able to cause it.
   bool counts(GroupId group, ProviderId provider, const ConditionUse& use) const {
     if (explained_.contains(provider) || told_.count({group, use.id}) != 0) return false;
+    if (ends_requests(group, use)) return true;
     if (beginnings(group, provider, use)) return true;
     if (pushed_.count({group, use.id}) != 0) return false;
     const std::vector<ProviderId>& causers = shared_.causers()[use.id];
     return std::none_of(causers.begin(), causers.end(),
                         [&](ProviderId causer) { return may_cause(group, provider, causer); });
+  }
+
+  /// Whether no provider that requests the group runs while the condition holds: once it is caused, the request ends.
+  bool ends_requests(GroupId group, const ConditionUse& use) const {
+    const std::vector<Request>& requests = shared_.requests().of(group);
+    return !requests.empty() && std::all_of(requests.begin(), requests.end(), [&](const Request& request) {
+      return request.requester && !may_request_with(*request.requester, use);
+    });
+  }
+
+  bool may_request_with(ProviderId requester, const ConditionUse& use) const {
+    const Condition& condition = model_.conditions[use.id];
+    const Region region = facts_.region_to_run(model_, requester, facts_.pushed.contains(requester));
+    const auto at = region.states.find(condition.state);
+    return at == region.states.end() || !at->second.intersected(condition.accepts).empty();
   }
 
   bool may_cause(GroupId group, ProviderId provider, ProviderId causer) const {
@@ -136,7 +152,7 @@ private:
     for (const ProviderId id : model_.groups[group].providers) {
       for (const ConditionUse& use : model_.providers[id].when) {
         const std::optional<std::vector<Region>>& found = beginnings(group, id, use);
-        if (!found) continue;
+        if (!found || ends_requests(group, use)) continue;
         for (Region way : *found) {
           for (const ConditionUse& other : model_.providers[id].when) {
             if (other.id == use.id || !counts(group, id, other)) continue;
@@ -335,6 +351,7 @@ private:
     const bool by_program =
         std::any_of(all.begin(), all.end(), [](const Uncoveredness* one) { return !one->where->requester; });
     const bool one = all.size() == 1;
+    if (const std::string stay = one ? help_for_ended(*all.front()) : std::string(); !stay.empty()) return stay;
     if (const std::string stay = one ? help_for_done(*all.front()) : std::string(); !stay.empty()) return stay;
     const std::string name = one ? name_of(model_, all.front()->group) : "them";
     return fmt::format("end {}with a provider that can always run, or ", one ? "" : "each ") +
@@ -343,6 +360,21 @@ private:
                        : fmt::format("request {} only in providers that run while {} can, followed by one without that "
                                      "request",
                                      name, one ? "it" : "they"));
+  }
+
+  /// What is pushed for a condition of it ends its request.
+  std::string help_for_ended(const Uncoveredness& one) const {
+    for (const ProviderId id : model_.groups[one.group].providers) {
+      for (const ConditionUse& use : model_.providers[id].when) {
+        if (shared_.causers()[use.id].empty() || !counts(one.group, id, use) || !ends_requests(one.group, use))
+          continue;
+        const ProviderId requester = *one.where->requester;
+        return fmt::format("{}, or do not request {} there",
+                           stay_help(model_, {requester, use, {}}, model_.conditions[use.id].accepts),
+                           name_of(model_, one.group));
+      }
+    }
+    return {};
   }
 
   /// A provider of it sets what ends its own condition, and the requester looks at its done: that is lost if nothing
@@ -359,12 +391,24 @@ private:
           const auto at = box.find(state);
           return at != box.end() && !at->second.values.intersected(values).empty();
         });
-        if (ends && counts(one.group, id, use))
+        if (ends && counts(one.group, id, use) && !is_step(id, state, values))
           return fmt::format("{}: {} looks at its done, which is lost as soon as it cannot run",
                              stay_help(model_, {id, use, {}}, values), name_of(model_, *one.where->requester));
       }
     }
     return {};
+  }
+
+  /// Whether the value is one with which another provider of the group begins, which a `stay` would prevent.
+  bool is_step(ProviderId id, StateId state, const ValueSet& values) const {
+    const std::vector<ProviderId>& all = model_.group_of(id).providers;
+    return std::any_of(all.begin(), all.end(), [&](ProviderId other) {
+      const std::vector<ConditionUse>& when = model_.providers[other].when;
+      return other != id && std::any_of(when.begin(), when.end(), [&](const ConditionUse& each) {
+               const Condition& condition = model_.conditions[each.id];
+               return condition.state == state && !condition.accepts.intersected(values).empty();
+             });
+    });
   }
 
   /// With all values of the states.
@@ -473,7 +517,10 @@ private:
         if (evidence.states.count(model_.conditions[use.id].state) == 0 || !counts(evidence.task, id, use)) continue;
         any = true;
         evidence.notes.push_back(runs_only_while(model_, id, use));
-        if (beginnings(evidence.task, id, use)) add_waiting_causers(evidence.task, id, use, evidence.notes);
+        if (ends_requests(evidence.task, use)) {
+          add_ending(evidence.task, use, evidence.notes);
+        } else if (beginnings(evidence.task, id, use))
+          add_waiting_causers(evidence.task, id, use, evidence.notes);
       }
       for (const Use<GroupId>& need : model_.providers[id].needs) {
         if (!add_conditions(need.id, evidence, group)) continue;
@@ -483,6 +530,18 @@ private:
       }
     }
     return evidence.seen[group] = any;
+  }
+
+  /// If something could be pushed for the condition.
+  void add_ending(GroupId task, const ConditionUse& use, std::vector<dsl::Note>& notes) const {
+    if (shared_.causers()[use.id].empty()) return;
+    for (const Request& request : shared_.requests().of(task)) {
+      for (const ConditionUse& each : model_.providers[*request.requester].when) {
+        if (model_.conditions[each.id].state == model_.conditions[use.id].state)
+          notes.push_back({each.span, fmt::format("{} ends the request of {} for {}", name_of(model_, use.id),
+                                                  name_of(model_, *request.requester), name_of(model_, task))});
+      }
+    }
   }
 
   void add_waiting_causers(GroupId task, ProviderId provider, const ConditionUse& use,

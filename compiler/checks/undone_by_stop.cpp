@@ -336,9 +336,24 @@ private:
     if (use != when.end()) finding.notes.push_back(runs_only_while(model_, ended, *use));
     if (const RequestEntry request = find_entry(model_, ended, group); request.task != nullptr)
       finding.notes.push_back(requests(model_, ended, *request.task));
-    finding.help =
-        fmt::format("give {} a `stay` under which {} may be {}, or {}", requester, name_of(model_, set.state),
-                    values_in_words(model_.states[set.state], set.accepts), stop.without);
+    if (const std::optional<ProviderId> next = find_next(ended, set)) {
+      finding.help = fmt::format("{}: {} can run with {}", stop.without, name_of(model_, *next), condition);
+    } else {
+      finding.help =
+          fmt::format("give {} a `stay` under which {} may be {}, or {}", requester, name_of(model_, set.state),
+                      values_in_words(model_.states[set.state], set.accepts), stop.without);
+    }
+  }
+
+  /// Another provider of the group that may run then: with a `stay` it would not.
+  std::optional<ProviderId> find_next(ProviderId ended, const Condition& set) const {
+    for (const ProviderId id : model_.group_of(ended).providers) {
+      if (id == ended || !facts_.active.contains(id)) continue;
+      const Region region = facts_.region_to_run(model_, id, facts_.pushed.contains(id));
+      const auto at = region.states.find(set.state);
+      if (at == region.states.end() || !at->second.intersected(set.accepts).empty()) return id;
+    }
+    return std::nullopt;
   }
 
   const Input& input_;

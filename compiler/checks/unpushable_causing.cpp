@@ -215,7 +215,8 @@ void report(const Input& input, const Chains& chains, Waiting& waits, const Neve
         state && !obstacles.none_waits) {
       add_exclusion(model, exclusion, *state, waiting.provider, promise.causer, finding.notes);
       if (causer_help.empty())
-        causer_help = propose_causer(model, exclusion, *state, waiting.provider, waiting.condition.id);
+        causer_help =
+            propose_causer(model, *state, exclusion.values_of(*state, waiting.provider), waiting.condition.id);
       continue;
     }
     if (const std::optional<Before> found = find_before(input, waiting.provider)) {

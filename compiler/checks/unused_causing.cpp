@@ -101,7 +101,8 @@ void report_unpushed(const Input& input, Pushers& pushers, ProviderId causer, co
                        name_of(model, arrow->waiter), name_of(model, causer), name_of(model, *state))});
       add_exclusion(model, input.shared.push_exclusion(), *state, arrow->waiter, causer, finding.notes);
       if (help.empty() && !has_another(input, *arrow))
-        help = propose_causer(model, input.shared.push_exclusion(), *state, arrow->waiter, arrow->condition.id);
+        help = propose_causer(model, *state, input.shared.push_exclusion().values_of(*state, arrow->waiter),
+                              arrow->condition.id);
       continue;
     }
     if (const auto rival = pushers.preferred(causer, arrow->condition.id);

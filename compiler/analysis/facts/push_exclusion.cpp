@@ -58,6 +58,14 @@ std::optional<StateId> PushExclusion::find_outside(ProviderId waiter, ProviderId
   return find_different(region(waiter, true), region(causer, false), &outside_);
 }
 
+std::optional<StateId> PushExclusion::find_outside(ProviderId waiter, const Region& waiting, ProviderId causer,
+                                                   const Region& requested) const {
+  Region here = region(waiter, true), there = region(causer, false);
+  here.meet(waiting);
+  there.meet(requested);
+  return find_different(here, there, &outside_);
+}
+
 std::optional<StateId> PushExclusion::find_beside(ProviderId chosen, ProviderId causer) const {
   return find_different(region(chosen, false), region(causer, false), nullptr);
 }
@@ -75,8 +83,9 @@ std::vector<std::pair<ProviderId, ConditionUse>> PushExclusion::conditions_on(St
   return out;
 }
 
-ValueSet PushExclusion::values_of(StateId state, ProviderId provider) const {
+ValueSet PushExclusion::values_of(StateId state, ProviderId provider, const Region& region) const {
   ValueSet out = facts_.values[state];
+  if (const auto at = region.states.find(state); at != region.states.end()) out = out.intersected(at->second);
   for (const auto& [id, use] : conditions_on(state, provider)) out = out.intersected(model_.conditions[use.id].accepts);
   return out;
 }

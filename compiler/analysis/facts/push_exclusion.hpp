@@ -23,13 +23,16 @@ public:
   bool excludes(ProviderId waiter, ProviderId causer) const { return find(waiter, causer).has_value(); }
   /// The same, of the states that only the outside changes: while the one waits, the other cannot run by itself either.
   std::optional<StateId> find_outside(ProviderId waiter, ProviderId causer) const;
+  /// The same while tasks for them exist only with these values.
+  std::optional<StateId> find_outside(ProviderId waiter, const Region& waiting, ProviderId causer,
+                                      const Region& requested) const;
   /// The same for a provider that need not wait itself, as one of its needs does.
   std::optional<StateId> find_beside(ProviderId chosen, ProviderId causer) const;
 
   /// Those conditions on the state, each with its provider: of this one and of what it needs.
   std::vector<std::pair<ProviderId, ConditionUse>> conditions_on(StateId state, ProviderId provider) const;
-  /// The values that they leave.
-  ValueSet values_of(StateId state, ProviderId provider) const;
+  /// The values that they leave of those in the region.
+  ValueSet values_of(StateId state, ProviderId provider, const Region& region = {}) const;
 
 private:
   /// Around the states with which the provider waits for a push, or can be chosen; what it needs included.

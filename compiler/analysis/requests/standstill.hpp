@@ -24,6 +24,8 @@ public:
   /// groups that do not run.
   bool may_wait(const Request& request, ProviderId waiter, const ConditionUse& use,
                 const std::vector<GroupId>& absent = {});
+  /// The same with values in this region.
+  bool may_wait(const Region& region, ProviderId waiter, const ConditionUse& use, const std::vector<GroupId>& absent);
 
 private:
   /// Whether what the waiter lacks besides could be caused too. Otherwise it pushes nothing.

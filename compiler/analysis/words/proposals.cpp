@@ -38,10 +38,9 @@ void add_exclusion(const Model& model, const PushExclusion& exclusion, StateId s
   }
 }
 
-std::string propose_causer(const Model& model, const PushExclusion& exclusion, StateId state, ProviderId waiter,
-                           ConditionId wanted) {
+std::string propose_causer(const Model& model, StateId state, const ValueSet& values, ConditionId wanted) {
   return fmt::format("let a provider cause {} that can run while {} is {}", name_of(model, wanted),
-                     name_of(model, state), values_in_words(model.states[state], exclusion.values_of(state, waiter)));
+                     name_of(model, state), values_in_words(model.states[state], values));
 }
 
 namespace {

@@ -21,9 +21,9 @@ std::string put_last(const compiler::Model& model, compiler::ProviderId id,
 /// Adds what the two require of a state that keeps the one from ever pushing the other.
 void add_exclusion(const compiler::Model& model, const PushExclusion& exclusion, compiler::StateId state,
                    compiler::ProviderId waiter, compiler::ProviderId causer, std::vector<dsl::Note>& notes);
-/// Help for that.
-std::string propose_causer(const compiler::Model& model, const PushExclusion& exclusion, compiler::StateId state,
-                           compiler::ProviderId waiter, compiler::ConditionId wanted);
+/// Help for that: while the state has these values, nothing can be pushed for what is wanted.
+std::string propose_causer(const compiler::Model& model, compiler::StateId state, const compiler::ValueSet& values,
+                           compiler::ConditionId wanted);
 
 /// Sets this help, with the advice to leave the provider out; but not if a group that needs its group may hold it by
 /// this provider, whose body may never run: that is noted.

@@ -64,4 +64,23 @@ TEST_CASE("a provider that runs already may stay where it could not begin") {
         "Estop, from outside");
 }
 
+TEST_CASE("where tasks exist only with some values of a state, these keep the one from pushing the other") {
+  const tests::Analysed test(begin + "  Freeze: {when: [Motion == still]}\n"
+                                     "  Drive: {providers: [{name: braking, causing: [Motion == still]}, "
+                                     "{name: steering, when: [Estop == clear]}]}\n");
+  const Causers causers = find_causers(test.model);
+  const PushExclusion exclusion(test.model, test.facts, causers);
+  const ProviderId waiter = test.provider("Freeze"), braking = test.provider("Drive.braking");
+  const auto with = [&](const char* name, int value) {
+    Region out;
+    out.meet(test.state(name), ValueSet::single(value));
+    return out;
+  };
+  CHECK(exclusion.find_outside(waiter, with("Estop", 0), braking, with("Estop", 1)) == test.state("Estop"));
+  CHECK_FALSE(exclusion.find_outside(waiter, with("Estop", 0), braking, with("Estop", 0)));
+  CHECK_FALSE(exclusion.find_outside(waiter, with("Estop", 0), braking, {}));
+  CHECK(exclusion.find_outside(waiter, with("Estop", 0), test.provider("Drive.steering"), {}) == test.state("Estop"));
+  CHECK_FALSE(exclusion.find_outside(waiter, with("Motion", 0), braking, with("Motion", 1)));
+}
+
 } // namespace
