@@ -37,7 +37,7 @@ public:
   /// What is caused by a push.
   void look_at(const Wanting& wanting) {
     if (std::none_of(wanting.wants.begin(), wanting.wants.end(), [&](const Want& want) { return ends(want); })) return;
-    for (Granted& any : granted_with(model_, shared_, wanting.task)) {
+    for (Granted& any : granted_with(model_, shared_, wanting)) {
       for (const Granted& granted : with_each_pack(model_, facts_, shared_, std::move(any), wanting.provider)) {
         for (const Want& want : wanting.wants) look_at(granted, wanting.provider, want);
       }
@@ -76,10 +76,15 @@ private:
   /// Whether the waiting provider cannot continue when the state expires. An external one may be set at any time.
   bool ends(const Want& want) const {
     const State& row = model_.states[state_of(want)];
-    if (!row.expires || row.external) return false;
+    if (!row.expires || row.external || (want.pushed && !may_last(want, row.expires->after))) return false;
     const std::optional<ValueSet> values = expired(want);
-    return values ? !undoing_values(model_, want.waiter, want.condition.id, *values).empty()
-                  : is_undone_when_unset(model_, want.waiter, state_of(want));
+    return values ? !undoing_values(model_, want, *values).empty() : is_undone_when_unset(model_, want);
+  }
+
+  /// Whether what is pushed may take longer to cause what it is pushed for, as it says.
+  bool may_last(const Want& want, Microseconds time) const {
+    const std::optional<Microseconds>& within = promise_of(model_, want.waiter, want.pushed->wanted).within;
+    return within && *within > time;
   }
 
   void look_at(const Granted& granted, ProviderId provider, const Want& want) {
@@ -141,9 +146,7 @@ private:
   bool is_undone_at_once(const Takings& takings, const Want& want, ProviderId causer) const {
     const GroupId id = model_.providers[causer].group;
     const Group& group = model_.groups[id];
-    const auto undoes = [&](const ValueSet& values) {
-      return !undoing_values(model_, want.waiter, want.condition.id, values).empty();
-    };
+    const auto undoes = [&](const ValueSet& values) { return !undoing_values(model_, want, values).empty(); };
     const auto stops = [&](ProviderId each) { return !facts_.active.contains(each) || loses(takings, each); };
     if (std::all_of(group.providers.begin(), group.providers.end(), stops)) {
       const std::vector<StopValue> values = stop_values(model_, id, state_of(want));
@@ -181,7 +184,7 @@ private:
                     "round",
                     name_of(model_, state), dsl::time_text(expires.after), causing, lost, is_granted(model_, granted),
                     name_of(model_, want.condition.id)));
-    finding.notes.push_back(runs_only_while(model_, want.waiter, want.condition));
+    add_waiter(model_, want, finding.notes);
     finding.notes.push_back(setting.note);
     for (dsl::Note& note : how.notes) finding.notes.push_back(std::move(note));
     const std::string stay =
@@ -209,6 +212,7 @@ void undone_by_expiry(const Input& input, Findings& findings) {
     return;
   UndoneByExpiry undone(input, findings);
   for (const Wanting& wanting : input.shared.wants()) undone.look_at(wanting);
+  for (const Wanting& wanting : input.shared.wants_of_pushed()) undone.look_at(wanting);
   for (const ProviderId id : input.model.providers.ids()) {
     if (input.facts.chosen.contains(id)) undone.look_at_unpushed(id);
   }

@@ -61,7 +61,7 @@ public:
       return !alternatives_[state_of(want)].empty() || std::any_of(want.causers.begin(), want.causers.end(), has_needs);
     };
     if (std::none_of(wanting.wants.begin(), wanting.wants.end(), may_be_lost)) return;
-    for (Granted& any : granted_with(model_, shared_, wanting.task)) {
+    for (Granted& any : granted_with(model_, shared_, wanting)) {
       if (!may_take(any, wanting)) continue;
       for (const Granted& granted : with_each_pack(model_, facts_, shared_, std::move(any), wanting.provider)) {
         for (const Want& want : wanting.wants) look_at(granted, wanting, want);
@@ -248,7 +248,7 @@ private:
       for (const ConditionUse& entry : *entries) {
         const Condition& set = model_.conditions[entry.id];
         if (set.state != state_of(want)) continue;
-        ValueSet values = undoing_values(model_, want.waiter, want.condition.id, set.accepts);
+        ValueSet values = undoing_values(model_, want, set.accepts);
         if (!values.empty()) return Fallback{id, entry, entries == &row.causing, std::move(values)};
       }
     }
@@ -293,6 +293,7 @@ private:
 void undone_by_fallback(const Input& input, Findings& findings) {
   UndoneByFallback undone(input, findings);
   for (const Wanting& wanting : input.shared.wants()) undone.look_at(wanting);
+  for (const Wanting& wanting : input.shared.wants_of_pushed()) undone.look_at(wanting);
   for (const ProviderId id : input.model.providers.ids()) {
     if (input.facts.chosen.contains(id)) undone.look_at_unpushed(id);
   }

@@ -36,7 +36,8 @@ public:
     if (!granted.is_other()) {
       for (const ConditionUse& entry : model_.providers[want.waiter].sets)
         look_at_entry(granted, want, setter(want.waiter), entry);
-      for (const ConditionUse& entry : model_.providers[want.waiter].causing) look_at_goal(granted, want, entry);
+      if (!want.pushed) // else it is done then
+        for (const ConditionUse& entry : model_.providers[want.waiter].causing) look_at_goal(granted, want, entry);
     }
     for (const GroupId group : granted.below.groups()) {
       if (group != granted.waits) look_below(granted, want, group);
@@ -299,7 +300,7 @@ private:
   void look_at_entry(const Granted& granted, const Want& want, const Setter& by, const ConditionUse& entry) {
     const Condition& set = model_.conditions[entry.id];
     if (set.state != model_.conditions[want.condition.id].state) return;
-    const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, set.accepts);
+    const ValueSet values = undoing_values(model_, want, set.accepts);
     if (values.empty()) return;
     auto causer = std::find_if(want.causers.begin(), want.causers.end(),
                                [&](ProviderId id) { return model_.providers[id].group != by.group; });
@@ -310,7 +311,7 @@ private:
         findings_.add(entry.span, fmt::format("{} may {} {}, and then {} is cut off until {} causes {} again", by.name,
                                               by.promised ? "cause" : "set", name_of(model_, entry.id), waiter,
                                               name_of(model_, *causer), condition));
-    finding.notes.push_back(runs_only_while(model_, want.waiter, want.condition));
+    add_waiter(model_, want, finding.notes);
     add_company(granted, finding.notes);
     add_chain(model_, granted.below.path(by.group), finding.notes);
     finding.notes.push_back(causes(model_, *causer, want.condition.id));
@@ -345,10 +346,17 @@ IdSet<StateId> states_of_stops(const Model& model) {
 void undone_by_itself(const Input& input, Findings& findings) {
   Undone undone(input, findings);
   for (const Wanting& wanting : input.shared.wants()) {
-    for (const Granted& granted : granted_with(input.model, input.shared, wanting.task)) {
+    for (const Granted& granted : granted_with(input.model, input.shared, wanting)) {
       for (const Want& want : wanting.wants) {
         if (want.waiter == wanting.provider) undone.look_at(granted, want);
       }
+    }
+  }
+  for (const Wanting& wanting : input.shared.wants_of_pushed()) {
+    Granted any = std::move(granted_with(input.model, input.shared, wanting).front());
+    for (const Granted& granted :
+         with_each_pack(input.model, input.facts, input.shared, std::move(any), wanting.provider)) {
+      for (const Want& want : wanting.wants) undone.look_at(granted, want);
     }
   }
   for (const ProviderId id : input.model.providers.ids()) {

@@ -118,7 +118,7 @@ private:
   /// With each pack of the task.
   std::vector<Granted> find_granted(const Wanting& wanting) const {
     std::vector<Granted> out;
-    for (Granted& any : granted_with(model_, shared_, wanting.task)) {
+    for (Granted& any : granted_with(model_, shared_, wanting)) {
       for (Granted& each : with_each_pack(model_, facts_, shared_, std::move(any), wanting.provider))
         out.push_back(std::move(each));
     }
@@ -205,7 +205,7 @@ private:
   /// Whether it is reported now.
   bool look_at_stop(const Granted& granted, const Want& want, const Setting& causer, GroupId stopped,
                     const StopValue& stop, const std::vector<ChainStep>& chain) {
-    const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, stop.values);
+    const ValueSet values = undoing_values(model_, want, stop.values);
     if (values.empty() || seen_.count({stop.span, want.condition.span}) != 0 ||
         ends_.count({stopped, model_.conditions[want.condition.id].state}) != 0)
       return false;
@@ -357,6 +357,7 @@ void undone_by_stop(const Input& input, Findings& findings) {
   UndoneByStop undone(input, findings);
   undone.look_at_requests();
   for (const Wanting& wanting : input.shared.wants()) undone.look_at(wanting);
+  for (const Wanting& wanting : input.shared.wants_of_pushed()) undone.look_at(wanting);
   for (const ProviderId id : input.model.providers.ids()) {
     if (input.facts.chosen.contains(id)) undone.look_at_unpushed(id);
   }
