@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/clashes/granted.hpp"
+#include "compiler/analysis/clashes/spoiling.hpp"
 #include "compiler/analysis/conflicts/settings.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/region.hpp"
@@ -39,7 +40,10 @@ public:
     if (std::none_of(wanting.wants.begin(), wanting.wants.end(), [&](const Want& want) { return ends(want); })) return;
     for (Granted& any : granted_with(model_, shared_, wanting)) {
       for (const Granted& granted : with_each_pack(model_, facts_, shared_, std::move(any), wanting.provider)) {
+        const Spoiling spoiling(model_, facts_, granted, wanting.provider);
+        spoiling_ = &spoiling;
         for (const Want& want : wanting.wants) look_at(granted, wanting.provider, want);
+        spoiling_ = nullptr;
       }
     }
   }
@@ -100,7 +104,7 @@ private:
   /// `here`: where the waiting provider runs.
   void look_at_setting(const Granted& granted, const Region& here, const Want& want, const Setting& setting) {
     const GroupId group = model_.providers[setting.provider].group;
-    if (seen_.count({state_of(want), want.condition.span}) != 0 || !loses(granted.takings, setting.provider) ||
+    if (seen_.count({state_of(want), want.condition.span}) != 0 || !loses(granted.takings, setting.provider, want) ||
         !may_begin_again(setting.provider, want) || !compatible(here, region_of_run(setting.provider)) ||
         !shared_.chains().may_beat(granted.task, group) || is_undone_at_once(granted.takings, want, setting.provider))
       return;
@@ -120,8 +124,22 @@ private:
 
   Region region_of_run(ProviderId id) const { return facts_.region_to_run(model_, id, facts_.pushed.contains(id)); }
 
-  bool loses(const Takings& takings, ProviderId id) const {
-    return takings.takes(model_.providers[id].group) || takings.need_taken(id) != nullptr;
+  bool loses(const Takings& takings, ProviderId id, const Want& want) const {
+    return takings.takes(model_.providers[id].group) || takings.need_taken(id) != nullptr || spoilt(id, want);
+  }
+
+  /// The condition that it loses, if nothing else sets that state to what it accepts while the task runs.
+  std::optional<Spoilt> spoilt(ProviderId id, const Want& want) const {
+    std::optional<Spoilt> out = spoiling_ != nullptr ? spoiling_->of(id, want.condition.id) : std::nullopt;
+    if (!out) return out;
+    const Condition& lost = model_.conditions[out->condition.id];
+    const bool comes_back =
+        model_.states[lost.state].external || model_.states[lost.state].expires ||
+        std::any_of(sources_[lost.state].begin(), sources_[lost.state].end(), [&](const Source& source) {
+          return source.provider && facts_.active.contains(*source.provider) &&
+                 !source.values.intersected(lost.accepts).empty();
+        });
+    return comes_back ? std::nullopt : out;
   }
 
   /// Whether it may give the state a value that is waited for while the task runs.
@@ -132,7 +150,7 @@ private:
     const GroupId group = model_.providers[*source.provider].group;
     if (!compatible(here, region_of_run(*source.provider))) return false;
     return runs_below(granted.task, group) || runs_below(granted.waits, group) ||
-           !loses(granted.takings, *source.provider) || !shared_.chains().may_beat(granted.task, group);
+           !loses(granted.takings, *source.provider, want) || !shared_.chains().may_beat(granted.task, group);
   }
 
   /// With any pack.
@@ -147,7 +165,7 @@ private:
     const GroupId id = model_.providers[causer].group;
     const Group& group = model_.groups[id];
     const auto undoes = [&](const ValueSet& values) { return !undoing_values(model_, want, values).empty(); };
-    const auto stops = [&](ProviderId each) { return !facts_.active.contains(each) || loses(takings, each); };
+    const auto stops = [&](ProviderId each) { return !facts_.active.contains(each) || loses(takings, each, want); };
     if (std::all_of(group.providers.begin(), group.providers.end(), stops)) {
       const std::vector<StopValue> values = stop_values(model_, id, state_of(want));
       return std::any_of(values.begin(), values.end(), [&](const StopValue& stop) { return undoes(stop.values); });
@@ -177,6 +195,10 @@ private:
       lost = fmt::format("loses {}", list_of(names));
       how = granted.takings.way_to(*need);
       how.notes.insert(how.notes.begin(), {need->span, fmt::format("{} needs {}", causing, name_of(model_, need->id))});
+    } else if (const std::optional<Spoilt> lose = spoilt(setting.provider, want); lose && how.notes.empty()) {
+      lost = fmt::format("loses {}", name_of(model_, lose->condition.id));
+      how.notes = lose->notes;
+      how.notes.insert(how.notes.begin(), runs_only_while(model_, setting.provider, lose->condition));
     }
     dsl::Diagnostic& finding = findings_.add(
         expires.span,
@@ -201,6 +223,7 @@ private:
   const Settings settings_;
   Findings& findings_;
   const IdTable<StateId, std::vector<Source>> sources_;
+  const Spoiling* spoiling_ = nullptr;           ///< of what is granted now, if that was pushed for
   std::set<std::pair<StateId, dsl::Span>> seen_; ///< with the condition that is waited for
 };
 
