@@ -155,10 +155,12 @@ private:
   }
 
   /// A group that has nothing to do with the causing one, runs again when the task has lost control, and loses what it
-  /// needs again when the task is granted. Of several such tasks the first is reported.
+  /// needs again when the task is granted. Of several such tasks the first is reported; what is pushed is not
+  /// considered.
   void look_beside(const Granted& granted, const Want& want, const Setting& causer, GroupId stopped, StateId state) {
     const GroupId causing = model_.providers[causer.provider].group;
-    if (granted.is_other() || beside_.count({stopped, state}) != 0 || !takes_from(granted.takings, stopped) ||
+    if (granted.is_other() || granted.pushed || beside_.count({stopped, state}) != 0 ||
+        !takes_from(granted.takings, stopped) ||
         (!granted.takings.takes(stopped) && !why_needs_fail(granted.takings, stopped, causer.provider)) ||
         !is_beside(granted.task, causing, stopped))
       return;
