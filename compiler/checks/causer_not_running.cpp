@@ -1,5 +1,6 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/causer_not_running.md.
 // SPDX-License-Identifier: MIT
+#include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/clashes/holdings.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/requests/company.hpp"
@@ -120,6 +121,13 @@ private:
                        : fmt::format("request {} too, here{}, `apart` and with a lower priority", group,
                                      would_be_stopped(model_.providers[causer].group, waiting) ? "" : " or above");
     add_kept(*request.requester, causers, causer, finding);
+    for (const ConditionUse& promise : model_.providers[waiter].causing) {
+      const Condition& goal = model_.conditions[promise.id];
+      if (goal.state != model_.conditions[use.id].state) continue;
+      // Otherwise it is pushed again when it is done (undone_by_itself).
+      if (const ValueSet values = undoing_values(model_, waiter, use.id, goal.accepts); !values.empty())
+        finding.help += ", and " + stay_help(model_, {waiter, use, {}}, values);
+    }
     add_excluded(waiter, use, request, causer, finding);
     if (held_back.empty()) finding.help += ": a push never starts a group";
   }

@@ -3,6 +3,7 @@
 #include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/conflicts/granted.hpp"
 #include "compiler/analysis/conflicts/settings.hpp"
+#include "compiler/analysis/conflicts/spoiling.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/region.hpp"
 #include "compiler/analysis/states/sources.hpp"
@@ -40,9 +41,12 @@ public:
     if (std::none_of(wanting.wants.begin(), wanting.wants.end(),
                      [&](const Want& want) { return ends(wanting.task, want); }))
       return;
-    for (Granted& any : granted_with(input_, wanting.task)) {
+    for (Granted& any : granted_with(input_, wanting)) {
       for (const Granted& granted : with_each_pack(model_, facts_, shared_, std::move(any), wanting.provider)) {
+        const Spoiling spoiling(model_, facts_, granted, wanting.provider);
+        spoiling_ = &spoiling;
         for (const Want& want : wanting.wants) look_at(granted, wanting.provider, want);
+        spoiling_ = nullptr;
       }
     }
   }
@@ -79,9 +83,15 @@ private:
   /// Whether the waiting provider cannot continue when the state expires. An external one may be set at any time.
   bool ends(GroupId task, const Want& want) const {
     const State& row = model_.states[state_of(want)];
-    if (!row.expires || row.external) return false;
+    if (!row.expires || row.external || (want.pushed && !may_last(want, row.expires->after))) return false;
     const std::optional<ValueSet> values = expired(want);
     return values ? !undoing_values(model_, task, want, *values).empty() : is_undone_when_unset(model_, task, want);
+  }
+
+  /// Whether what is pushed may take longer to cause what it is pushed for, as it says.
+  bool may_last(const Want& want, Microseconds time) const {
+    const std::optional<Microseconds>& within = promise_of(model_, want.waiter, want.pushed->wanted).within;
+    return within && *within > time;
   }
 
   void look_at(const Granted& granted, ProviderId provider, const Want& want) {
@@ -96,7 +106,7 @@ private:
 
   /// `here`: where the waiting provider runs.
   void look_at_setting(const Granted& granted, const Region& here, const Want& want, const Setting& setting) {
-    if (seen_.count({state_of(want), want.condition.span}) != 0 || !loses(granted.takings, setting.provider) ||
+    if (seen_.count({state_of(want), want.condition.span}) != 0 || !loses(granted.takings, setting.provider, want) ||
         !may_begin_again(setting.provider, want) || !compatible(here, region_of_run(setting.provider)) ||
         is_undone_at_once(granted, want, setting.provider))
       return;
@@ -116,8 +126,23 @@ private:
 
   Region region_of_run(ProviderId id) const { return facts_.region_to_run(model_, id, facts_.pushed.contains(id)); }
 
-  bool loses(const Takings& takings, ProviderId id) const {
-    return takings.takes(model_.providers[id].group) || takings.need_taken(id) != nullptr;
+  bool loses(const Takings& takings, ProviderId id, const Want& want) const {
+    const GroupId group = model_.providers[id].group;
+    return takings.takes(group) || takings.need_taken(id) != nullptr || (takings.may_beat(group) && spoilt(id, want));
+  }
+
+  /// The condition that it loses, if nothing else sets that state to what it accepts while the task runs.
+  std::optional<Spoilt> spoilt(ProviderId id, const Want& want) const {
+    std::optional<Spoilt> out = spoiling_ != nullptr ? spoiling_->of(id, want.condition.id) : std::nullopt;
+    if (!out) return out;
+    const Condition& lost = model_.conditions[out->condition.id];
+    const bool comes_back =
+        model_.states[lost.state].external || model_.states[lost.state].expires ||
+        std::any_of(sources_[lost.state].begin(), sources_[lost.state].end(), [&](const Source& source) {
+          return source.provider && facts_.active.contains(*source.provider) &&
+                 !source.values.intersected(lost.accepts).empty();
+        });
+    return comes_back ? std::nullopt : out;
   }
 
   /// Whether it may give the state a value that is waited for while the task runs.
@@ -128,7 +153,7 @@ private:
     const GroupId group = model_.providers[*source.provider].group;
     if (!compatible(here, region_of_run(*source.provider))) return false;
     return runs_below(granted.task, group) || runs_below(granted.waits, group) ||
-           !loses(granted.takings, *source.provider);
+           !loses(granted.takings, *source.provider, want);
   }
 
   /// With any pack.
@@ -145,7 +170,9 @@ private:
     const auto undoes = [&](const ValueSet& values) {
       return !undoing_values(model_, granted.waits, want, values).empty();
     };
-    const auto stops = [&](ProviderId each) { return !facts_.active.contains(each) || loses(granted.takings, each); };
+    const auto stops = [&](ProviderId each) {
+      return !facts_.active.contains(each) || loses(granted.takings, each, want);
+    };
     if (std::all_of(group.providers.begin(), group.providers.end(), stops)) {
       const std::vector<StopValue> values = stop_values(model_, id, state_of(want));
       return std::any_of(values.begin(), values.end(), [&](const StopValue& stop) { return undoes(stop.values); });
@@ -175,6 +202,10 @@ private:
       lost = fmt::format("loses {}", list_of(names));
       how = granted.takings.way_to(*need, group);
       how.notes.insert(how.notes.begin(), {need->span, fmt::format("{} needs {}", causing, name_of(model_, need->id))});
+    } else if (const std::optional<Spoilt> lose = spoilt(setting.provider, want); lose && how.notes.empty()) {
+      lost = fmt::format("loses {}", name_of(model_, lose->condition.id));
+      how.notes = lose->notes;
+      how.notes.insert(how.notes.begin(), runs_only_while(model_, setting.provider, lose->condition));
     }
     dsl::Diagnostic& finding = findings_.add(
         expires.span,
@@ -182,7 +213,7 @@ private:
                     "round",
                     name_of(model_, state), dsl::time_text(expires.after), causing, lost, is_granted(model_, granted),
                     name_of(model_, want.condition.id)));
-    finding.notes.push_back(runs_only_while(model_, want.waiter, want.condition));
+    add_waiter(model_, want, finding.notes);
     finding.notes.push_back(setting.note);
     for (dsl::Note& note : how.notes) finding.notes.push_back(std::move(note));
     const std::string stay =
@@ -203,6 +234,7 @@ private:
   const Settings settings_;
   Findings& findings_;
   const IdTable<StateId, std::vector<Source>> sources_;
+  const Spoiling* spoiling_ = nullptr;           ///< of what is granted now, if that was pushed for
   std::set<std::pair<StateId, dsl::Span>> seen_; ///< with the condition that is waited for
 };
 
@@ -214,6 +246,7 @@ void undone_by_expiry(const Input& input, Findings& findings) {
     return;
   UndoneByExpiry undone(input, findings);
   for (const Wanting& wanting : input.shared.wants()) undone.look_at(wanting);
+  for (const Wanting& wanting : input.shared.wants_of_pushed()) undone.look_at(wanting);
   for (const ProviderId id : input.model.providers.ids()) {
     if (input.facts.chosen.contains(id)) undone.look_at_unpushed(id);
   }

@@ -3,6 +3,7 @@
 #include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/conflicts/granted.hpp"
 #include "compiler/analysis/conflicts/settings.hpp"
+#include "compiler/analysis/conflicts/spoiling.hpp"
 #include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
@@ -29,11 +30,13 @@ struct Fallback {
   ValueSet values; ///< of these, those with which the waiter cannot continue
 };
 
-/// A provider that loses a need: the causing one, or one whose requests lead to it.
+/// A provider that loses a need: the causing one, or one whose requests lead to it. Or the causing one loses a
+/// condition.
 struct Loser {
   ProviderId provider{};
   const Use<GroupId>* need = nullptr;
-  std::vector<ChainStep> down; ///< from its group to the causing one
+  std::optional<Spoilt> spoilt{};
+  std::vector<ChainStep> down{}; ///< from its group to the causing one
 };
 
 class UndoneByFallback {
@@ -57,15 +60,18 @@ public:
 
   /// What is caused by a push.
   void look_at(const Wanting& wanting) {
-    const auto has_needs = [&](ProviderId causer) { return !model_.providers[causer].needs.empty(); };
+    const auto has_needs = [&](ProviderId causer) {
+      return !model_.providers[causer].needs.empty() || !model_.providers[causer].when.empty();
+    };
     const auto may_be_lost = [&](const Want& want) {
       return !alternatives_[state_of(want)].empty() || std::any_of(want.causers.begin(), want.causers.end(), has_needs);
     };
     if (std::none_of(wanting.wants.begin(), wanting.wants.end(), may_be_lost)) return;
-    for (Granted& any : granted_with(input_, wanting.task)) {
+    for (Granted& any : granted_with(input_, wanting)) {
       if (!may_take(any, wanting)) continue;
       for (const Granted& granted : with_each_pack(model_, facts_, shared_, std::move(any), wanting.provider)) {
-        for (const Want& want : wanting.wants) look_at(granted, wanting, want);
+        const Spoiling spoiling(model_, facts_, granted, wanting.provider);
+        for (const Want& want : wanting.wants) look_at(granted, spoiling, wanting, want);
       }
     }
   }
@@ -107,12 +113,15 @@ private:
     }
   }
 
-  /// Whether some pack takes something of what is pushed, or of what may lead to that.
+  /// Whether some pack takes something of what is pushed, or of what may lead to that, or spoils a condition.
   bool may_take(const Granted& granted, const Wanting& wanting) const {
     const auto is_lost = [&](ProviderId id) { return granted.takings.need_taken(id) != nullptr; };
+    const Spoiling spoiling(model_, facts_, granted, wanting.provider);
     return std::any_of(wanting.wants.begin(), wanting.wants.end(), [&](const Want& want) {
       const std::vector<GroupId>& groups = alternatives_[state_of(want)];
+      const auto is_spoilt = [&](ProviderId id) { return spoiling.of(id, want.condition.id).has_value(); };
       return std::any_of(want.causers.begin(), want.causers.end(), is_lost) ||
+             std::any_of(want.causers.begin(), want.causers.end(), is_spoilt) ||
              std::any_of(groups.begin(), groups.end(), [&](GroupId group) {
                const std::vector<ProviderId>& all = model_.groups[group].providers;
                return std::any_of(all.begin(), all.end(), is_lost);
@@ -132,7 +141,7 @@ private:
     const std::optional<Fallback> fallback = find_fallback(here, granted, want, id);
     if (!fallback || settings_.never_runs(fallback->provider) || is_pushed_for(want, group)) return;
     const std::optional<Setting> setting = settings_.find_setting(want.waiter, want.condition, group, fallback->values);
-    if (setting && setting->provider == id) report(granted, want, *setting, {id, need, {}}, *fallback);
+    if (setting && setting->provider == id) report(granted, want, *setting, {id, need}, *fallback);
   }
 
   /// Whether the task pushes the group for this condition: then another provider of it causes that.
@@ -145,13 +154,17 @@ private:
     });
   }
 
-  void look_at(const Granted& granted, const Wanting& wanting, const Want& want) {
+  void look_at(const Granted& granted, const Spoiling& spoiling, const Wanting& wanting, const Want& want) {
     Region here = region_of(model_, model_.providers[wanting.provider].when);
     here.meet(region_of(model_, model_.providers[want.waiter].when));
     for (const ProviderId causer : want.causers) {
       const GroupId group = model_.providers[causer].group;
       if (granted.takings.takes(group) || !is_requested_beside(shared_, granted, group)) continue;
-      look_at_loser(granted, here, want, causer, {causer, granted.takings.need_taken(causer), {}});
+      Loser loser{causer, granted.takings.need_taken(causer)};
+      if (loser.need == nullptr) loser.spoilt = spoiling.of(causer, want.condition.id);
+      Region then = here;
+      if (loser.spoilt) then.meet(model_.conditions[loser.spoilt->condition.id].state, loser.spoilt->values);
+      look_at_loser(granted, then, want, causer, loser);
       for (const GroupId above : alternatives_[state_of(want)]) look_above(granted, here, want, causer, above);
     }
   }
@@ -168,13 +181,15 @@ private:
           !compatible(here, facts_.region_to_run(model_, id, facts_.pushed.contains(id))))
         continue;
       const std::vector<ChainStep> down = way_below(model_, shared_, id, group);
-      if (!down.empty()) look_at_loser(granted, here, want, causer, {id, need, down});
+      if (!down.empty()) look_at_loser(granted, here, want, causer, {id, need, {}, down});
     }
   }
 
   void look_at_loser(const Granted& granted, const Region& here, const Want& want, ProviderId causer,
                      const Loser& loser) {
-    if (loser.need == nullptr || seen_.count({loser.need->span, want.condition.span}) != 0) return;
+    if ((loser.need == nullptr && !loser.spoilt) || here.empty() ||
+        seen_.count({span_of(loser), want.condition.span}) != 0)
+      return;
     const std::optional<Fallback> fallback = find_fallback(here, granted, want, loser.provider);
     if (!fallback || (loser.provider != causer && (settings_.never_runs(fallback->provider) ||
                                                    !begins_again(loser.provider, want, fallback->values))))
@@ -182,6 +197,10 @@ private:
     std::set<GroupId> seen;
     if (!stays_requested(granted, model_.providers[loser.provider].group, seen)) return;
     report(granted, want, {causer, causes(model_, causer, want.condition.id)}, loser, *fallback);
+  }
+
+  dsl::Span span_of(const Loser& loser) const {
+    return loser.need != nullptr ? loser.need->span : loser.spoilt->condition.span;
   }
 
   bool leads_to(GroupId above, const Granted& granted) const {
@@ -261,21 +280,28 @@ private:
       seen_.insert({each->span, want.condition.span});
       names.push_back(name_of(model_, each->id));
     }
+    if (loser.spoilt) {
+      seen_.insert({span_of(loser), want.condition.span});
+      names.push_back(name_of(model_, loser.spoilt->condition.id));
+    }
     const std::string losing = name_of(model_, loser.provider), lost = list_of(names);
     const std::string set = fmt::format("{} may {} {}", name_of(model_, fallback.provider),
                                         fallback.promised ? "cause" : "set", name_of(model_, fallback.entry.id));
     dsl::Diagnostic& finding =
-        findings_.add(loser.need->span,
+        findings_.add(span_of(loser),
                       fmt::format("{} loses {} when {}, which waits for {}; instead of it {}: the two go round", losing,
                                   lost, is_granted(model_, granted), name_of(model_, want.condition.id), set));
-    Taking how = granted.takings.way_to(*loser.need, model_.providers[loser.provider].group);
+    Taking how = loser.spoilt ? Taking{loser.spoilt->notes, {}}
+                              : granted.takings.way_to(*loser.need, model_.providers[loser.provider].group);
     std::vector<dsl::Note> notes;
     add_chain(model_, loser.down, notes);
     how.notes.insert(how.notes.begin(), notes.begin(), notes.end());
     add_taking(model_, want, setting.note, std::move(how), finding);
     finding.notes.push_back({fallback.entry.span, set});
-    finding.help = fmt::format("let {} do without {}, or {}", losing, lost,
-                               stay_help(model_, granted.waits, want, fallback.values));
+    const std::string keep =
+        loser.spoilt ? stay_help(model_, {loser.provider, loser.spoilt->condition, {}}, loser.spoilt->values)
+                     : fmt::format("let {} do without {}", losing, lost);
+    finding.help = fmt::format("{}, or {}", keep, stay_help(model_, granted.waits, want, fallback.values));
   }
 
   const Input& input_;
@@ -294,6 +320,7 @@ private:
 void undone_by_fallback(const Input& input, Findings& findings) {
   UndoneByFallback undone(input, findings);
   for (const Wanting& wanting : input.shared.wants()) undone.look_at(wanting);
+  for (const Wanting& wanting : input.shared.wants_of_pushed()) undone.look_at(wanting);
   for (const ProviderId id : input.model.providers.ids()) {
     if (input.facts.chosen.contains(id)) undone.look_at_unpushed(id);
   }

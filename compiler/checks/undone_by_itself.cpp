@@ -36,7 +36,8 @@ public:
     if (!granted.is_other()) {
       for (const ConditionUse& entry : model_.providers[want.waiter].sets)
         look_at_entry(granted, want, setter(want.waiter), entry);
-      for (const ConditionUse& entry : model_.providers[want.waiter].causing) look_at_goal(granted, want, entry);
+      if (!want.pushed) // else it is done then
+        for (const ConditionUse& entry : model_.providers[want.waiter].causing) look_at_goal(granted, want, entry);
     }
     for (const GroupId group : granted.below.groups()) {
       if (group != granted.waits) look_below(granted, want, group);
@@ -225,11 +226,11 @@ private:
   /// condition does not count.
   void look_at_goal(const Granted& granted, const Want& want, const ConditionUse& entry) {
     const Condition& promise = model_.conditions[entry.id];
-    if (promise.state != model_.conditions[want.condition.id].state || facts_.pushed.contains(want.waiter)) return;
+    if (promise.state != model_.conditions[want.condition.id].state) return;
     const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, promise.accepts);
     const std::vector<Request>& requests = shared_.requests().of(granted.task);
     const auto lasts = [&](const Request& request) {
-      if (!request.requester) return false;
+      if (!request.requester || !ends_unpushed(granted.task, want, *request.task)) return false;
       const std::vector<Region> regions = shared_.requests().regions(request);
       return std::any_of(regions.begin(), regions.end(), [&](const Region& region) {
         Box box = box_of(facts_.values, region);
@@ -242,6 +243,43 @@ private:
     Setter by = setter(want.waiter);
     by.promised = true;
     look_at_entry(granted, want, by, entry);
+  }
+
+  /// Whether at this request nothing pushes the provider, and it pushes one of those that cause its condition.
+  bool ends_unpushed(GroupId task, const Want& want, const Task& request) const {
+    const bool pushes = std::any_of(want.causers.begin(), want.causers.end(), [&](ProviderId id) {
+      return goes_before_at(task, model_.providers[id].group, request, &Meeting::first);
+    });
+    if (!pushes || !facts_.pushed.contains(want.waiter)) return pushes;
+    if (!pushers_) pushers_ = find_pushers();
+    const auto known = pushers_->find(want.waiter);
+    return known != pushers_->end() && std::none_of(known->second.begin(), known->second.end(), [&](GroupId pusher) {
+             return goes_before_at(pusher, task, request, &Meeting::second);
+           });
+  }
+
+  /// Whether the one goes before the other where this request of one of them, or what leads to it, meets the other.
+  bool goes_before_at(GroupId first, GroupId second, const Task& request, const Task* Meeting::*side) const {
+    bool out = false;
+    shared_.chains().visit(first, {second}, [&](const Meeting& meeting, GroupId) {
+      const Task* entry = meeting.*side;
+      out = out || (!meeting.one_unit() && meeting.first_goes_before() &&
+                    (entry == &request || entry->target != request.target));
+    });
+    return out;
+  }
+
+  /// The tasks that may push a provider, for what they wait for themselves or for another push.
+  std::map<ProviderId, std::set<GroupId>> find_pushers() const {
+    std::map<ProviderId, std::set<GroupId>> out;
+    for (const std::vector<Wanting>* all : {&shared_.wants(), &shared_.wants_of_pushed()}) {
+      for (const Wanting& wanting : *all) {
+        for (const Want& want : wanting.wants) {
+          for (const ProviderId id : want.causers) out[id].insert(want.pushed ? want.pushed->by : wanting.task);
+        }
+      }
+    }
+    return out;
   }
 
   /// Whether the group may stop while the task goes on above it: something on the path may run without the next group,
@@ -299,7 +337,7 @@ private:
   void look_at_entry(const Granted& granted, const Want& want, const Setter& by, const ConditionUse& entry) {
     const Condition& set = model_.conditions[entry.id];
     if (set.state != model_.conditions[want.condition.id].state) return;
-    const ValueSet values = undoing_values(model_, want.waiter, want.condition.id, set.accepts);
+    const ValueSet values = undoing_values(model_, granted.waits, want, set.accepts);
     if (values.empty()) return;
     auto causer = std::find_if(want.causers.begin(), want.causers.end(),
                                [&](ProviderId id) { return model_.providers[id].group != by.group; });
@@ -310,7 +348,7 @@ private:
         findings_.add(entry.span, fmt::format("{} may {} {}, and then {} is cut off until {} causes {} again", by.name,
                                               by.promised ? "cause" : "set", name_of(model_, entry.id), waiter,
                                               name_of(model_, *causer), condition));
-    finding.notes.push_back(runs_only_while(model_, want.waiter, want.condition));
+    add_waiter(model_, want, finding.notes);
     add_company(granted, finding.notes);
     add_chain(model_, granted.below.path(by.group), finding.notes);
     finding.notes.push_back(causes(model_, *causer, want.condition.id));
@@ -325,6 +363,7 @@ private:
   std::set<std::pair<dsl::Span, dsl::Span>> seen_;
   std::optional<IdTable<StateId, std::vector<Source>>> sources_;
   std::map<ConditionId, std::optional<ProviderId>> only_causers_;
+  mutable std::optional<std::map<ProviderId, std::set<GroupId>>> pushers_;
 };
 
 /// The states to which the stop of some group gives a value.
@@ -345,10 +384,17 @@ IdSet<StateId> states_of_stops(const Model& model) {
 void undone_by_itself(const Input& input, Findings& findings) {
   Undone undone(input, findings);
   for (const Wanting& wanting : input.shared.wants()) {
-    for (const Granted& granted : granted_with(input, wanting.task)) {
+    for (const Granted& granted : granted_with(input, wanting)) {
       for (const Want& want : wanting.wants) {
         if (want.waiter == wanting.provider) undone.look_at(granted, want);
       }
+    }
+  }
+  for (const Wanting& wanting : input.shared.wants_of_pushed()) {
+    Granted any = std::move(granted_with(input, wanting).front());
+    for (const Granted& granted :
+         with_each_pack(input.model, input.facts, input.shared, std::move(any), wanting.provider)) {
+      for (const Want& want : wanting.wants) undone.look_at(granted, want);
     }
   }
   for (const ProviderId id : input.model.providers.ids()) {

@@ -3,6 +3,7 @@
 #include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/conflicts/granted.hpp"
 #include "compiler/analysis/conflicts/settings.hpp"
+#include "compiler/analysis/conflicts/spoiling.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/region.hpp"
 #include "compiler/analysis/words/notes.hpp"
@@ -53,11 +54,15 @@ public:
   /// What is caused by a push.
   void look_at(const Wanting& wanting) {
     std::vector<Granted> granted;
+    std::vector<Spoiling> spoiling;
     for (const Want& want : wanting.wants) {
       const StateId state = model_.conditions[want.condition.id].state;
       if (stopping_[state].empty()) continue;
-      if (granted.empty()) granted = find_granted(wanting);
-      for (const Granted& each : granted) look_at(each, want, state);
+      if (granted.empty()) {
+        granted = find_granted(wanting);
+        for (const Granted& each : granted) spoiling.emplace_back(model_, facts_, each, wanting.provider);
+      }
+      for (std::size_t i = 0; i < granted.size(); ++i) look_at(granted[i], spoiling[i], want, state);
     }
   }
 
@@ -119,20 +124,21 @@ private:
   /// With each pack of the task.
   std::vector<Granted> find_granted(const Wanting& wanting) const {
     std::vector<Granted> out;
-    for (Granted& any : granted_with(input_, wanting.task)) {
+    for (Granted& any : granted_with(input_, wanting)) {
       for (Granted& each : with_each_pack(model_, facts_, shared_, std::move(any), wanting.provider))
         out.push_back(std::move(each));
     }
     return out;
   }
 
-  void look_at(const Granted& granted, const Want& want, StateId state) {
+  void look_at(const Granted& granted, const Spoiling& spoiling, const Want& want, StateId state) {
     for (const ProviderId id : want.causers) {
       const Setting causer{id, causes(model_, id, want.condition.id)};
       for (const GroupId stopped : stopping_[state]) {
-        if (stopped == model_.providers[id].group)
+        if (stopped == model_.providers[id].group) {
           look_at_stops(granted, want, causer, stopped, state, {});
-        else
+          look_at_spoilt(granted, spoiling, want, causer, state);
+        } else
           look_below(granted, want, causer, stopped, state);
         look_beside(granted, want, causer, stopped, state);
       }
@@ -150,10 +156,12 @@ private:
   }
 
   /// A group that has nothing to do with the causing one, runs again when the task has lost control, and loses what it
-  /// needs again when the task is granted. Of several such tasks the first is reported.
+  /// needs again when the task is granted. Of several such tasks the first is reported; what is pushed is not
+  /// considered.
   void look_beside(const Granted& granted, const Want& want, const Setting& causer, GroupId stopped, StateId state) {
     const GroupId causing = model_.providers[causer.provider].group;
-    if (granted.is_other() || beside_.count({stopped, state}) != 0 || !takes_from(granted.takings, stopped) ||
+    if (granted.is_other() || granted.pushed || beside_.count({stopped, state}) != 0 ||
+        !takes_from(granted.takings, stopped) ||
         (!granted.takings.takes(stopped) && !why_needs_fail(granted.takings, stopped, causer.provider)) ||
         !is_beside(granted.task, causing, stopped))
       return;
@@ -201,6 +209,26 @@ private:
                      const std::vector<ChainStep>& chain) {
     for (const StopValue& stop : stop_values(model_, stopped, state))
       look_at_stop(granted, want, causer, stopped, stop, chain);
+  }
+
+  /// Where the causing group stops because each of its providers loses a condition.
+  void look_at_spoilt(const Granted& granted, const Spoiling& spoiling, const Want& want, const Setting& causer,
+                      StateId state) {
+    const GroupId stopped = model_.providers[causer.provider].group;
+    if (granted.below.contains(stopped) || granted.takings.takes(stopped)) return;
+    const std::optional<Spoilt> spoilt = spoiling.of(causer.provider, want.condition.id);
+    const std::vector<ProviderId>& all = model_.groups[stopped].providers;
+    if (!spoilt || !std::all_of(all.begin(), all.end(), [&](ProviderId id) {
+          return !facts_.active.contains(id) || spoiling.of(id, want.condition.id);
+        }))
+      return;
+    for (const StopValue& stop : stop_values(model_, stopped, state)) {
+      const ValueSet values = undoing_values(model_, granted.waits, want, stop.values);
+      if (values.empty() || seen_.count({stop.span, want.condition.span}) != 0) continue;
+      Taking how{spoilt->notes, {}};
+      how.notes.insert(how.notes.begin(), runs_only_while(model_, causer.provider, spoilt->condition));
+      report(granted, want, causer, stop, values, std::move(how));
+    }
   }
 
   /// Whether it is reported now.
@@ -374,6 +402,7 @@ void undone_by_stop(const Input& input, Findings& findings) {
   UndoneByStop undone(input, findings);
   undone.look_at_requests();
   for (const Wanting& wanting : input.shared.wants()) undone.look_at(wanting);
+  for (const Wanting& wanting : input.shared.wants_of_pushed()) undone.look_at(wanting);
   for (const ProviderId id : input.model.providers.ids()) {
     if (input.facts.chosen.contains(id)) undone.look_at_unpushed(id);
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/takings.hpp"
 
+#include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 
@@ -16,7 +17,7 @@ namespace director::analysis {
 void add_taking(const Model& model, const Want& want, dsl::Note source, Taking how, dsl::Diagnostic& finding) {
   finding.rules_out = std::move(how.requests);
   finding.rules_out.push_back(want.condition.span);
-  finding.notes.push_back(runs_only_while(model, want.waiter, want.condition));
+  add_waiter(model, want, finding.notes);
   finding.notes.push_back(std::move(source));
   for (dsl::Note& note : how.notes) finding.notes.push_back(std::move(note));
 }

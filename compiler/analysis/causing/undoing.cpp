@@ -5,6 +5,8 @@
 #include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/states/choice.hpp"
 #include "compiler/analysis/states/region.hpp"
+#include "compiler/analysis/states/sources.hpp"
+#include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 
 #include <fmt/format.h>
@@ -27,8 +29,13 @@ bool cover(const Model& model, const Region& here, const std::vector<Region>& ot
   return find_covering(model, here, others, domains, budget) == Covering::covered;
 }
 
+std::optional<ConditionId> wanted_by_push(const Want& want) {
+  return want.pushed ? std::optional(want.pushed->wanted) : std::nullopt;
+}
+
+/// `wanted`: another provider of the group has to cause this.
 ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId condition, const ValueSet& values,
-                        bool with_stay) {
+                        bool with_stay, std::optional<ConditionId> wanted) {
   const StateId state = model.conditions[condition].state;
   const auto accepted_by = [&](const Region& region) {
     const auto at = region.states.find(state);
@@ -42,7 +49,7 @@ ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId con
   std::vector<std::pair<ValueSet, Region>> others; // what each accepts of the state, and its other conditions
   for (const ProviderId id : model.groups[row.group].providers) {
     Region region = region_of(model, model.providers[id].when);
-    if (id == provider || !compatible(here, region)) continue;
+    if (id == provider || (wanted && !model.causes(id, *wanted)) || !compatible(here, region)) continue;
     ValueSet accepted = accepted_by(region);
     region.states.erase(state);
     others.emplace_back(std::move(accepted), std::move(region));
@@ -61,16 +68,18 @@ ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId con
 } // namespace
 
 ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId condition, const ValueSet& values) {
-  return undoing_values(model, provider, condition, values, true);
+  return undoing_values(model, provider, condition, values, true, std::nullopt);
 }
 
 ValueSet undoing_values(const Model& model, GroupId task, const Want& want, const ValueSet& values) {
-  return undoing_values(model, want.waiter, want.condition.id, values, is_granted_with(model, task, want));
+  return undoing_values(model, want.waiter, want.condition.id, values, is_granted_with(model, task, want),
+                        wanted_by_push(want));
 }
 
 bool is_undone_when_unset(const Model& model, GroupId task, const Want& want) {
   const Provider& row = model.providers[want.waiter];
   const StateId state = model.conditions[want.condition.id].state;
+  const std::optional<ConditionId> wanted = wanted_by_push(want);
   const auto accepts_unset = [&](const Region& region) { return region.states.count(state) == 0; };
   if (!row.stay.empty() && is_granted_with(model, task, want) && accepts_unset(region_of(model, row.stay)))
     return false;
@@ -79,7 +88,9 @@ bool is_undone_when_unset(const Model& model, GroupId task, const Want& want) {
   std::vector<Region> others;
   for (const ProviderId id : model.groups[row.group].providers) {
     Region region = region_of(model, model.providers[id].when);
-    if (id != want.waiter && accepts_unset(region) && compatible(here, region)) others.push_back(std::move(region));
+    if (id != want.waiter && (!wanted || model.causes(id, *wanted)) && accepts_unset(region) &&
+        compatible(here, region))
+      others.push_back(std::move(region));
   }
   return !cover(model, here, others);
 }
@@ -103,6 +114,14 @@ std::vector<StopValue> stop_values(const Model& model, GroupId group, StateId st
                                name_of(model, group)),
                    "leave `of` out"});
   return out;
+}
+
+void add_waiter(const Model& model, const Want& want, std::vector<dsl::Note>& notes) {
+  notes.push_back(runs_only_while(model, want.waiter, want.condition));
+  if (want.pushed)
+    notes.push_back({promise_of(model, want.waiter, want.pushed->wanted).span,
+                     fmt::format("{} is pushed by {} for {}", name_of(model, want.waiter),
+                                 name_of(model, want.pushed->by), name_of(model, want.pushed->wanted))});
 }
 
 std::optional<dsl::Note> stop_that_causes(const Model& model, GroupId group, ConditionId condition) {

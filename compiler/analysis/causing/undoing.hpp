@@ -16,10 +16,11 @@ namespace director::analysis {
 /// say.
 ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId condition, const ValueSet& values);
 
-/// The same of what a task for this group waits for: the `stay` of a group that it only needs does not count.
+/// The same of what a task for this group waits for: the `stay` of a group that it only needs does not count; and if
+/// the waiter is pushed, another provider of its group continues only if it causes the same.
 ValueSet undoing_values(const Model& model, GroupId task, const Want& want, const ValueSet& values);
 
-/// The same for a state that becomes unset: whether the provider cannot continue then.
+/// The same for a state that becomes unset: whether the waiter cannot continue then.
 bool is_undone_when_unset(const Model& model, GroupId task, const Want& want);
 
 /// Values that the stop of a group may give a state: by its handler, or because the state belongs to the group.
@@ -30,6 +31,9 @@ struct StopValue {
   std::string without; ///< how to do without it
 };
 std::vector<StopValue> stop_values(const Model& model, GroupId group, StateId state);
+
+/// Adds what the waiter runs for: its condition, and if it is pushed, for whom.
+void add_waiter(const Model& model, const Want& want, std::vector<dsl::Note>& notes);
 
 /// How the stop of the group makes the condition true.
 std::optional<dsl::Note> stop_that_causes(const Model& model, GroupId group, ConditionId condition);

@@ -5,6 +5,8 @@
 #include "compiler/analysis/chains/sparse_set.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <map>
 
 namespace director::analysis {
 
@@ -15,6 +17,7 @@ public:
   WantSearch(const Model& model, const Facts& facts, const Chains& chains, const Causers& causers)
       : model_(model),
         facts_(facts),
+        chains_(chains),
         causers_(causers),
         pushes_(model, facts, chains, causers),
         waiting_(model, facts) {}
@@ -26,7 +29,65 @@ public:
     return std::move(out_);
   }
 
+  std::vector<Wanting> run_pushed(const Indispensable& indispensable, const std::vector<Wanting>& wants) {
+    for (const Wanting& wanting : wants) {
+      for (const Want& want : wanting.wants) add_pushed(want.causers, {wanting.task, want.condition.id});
+    }
+    std::map<GroupId, PushSearch> searches;
+    for (std::size_t next = 0; next < open_.size(); ++next) {
+      const auto [id, pushed] = open_[next];
+      look_at_pushed(indispensable, id, pushed, searches.try_emplace(pushed.by, pushes_, pushed.by).first->second);
+    }
+    std::sort(out_.begin(), out_.end(), [](const Wanting& a, const Wanting& b) { return a.provider < b.provider; });
+    return std::move(out_);
+  }
+
 private:
+  void add_pushed(const std::vector<ProviderId>& all, const Pushed& pushed) {
+    for (const ProviderId id : all) {
+      if (seen_.add(id)) open_.emplace_back(id, pushed);
+    }
+  }
+
+  /// Whether what runs instead of the pushed provider until then keeps what the causing one needs.
+  bool is_kept_off(const Indispensable& indispensable, ProviderId causer, ProviderId pushed) const {
+    const Provider& row = model_.providers[causer];
+    const Provider& waiting = model_.providers[pushed];
+    if (row.needs.empty() || !chains_.may_beat(waiting.group, row.group)) return false;
+    const auto keeps = [&](const Provider& other) {
+      return std::any_of(row.needs.begin(), row.needs.end(), [&](const Use<GroupId>& need) {
+        const auto& parts = indispensable.of(need.id);
+        return parts && std::any_of(parts->begin(), parts->end(),
+                                    [&](GroupId part) { return indispensable.needs_contain(other, part); });
+      });
+    };
+    bool out = false;
+    for (const ProviderId id : model_.groups[waiting.group].providers) {
+      if (id == pushed || !facts_.chosen.contains(id)) continue;
+      out = keeps(model_.providers[id]);
+      if (!out || model_.providers[id].when.empty()) break;
+    }
+    return out;
+  }
+
+  void look_at_pushed(const Indispensable& indispensable, ProviderId id, const Pushed& pushed, PushSearch& search) {
+    const GroupId group = model_.providers[id].group;
+    Wanting wanting{group, id, {}};
+    for (const ConditionUse& use : model_.providers[id].when) {
+      if (!may_be_lacking(group, use.id) || !pushes_.may_lack_with(use.id, pushed.wanted)) continue;
+      Want want{id, use, {}, pushed};
+      for (const ProviderId causer : causers_[use.id]) {
+        const GroupId other = model_.providers[causer].group;
+        if (other != group && other != pushed.by && facts_.active.contains(causer) &&
+            search.may_push_for(id, causer, use.id) && !is_kept_off(indispensable, causer, id))
+          want.causers.push_back(causer);
+      }
+      add_pushed(want.causers, {pushed.by, use.id});
+      if (!want.causers.empty()) wanting.wants.push_back(std::move(want));
+    }
+    if (!wanting.wants.empty()) out_.push_back(std::move(wanting));
+  }
+
   void look_at(GroupId task) {
     std::vector<Wanting> found;
     if (!waiting_.may_wait(task)) return;
@@ -84,16 +145,25 @@ private:
 
   const Model& model_;
   const Facts& facts_;
+  const Chains& chains_;
   const Causers& causers_;
   Pushes pushes_;
   Waiting waiting_;
   std::vector<Wanting> out_;
+  std::vector<std::pair<ProviderId, Pushed>> open_; ///< pushed, to be looked at
+  SparseSet<ProviderId> seen_;                      ///< all of these
 };
 
 } // namespace
 
 std::vector<Wanting> find_wants(const Model& model, const Facts& facts, const Chains& chains, const Causers& causers) {
   return WantSearch(model, facts, chains, causers).run();
+}
+
+std::vector<Wanting> find_wants_of_pushed(const Model& model, const Facts& facts, const Chains& chains,
+                                          const Causers& causers, const Indispensable& indispensable,
+                                          const std::vector<Wanting>& wants) {
+  return WantSearch(model, facts, chains, causers).run_pushed(indispensable, wants);
 }
 
 } // namespace director::analysis

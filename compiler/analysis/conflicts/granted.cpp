@@ -88,6 +88,13 @@ std::vector<Granted> granted_with(const Input& input, GroupId task) {
   return out;
 }
 
+std::vector<Granted> granted_with(const Input& input, const Wanting& wanting) {
+  if (!wanting.wants.front().pushed) return granted_with(input, wanting.task);
+  std::vector<Granted> out{granted_alone(input.model, input.shared, wanting.task)};
+  out.front().pushed = wanting.provider;
+  return out;
+}
+
 std::vector<Granted> with_each_pack(const Model& model, const Facts& facts, const Shared& shared, Granted granted,
                                     ProviderId provider) {
   const auto packs = packs_of(model, facts, granted.task, provider);
@@ -103,7 +110,7 @@ std::vector<Granted> with_each_pack(const Model& model, const Facts& facts, cons
     out.push_back(
         {granted.waits, granted.task, granted.member, granted.is_held, claims,
          Takings(model, shared.indispensable(), *claims, granted.task, granted.waits, granted.is_held, shared.chains()),
-         RunsBelow(branches, *claims, granted.task)});
+         RunsBelow(branches, *claims, granted.task), granted.pushed});
   }
   return out;
 }
@@ -136,6 +143,7 @@ std::vector<ChainStep> way_below(const Model& model, const Shared& shared, Provi
 }
 
 std::string is_granted(const Model& model, const Granted& granted) {
+  if (granted.pushed) return name_of(model, *granted.pushed) + " begins";
   const std::string out = name_of(model, granted.task) + " is granted";
   return granted.is_other() ? fmt::format("{} together with {}", out, name_of(model, granted.waits)) : out;
 }

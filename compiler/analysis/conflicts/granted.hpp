@@ -22,6 +22,7 @@ struct Granted {
   std::shared_ptr<const Claims> claims; ///< with one of its packs; null: with any of them
   Takings takings;
   RunsBelow below;
+  std::optional<ProviderId> pushed{}; ///< the task begins with this provider, for which another one was pushed before
 
   bool is_other() const { return member != nullptr; }
 };
@@ -32,6 +33,9 @@ Granted granted_alone(const Model& model, const Shared& shared, GroupId task);
 /// First the task itself, then the members of its units in named packs, if these are ever granted. Of a flat list, it
 /// depends on the body which tasks are granted together.
 std::vector<Granted> granted_with(const Input& input, GroupId task);
+
+/// Of what is pushed, the task alone.
+std::vector<Granted> granted_with(const Input& input, const Wanting& wanting);
 
 /// The same with each pack of the provider that was pushed for, because only one of them is requested at a time. Of
 /// other members, with all.
@@ -44,7 +48,7 @@ bool is_requested_beside(const Shared& shared, const Granted& granted, GroupId g
 /// The requests from the provider down to the group, with any pack. Empty: it leads to it by none.
 std::vector<ChainStep> way_below(const Model& model, const Shared& shared, ProviderId from, GroupId to);
 
-/// "`Kick` is granted", "`Look` is granted together with `Kick`"
+/// "`Kick` is granted", "`Look` is granted together with `Kick`", "`Arm.reaching` begins"
 std::string is_granted(const Model& model, const Granted& granted);
 
 } // namespace director::analysis

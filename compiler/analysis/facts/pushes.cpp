@@ -226,6 +226,10 @@ bool PushSearch::may_push(ProviderId causer, ConditionId condition) {
          });
 }
 
+bool PushSearch::may_push_for(ProviderId pushed, ProviderId causer, ConditionId condition) {
+  return serves(causer) && !all_.is_passed_over(causer, condition) && !all_.exclusion_.excludes(pushed, causer);
+}
+
 std::vector<ProviderId> PushSearch::explore(Explored& explored) {
   struct Wanted {
     ConditionId id{};

@@ -70,6 +70,8 @@ public:
   bool is_servable(ConditionId id);
   /// Whether the task waits for this condition itself, and may push the provider for it.
   bool may_push(ProviderId causer, ConditionId condition);
+  /// Whether it may push the causer for this condition of another provider, which it pushes too.
+  bool may_push_for(ProviderId pushed, ProviderId causer, ConditionId condition);
   /// Those that may be pushed, also through chains, and are not in `explored` already.
   std::vector<ProviderId> explore(Explored& explored);
 

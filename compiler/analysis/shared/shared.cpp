@@ -46,6 +46,12 @@ const std::vector<Wanting>& Shared::wants() const {
   return *wants_;
 }
 
+const std::vector<Wanting>& Shared::wants_of_pushed() const {
+  if (!wants_of_pushed_)
+    wants_of_pushed_ = find_wants_of_pushed(model_, facts_, chains(), causers(), indispensable(), wants());
+  return *wants_of_pushed_;
+}
+
 std::vector<const Want*> Shared::wants_of(GroupId task) const {
   const std::vector<Wanting>& all = wants();
   std::vector<const Want*> out;

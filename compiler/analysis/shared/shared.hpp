@@ -44,6 +44,7 @@ public:
   const PushExclusion& push_exclusion() const;
   const std::vector<Imprecise>& imprecise() const;
   const std::vector<Wanting>& wants() const;
+  const std::vector<Wanting>& wants_of_pushed() const;
   /// Of a task for this group, with any provider.
   std::vector<const Want*> wants_of(GroupId task) const;
   const Indispensable& indispensable() const;
@@ -72,6 +73,7 @@ private:
   mutable std::optional<PushExclusion> push_exclusion_;
   mutable std::optional<std::vector<Imprecise>> imprecise_;
   mutable std::optional<std::vector<Wanting>> wants_;
+  mutable std::optional<std::vector<Wanting>> wants_of_pushed_;
   mutable std::optional<Indispensable> indispensable_;
   mutable std::optional<Rivals> rivals_;
   mutable std::optional<Units> units_;

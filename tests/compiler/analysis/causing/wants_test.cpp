@@ -55,4 +55,30 @@ TEST_CASE("a task wants nothing of what its own conditions exclude, or those of 
         "`Kick`: `Kick` `Pose == standing` <- `Walk.halting`\n");
 }
 
+TEST_CASE("what is pushed wants what has to be caused before it runs, unless what runs instead keeps that off") {
+  const auto wants_of_pushed_in = [](const std::string& resting, const std::string& needs) {
+    const tests::Analysed test("states:\n  Pose: {values: [stale, fresh], initial: stale}\n"
+                               "  Arm: {values: [out, ready], initial: out}\n"
+                               "roots: {Grasp: {priority: 3}, Reach: {priority: 2}, Look: {priority: 1}}\ngroups:\n"
+                               "  Grasp: {when: [Arm == ready]}\n  Camera: {}\n  Reach: {providers: [{name: resting" +
+                               resting + "}, {name: reaching, when: [Pose == fresh], causing: [Arm == ready]}]}\n" +
+                               "  Look: {causing: [Pose == fresh]" + needs + "}\n");
+    const Causers causers = find_causers(test.model);
+    const std::vector<Wanting> wants = find_wants(test.model, test.facts, test.chains, causers);
+    std::string out;
+    for (const Wanting& wanting :
+         find_wants_of_pushed(test.model, test.facts, test.chains, causers, Indispensable(test.model), wants)) {
+      for (const Want& want : wanting.wants) {
+        out += name_of(test.model, want.waiter) + " " + name_of(test.model, want.condition.id) + " <-";
+        for (const ProviderId causer : want.causers) out += " " + name_of(test.model, causer);
+        out += ", for " + name_of(test.model, want.pushed->by) + " " + name_of(test.model, want.pushed->wanted);
+      }
+    }
+    return out;
+  };
+  CHECK(wants_of_pushed_in("", ", needs: [Camera]") ==
+        "`Reach.reaching` `Pose == fresh` <- `Look`, for `Grasp` `Arm == ready`");
+  CHECK(wants_of_pushed_in(", needs: [Camera]", ", needs: [Camera]") == "");
+}
+
 } // namespace
