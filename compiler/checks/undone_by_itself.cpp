@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/chains/runs_below.hpp"
-#include "compiler/analysis/conflicts/granted.hpp"
 #include "compiler/analysis/requests/earlier.hpp"
 #include "compiler/analysis/requests/gaps.hpp"
+#include "compiler/analysis/rounds/granted.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/sources.hpp"
 #include "compiler/analysis/words/notes.hpp"

@@ -1,9 +1,9 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/undone_by_stop.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/undoing.hpp"
-#include "compiler/analysis/conflicts/granted.hpp"
-#include "compiler/analysis/conflicts/settings.hpp"
-#include "compiler/analysis/conflicts/spoiling.hpp"
+#include "compiler/analysis/rounds/granted.hpp"
+#include "compiler/analysis/rounds/settings.hpp"
+#include "compiler/analysis/rounds/spoiling.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/region.hpp"
 #include "compiler/analysis/words/notes.hpp"

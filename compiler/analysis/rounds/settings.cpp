@@ -1,6 +1,6 @@
-// Header: compiler/analysis/conflicts/settings.hpp. Test: compiler/checks/undone_by_stop.md.
+// Header: compiler/analysis/rounds/settings.hpp. Test: compiler/checks/undone_by_stop.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/analysis/conflicts/settings.hpp"
+#include "compiler/analysis/rounds/settings.hpp"
 
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/region.hpp"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 // Finds conditions of causing providers that a granted task makes false until it stops.
 
-#include "compiler/analysis/conflicts/granted.hpp"
 #include "compiler/analysis/input.hpp"
+#include "compiler/analysis/rounds/granted.hpp"
 #include "dsl/source/diagnostic.hpp"
 
 #include <map>

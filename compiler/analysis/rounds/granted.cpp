@@ -1,6 +1,6 @@
-// Header: compiler/analysis/conflicts/granted.hpp. Test: compiler/checks/undone_by_stop.md.
+// Header: compiler/analysis/rounds/granted.hpp. Test: compiler/checks/undone_by_stop.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/analysis/conflicts/granted.hpp"
+#include "compiler/analysis/rounds/granted.hpp"
 
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/needs/units.hpp"

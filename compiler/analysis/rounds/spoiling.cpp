@@ -1,6 +1,6 @@
-// Header: compiler/analysis/conflicts/spoiling.hpp. Test: compiler/checks/undone_by_fallback.md.
+// Header: compiler/analysis/rounds/spoiling.hpp. Test: compiler/checks/undone_by_fallback.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/analysis/conflicts/spoiling.hpp"
+#include "compiler/analysis/rounds/spoiling.hpp"
 
 #include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/states/region.hpp"
