@@ -106,7 +106,7 @@ bool Watch::blocked(const One& one, const Machine& machine) {
   for (Index edge = 0; edge < t.edges.size(); ++edge) {
     if (engine.queued(edge).why != Why::blocked || engine.state(edge) != RunState::queued) continue;
     if (t.edges[edge].target != one.groups.front() && !under(engine, edge, one.groups.front())) continue;
-    switch (find_blame(engine, edge, one.groups.front(), one.groups.back())) {
+    switch (find_blame(engine, edge, one.groups.back())) {
     case Blame::loser: blocked_request = edge; return true;
     case Blame::shared: doubted[one.assertion] = true; break;
     case Blame::others: break;

@@ -31,6 +31,16 @@ std::string verdict_of(const std::string& groups, const std::string& assertion, 
   return (verdict.kind == Verdict::Kind::proven ? "proven: " : "refuted: ") + verdict.why;
 }
 
+/// The verdict on a hand-over of what Legs stands for, from one root to the other.
+std::string handed_over(const std::string& states, const std::string& groups, const std::string& from,
+                        const std::string& to) {
+  return verdict_of(states + groups + "  Legs: {}\n", "soft: {from: " + from + ", to: " + to + "}");
+}
+
+bool is_proven(const std::string& verdict) { return verdict.find("proven: it holds in all ") == 0; }
+
+bool is_refuted(const std::string& verdict) { return verdict.find("refuted: after ") == 0; }
+
 const std::string posing_walker =
     "states: {Pose: {values: [moving, standing], initial: standing}}\n" + director::tests::walker_groups;
 
@@ -136,6 +146,23 @@ TEST_CASE("the members of a pack are blocked by what holds what one of them want
                            "  A: {packs: {go: {X: {}, Y: {}}}}\n  X: {needs: [L], tasks: [L]}\n  Y: {needs: [R]}\n";
   CHECK(verdict_of(pair + "  B: {needs: [R], tasks: [R]}\n", "{beats: {A: B}}").find("refuted: after ") == 0);
   CHECK(verdict_of(pair + "  B: {needs: [M], tasks: [M]}\n", "{beats: {A: B}}").find("proven: ") == 0);
+}
+
+TEST_CASE("a member of a pack is blocked by what holds what another member wants") {
+  const auto verdict = [](const std::string& play, int guard, const std::string& assertion) {
+    return verdict_of("roots: {Play: {priority: 10}, Guard: {priority: " + std::to_string(guard) +
+                          "}}\ngroups:\n  Play: {packs: {go: {" + play +
+                          "}}}\n  Look: {}\n  Walk: {needs: [Legs]}\n  Guard: {needs: [Legs]}\n  Legs: {}\n",
+                      assertion);
+  };
+  const std::string beats = "{beats: {Look: Guard}}", course = "refuted: after request Guard; request Play, ";
+  CHECK(verdict("Look: {}, Walk: {}", 20, beats) ==
+        course + "`Walk`, requested with `Look`, does not get `Legs`, which `Guard` holds");
+  CHECK(verdict("Look: {}, Legs: {}", 20, beats) ==
+        course + "`Play`, above `Look`, does not get `Legs`, which `Guard` holds");
+  CHECK(is_proven(verdict("Look: {}, Walk: {apart: true}", 20, beats)));
+  CHECK(is_proven(verdict("Look: {}, Walk: {optional: true}", 20, beats)));
+  CHECK(is_proven(verdict("Look: {}, Walk: {}", 1, beats)));
 }
 
 TEST_CASE("members of a pack that are blocked by another side are not blocked by this one") {
@@ -362,16 +389,6 @@ TEST_CASE("a group whose own state takes its condition away is not cut off by wh
                              "  Kick: {needs: [Legs]}\n  Legs: {}\n";
   CHECK(verdict_of(groups, "soft: {from: Walk, to: Kick}").find("proven: it holds in all ") == 0);
 }
-
-/// The verdict on a hand-over of what Legs stands for, from one root to the other.
-std::string handed_over(const std::string& states, const std::string& groups, const std::string& from,
-                        const std::string& to) {
-  return verdict_of(states + groups + "  Legs: {}\n", "soft: {from: " + from + ", to: " + to + "}");
-}
-
-bool is_proven(const std::string& verdict) { return verdict.find("proven: it holds in all ") == 0; }
-
-bool is_refuted(const std::string& verdict) { return verdict.find("refuted: after ") == 0; }
 
 TEST_CASE("what ends as its own promise comes true is not cut off by what waits for that") {
   const std::string states = "states: {Pose: {values: [fallen, standing, kneeling], initial: standing, external: "
