@@ -285,17 +285,19 @@ bool Watch::hard_cut(const One& one, const Machine& machine) const {
     const Index above = stops && edge < t.edges.size() ? t.edges[edge].requester : nil;
     at = above == nil || engine.active(above) == nil || engine.state(edge) != RunState::none ? above : nil;
   }
-  const auto was_stopped = [&](Index member) {
-    return engine.active(member) == nil && may_go_on_at_all(member, machine);
+  // A member that lost its conditions ended by itself, if its requester goes on; otherwise that might have been kept.
+  const auto was_stopped = [&](Index member, Index requester) {
+    if (engine.active(member) != nil) return false;
+    return engine.active(requester) == nil || may_go_on_at_all(member, machine);
   };
-  // Whether one of these had it: by need or request, or by a member of its unit, which has it by needs. Not if that
-  // member lost its conditions.
+  // Whether one of these had it: by need or request, or by a member of its unit, which has it by needs.
   const auto was_theirs = [&](Index edge) {
     for (std::size_t steps = 0; edge < t.edges.size() && steps <= t.groups.size(); ++steps) {
       const Index requester = t.edges[edge].requester;
       if (requester == nil) return false;
       if (holders[requester])
-        return !let_go(edge, machine) && (steps == 0 || (!is_apart(t, edge) && was_stopped(t.edges[edge].target)));
+        return !let_go(edge, machine) &&
+               (steps == 0 || (!is_apart(t, edge) && was_stopped(t.edges[edge].target, requester)));
       if (steps > 0 && t.edges[edge].levels.begin != t.edges[edge].levels.end) return false;
       edge = before_[requester].holder;
     }

@@ -432,6 +432,16 @@ TEST_CASE("what a member of its unit lets go of, as that loses its condition, is
                            "when: [Ball == far], ")));
 }
 
+TEST_CASE("what would have been kept for its requester is cut off, though what it needs lost its condition") {
+  const std::string states = "states: {Ground: {values: [flat, steep], initial: flat, external: true}}\n";
+  const std::string groups =
+      "roots: {Play: {priority: 20}, Idle: {priority: 30}}\ngroups:\n"
+      "  Play: {providers: [{name: a, when: [Ground == flat], tasks: [Walk]}, {name: b, tasks: [Walk]}]}\n"
+      "  Walk: {providers: [{name: p, needs: [Step], tasks: [Step]}, {name: q, when: [Ground == steep]}]}\n"
+      "  Step: {when: [Ground == flat], needs: [Legs]}\n  Idle: {when: [Ground == steep], needs: [Legs]}\n";
+  CHECK(is_refuted(handed_over(states, groups, "Walk", "Idle")));
+}
+
 TEST_CASE("what it lets go of for a provider that it prefers, and that needs less, is not taken") {
   const std::string states = "states: {Load: {values: [light, heavy], initial: heavy, external: true}}\n";
   const auto verdict = [&](int wave, const std::string& carry) {
