@@ -267,6 +267,16 @@ bool Watch::let_go(Index edge, const Machine& machine) const {
   return true;
 }
 
+/// Whether the target was held as a need of its requester. One that is not live, since it is a need itself, holds only
+/// such.
+bool Watch::was_needed(Index edge) const {
+  const Tables& t = ground_.tables;
+  const Index provider = before_[t.edges[edge].requester].active;
+  if (provider == nil) return true;
+  const auto needs = t.list(t.providers[provider].needs);
+  return std::find(needs.begin(), needs.end(), edge) != needs.end();
+}
+
 /// Whether the second one is granted, and thereby something is taken that the first one, live, held: a request or need
 /// of it; or something that a group above it held, so that it stops. Not if the first one continues to hold it through
 /// the second one, nor if it would have stopped, or let go of it, without the second one.
@@ -286,8 +296,11 @@ bool Watch::hard_cut(const One& one, const Machine& machine) const {
     at = above == nil || engine.active(above) == nil || engine.state(edge) != RunState::none ? above : nil;
   }
   // A member that lost its conditions ended by itself, if its requester goes on; otherwise that might have been kept.
-  const auto was_stopped = [&](Index member, Index requester) {
+  const auto was_stopped = [&](Index edge, Index requester) {
+    const Index member = t.edges[edge].target;
     if (engine.active(member) != nil) return false;
+    const Range levels = t.edges[edge].levels; // none: a need that is never live
+    if (levels.begin == levels.end && engine.holder(member) == edge) return false;
     return engine.active(requester) == nil || may_go_on_at_all(member, machine);
   };
   // Whether one of these had it: by need or request, or by a member of its unit, which has it by needs.
@@ -295,10 +308,12 @@ bool Watch::hard_cut(const One& one, const Machine& machine) const {
     for (std::size_t steps = 0; edge < t.edges.size() && steps <= t.groups.size(); ++steps) {
       const Index requester = t.edges[edge].requester;
       if (requester == nil) return false;
-      if (holders[requester])
-        return !let_go(edge, machine) &&
-               (steps == 0 || (!is_apart(t, edge) && was_stopped(t.edges[edge].target, requester)));
-      if (steps > 0 && t.edges[edge].levels.begin != t.edges[edge].levels.end) return false;
+      const bool is_need = was_needed(edge);
+      if (holders[requester]) {
+        if (steps > 0 && ((!is_need && is_apart(t, edge)) || !was_stopped(edge, requester))) return false;
+        return !let_go(edge, machine);
+      }
+      if (steps > 0 && !is_need) return false;
       edge = before_[requester].holder;
     }
     return false;

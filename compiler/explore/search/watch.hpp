@@ -68,6 +68,7 @@ private:
   bool may_go_on(Index provider, const Machine& machine) const;
   bool may_go_on_at_all(Index group, const Machine& machine) const;
   bool has_heir(Index group, const Machine& machine) const;
+  bool was_needed(Index edge) const;
   bool is_left(Index group, const Machine& machine) const;
   bool keeps_needs(Index provider, const Machine& machine, std::size_t depth = 0) const;
   std::uint64_t remember(const One& one, const Machine& machine, std::uint64_t bits) const;

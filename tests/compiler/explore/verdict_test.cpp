@@ -432,6 +432,23 @@ TEST_CASE("what a member of its unit lets go of, as that loses its condition, is
                            "when: [Ball == far], ")));
 }
 
+TEST_CASE("what stops because another one takes what a need of it needs is cut off") {
+  const auto verdict = [](int kick, const std::string& grip) {
+    return handed_over("",
+                       "roots: {Walk: {priority: 20}, Kick: {priority: " + std::to_string(kick) +
+                           "}}\ngroups:\n  Walk: {needs: [Grip]}\n  Grip: {" + grip +
+                           "}\n  Arm: {needs: [Legs]}\n  Kick: {needs: [Legs]}\n",
+                       "Walk", "Kick");
+  };
+  CHECK(is_refuted(verdict(30, "needs: [Legs]")));
+  CHECK(is_refuted(verdict(30, "needs: [Legs], tasks: [Legs]")));
+  CHECK(is_refuted(verdict(30, "needs: [Arm]")));
+  CHECK(is_refuted(verdict(30, "needs: [Arm], tasks: [Arm]")));
+  CHECK(is_refuted(verdict(30, "needs: [Arm], tasks: {Arm: {apart: true}}")));
+  CHECK(is_proven(verdict(10, "needs: [Arm], tasks: [Arm]")));
+  CHECK(is_proven(verdict(30, "tasks: {Arm: {apart: true}}")));
+}
+
 TEST_CASE("what would have been kept for its requester is cut off, though what it needs lost its condition") {
   const std::string states = "states: {Ground: {values: [flat, steep], initial: flat, external: true}}\n";
   const std::string groups =
@@ -457,6 +474,14 @@ TEST_CASE("what it lets go of for a provider that it prefers, and that needs les
   CHECK(is_refuted(verdict(30, one + ", " + both)));
   CHECK(is_refuted(verdict(30, both + ", " + one)));
   CHECK(is_refuted(verdict(30, both + ", {name: none}")));
+}
+
+TEST_CASE("what a need lets go of for a provider that is preferred there is not taken") {
+  const std::string states = "states: {Load: {values: [light, heavy], initial: heavy, external: true}}\n";
+  const std::string groups = "roots: {Carry: {priority: 20}, Wave: {priority: 10}}\ngroups:\n  Carry: {needs: [Grip]}\n"
+                             "  Grip: {providers: [{name: one, when: [Load == light], needs: [Arm]}, "
+                             "{name: both, needs: [Arm, Legs]}]}\n  Wave: {needs: [Legs]}\n  Arm: {}\n";
+  CHECK(is_proven(handed_over(states, groups, "Carry", "Wave")));
 }
 
 TEST_CASE("what moves to a provider that it prefers, as the other one made room for that, is cut off") {
