@@ -21,7 +21,7 @@ constexpr int most_tried = 10'000;
 
 class Unit {
 public:
-  Unit(const Engine& engine, Index edge, Index winner, Index loser)
+  Unit(const Engine& engine, Index edge, Index loser)
       : engine_(engine),
         t_(engine.tables()),
         view_(view_of(engine)),
@@ -35,9 +35,7 @@ public:
         if (e != edge && joins(e)) members_.push_back(e);
       }
     }
-    for (const Index member : members_) {
-      if (t_.edges[member].target == winner || under(engine, member, winner)) add_needed(t_.edges[member].target);
-    }
+    for (const Index member : members_) add_needed(t_.edges[member].target);
   }
 
   Blame blame() {
@@ -121,8 +119,6 @@ private:
 
 } // namespace
 
-Blame find_blame(const Engine& engine, Index edge, Index winner, Index loser) {
-  return Unit(engine, edge, winner, loser).blame();
-}
+Blame find_blame(const Engine& engine, Index edge, Index loser) { return Unit(engine, edge, loser).blame(); }
 
 } // namespace director::compiler

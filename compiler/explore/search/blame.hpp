@@ -13,6 +13,6 @@ enum class Blame {
 };
 
 /// `edge`: a blocked request of the winner's side.
-Blame find_blame(const Engine& engine, Index edge, Index winner, Index loser);
+Blame find_blame(const Engine& engine, Index edge, Index loser);
 
 } // namespace director::compiler

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 namespace director::compiler {
 
 namespace {
@@ -16,11 +18,13 @@ std::string target_of(Index edge, const Model& model) {
 }
 
 /// Likewise; the program requests what has no requester. `wanted`: by the group; it is above a side that it wants.
-std::string with_side(std::optional<GroupId> group, GroupId wanted, GroupId side, const Model& model) {
+/// `where`: it is, as seen from the side, unless it is the side.
+std::string with_side(std::optional<GroupId> group, GroupId wanted, GroupId side, const Model& model,
+                      std::string_view where = "below") {
   if (!group) return "the program";
   const std::string name = fmt::format("`{}`", model.groups[*group].name.value);
   if (*group == side || wanted == side) return name;
-  return fmt::format("{}, below `{}`,", name, model.groups[side].name.value);
+  return fmt::format("{}, {} `{}`,", name, where, model.groups[side].name.value);
 }
 
 } // namespace
@@ -47,8 +51,11 @@ std::string words_of(const Blocked& blocked, const Assertion& beats, const Model
   const bool is_need = because.kind == Because::Kind::need_held;
   const GroupId group{because.group};
   const GroupId loser = beats.groups.front().id, winner = beats.groups.back().id;
-  const std::string who = is_need ? with_side(wanted.target, group, loser, model)
-                                  : with_side(wanted.requester, wanted.target, loser, model);
+  // A task that is requested in one unit with the loser is not below it, nor is the requester of both.
+  const bool is_beside = because.member != because.edge && model.edges[EdgeId{because.edge}].target == loser;
+  const std::string who = is_need
+                              ? with_side(wanted.target, group, loser, model, is_beside ? "requested with" : "below")
+                              : with_side(wanted.requester, wanted.target, loser, model, is_beside ? "above" : "below");
   const std::string by = held.requester ? with_side(held.requester, held.target, winner, model) + " holds"
                                         : std::string("runs for the program");
   return fmt::format("{} does not get `{}`, which {}", who, model.groups[group].name.value, by);

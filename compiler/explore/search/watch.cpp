@@ -42,8 +42,7 @@ Watch::Watch(const Ground& ground, const std::vector<std::size_t>& assertions)
     : happened(ground.tables),
       doubted(ground.model.assertions.size(), false),
       ground_(ground),
-      before_(ground.tables.groups.size()),
-      values_(ground.tables.states.size()) {
+      before_(ground.tables.groups.size()) {
   for (Index e = 0; e < ground.tables.edges.size(); ++e) waiting_.push_back(e);
   std::uint64_t bit = 1;
   for (const std::size_t at : assertions) {
@@ -66,8 +65,8 @@ Watch::Watch(const Ground& ground, const std::vector<std::size_t>& assertions)
 void Watch::before(const Machine& machine, std::uint64_t bits) {
   bits_ = bits;
   const Engine& engine = machine.engine();
-  for (Index s = 0; s < values_.size(); ++s) values_[s] = engine.value(s);
-  for (Index g = 0; g < before_.size(); ++g) before_[g] = {engine.holder(g), engine.active(g), engine.granted(g)};
+  for (Index g = 0; g < before_.size(); ++g)
+    before_[g] = {engine.holder(g), engine.active(g), engine.granted(g), engine.in_force(g)};
 }
 
 std::uint64_t Watch::after(const Machine& machine, std::vector<std::size_t>& seen) {
@@ -107,7 +106,7 @@ bool Watch::blocked(const One& one, const Machine& machine) {
   for (Index edge = 0; edge < t.edges.size(); ++edge) {
     if (engine.queued(edge).why != Why::blocked || engine.state(edge) != RunState::queued) continue;
     if (t.edges[edge].target != one.groups.front() && !under(engine, edge, one.groups.front())) continue;
-    switch (find_blame(engine, edge, one.groups.front(), one.groups.back())) {
+    switch (find_blame(engine, edge, one.groups.back())) {
     case Blame::loser: blocked_request = edge; return true;
     case Blame::shared: doubted[one.assertion] = true; break;
     case Blame::others: break;
@@ -157,47 +156,68 @@ bool is_apart(const Tables& t, Index edge) {
 
 } // namespace
 
-/// The value by which was decided who holds what: handlers set others afterwards, and states of a group that stops
-/// return to their first. Empty: it is not known.
-std::optional<std::int32_t> Watch::decided_by(Index state, const Machine& machine) const {
-  const State& row = ground_.model.states[StateId{state}];
-  std::optional<std::int32_t> by_body;
-  bool later = row.of && before_[row.of->id.value].active != nil &&
-               machine.engine().active(static_cast<Index>(row.of->id.value)) == nil;
-  for (const Action& action : machine.actions()) {
-    const Puts& puts = action.kind == Action::Kind::run     ? ground_.bodies[action.provider].puts[action.puts]
-                       : action.kind == Action::Kind::start ? ground_.starting[action.group][action.puts]
-                                                            : ground_.stopping[action.group][action.puts];
-    for (const Put& put : puts) {
-      if (put.state != state) continue;
-      if (action.kind == Action::Kind::run)
-        by_body = put.value;
-      else
-        later = true;
-    }
-  }
-  if (!later) return machine.engine().value(state);
-  if (by_body) return by_body;
-  if (row.external || row.expires) return std::nullopt; // an input may have set it
-  return values_[state];
-}
-
-/// Whether the conditions of this provider let it go on, or begin.
+/// Whether the conditions of this provider let it go on, or begin. What handlers set in the same micro-step is staged,
+/// so the values are those by which was decided who holds what.
 bool Watch::may_go_on(Index provider, const Machine& machine) const {
   const Tables& t = ground_.tables;
   const director::Provider& row = t.providers[provider];
   const bool was_active = before_[row.group].active == provider;
   const auto own = t.list(row.causing);
-  const auto holds = [&](Index c) {
-    const std::optional<std::int32_t> value = decided_by(t.conditions[c].state, machine);
-    return !value || t.accepts(t.conditions[c], *value);
-  };
+  const auto holds = [&](Index c) { return t.accepts(t.conditions[c], machine.engine().value(t.conditions[c].state)); };
   const auto when = t.list(row.when), stay = t.list(row.stay);
   const bool begins = std::all_of(when.begin(), when.end(), [&](Index c) {
-    const bool waived = was_active && std::find(own.begin(), own.end(), t.conditions[c].state) != own.end();
+    const bool waived = was_active && before_[row.group].in_force &&
+                        std::find(own.begin(), own.end(), t.conditions[c].state) != own.end();
     return waived || holds(c);
   });
   return begins || (was_active && !stay.empty() && std::all_of(stay.begin(), stay.end(), holds));
+}
+
+bool Watch::may_go_on_at_all(Index group, const Machine& machine) const {
+  const Range providers = ground_.tables.groups[group].providers;
+  for (Index p = providers.begin; p != providers.end; ++p) {
+    if (may_go_on(p, machine)) return true;
+  }
+  return false;
+}
+
+/// Whether a group that has not answered yet may still request this one, directly or over others; or could have, but
+/// that it lost its task, which nobody withdrew.
+bool Watch::has_heir(Index group, const Machine& machine) const {
+  const Engine& engine = machine.engine();
+  const Tables& t = ground_.tables;
+  std::vector<Index> above{group};
+  for (std::size_t i = 0; i < above.size(); ++i) {
+    for (const Index edge : t.list(t.groups[above[i]].requesters)) {
+      const Index requester = t.edges[edge].requester;
+      if (requester == nil || std::find(above.begin(), above.end(), requester) != above.end()) continue;
+      above.push_back(requester);
+      if (engine.granted(requester)) {
+        if (engine.memory().run_queue[requester].pending != 0) return true;
+        continue;
+      }
+      const Held& was = before_[requester];
+      if (!was.granted) continue;
+      const Index over = was.holder < t.edges.size() ? t.edges[was.holder].requester : requester;
+      const bool withdrawn = over == nil || (over != requester && engine.active(over) != nil);
+      if (!withdrawn || engine.state(was.holder) != RunState::none) return true;
+    }
+  }
+  return false;
+}
+
+/// Whether a group that limbo held would have stopped anyway: all have answered for whom it was kept, and its
+/// conditions are lost, or none of them requests it.
+bool Watch::is_left(Index group, const Machine& machine) const {
+  if (has_heir(group, machine)) return false;
+  if (!may_go_on_at_all(group, machine)) return true;
+  const Tables& t = ground_.tables;
+  const auto edges = t.list(t.groups[group].requesters);
+  return std::none_of(edges.begin(), edges.end(), [&](Index edge) {
+    const Index requester = t.edges[edge].requester;
+    return machine.engine().state(edge) != RunState::none &&
+           (requester == nil || machine.engine().active(requester) != nil);
+  });
 }
 
 /// Whether a group that stops does so without the help of others: it is requested no more, by a requester that goes
@@ -207,11 +227,9 @@ bool Watch::ends_by_itself(Index group, const Machine& machine) const {
   const Tables& t = ground_.tables;
   for (std::size_t steps = 0; group != nil && steps <= t.groups.size(); ++steps) {
     const Index edge = before_[group].holder;
-    if (edge >= t.edges.size() || !before_[group].granted) return false;
-    const Range providers = t.groups[group].providers;
-    bool may = false;
-    for (Index p = providers.begin; p != providers.end; ++p) may = may || may_go_on(p, machine);
-    if (!may) return true;
+    if (edge != nil && edge >= t.edges.size()) return is_left(group, machine);
+    if (edge == nil || !before_[group].granted) return false;
+    if (!may_go_on_at_all(group, machine)) return true;
     if (engine.state(edge) != RunState::none) return false;
     const Index requester = t.edges[edge].requester;
     if (requester == nil || engine.active(requester) != nil) return true;
@@ -220,18 +238,43 @@ bool Watch::ends_by_itself(Index group, const Machine& machine) const {
   return false;
 }
 
+/// Whether all that a provider needs was held for it before, or for another one of its group.
+bool Watch::keeps_needs(Index provider, const Machine& machine, std::size_t depth) const {
+  const Tables& t = ground_.tables;
+  const auto needs = t.list(t.providers[provider].needs);
+  return depth <= t.groups.size() && std::all_of(needs.begin(), needs.end(), [&](Index need) {
+           const Index target = t.edges[need].target, active = machine.engine().active(target);
+           return before_[target].holder == need && active != nil && before_[target].active == active &&
+                  keeps_needs(active, machine, depth + 1);
+         });
+}
+
 /// Whether a group that goes on has let go of what it held by this edge: it requests it no more, and none of its
-/// providers that may run needs it.
+/// providers that may run needs it. It prefers the one that is active to later ones, if nothing that others lost made
+/// that one possible.
 bool Watch::let_go(Index edge, const Machine& machine) const {
   const Tables& t = ground_.tables;
   const Index requester = t.edges[edge].requester;
   if (machine.engine().active(requester) == nil || machine.engine().state(edge) != RunState::none) return false;
+  const Index active = machine.engine().active(requester);
+  const bool is_pushed = before_[requester].in_force || machine.engine().in_force(requester);
+  const bool prefers = !is_pushed && (active == before_[requester].active || keeps_needs(active, machine));
   const Range providers = t.groups[requester].providers;
-  for (Index p = providers.begin; p != providers.end; ++p) {
+  for (Index p = providers.begin; p != (prefers ? active + 1 : providers.end); ++p) {
     const auto needs = t.list(t.providers[p].needs);
     if (std::find(needs.begin(), needs.end(), edge) != needs.end() && may_go_on(p, machine)) return false;
   }
   return true;
+}
+
+/// Whether the target was held as a need of its requester. One that is not live, since it is a need itself, holds only
+/// such.
+bool Watch::was_needed(Index edge) const {
+  const Tables& t = ground_.tables;
+  const Index provider = before_[t.edges[edge].requester].active;
+  if (provider == nil) return true;
+  const auto needs = t.list(t.providers[provider].needs);
+  return std::find(needs.begin(), needs.end(), edge) != needs.end();
 }
 
 /// Whether the second one is granted, and thereby something is taken that the first one, live, held: a request or need
@@ -252,15 +295,25 @@ bool Watch::hard_cut(const One& one, const Machine& machine) const {
     const Index above = stops && edge < t.edges.size() ? t.edges[edge].requester : nil;
     at = above == nil || engine.active(above) == nil || engine.state(edge) != RunState::none ? above : nil;
   }
+  // A member that lost its conditions ended by itself, if its requester goes on; otherwise that might have been kept.
+  const auto was_stopped = [&](Index edge, Index requester) {
+    const Index member = t.edges[edge].target;
+    if (engine.active(member) != nil) return false;
+    const Range levels = t.edges[edge].levels; // none: a need that is never live
+    if (levels.begin == levels.end && engine.holder(member) == edge) return false;
+    return engine.active(requester) == nil || may_go_on_at_all(member, machine);
+  };
   // Whether one of these had it: by need or request, or by a member of its unit, which has it by needs.
   const auto was_theirs = [&](Index edge) {
     for (std::size_t steps = 0; edge < t.edges.size() && steps <= t.groups.size(); ++steps) {
       const Index requester = t.edges[edge].requester;
       if (requester == nil) return false;
-      if (holders[requester])
-        return !let_go(edge, machine) &&
-               (steps == 0 || (engine.active(t.edges[edge].target) == nil && !is_apart(t, edge)));
-      if (steps > 0 && t.edges[edge].levels.begin != t.edges[edge].levels.end) return false;
+      const bool is_need = was_needed(edge);
+      if (holders[requester]) {
+        if (steps > 0 && ((!is_need && is_apart(t, edge)) || !was_stopped(edge, requester))) return false;
+        return !let_go(edge, machine);
+      }
+      if (steps > 0 && !is_need) return false;
       edge = before_[requester].holder;
     }
     return false;

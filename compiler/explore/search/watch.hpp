@@ -6,7 +6,6 @@
 #include "compiler/explore/machine/machine.hpp"
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace director::compiler {
@@ -59,7 +58,7 @@ private:
   };
   struct Held {
     Index holder = nil, active = nil;
-    bool granted = false;
+    bool granted = false, in_force = false;
   };
   bool together(const One& one, const Machine& machine) const;
   bool blocked(const One& one, const Machine& machine);
@@ -67,7 +66,11 @@ private:
   bool ends_by_itself(Index group, const Machine& machine) const;
   bool let_go(Index edge, const Machine& machine) const;
   bool may_go_on(Index provider, const Machine& machine) const;
-  std::optional<std::int32_t> decided_by(Index state, const Machine& machine) const;
+  bool may_go_on_at_all(Index group, const Machine& machine) const;
+  bool has_heir(Index group, const Machine& machine) const;
+  bool was_needed(Index edge) const;
+  bool is_left(Index group, const Machine& machine) const;
+  bool keeps_needs(Index provider, const Machine& machine, std::size_t depth = 0) const;
   std::uint64_t remember(const One& one, const Machine& machine, std::uint64_t bits) const;
   bool requested(Index group, const Machine& machine) const;
   bool keeps_promise(Index provider, const Put& put) const;
@@ -77,9 +80,8 @@ private:
   const Ground& ground_;
   bool minds_puts_ = false;
   std::vector<One> watched_;
-  std::vector<Held> before_;         ///< of groups, before the micro-step
-  std::vector<std::int32_t> values_; ///< of states, likewise
-  std::vector<Index> waiting_;       ///< edges whose target was never granted for them yet
+  std::vector<Held> before_;   ///< of groups, before the micro-step
+  std::vector<Index> waiting_; ///< edges whose target was never granted for them yet
   std::uint64_t bits_ = 0;
 };
 

@@ -31,6 +31,16 @@ std::string verdict_of(const std::string& groups, const std::string& assertion, 
   return (verdict.kind == Verdict::Kind::proven ? "proven: " : "refuted: ") + verdict.why;
 }
 
+/// The verdict on a hand-over of what Legs stands for, from one root to the other.
+std::string handed_over(const std::string& states, const std::string& groups, const std::string& from,
+                        const std::string& to) {
+  return verdict_of(states + groups + "  Legs: {}\n", "soft: {from: " + from + ", to: " + to + "}");
+}
+
+bool is_proven(const std::string& verdict) { return verdict.find("proven: it holds in all ") == 0; }
+
+bool is_refuted(const std::string& verdict) { return verdict.find("refuted: after ") == 0; }
+
 const std::string posing_walker =
     "states: {Pose: {values: [moving, standing], initial: standing}}\n" + director::tests::walker_groups;
 
@@ -136,6 +146,23 @@ TEST_CASE("the members of a pack are blocked by what holds what one of them want
                            "  A: {packs: {go: {X: {}, Y: {}}}}\n  X: {needs: [L], tasks: [L]}\n  Y: {needs: [R]}\n";
   CHECK(verdict_of(pair + "  B: {needs: [R], tasks: [R]}\n", "{beats: {A: B}}").find("refuted: after ") == 0);
   CHECK(verdict_of(pair + "  B: {needs: [M], tasks: [M]}\n", "{beats: {A: B}}").find("proven: ") == 0);
+}
+
+TEST_CASE("a member of a pack is blocked by what holds what another member wants") {
+  const auto verdict = [](const std::string& play, int guard, const std::string& assertion) {
+    return verdict_of("roots: {Play: {priority: 10}, Guard: {priority: " + std::to_string(guard) +
+                          "}}\ngroups:\n  Play: {packs: {go: {" + play +
+                          "}}}\n  Look: {}\n  Walk: {needs: [Legs]}\n  Guard: {needs: [Legs]}\n  Legs: {}\n",
+                      assertion);
+  };
+  const std::string beats = "{beats: {Look: Guard}}", course = "refuted: after request Guard; request Play, ";
+  CHECK(verdict("Look: {}, Walk: {}", 20, beats) ==
+        course + "`Walk`, requested with `Look`, does not get `Legs`, which `Guard` holds");
+  CHECK(verdict("Look: {}, Legs: {}", 20, beats) ==
+        course + "`Play`, above `Look`, does not get `Legs`, which `Guard` holds");
+  CHECK(is_proven(verdict("Look: {}, Walk: {apart: true}", 20, beats)));
+  CHECK(is_proven(verdict("Look: {}, Walk: {optional: true}", 20, beats)));
+  CHECK(is_proven(verdict("Look: {}, Walk: {}", 1, beats)));
 }
 
 TEST_CASE("members of a pack that are blocked by another side are not blocked by this one") {
@@ -361,6 +388,152 @@ TEST_CASE("a group whose own state takes its condition away is not cut off by wh
                              "  Walk: {when: [S == a], needs: [Legs], sets: [S == b]}\n"
                              "  Kick: {needs: [Legs]}\n  Legs: {}\n";
   CHECK(verdict_of(groups, "soft: {from: Walk, to: Kick}").find("proven: it holds in all ") == 0);
+}
+
+TEST_CASE("what ends as its own promise comes true is not cut off by what waits for that") {
+  const std::string states = "states: {Pose: {values: [fallen, standing, kneeling], initial: standing, external: "
+                             "true}}\n";
+  const std::string get_up = "roots: {GetUp: {priority: 20}, Walk: {priority: 10}}\ngroups:\n"
+                             "  GetUp: {when: [Pose == fallen], causing: [Pose == standing], needs: [Legs]}\n"
+                             "  Walk: {when: [Pose == standing], needs: [Legs]}\n";
+  CHECK(is_proven(handed_over(states, get_up, "GetUp", "Walk")));
+}
+
+TEST_CASE("what a push keeps, though its condition is lost, is cut off by another one that takes what it holds") {
+  const std::string states = "states: {Pose: {values: [fallen, standing, kneeling], initial: standing, external: "
+                             "true}}\n";
+  const std::string pushed = "roots: {GetUp: {priority: 10}, Walk: {priority: 20}, Rest: {priority: 30}}\ngroups:\n"
+                             "  GetUp: {when: [Pose == fallen], causing: [Pose == standing], needs: [Legs]}\n"
+                             "  Walk: {when: [Pose == standing], needs: [Legs]}\n"
+                             "  Rest: {when: [Pose == kneeling], needs: [Legs]}\n";
+  const std::string verdict = handed_over(states, pushed, "GetUp", "Rest");
+  INFO(verdict);
+  CHECK(is_refuted(verdict));
+  CHECK(verdict.find("request Walk") != std::string::npos);
+  const std::string alone = pushed.substr(0, pushed.find(", Walk: {priority")) + ", Rest: {priority: 30}}\ngroups:\n" +
+                            pushed.substr(pushed.find("  GetUp"));
+  CHECK(is_proven(handed_over(states, alone, "GetUp", "Rest")));
+}
+
+TEST_CASE("what a member of its unit lets go of, as that loses its condition, is not taken") {
+  const std::string states = "states: {Ball: {values: [far, near], initial: near, external: true}}\n";
+  const auto verdict = [&](int idle, const std::string& kick, const std::string& when) {
+    return handed_over(states,
+                       "roots: {Play: {priority: 20}, Idle: {priority: " + std::to_string(idle) +
+                           "}}\ngroups:\n  Play: {tasks: [Kick]}\n  Kick: {" + kick + "}\n  Idle: {" + when +
+                           "needs: [Legs], tasks: [Legs]}\n",
+                       "Play", "Idle");
+  };
+  const std::string near = "when: [Ball == near], needs: [Legs], tasks: [Legs]";
+  CHECK(is_proven(verdict(10, near, "")));
+  CHECK(is_proven(verdict(30, near, "when: [Ball == far], ")));
+  CHECK(is_refuted(verdict(30, near, "")));
+  CHECK(is_refuted(verdict(30, "providers: [{name: p, when: [Ball == near], needs: [Legs]}, {name: q, needs: [Legs]}]",
+                           "when: [Ball == far], ")));
+}
+
+TEST_CASE("what stops because another one takes what a need of it needs is cut off") {
+  const auto verdict = [](int kick, const std::string& grip) {
+    return handed_over("",
+                       "roots: {Walk: {priority: 20}, Kick: {priority: " + std::to_string(kick) +
+                           "}}\ngroups:\n  Walk: {needs: [Grip]}\n  Grip: {" + grip +
+                           "}\n  Arm: {needs: [Legs]}\n  Kick: {needs: [Legs]}\n",
+                       "Walk", "Kick");
+  };
+  CHECK(is_refuted(verdict(30, "needs: [Legs]")));
+  CHECK(is_refuted(verdict(30, "needs: [Legs], tasks: [Legs]")));
+  CHECK(is_refuted(verdict(30, "needs: [Arm]")));
+  CHECK(is_refuted(verdict(30, "needs: [Arm], tasks: [Arm]")));
+  CHECK(is_refuted(verdict(30, "needs: [Arm], tasks: {Arm: {apart: true}}")));
+  CHECK(is_proven(verdict(10, "needs: [Arm], tasks: [Arm]")));
+  CHECK(is_proven(verdict(30, "tasks: {Arm: {apart: true}}")));
+}
+
+TEST_CASE("what would have been kept for its requester is cut off, though what it needs lost its condition") {
+  const std::string states = "states: {Ground: {values: [flat, steep], initial: flat, external: true}}\n";
+  const std::string groups =
+      "roots: {Play: {priority: 20}, Idle: {priority: 30}}\ngroups:\n"
+      "  Play: {providers: [{name: a, when: [Ground == flat], tasks: [Walk]}, {name: b, tasks: [Walk]}]}\n"
+      "  Walk: {providers: [{name: p, needs: [Step], tasks: [Step]}, {name: q, when: [Ground == steep]}]}\n"
+      "  Step: {when: [Ground == flat], needs: [Legs]}\n  Idle: {when: [Ground == steep], needs: [Legs]}\n";
+  CHECK(is_refuted(handed_over(states, groups, "Walk", "Idle")));
+}
+
+TEST_CASE("what it lets go of for a provider that it prefers, and that needs less, is not taken") {
+  const std::string states = "states: {Load: {values: [light, heavy], initial: heavy, external: true}}\n";
+  const auto verdict = [&](int wave, const std::string& carry) {
+    return handed_over(states,
+                       "roots: {Carry: {priority: 20}, Wave: {priority: " + std::to_string(wave) +
+                           "}}\ngroups:\n  Carry: {providers: [" + carry +
+                           "]}\n  Wave: {needs: [Legs], tasks: [Legs]}\n  Arm: {}\n",
+                       "Carry", "Wave");
+  };
+  const std::string one = "{name: one, when: [Load == light], needs: [Arm], tasks: [Arm]}";
+  const std::string both = "{name: both, needs: [Arm, Legs], tasks: [Arm, Legs]}";
+  CHECK(is_proven(verdict(10, one + ", " + both)));
+  CHECK(is_refuted(verdict(30, one + ", " + both)));
+  CHECK(is_refuted(verdict(30, both + ", " + one)));
+  CHECK(is_refuted(verdict(30, both + ", {name: none}")));
+}
+
+TEST_CASE("what a need lets go of for a provider that is preferred there is not taken") {
+  const std::string states = "states: {Load: {values: [light, heavy], initial: heavy, external: true}}\n";
+  const std::string groups = "roots: {Carry: {priority: 20}, Wave: {priority: 10}}\ngroups:\n  Carry: {needs: [Grip]}\n"
+                             "  Grip: {providers: [{name: one, when: [Load == light], needs: [Arm]}, "
+                             "{name: both, needs: [Arm, Legs]}]}\n  Wave: {needs: [Legs]}\n  Arm: {}\n";
+  CHECK(is_proven(handed_over(states, groups, "Carry", "Wave")));
+}
+
+TEST_CASE("what moves to a provider that it prefers, as the other one made room for that, is cut off") {
+  const std::string groups = "roots: {Wave: {priority: 30}, Lift: {priority: 25}, Carry: {priority: 20}}\ngroups:\n"
+                             "  Wave: {needs: [Legs, Hook]}\n  Lift: {needs: [Tool, Hook]}\n"
+                             "  Carry: {providers: [{name: tool, needs: [Tool]}, {name: legs, needs: [Legs]}]}\n"
+                             "  Tool: {}\n  Hook: {}\n";
+  const std::string verdict = handed_over("", groups, "Carry", "Wave");
+  INFO(verdict);
+  CHECK(is_refuted(verdict));
+  CHECK(verdict.find("request Lift") != std::string::npos);
+}
+
+TEST_CASE("what is only kept until its requester has answered is not cut off if that could not have it") {
+  const std::string states = "states: {Ground: {values: [flat, steep], initial: flat, external: true}}\n";
+  const auto verdict = [&](int rest, const std::string& when) {
+    return handed_over(states,
+                       "roots: {Patrol: {priority: 20}, Rest: {priority: " + std::to_string(rest) +
+                           "}}\ngroups:\n  Patrol: {tasks: [Walk]}\n  Walk: {" + when +
+                           "needs: [Legs], tasks: [Legs]}\n  Rest: {needs: [Legs], tasks: [Legs]}\n",
+                       "Walk", "Rest");
+  };
+  CHECK(is_proven(verdict(10, "when: [Ground == flat], ")));
+  CHECK(is_proven(verdict(10, "")));
+  CHECK(is_refuted(verdict(30, "when: [Ground == flat], ")));
+  CHECK(is_refuted(verdict(30, "")));
+}
+
+TEST_CASE("what is kept for a requester that may still make its condition true is cut off") {
+  const std::string states = "states: {Ground: {values: [flat, steep], initial: flat, external: true}}\n";
+  const std::string groups =
+      "roots: {Patrol: {priority: 20}, Rest: {priority: 30}}\ngroups:\n"
+      "  Patrol: {tasks: [Walk], sets: [Ground]}\n  Walk: {when: [Ground == flat], needs: [Legs]}\n"
+      "  Rest: {when: [Ground == steep], needs: [Legs]}\n";
+  const std::string verdict = handed_over(states, groups, "Walk", "Rest");
+  INFO(verdict);
+  CHECK(is_refuted(verdict));
+}
+
+TEST_CASE("what a handler of the other one sets afterwards, of what an input sets too, does not count") {
+  const std::string states = "states: {Pose: {values: [fallen, standing], initial: standing, external: true}}\n";
+  const auto verdict = [&](int walk, const std::string& get_up) {
+    return handed_over(states,
+                       "roots: {GetUp: {priority: 20}, Walk: {priority: " + std::to_string(walk) +
+                           "}}\ngroups:\n  GetUp: {when: [Pose == fallen], needs: [Legs]" + get_up +
+                           "}\n  Walk: {start: {sets: [Pose == standing]}, needs: [Legs]}\n",
+                       "GetUp", "Walk");
+  };
+  CHECK(is_proven(verdict(10, "")));
+  CHECK(is_proven(verdict(10, ", stop: {sets: [Pose == fallen]}")));
+  CHECK(is_refuted(verdict(30, "")));
+  CHECK(is_refuted(verdict(30, ", stop: {sets: [Pose == standing]}")));
 }
 
 TEST_CASE("each of many assertions about soft hand-overs is looked at") {
