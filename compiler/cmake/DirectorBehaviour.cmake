@@ -159,9 +159,10 @@ function(director_add_behaviour)
     set_source_files_properties(${outputs} TARGET_DIRECTORY ${target} PROPERTIES GENERATED TRUE)
   endif()
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${folder}>)
-  # -idirafter adds the folder behind all others, so that no file in it can hide a header of the program or of the system.
+  # An option comes behind the include folders of the target, and of those that link it, so that no file here hides a header in one of them.
+  # (-iquote would go before all of them; headers found by -idirafter count as those of the system.)
   cmake_path(GET file PARENT_PATH beside)
-  target_compile_options(${target} PUBLIC $<BUILD_INTERFACE:$<$<COMPILE_LANGUAGE:C,CXX>:-idirafter${beside}>>)
+  target_compile_options(${target} PUBLIC $<BUILD_INTERFACE:$<$<COMPILE_LANGUAGE:C,CXX>:-I${beside}>>)
   target_link_libraries(${target} PUBLIC Director::core)
   # A pragma in runtime/core/api/behaviour.hpp makes a body without an answer an error; g++ loses the pragma if that header is in a precompiled header:
   # of this target, or of one that links it and has bodies.
