@@ -216,8 +216,7 @@ private:
     if (losses_.comes_otherwise(want) ||
         !input_.shared.standstill().may_wait(request, want.waiter, want.condition, groups))
       return false;
-    return has_root(model_, groups) ||
-           Company(model_, input_.facts, input_.shared.requests(), groups).find_bare_chain(request).empty();
+    return !need_not_be_requested(input_, request, groups);
   }
 
   void report(const Request& request, const Want& want, const KeptNeed& one) {

@@ -519,8 +519,9 @@ private:
         evidence.notes.push_back(runs_only_while(model_, id, use));
         if (ends_requests(evidence.task, use)) {
           add_ending(evidence.task, use, evidence.notes);
-        } else if (beginnings(evidence.task, id, use))
+        } else if (beginnings(evidence.task, id, use)) {
           add_waiting_causers(evidence.task, id, use, evidence.notes);
+        }
       }
       for (const Use<GroupId>& need : model_.providers[id].needs) {
         if (!add_conditions(need.id, evidence, group)) continue;

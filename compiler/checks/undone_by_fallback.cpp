@@ -60,11 +60,11 @@ public:
 
   /// What is caused by a push.
   void look_at(const Wanting& wanting) {
-    const auto has_needs = [&](ProviderId causer) {
+    const auto may_lose = [&](ProviderId causer) {
       return !model_.providers[causer].needs.empty() || !model_.providers[causer].when.empty();
     };
     const auto may_be_lost = [&](const Want& want) {
-      return !alternatives_[state_of(want)].empty() || std::any_of(want.causers.begin(), want.causers.end(), has_needs);
+      return !alternatives_[state_of(want)].empty() || std::any_of(want.causers.begin(), want.causers.end(), may_lose);
     };
     if (std::none_of(wanting.wants.begin(), wanting.wants.end(), may_be_lost)) return;
     for (Granted& any : granted_with(input_, wanting)) {

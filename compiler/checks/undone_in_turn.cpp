@@ -151,10 +151,7 @@ private:
     const auto first = std::find_if(all.begin(), all.end(), [&](ProviderId id) { return facts_.chosen.contains(id); });
     if (first == all.end() || shared_.chains().may_beat(row.group, model_.providers[other].group)) return false;
     return std::any_of(row.needs.begin(), row.needs.end(), [&](const Use<GroupId>& need) {
-      const auto& parts = shared_.indispensable().of(need.id);
-      return parts && std::any_of(parts->begin(), parts->end(), [&](GroupId part) {
-               return shared_.indispensable().needs_contain(model_.providers[*first], part);
-             });
+      return shared_.indispensable().needs_part_of(model_.providers[*first], need.id);
     });
   }
 

@@ -42,7 +42,7 @@ std::optional<dsl::Note> stop_that_causes(const Model& model, GroupId group, Con
 /// need of it, needs and requests too. Else it is held only as a need.
 bool is_granted_with(const Model& model, GroupId task, const Want& want);
 
-/// "give `Kick` a `stay`", "let `Screw` request `Clamp` too, and give that a `stay`"
+/// "give `Kick` a `stay`", "let `Screw` request `Clamp` too, and give `Clamp` a `stay`"
 std::string giving_stay(const Model& model, GroupId task, const Want& want);
 /// Help for a wanted condition that these values make false again.
 std::string stay_help(const Model& model, GroupId task, const Want& want, const ValueSet& values);

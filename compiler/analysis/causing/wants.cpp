@@ -55,11 +55,8 @@ private:
     const Provider& waiting = model_.providers[pushed];
     if (row.needs.empty() || !chains_.may_beat(waiting.group, row.group)) return false;
     const auto keeps = [&](const Provider& other) {
-      return std::any_of(row.needs.begin(), row.needs.end(), [&](const Use<GroupId>& need) {
-        const auto& parts = indispensable.of(need.id);
-        return parts && std::any_of(parts->begin(), parts->end(),
-                                    [&](GroupId part) { return indispensable.needs_contain(other, part); });
-      });
+      return std::any_of(row.needs.begin(), row.needs.end(),
+                         [&](const Use<GroupId>& need) { return indispensable.needs_part_of(other, need.id); });
     };
     bool out = false;
     for (const ProviderId id : model_.groups[waiting.group].providers) {

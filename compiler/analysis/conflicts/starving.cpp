@@ -53,9 +53,9 @@ void add_taker(const Input& input, const Refused& refused, const Taker& taker, s
       notes.push_back({taker.over->span, fmt::format("and goes before {}, which leads to {}",
                                                      name_of(model, taker.over->target), name_of(model, task))});
     if (const Task* const leader = taker.led_by())
-      notes.push_back(
-          {leader->span, fmt::format("{} is granted together with {}, and goes before {}",
-                                     name_of(model, leader->target), by, name_of(model, taker.over->target))});
+      notes.push_back({leader->span, fmt::format("{} is granted together with {}, and goes before {}",
+                                                 name_of(model, leader->target), by,
+                                                 name_of(model, taker.over->target))});
     add_chain(model, need_path(model, taker.by->target, taker.group), notes);
   }
   add_chain(model, need_path(model, task, taker.group), notes);

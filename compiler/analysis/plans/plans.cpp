@@ -129,4 +129,10 @@ bool Indispensable::needs_contain(const compiler::Provider& provider, GroupId pa
                      [&](const Use<GroupId>& need) { return contains(need.id, part); });
 }
 
+bool Indispensable::needs_part_of(const compiler::Provider& provider, GroupId group) const {
+  const auto& parts = of(group);
+  return parts &&
+         std::any_of(parts->begin(), parts->end(), [&](GroupId part) { return needs_contain(provider, part); });
+}
+
 } // namespace director::analysis

@@ -45,6 +45,8 @@ public:
   bool contains(GroupId group, GroupId part) const;
   /// Whether it is in every way to grant one of the provider's needs.
   bool needs_contain(const compiler::Provider& provider, GroupId part) const;
+  /// Whether the provider's needs contain something that is in every way to grant the group; not if there is no way.
+  bool needs_part_of(const compiler::Provider& provider, GroupId group) const;
   /// In order; empty optional: there is no way.
   const std::optional<std::vector<GroupId>>& of(GroupId group) const { return parts_[group]; }
   /// The groups that are indispensable for both, in order; none if one of them cannot be granted.

@@ -40,15 +40,6 @@ bool has_conflict(const Input& input, const Pack* pack) {
   });
 }
 
-/// Whether the provider needs something that the group cannot do without, so that it is never granted.
-bool keeps_off(const Input& input, ProviderId provider, GroupId group) {
-  const Indispensable& indispensable = input.shared.indispensable();
-  const auto& parts = indispensable.of(group);
-  return parts && std::any_of(parts->begin(), parts->end(), [&](GroupId part) {
-           return indispensable.needs_contain(input.model.providers[provider], part);
-         });
-}
-
 /// What the group runs with: a provider, and a pack of it.
 std::vector<std::pair<ProviderId, const Pack*>> packs_of(const Model& model, const Facts& facts, GroupId group,
                                                          std::optional<ProviderId> provider) {
@@ -77,11 +68,13 @@ std::vector<Granted> granted_with(const Input& input, GroupId task) {
         has_conflict(input, request.pack))
       continue;
     for (const Task* member : unit_members(model, *request.pack)) {
-      const bool is_held = model.providers[*request.requester].needs_group(member->target);
+      const Provider& requester = model.providers[*request.requester];
+      const bool is_held = requester.needs_group(member->target);
+      const bool keeps_off = shared.indispensable().needs_part_of(requester, member->target); // it is never granted
       const bool known = std::any_of(out.begin(), out.end(), [&](const Granted& each) {
         return each.task == member->target && (is_held || !each.is_held);
       });
-      if (!known && (is_held || !keeps_off(input, *request.requester, member->target)) && out.size() < most_members)
+      if (!known && (is_held || !keeps_off) && out.size() < most_members)
         out.push_back(grant(model, shared, task, member->target, member, is_held));
     }
   }
