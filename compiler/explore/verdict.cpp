@@ -21,13 +21,28 @@ std::string refuted_by(const Assertion& assertion, const Model& model) {
   case Assertion::Kind::never_together: return "two of them are granted";
   case Assertion::Kind::beats:
     return fmt::format("a task of {}, or below it, is blocked by a group that the side of {} holds", name(0), name(1));
-  case Assertion::Kind::soft:
-    return fmt::format("granting {} stops {} or takes what it holds, and none of its causing providers ran since {} "
-                       "was requested",
-                       name(1), name(0), name(1));
+  case Assertion::Kind::soft: // words_of(Cut)
   case Assertion::Kind::can_run: break;
   }
   return {};
+}
+
+std::string words_of(const Cut& cut, const Assertion& soft, const Model& model) {
+  const auto name = [&](GroupId group) { return fmt::format("`{}`", model.groups[group].name.value); };
+  const Use<GroupId>&from = soft.groups.front(), &to = soft.groups.back();
+  const GroupId taken{cut.group};
+  const std::vector<ProviderId>& providers = model.groups[from.id].providers;
+  const bool causes = std::any_of(providers.begin(), providers.end(),
+                                  [&](ProviderId provider) { return !model.providers[provider].causing.empty(); });
+  const bool is_edge = cut.edge < model.edges.size();
+  const std::optional<GroupId> holder = is_edge ? model.edges[EdgeId{cut.edge}].requester : std::nullopt;
+  std::string what = name(taken) + (taken == from.id ? " itself" : "");
+  if (taken != from.id && holder) what += fmt::format(", which {} holds", name(*holder));
+  if (cut.stops) what += fmt::format("{} {} stops", taken == from.id || !holder ? ", so that" : ", and", name(from.id));
+  const std::string since =
+      causes ? fmt::format("no provider of {} with `causing` ran since {} was requested", name(from.id), name(to.id))
+             : fmt::format("no provider of {} has `causing`", name(from.id));
+  return fmt::format("granting {} takes {}; {}", name(to.id), what, since);
 }
 
 Verdict by_search(const Ground& ground, std::size_t at, const Searched& searched, Follower& follower,
@@ -59,7 +74,11 @@ Verdict by_search(const Ground& ground, std::size_t at, const Searched& searched
   out.way = follower.follow(*searched.seen[at]);
   const std::optional<Blocked> blocked =
       assertion.kind == Assertion::Kind::beats ? follower.blocked(*searched.seen[at], at) : std::nullopt;
-  const std::string event = blocked ? words_of(*blocked, assertion, ground.model) : refuted_by(assertion, ground.model);
+  const std::optional<Cut> cut =
+      assertion.kind == Assertion::Kind::soft ? follower.cut(*searched.seen[at], at) : std::nullopt;
+  const std::string event = blocked ? words_of(*blocked, assertion, ground.model)
+                            : cut   ? words_of(*cut, assertion, ground.model)
+                                    : refuted_by(assertion, ground.model);
   ScenarioHead head;
   head.title = fmt::format("{}: {}", wanted ? "it runs" : "refuted", words_of(assertion, ground.model));
   head.doc = wanted ? "How it comes to run." : "In the last step " + event + ".";

@@ -40,7 +40,8 @@ Machine::Machine(const Ground& ground, Breadth breadth)
       engine_(ground.tables, memory_.state().data(), table(), inbox_),
       block_(director::State::decision_bytes(Shape::of(ground.tables))),
       hasher_(ground, engine_),
-      foresight_(ground, engine_, hasher_) {
+      foresight_(ground, engine_, hasher_),
+      unrequested_(ground.tables.edges.size()) {
   engine_.set_budget(1);
   engine_.step(0);
   read(now_);
@@ -89,13 +90,15 @@ void Machine::find_answers() {
 
 Outcome Machine::run(Run& run) {
   const FreeBody& body = ground_.bodies[run.provider()];
-  Action& action = actions_.emplace_back(answers_[choices_->pick(answers_.size())]);
+  answer_ = choices_->pick(answers_.size());
+  Action& action = actions_.emplace_back(answers_[answer_]);
   action.puts = choices_->pick(body.puts.size());
   for (const Put& put : body.puts[action.puts]) run.set(put.state, put.value);
   if (action.answer == Action::Answer::keep) return run.keep();
   if (action.answer == Action::Answer::done) return run.done();
-  for (const RequestedLevel& request : body.packs[action.pack])
-    run.request(request.edge, request.level, action.answer == Action::Answer::kept);
+  for (const RequestedLevel& request : body.packs[action.pack]) {
+    if (!unrequested_[request.edge]) run.request(request.edge, request.level, action.answer == Action::Answer::kept);
+  }
   return run.pack();
 }
 
@@ -175,7 +178,8 @@ const Foresight& Machine::look_ahead() {
   return foresight_;
 }
 
-void Machine::post(const Happens& happens) {
+/// False: nothing happens, since all requests of the input are left out.
+bool Machine::post(const Happens& happens) {
   using Kind = Happens::Kind;
   std::vector<Input>& records = records_;
   records.clear();
@@ -184,9 +188,10 @@ void Machine::post(const Happens& happens) {
     records.back().value = put.value;
   };
   switch (happens.kind) {
-  case Kind::go: return;
+  case Kind::go: return true;
   case Kind::request:
     for (const RequestedLevel& request : ground_.requests[happens.row]) {
+      if (unrequested_[request.edge]) continue;
       records.push_back(record(Input::Kind::request, request.edge));
       records.back().set_level(request.level);
     }
@@ -201,20 +206,39 @@ void Machine::post(const Happens& happens) {
   case Kind::breaks: records.push_back(record(Input::Kind::fire, ground_.broken[happens.row].trigger)); break;
   }
   for (std::size_t i = 0; i + 1 < records.size(); ++i) records[i].more = true;
-  inbox_.post(records);
+  if (!records.empty()) inbox_.post(records);
+  return !records.empty();
 }
 
 void Machine::take(const Happens& happens, ChoiceSequence& choices) {
   using Kind = Happens::Kind;
   choices_ = &choices;
+  taken_ = happens;
   actions_.clear();
   const bool handlers = engine_.memory().counters->staged_count != 0;
-  post(happens);
+  if (!post(happens)) return;
   const bool rests = engine_.step(0) == StepResult::quiescent;
   const bool outside = happens.kind == Kind::request || happens.kind == Kind::cancel || happens.kind == Kind::set ||
                        happens.kind == Kind::fire;
   const bool opens = happens.kind == Kind::go ? phase_ == Phase::open && handlers : outside;
   phase_ = rests ? Phase::rest : opens ? Phase::open : Phase::closed;
+}
+
+void Machine::repeat(const Machine& other, std::span<const Index> edges) {
+  loaded_ = other.loaded_;
+  loaded_phase_ = other.loaded_phase_;
+  answers_ = other.answers_;
+  again();
+  unrequested_.assign(ground_.tables.edges.size(), false);
+  for (const Index edge : edges) {
+    unrequested_[edge] = true;
+    engine_.memory().request[edge].level = nil;
+  }
+  ChoiceSequence same;
+  if (!other.actions_.empty() && other.actions_.front().kind == Action::Kind::run) // before all handlers
+    same.begin({other.answer_, other.actions_.front().puts});
+  take(other.taken_, same);
+  std::fill(unrequested_.begin(), unrequested_.end(), false);
 }
 
 } // namespace director::compiler

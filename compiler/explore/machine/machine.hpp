@@ -32,6 +32,9 @@ public:
   /// Takes one micro-step from the restored state; its bodies pick from `choices`. Their answers are in actions().
   void take(const Happens& happens, ChoiceSequence& choices);
   const std::vector<Action>& actions() const { return actions_; }
+  /// The last micro-step of another machine of the same Ground, from the state that it restored, without the requests
+  /// of these edges. Bodies answer as they did there; handlers do what is usual.
+  void repeat(const Machine& other, std::span<const Index> edges);
 
   StateHash hash() const { return hasher_.hash(phase_); }
   /// Resets what no decision depends on: the age of requests.
@@ -54,7 +57,7 @@ private:
   bool runs_next() const;
   bool takes_inputs() const;
   bool is_lean() const { return breadth_ != Breadth::all; }
-  void post(const Happens& happens);
+  bool post(const Happens& happens);
   void read(std::vector<std::uint64_t>& out) const;
   void write(const std::vector<std::uint64_t>& from);
   Bodies table();
@@ -73,8 +76,11 @@ private:
   std::vector<std::uint64_t> loaded_;
   Phase phase_ = Phase::rest, loaded_phase_ = Phase::rest;
   ChoiceSequence* choices_ = nullptr;
+  Happens taken_;          ///< the last one
+  std::size_t answer_ = 0; ///< of the body that ran in it, in answers_
   std::vector<Action> answers_, actions_;
   std::vector<Input> records_;
+  std::vector<bool> unrequested_; ///< edges of which requests are left out
   std::vector<Index> scratch_;
 };
 

@@ -87,4 +87,12 @@ std::optional<Blocked> Follower::blocked(const Way& way, std::size_t assertion) 
   return out;
 }
 
+std::optional<Cut> Follower::cut(const Way& way, std::size_t assertion) {
+  std::optional<Cut> out;
+  watch(way, assertion, [&](const Machine&, const Watch& watch, bool is_seen) {
+    out = is_seen ? std::optional(watch.cut) : std::nullopt;
+  });
+  return out;
+}
+
 } // namespace director::compiler

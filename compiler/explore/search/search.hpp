@@ -87,6 +87,8 @@ public:
   bool shows(const Way& way, std::size_t assertion);
   /// What blocks a task there: of a `beats` that is refuted.
   std::optional<Blocked> blocked(const Way& way, std::size_t assertion);
+  /// What is taken there: of a `soft` that is refuted.
+  std::optional<Cut> cut(const Way& way, std::size_t assertion);
   /// Micro-steps so far.
   std::size_t micro_steps() const { return micro_steps_; }
 

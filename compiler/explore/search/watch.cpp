@@ -65,8 +65,7 @@ Watch::Watch(const Ground& ground, const std::vector<std::size_t>& assertions)
 void Watch::before(const Machine& machine, std::uint64_t bits) {
   bits_ = bits;
   const Engine& engine = machine.engine();
-  for (Index g = 0; g < before_.size(); ++g)
-    before_[g] = {engine.holder(g), engine.active(g), engine.granted(g), engine.in_force(g)};
+  for (Index g = 0; g < before_.size(); ++g) before_[g] = {engine.holder(g), engine.active(g), engine.granted(g)};
 }
 
 std::uint64_t Watch::after(const Machine& machine, std::vector<std::size_t>& seen) {
@@ -156,117 +155,6 @@ bool is_apart(const Tables& t, Index edge) {
 
 } // namespace
 
-/// Whether the conditions of this provider let it go on, or begin. What handlers set in the same micro-step is staged,
-/// so the values are those by which was decided who holds what.
-bool Watch::may_go_on(Index provider, const Machine& machine) const {
-  const Tables& t = ground_.tables;
-  const director::Provider& row = t.providers[provider];
-  const bool was_active = before_[row.group].active == provider;
-  const auto own = t.list(row.causing);
-  const auto holds = [&](Index c) { return t.accepts(t.conditions[c], machine.engine().value(t.conditions[c].state)); };
-  const auto when = t.list(row.when), stay = t.list(row.stay);
-  const bool begins = std::all_of(when.begin(), when.end(), [&](Index c) {
-    const bool waived = was_active && before_[row.group].in_force &&
-                        std::find(own.begin(), own.end(), t.conditions[c].state) != own.end();
-    return waived || holds(c);
-  });
-  return begins || (was_active && !stay.empty() && std::all_of(stay.begin(), stay.end(), holds));
-}
-
-bool Watch::may_go_on_at_all(Index group, const Machine& machine) const {
-  const Range providers = ground_.tables.groups[group].providers;
-  for (Index p = providers.begin; p != providers.end; ++p) {
-    if (may_go_on(p, machine)) return true;
-  }
-  return false;
-}
-
-/// Whether a group that has not answered yet may still request this one, directly or over others; or could have, but
-/// that it lost its task, which nobody withdrew.
-bool Watch::has_heir(Index group, const Machine& machine) const {
-  const Engine& engine = machine.engine();
-  const Tables& t = ground_.tables;
-  std::vector<Index> above{group};
-  for (std::size_t i = 0; i < above.size(); ++i) {
-    for (const Index edge : t.list(t.groups[above[i]].requesters)) {
-      const Index requester = t.edges[edge].requester;
-      if (requester == nil || std::find(above.begin(), above.end(), requester) != above.end()) continue;
-      above.push_back(requester);
-      if (engine.granted(requester)) {
-        if (engine.memory().run_queue[requester].pending != 0) return true;
-        continue;
-      }
-      const Held& was = before_[requester];
-      if (!was.granted) continue;
-      const Index over = was.holder < t.edges.size() ? t.edges[was.holder].requester : requester;
-      const bool withdrawn = over == nil || (over != requester && engine.active(over) != nil);
-      if (!withdrawn || engine.state(was.holder) != RunState::none) return true;
-    }
-  }
-  return false;
-}
-
-/// Whether a group that limbo held would have stopped anyway: all have answered for whom it was kept, and its
-/// conditions are lost, or none of them requests it.
-bool Watch::is_left(Index group, const Machine& machine) const {
-  if (has_heir(group, machine)) return false;
-  if (!may_go_on_at_all(group, machine)) return true;
-  const Tables& t = ground_.tables;
-  const auto edges = t.list(t.groups[group].requesters);
-  return std::none_of(edges.begin(), edges.end(), [&](Index edge) {
-    const Index requester = t.edges[edge].requester;
-    return machine.engine().state(edge) != RunState::none &&
-           (requester == nil || machine.engine().active(requester) != nil);
-  });
-}
-
-/// Whether a group that stops does so without the help of others: it is requested no more, by a requester that goes
-/// on, or by the program; or its conditions are lost; or this is so of a group above it, with which it stops.
-bool Watch::ends_by_itself(Index group, const Machine& machine) const {
-  const Engine& engine = machine.engine();
-  const Tables& t = ground_.tables;
-  for (std::size_t steps = 0; group != nil && steps <= t.groups.size(); ++steps) {
-    const Index edge = before_[group].holder;
-    if (edge != nil && edge >= t.edges.size()) return is_left(group, machine);
-    if (edge == nil || !before_[group].granted) return false;
-    if (!may_go_on_at_all(group, machine)) return true;
-    if (engine.state(edge) != RunState::none) return false;
-    const Index requester = t.edges[edge].requester;
-    if (requester == nil || engine.active(requester) != nil) return true;
-    group = requester;
-  }
-  return false;
-}
-
-/// Whether all that a provider needs was held for it before, or for another one of its group.
-bool Watch::keeps_needs(Index provider, const Machine& machine, std::size_t depth) const {
-  const Tables& t = ground_.tables;
-  const auto needs = t.list(t.providers[provider].needs);
-  return depth <= t.groups.size() && std::all_of(needs.begin(), needs.end(), [&](Index need) {
-           const Index target = t.edges[need].target, active = machine.engine().active(target);
-           return before_[target].holder == need && active != nil && before_[target].active == active &&
-                  keeps_needs(active, machine, depth + 1);
-         });
-}
-
-/// Whether a group that goes on has let go of what it held by this edge: it requests it no more, and none of its
-/// providers that may run needs it. It prefers the one that is active to later ones, if nothing that others lost made
-/// that one possible.
-bool Watch::let_go(Index edge, const Machine& machine) const {
-  const Tables& t = ground_.tables;
-  const Index requester = t.edges[edge].requester;
-  if (machine.engine().active(requester) == nil || machine.engine().state(edge) != RunState::none) return false;
-  const Index active = machine.engine().active(requester);
-  const bool is_pushed = before_[requester].in_force || machine.engine().in_force(requester);
-  const bool prefers = !is_pushed && (active == before_[requester].active || keeps_needs(active, machine));
-  const Range providers = t.groups[requester].providers;
-  for (Index p = providers.begin; p != (prefers ? active + 1 : providers.end); ++p) {
-    const auto needs = t.list(t.providers[p].needs);
-    if (std::find(needs.begin(), needs.end(), edge) != needs.end() && may_go_on(p, machine)) return false;
-  }
-  return true;
-}
-
 /// Whether the target was held as a need of its requester. One that is not live, since it is a need itself, holds only
 /// such.
 bool Watch::was_needed(Index edge) const {
@@ -277,54 +165,99 @@ bool Watch::was_needed(Index edge) const {
   return std::find(needs.begin(), needs.end(), edge) != needs.end();
 }
 
-/// Whether the second one is granted, and thereby something is taken that the first one, live, held: a request or need
-/// of it; or something that a group above it held, so that it stops. Not if the first one continues to hold it through
-/// the second one, nor if it would have stopped, or let go of it, without the second one.
-bool Watch::hard_cut(const One& one, const Machine& machine) const {
-  const Engine& engine = machine.engine();
+/// The groups that the second one's side got in this micro-step, and the first one, live, held until then: by a request
+/// or need of its own or, if it stops, of a group above it. Not if it continues to hold them through the second one.
+std::vector<Index> Watch::passed_on(Index from, Index to, const Engine& engine) const {
   const Tables& t = ground_.tables;
-  const Index from = one.groups.front(), to = one.groups.back();
-  if (!engine.granted(to) || before_[to].granted || before_[from].active == nil) return false;
   const bool stops = engine.active(from) == nil;
-  if (stops && ends_by_itself(from, machine)) return false;
-  // It, and what it was requested for: not if that goes on and requests it no more.
   std::vector<bool> holders(t.groups.size(), false);
   for (Index at = from; at != nil && !holders[at];) {
     holders[at] = true;
     const Index edge = before_[at].holder;
-    const Index above = stops && edge < t.edges.size() ? t.edges[edge].requester : nil;
-    at = above == nil || engine.active(above) == nil || engine.state(edge) != RunState::none ? above : nil;
+    at = stops && edge < t.edges.size() ? t.edges[edge].requester : nil;
   }
-  // A member that lost its conditions ended by itself, if its requester goes on; otherwise that might have been kept.
-  const auto was_stopped = [&](Index edge, Index requester) {
+  const auto stopped = [&](Index edge) {
     const Index member = t.edges[edge].target;
-    if (engine.active(member) != nil) return false;
-    const Range levels = t.edges[edge].levels; // none: a need that is never live
-    if (levels.begin == levels.end && engine.holder(member) == edge) return false;
-    return engine.active(requester) == nil || may_go_on_at_all(member, machine);
+    const bool is_never_live = t.edges[edge].levels.empty() && engine.holder(member) == edge;
+    return engine.active(member) == nil && !is_never_live;
   };
-  // Whether one of these had it: by need or request, or by a member of its unit, which has it by needs.
+  // By need or request, or by a member of its unit, which has it by needs.
   const auto was_theirs = [&](Index edge) {
     for (std::size_t steps = 0; edge < t.edges.size() && steps <= t.groups.size(); ++steps) {
       const Index requester = t.edges[edge].requester;
       if (requester == nil) return false;
       const bool is_need = was_needed(edge);
-      if (holders[requester]) {
-        if (steps > 0 && ((!is_need && is_apart(t, edge)) || !was_stopped(edge, requester))) return false;
-        return !let_go(edge, machine);
-      }
+      if (holders[requester]) return steps == 0 || ((is_need || !is_apart(t, edge)) && stopped(edge));
       if (steps > 0 && !is_need) return false;
       edge = before_[requester].holder;
     }
     return false;
   };
+  std::vector<Index> out;
   for (Index g = 0; g < t.groups.size(); ++g) {
     const Index was = before_[g].holder, is = engine.holder(g);
-    if (is == was || is >= t.edges.size() || !was_theirs(was)) continue;
-    if ((g == to || under(engine, is, to)) && !under(engine, is, from)) return true;
+    if (is == was || is >= t.edges.size() || under(engine, is, from) || !(g == to || under(engine, is, to))) continue;
+    if (was_theirs(was) || (g == from && stops)) out.push_back(g);
   }
-  const Index is = engine.holder(from);
-  return before_[from].holder != is && is < t.edges.size() && under(engine, is, to) && stops;
+  return out;
+}
+
+namespace {
+
+/// Whether limbo keeps what the edge leads to for a group that lost its condition: a member of a task that goes on.
+bool is_let_go_of(Index edge, Index task, const Engine& engine) {
+  const Tables& t = engine.tables();
+  Index top = nil;
+  for (std::size_t steps = 0; edge < t.edges.size() && steps <= t.groups.size(); ++steps) {
+    top = t.edges[edge].requester;
+    if (top == nil || top == task) return false;
+    edge = engine.holder(top);
+  }
+  if (top == nil || edge == nil) return false;
+  const auto requests = t.list(t.groups[top].requesters);
+  return std::any_of(requests.begin(), requests.end(), [&](Index request) {
+    return engine.state(request) == RunState::queued && engine.queued(request).why == Why::waiting;
+  });
+}
+
+} // namespace
+
+/// Whether the second one is granted, and takes something that the first one would have kept.
+bool Watch::hard_cut(const One& one, const Machine& machine) {
+  const Engine& engine = machine.engine();
+  const Index from = one.groups.front(), to = one.groups.back();
+  if (!engine.granted(to) || before_[to].granted || before_[from].active == nil) return false;
+  const std::vector<Index> passed = passed_on(from, to, engine);
+  const std::optional<Index> taken = passed.empty() ? std::nullopt : kept_without(to, from, passed, machine);
+  if (taken) cut = {*taken, before_[*taken].holder, engine.active(from) == nil};
+  return taken.has_value();
+}
+
+/// The first of these groups that keeps its holder if the micro-step is taken again without the request by which the
+/// second one is granted, and without those of others that take it instead. The first one has to go on then.
+std::optional<Index> Watch::kept_without(Index to, Index from, const std::vector<Index>& groups,
+                                         const Machine& machine) {
+  const Tables& t = ground_.tables;
+  if (!again_) again_ = std::make_unique<Machine>(ground_, Breadth::all);
+  std::vector<Index> left_out{machine.engine().holder(to)};
+  for (std::size_t tried = 0; tried < left_out.size();) {
+    tried = left_out.size();
+    again_->repeat(machine, left_out);
+    const Engine& engine = again_->engine();
+    if (engine.active(from) == nil) return {};
+    for (const Index g : groups) {
+      Index is = engine.holder(g);
+      if (is == before_[g].holder || under(engine, is, from)) {
+        if (!is_let_go_of(is, from, engine)) return g;
+        continue;
+      }
+      while (is < t.edges.size() && engine.state(is) == RunState::none) // a need
+        is = engine.holder(t.edges[is].requester);
+      if (is < t.edges.size() && std::find(left_out.begin(), left_out.end(), is) == left_out.end())
+        left_out.push_back(is);
+    }
+  }
+  return {};
 }
 
 void Watch::note(const Machine& machine) {

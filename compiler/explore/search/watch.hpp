@@ -6,6 +6,8 @@
 #include "compiler/explore/machine/machine.hpp"
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace director::compiler {
@@ -28,6 +30,13 @@ void unite(std::vector<bool>& all, const std::vector<bool>& more);
 /// in further searches.
 inline constexpr std::size_t most_soft = 32;
 
+/// What a group that is granted takes from another one, or from what that one holds or is requested by.
+struct Cut {
+  Index group = nil;  ///< that is taken
+  Index edge = nil;   ///< that held it
+  bool stops = false; ///< the other one stops
+};
+
 class Watch {
 public:
   /// `assertions`: of the Model, those to check; at most `most_soft` of them are of the kind `soft`.
@@ -48,6 +57,8 @@ public:
   std::vector<bool> doubted;
   /// Of a refuted `beats`, the last one seen: the request that is blocked.
   Index blocked_request = nil;
+  /// Of a refuted `soft`, the last one seen.
+  Cut cut;
 
 private:
   struct One {
@@ -58,19 +69,14 @@ private:
   };
   struct Held {
     Index holder = nil, active = nil;
-    bool granted = false, in_force = false;
+    bool granted = false;
   };
   bool together(const One& one, const Machine& machine) const;
   bool blocked(const One& one, const Machine& machine);
-  bool hard_cut(const One& one, const Machine& machine) const;
-  bool ends_by_itself(Index group, const Machine& machine) const;
-  bool let_go(Index edge, const Machine& machine) const;
-  bool may_go_on(Index provider, const Machine& machine) const;
-  bool may_go_on_at_all(Index group, const Machine& machine) const;
-  bool has_heir(Index group, const Machine& machine) const;
+  bool hard_cut(const One& one, const Machine& machine);
+  std::vector<Index> passed_on(Index from, Index to, const Engine& engine) const;
+  std::optional<Index> kept_without(Index to, Index from, const std::vector<Index>& groups, const Machine& machine);
   bool was_needed(Index edge) const;
-  bool is_left(Index group, const Machine& machine) const;
-  bool keeps_needs(Index provider, const Machine& machine, std::size_t depth = 0) const;
   std::uint64_t remember(const One& one, const Machine& machine, std::uint64_t bits) const;
   bool requested(Index group, const Machine& machine) const;
   bool keeps_promise(Index provider, const Put& put) const;
@@ -83,6 +89,7 @@ private:
   std::vector<Held> before_;   ///< of groups, before the micro-step
   std::vector<Index> waiting_; ///< edges whose target was never granted for them yet
   std::uint64_t bits_ = 0;
+  std::unique_ptr<Machine> again_; ///< for micro-steps as they would have been without a group
 };
 
 /// Whether `group` holds, or is held for, something that `edge` leads to: it is in the chain of the edge's holders.
