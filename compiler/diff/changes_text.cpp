@@ -43,7 +43,8 @@ std::string changes_text(const std::vector<BehaviourChange>& changes, const Brea
   return out + "\n";
 }
 
-Json changes_json(const std::vector<BehaviourChange>& changes, const Breaking& breaking, const dsl::Sources& sources) {
+Json changes_json(const std::vector<BehaviourChange>& changes, bool compared, const Breaking& breaking,
+                  const dsl::Sources& sources) {
   Json list = Json::list({});
   bool any = false;
   for (const BehaviourChange& change : changes) {
@@ -58,7 +59,7 @@ Json changes_json(const std::vector<BehaviourChange>& changes, const Breaking& b
     any = any || breaking.has(change);
     list.add(std::move(one));
   }
-  Json out = Json::object({{"breaking", Json::boolean(any)}});
+  Json out = Json::object({{"breaking", Json::boolean(any)}, {"compared", Json::boolean(compared)}});
   out.add("changes", std::move(list));
   return out;
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Compares what the checks find on each side. Findings are equal if their check and their text are, whatever form the
-// conditions in it have; of those that say "never", the text before the reason. If nothing else has changed, the check
-// is enough, as the text may name another one of two.
+// conditions in it have; those that say "never", if they say it of the same thing, for whatever reason. If nothing else
+// has changed, the check is enough, as the text may name another one of two.
 #include "compiler/diff/meaning.hpp"
 #include "compiler/diff/side.hpp"
 
@@ -39,9 +39,11 @@ public:
 
   std::string of(const Finding& finding) const {
     if (by_check_) return finding.id;
-    std::string_view text = finding.message;
-    if (reports_never(finding)) text = text.substr(0, text.find(": "));
-    return finding.id + ": " + without_forms(text);
+    if (!reports_never(finding)) return finding.id + ": " + without_forms(finding.message);
+    std::string what = without_forms(std::string_view(finding.message).substr(0, finding.message.find(": ")));
+    constexpr std::string_view verb = " can never run";
+    if (const std::size_t at = what.find(verb); at != std::string::npos) what.replace(at, verb.size(), " never runs");
+    return "never: " + what;
   }
 
 private:
@@ -71,15 +73,32 @@ std::map<std::string, std::vector<const Finding*>> sorted(const std::vector<Find
   return out;
 }
 
-/// For each kind of finding, as many of the first as there are more than in the second.
+/// For each kind of finding, as many of the first as there are more than in the second; of those that say "never", one
+/// is as good as several.
 std::vector<const Finding*> more_than(const std::map<std::string, std::vector<const Finding*>>& first,
                                       const std::map<std::string, std::vector<const Finding*>>& second) {
   std::vector<const Finding*> out;
   for (const auto& [key, all] : first) {
     const auto at = second.find(key);
+    if (at != second.end() && reports_never(*all.front())) continue;
     for (std::size_t i = at == second.end() ? 0 : at->second.size(); i < all.size(); ++i) out.push_back(all[i]);
   }
   return out;
+}
+
+/// Whether the provider that a finding names first can never run, or its group is never requested, on a side of which
+/// the facts are known.
+bool is_dead(const Finding& finding, const Model& model, const Possible& possible) {
+  const std::string_view text = finding.message;
+  const std::size_t begin = text.find('`') + 1, end = text.find('`', begin);
+  if (begin == 0 || end == std::string_view::npos) return false;
+  const std::string_view name = text.substr(begin, end - begin);
+  const analysis::Facts& facts = possible.facts();
+  if (const std::optional<GroupId> group = model.find_group(std::string(name)))
+    return !facts.requested.contains(*group);
+  const auto providers = model.providers.ids();
+  return std::any_of(providers.begin(), providers.end(),
+                     [&](ProviderId id) { return model.full_name(id) == name && !facts.active.contains(id); });
 }
 
 } // namespace
@@ -90,13 +109,15 @@ void compare_findings(const Pair& pair, bool alike, Changes& changes) {
   const auto was_allowed = sorted(pair.before.allowed, old_keys), is_allowed = sorted(pair.after.allowed, new_keys);
   for (const Finding* each : more_than(is, was)) {
     const bool known = was_allowed.contains(new_keys.of(*each));
-    changes.add(reports_never(*each) && !known ? ChangeKind::became_dead : ChangeKind::finding_new, each->id,
+    const bool dies = reports_never(*each) && !known && !is_dead(*each, pair.old_model, pair.possible_before);
+    changes.add(dies ? ChangeKind::became_dead : ChangeKind::finding_new, each->id,
                 fmt::format("{} is {}: {}", name_of(each->level), known ? "no longer allowed" : "new", each->message),
                 {}, each->span);
   }
   for (const Finding* each : more_than(was, is)) {
     const bool known = is_allowed.contains(old_keys.of(*each));
-    changes.add(reports_never(*each) && !known ? ChangeKind::became_reachable : ChangeKind::finding_gone, each->id,
+    const bool revives = reports_never(*each) && !known && !is_dead(*each, pair.new_model, pair.possible_after);
+    changes.add(revives ? ChangeKind::became_reachable : ChangeKind::finding_gone, each->id,
                 fmt::format("{} is {}: {}", name_of(each->level), known ? "allowed now" : "gone", each->message),
                 each->span, {});
   }

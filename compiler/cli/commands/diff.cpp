@@ -75,10 +75,10 @@ bool have_same_text(const dsl::Sources& sources, std::size_t first_half) {
       [](const dsl::SourceFile& before, const dsl::SourceFile& after) { return before.text() == after.text(); });
 }
 
-void print(const std::vector<BehaviourChange>& changes, const Diff& request, const dsl::Sources& sources,
+void print(const std::vector<BehaviourChange>& changes, bool compared, const Diff& request, const dsl::Sources& sources,
            Console& console) {
   switch (request.format) {
-  case Format::json: console.out << to_lines(changes_json(changes, request.breaking, sources)); return;
+  case Format::json: console.out << to_lines(changes_json(changes, compared, request.breaking, sources)); return;
   case Format::sarif: console.out << to_lines(changes_sarif(changes, request.breaking, sources)); return;
   default: console.out << dsl::harmless_lines(changes_text(changes, request.breaking, sources)); return;
   }
@@ -92,7 +92,7 @@ int run(const Diff& request, Console& console) {
     if (request.format == Format::text)
       console.out << dsl::harmless_lines(text);
     else
-      print({}, request, sources, console);
+      print({}, true, request, sources, console);
     return clean;
   }
   LostFile lost_before, lost_after;
@@ -116,7 +116,7 @@ int run(const Diff& request, Console& console) {
   }
   TransitionsPlayed transitions;
   const std::vector<BehaviourChange> changes = find_changes(*before, *after, &transitions);
-  print(changes, request, sources, console);
+  print(changes, before->resolved && after->resolved, request, sources, console);
   if (transitions.played < transitions.wanted)
     print_message(console,
                   fmt::format("directorc: not compared: {} of {} transitions between groups that may have changed; "

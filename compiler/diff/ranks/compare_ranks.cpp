@@ -271,7 +271,7 @@ private:
                              requester_name(pair_.new_model, edge.requester), target(edge), rank_text(edge),
                              rank_text(*old),
                              pair_.new_model.deployment && pair_.old_model.deployment
-                                 ? "is as before"
+                                 ? "is as before, but their bodies run by priority where they are granted at once"
                                  : "is compared only in a behaviour with `roots`"),
                  old->span, edge.span);
   }

@@ -163,6 +163,28 @@ TEST_CASE("two tasks change ranks: the one gains what the other loses") {
       "transition_changed: from `Walk` to `Kick`: waits now, before hard\n");
 }
 
+TEST_CASE("what never runs on either side is not reported, whatever keeps it from running") {
+  const auto robot = [](const std::string& door) {
+    return "states: {Door: {values: [shut, open], initial: shut" + door +
+           "}}\nroots: [Pass]\ngroups:\n  Pass: {when: [Door == shut], packs: {go: [Walk]}}\n"
+           "  Walk: {providers: [{name: through, when: [Door == open], sets: [Door]}, {name: around}]}\n";
+  };
+  for (const std::string& text :
+       {told(robot(""), robot(", external: true")), told(robot(", external: true"), robot(""))}) {
+    CHECK(text.find("became_") == std::string::npos);
+    CHECK(text.find("never run") == std::string::npos);
+  }
+  const auto providers = [](const std::string& light) {
+    return "states: {Light: {values: [dark, bright], initial: dark" + light +
+           "}}\nroots: [Look]\ngroups:\n  Look: {providers: [{name: a, when: [Light == bright]}, "
+           "{name: b, when: [Light == bright]}, {name: c}]}\n";
+  };
+  const std::string text = told(providers(", external: true"), providers(""));
+  INFO(text);
+  CHECK(text.find("became_dead: `Look.a` can never run any more\n") != std::string::npos);
+  CHECK(text.find("became_reachable") == std::string::npos);
+}
+
 TEST_CASE("transitions of a group that is no longer made to run, and of which that is not proven") {
   const auto robot = [](const std::string& walk, const std::string& kick) {
     return "roots: [Play, Rest, Wave]\ngroups:\n  Play: {packs: {go: {Walk: {priority: " + walk +
@@ -216,7 +238,7 @@ TEST_CASE("another number that changes no rank is reported as that: what could t
   CHECK(told(std::string("roots: {Walk: {priority: 10}, Kick: {priority: 20}}\n") + plain,
              std::string("roots: {Walk: {priority: 10}, Kick: {priority: 30}}\n") + plain) ==
         "priority: the program requests `Kick` with priority 30, before with priority 20; what each can take from the "
-        "others is as before\n");
+        "others is as before, but their bodies run by priority where they are granted at once\n");
 }
 
 TEST_CASE("a task that leads to one more group can take that group too") {
@@ -242,7 +264,8 @@ TEST_CASE("at one of several levels a task can take what it could not") {
             .starts_with("takeover_lost: `Drive` can take `Legs` from `Search` in fewer cases now: the program "
                          "requests it with priority 10, before with priority 15\n"));
   CHECK(told(robot("12"), robot("15")) == "priority: the program requests `Drive` with priority 15, before with "
-                                          "priority 12; what each can take from the others is as before\n");
+                                          "priority 12; what each can take from the others is as before, but their "
+                                          "bodies run by priority where they are granted at once\n");
 }
 
 TEST_CASE("levels that changed places are named, and so is a group that can never run any more") {
@@ -330,7 +353,8 @@ TEST_CASE("a member of a unit goes forward with it") {
                          "takeover_lost: `Grip` can no longer take `Hand` from `Look`: `Play` requests `Lift`, which "
                          "may be granted together with `Grip`, with priority 20, before with priority 50\n"));
   CHECK(told(robot("50"), robot("40")) == "priority: `Play` requests `Lift` with priority 40, before with priority 50; "
-                                          "what each can take from the others is as before\n");
+                                          "what each can take from the others is as before, but their bodies run by "
+                                          "priority where they are granted at once\n");
 }
 
 TEST_CASE("tasks that are never requested at once are compared while control passes") {
@@ -344,7 +368,8 @@ TEST_CASE("tasks that are never requested at once are compared while control pas
         "takeover_lost: `Walk` can take `Legs` from `Kick` in fewer cases now, while control passes: `Play` requests "
         "`Kick` with priority 30, before with priority 10\n");
   CHECK(told(robot("30"), robot("40")) == "priority: `Play` requests `Kick` with priority 40, before with priority 30; "
-                                          "what each can take from the others is as before\n");
+                                          "what each can take from the others is as before, but their bodies run by "
+                                          "priority where they are granted at once\n");
 }
 
 TEST_CASE("what a request marked keep keeps is reported") {
@@ -357,14 +382,15 @@ TEST_CASE("what a request marked keep keeps is reported") {
         "levels: `Look` is requested with priority 10 and 20, before with priority 10: marked *keep*, a request by "
         "`Watch` in pack `near` no longer keeps what was requested by `Watch` in pack `far`, as their levels differ\n"
         "priority: `Watch` requests `Look` with priority 10 and 20, before with priority 10; what each can take from "
-        "the others is as before\n");
+        "the others is as before, but their bodies run by priority where they are granted at once\n");
   CHECK(told(robot("20"), robot("10")) ==
         "levels: `Look` is requested with priority 10, before with priority 10 and 20: marked *keep*, a request by "
         "`Watch` in pack `near` now keeps what was requested by `Watch` in pack `far`, as their levels are the same\n"
         "priority: `Watch` requests `Look` with priority 10, before with priority 10 and 20; what each can take from "
-        "the others is as before\n");
+        "the others is as before, but their bodies run by priority where they are granted at once\n");
   CHECK(told(robot("20"), robot("30")) == "priority: `Watch` requests `Look` with priority 10 and 30, before with "
-                                          "priority 10 and 20; what each can take from the others is as before\n");
+                                          "priority 10 and 20; what each can take from the others is as before, but "
+                                          "their bodies run by priority where they are granted at once\n");
 }
 
 TEST_CASE("one more pack or level changes no priority") {

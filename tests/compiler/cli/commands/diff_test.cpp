@@ -100,7 +100,7 @@ TEST_CASE("diff: JSON has kind, subject, places and what breaks") {
   const auto json = compiler::parse_json(w.out);
   REQUIRE(json);
   CHECK(compiler::to_line(*json) ==
-        "{\"breaking\":true,\"changes\":[{\"kind\":\"needs_added\",\"subject\":\"Walk\",\"message\":\"`Walk` now needs "
+        "{\"breaking\":true,\"compared\":true,\"changes\":[{\"kind\":\"needs_added\",\"subject\":\"Walk\",\"message\":\"`Walk` now needs "
         "`Legs`\",\"breaking\":true,\"breaks_code\":false,\"before\":{\"file\":\"old.yaml\",\"line\":4,\"column\":10},"
         "\"after\":{\"file\":\"new.yaml\",\"line\":5,\"column\":18}}]}");
 }
