@@ -312,10 +312,11 @@ private:
       if ((!each.carries && !realtime) || !reported.insert(each.what).second) continue;
       const dsl::SourceFile& file = sources_[each.span.file];
       const dsl::Place place = file.place(each.span.begin);
-      out_.not_decided.push_back(fmt::format("{}: nobody can see {}: {}:{}:{}: {}",
-                                             analysis::name_of(checked_.model, body.of),
-                                             each.carries ? "what else it may request" : "whether it blocks",
-                                             file.path(), place.line, place.column, each.what));
+      std::string line = fmt::format("{}: nobody can see {}: {}:{}:{}: {}", analysis::name_of(checked_.model, body.of),
+                                     each.carries ? "what else it may request" : "whether it blocks", file.path(),
+                                     place.line, place.column, each.what);
+      std::vector<std::string>& all = out_.not_decided; // instances of a template say the same
+      if (std::find(all.begin(), all.end(), line) == all.end()) all.push_back(std::move(line));
     }
   }
 

@@ -375,6 +375,10 @@ private:
           name_of(model_, causer), name_of(model_, need.id), name_of(model_, pushed), name_of(model_, part));
       return;
     }
+    if (may_push(holder.group, pushed)) { // before it, that one would no longer push
+      finding.help = fmt::format("let {} do without {}", name_of(model_, causer), name_of(model_, need.id));
+      return;
+    }
     finding.help =
         one_side || equal
             ? fmt::format("let {} do without {}, or {} go after {}, and that still after {}", name_of(model_, causer),
@@ -390,8 +394,13 @@ private:
     GroupId need{};
   };
 
-  /// Another order would only turn the two round then. First the one by which it holds the part, if that is pushed.
-  std::optional<Turned> find_turned(const Holder& holder, GroupId part) {
+  /// Whether a task waits for what a provider of the other group causes.
+  bool may_push(GroupId task, GroupId group) {
+    const auto& all = pushes_of(group);
+    return std::any_of(all.begin(), all.end(), [&](const auto& push) { return push.second == task; });
+  }
+
+  const std::set<std::pair<ProviderId, GroupId>>& pushes_of(GroupId group) {
     if (pushes_of_.empty()) {
       pushes_of_.resize(model_.groups.size());
       for (const Wanting& wanting : shared_.wants()) {
@@ -401,8 +410,13 @@ private:
         }
       }
     }
+    return pushes_of_[group.value];
+  }
+
+  /// Another order would only turn the two round then. First the one by which it holds the part, if that is pushed.
+  std::optional<Turned> find_turned(const Holder& holder, GroupId part) {
     std::optional<Turned> out;
-    for (const auto& [id, task] : pushes_of_[holder.group.value]) {
+    for (const auto& [id, task] : pushes_of(holder.group)) {
       if (out && id != holder.provider) continue;
       for (const Use<GroupId>& need : model_.providers[id].needs) {
         const auto& parts = shared_.indispensable().of(need.id);

@@ -53,18 +53,22 @@ bool may_serve_need(const Model& model, const Facts& facts, ProviderId id) {
   return std::none_of(all.begin(), end, [&](ProviderId earlier) { return can_always_replace(model, earlier, id); });
 }
 
-/// Whether a condition of another group would never hold without what this provider sets.
+/// Whether a condition of another group would never hold without what this provider sets, or not again once others have
+/// set the state.
 bool is_only_source(const Model& model, ProviderId id) {
   const Provider& provider = model.providers[id];
-  if (provider.sets.empty()) return false;
+  if (provider.sets.empty() && provider.causing.empty()) return false;
   const auto sources = find_sources(model);
   const auto is_own = [&](const Source& source) { return source.provider == id; };
   const auto waits_for_it = [&](const ConditionUse& use) {
     const Condition& condition = model.conditions[use.id];
     std::vector<Source> giving;
+    bool is_lost = false;
     for (const Source& each : sources[condition.state]) {
       if (!each.values.intersected(condition.accepts).empty()) giving.push_back(each);
+      is_lost = is_lost || !each.values.without(condition.accepts).empty();
     }
+    if (is_lost) std::erase_if(giving, [](const Source& each) { return each.kind == Source::Kind::initial; });
     return !giving.empty() && std::all_of(giving.begin(), giving.end(), is_own);
   };
   return std::any_of(model.providers.begin(), model.providers.end(), [&](const Provider& waiter) {
