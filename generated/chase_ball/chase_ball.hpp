@@ -84,8 +84,9 @@ protected:
 
 namespace detail {
 struct Bodies;
-/// Which behaviour is constructed: two different ones of one namespace cannot be linked into one program.
-struct chase_ball_behaviour_a7a083bb388b382b {};
+/// Which behaviour is constructed: two different ones of one namespace cannot be linked into one program, nor files of
+/// which some are compiled with DIRECTOR_SMALL_INDEX.
+inline namespace DIRECTOR_INDEX_NAMESPACE { struct chase_ball_behaviour_a7a083bb388b382b {}; }
 } // namespace detail
 
 /// The smallest useful behaviour. A cart turns until it sees the ball, and drives to it. (chase_ball.yaml:2)

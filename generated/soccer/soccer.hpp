@@ -803,8 +803,9 @@ protected:
 
 namespace detail {
 struct Bodies;
-/// Which behaviour is constructed: two different ones of one namespace cannot be linked into one program.
-struct soccer_behaviour_8a339dba0cd58979 {};
+/// Which behaviour is constructed: two different ones of one namespace cannot be linked into one program, nor files of
+/// which some are compiled with DIRECTOR_SMALL_INDEX.
+inline namespace DIRECTOR_INDEX_NAMESPACE { struct soccer_behaviour_8a339dba0cd58979 {}; }
 } // namespace detail
 
 /// A striker that walks to the ball, stops softly, kicks, falls, gets up and plays on. (soccer.yaml:2)

@@ -72,9 +72,9 @@ Code behaviour_part(const CppEmission& e) {
   // The symbol of the constructor has this name in it, so a linker that has another behaviour's objects opens these
   // too.
   const std::string tag = constructor_tag(e);
-  code.comment(
-      "Which behaviour is constructed: two different ones of one namespace cannot be linked into one program.");
-  code.line(fmt::format("struct {} {{}};", tag));
+  code.comment("Which behaviour is constructed: two different ones of one namespace cannot be linked into one program, "
+               "nor files of which some are compiled with DIRECTOR_SMALL_INDEX.");
+  code.line(fmt::format("inline namespace DIRECTOR_INDEX_NAMESPACE {{ struct {} {{}}; }}", tag));
   code.line("} // namespace detail");
   code.blank();
   document(code, e, e.model.doc, e.model.name_span);

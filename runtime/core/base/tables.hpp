@@ -10,10 +10,14 @@
 
 namespace director {
 
+// A namespace of what a program and the runtime share, named for the size of an Index: if they differ in it, they are
+// not linked.
 #ifdef DIRECTOR_SMALL_INDEX
 using Index = std::uint16_t; ///< for small targets: up to 65,534 rows a table
+#define DIRECTOR_INDEX_NAMESPACE with_DIRECTOR_SMALL_INDEX
 #else
 using Index = std::uint32_t;
+#define DIRECTOR_INDEX_NAMESPACE without_DIRECTOR_SMALL_INDEX
 #endif
 
 /// A row number in a table: no microcontroller has room for more. In registers and in State an Index takes less code.
@@ -159,6 +163,8 @@ struct Trigger {
   Range listeners{}; ///< lists: providers
 };
 
+inline namespace DIRECTOR_INDEX_NAMESPACE {
+
 struct Tables {
   std::span<const Group> groups;
   std::span<const Provider> providers;
@@ -187,5 +193,7 @@ struct Tables {
 
   constexpr std::span<const TableIndex> list(Range range) const { return {lists.data() + range.begin, range.size()}; }
 };
+
+} // namespace DIRECTOR_INDEX_NAMESPACE
 
 } // namespace director
