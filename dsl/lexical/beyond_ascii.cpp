@@ -23,4 +23,11 @@ std::string first_beyond_ascii(std::string_view text) {
   return "";
 }
 
+std::string help_for_look_alike(std::string_view text) {
+  if (text.find("\xC2\xA0") != std::string_view::npos)
+    return "it has no-break spaces in it: write blanks in their place";
+  if (text.find("\xEF\xBC\x9A") != std::string_view::npos) return "it has a full-width colon in it: write `: `";
+  return "";
+}
+
 } // namespace director::dsl

@@ -109,6 +109,8 @@ void Reader::error(std::string id, Span span, std::string message, std::string h
 
 void Reader::unexpected(const YamlNode& node, std::string_view subject, std::string_view expected, std::string help) {
   if (node.kind == YamlNode::Kind::broken) return;
+  const bool is_plain = node.kind == YamlNode::Kind::scalar && !node.quoted();
+  if (std::string odd = is_plain ? help_for_look_alike(node.text) : ""; !odd.empty()) help = std::move(odd);
   error("wrong_node_kind", node.span, fmt::format("`{}`: expected {}, found {}", subject, expected, found(node)),
         std::move(help));
 }
@@ -154,8 +156,8 @@ void Reader::know_keys(const YamlNode& mapping, std::string_view thing, const Ke
       error("unknown_key", pair.key.span, message, *help);
       continue;
     }
-    if (key.find("\xC2\xA0") != std::string::npos) {
-      error("unknown_key", pair.key.span, message, "it has no-break spaces in it: write blanks in their place");
+    if (std::string odd = help_for_look_alike(key); !odd.empty()) {
+      error("unknown_key", pair.key.span, message, std::move(odd));
       continue;
     }
     if (const std::string odd = first_beyond_ascii(key); !odd.empty()) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/model/resolve/no_such_value.hpp"
 
+#include "dsl/lexical/beyond_ascii.hpp"
 #include "dsl/lexical/suggest.hpp"
 #include "dsl/reading/reader.hpp"
 #include "dsl/source/shortened.hpp"
@@ -28,6 +29,7 @@ dsl::Diagnostic no_such_value(const State& state, const Word& value, std::size_t
     if (dsl::is_slip(state.values.size(), findings)) nearest = dsl::suggest(value.value, state.values.words());
     out.help = nearest ? fmt::format("did you mean `{}`?", *nearest) : "write one of them, or add it to the `values`";
   }
+  if (std::string odd = dsl::help_for_look_alike(value.value); !odd.empty()) out.help = std::move(odd);
   return out;
 }
 

@@ -16,3 +16,9 @@ TEST_CASE("the first character beyond ASCII is named by its number") {
   CHECK(first_beyond_ascii("\xF0\x9F\xA4\x96") == "U+1F916");
   CHECK(first_beyond_ascii("A\x80") == "\\x80");
 }
+
+TEST_CASE("what looks like a blank or a colon is named with what to write") {
+  CHECK(help_for_look_alike("10 ms: \xD0\x90").empty());
+  CHECK(help_for_look_alike("10\xC2\xA0ms") == "it has no-break spaces in it: write blanks in their place");
+  CHECK(help_for_look_alike("A\xEF\xBC\x9A{}") == "it has a full-width colon in it: write `: `");
+}

@@ -90,6 +90,14 @@ TEST_CASE("What is wrong at the top of a file is reported at its place") {
                "behaviour: a\nlanguage: 1\n\xC2\xA0groups: {}\n",
                "3:1 `\xC2\xA0groups` unknown_key: a behaviour file has no key `\xC2\xA0groups` (it has no-break spaces "
                "in it: write blanks in their place)\n"},
+           Case{"behaviour: a\nlanguage: 1\ngroups:\n  A: {every: 10\xC2\xA0ms}\n",
+                "4:14 `10\xC2\xA0ms` wrong_node_kind: `every`: expected a duration such as 10 ms, found `10\xC2\xA0ms` "
+                "(it "
+                "has no-break spaces in it: write blanks in their place)\n"},
+           Case{
+               "behaviour: a\nlanguage: 1\ngroups:\n  A\xEF\xBC\x9A{}\n",
+               "4:3 `A\xEF\xBC\x9A{}` wrong_node_kind: `groups`: expected a mapping, found `A\xEF\xBC\x9A{}` (it has a "
+               "full-width colon in it: write `: `)\n"},
            Case{"behaviour: a\nlanguage: 1\ngroups\xE2\x80\x8B: {}\n",
                 "3:1 `groups\xE2\x80\x8B` unknown_key: a behaviour file has no key `groups\xE2\x80\x8B` (it has "
                 "U+200B in it, which no key has)\n"},
