@@ -76,7 +76,7 @@ void Recording::add(Time time, std::string shape) {
   if (events_ == 0) begins_ = now_ = time;
   const Time before = now_;
   now_ = std::max(now_, time);
-  put(static_cast<std::uint64_t>(now_ - before), times_);
+  put(static_cast<std::uint64_t>(now_) - static_cast<std::uint64_t>(before), times_);
   const auto [at, is_new] = shape_of_.try_emplace(shape, shapes_.size());
   if (is_new) shapes_.push_back(std::move(shape));
   put(at->second, places_);
