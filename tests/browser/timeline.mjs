@@ -505,9 +505,9 @@ await situation('in a recording that begins in the middle nothing is known until
   assert.ok((await lines(page, 'Runs')).length > 2);
 });
 
-await situation('a request for a task that runs for another is in the words too', 'eyes', {}, async (page) => {
+await situation('a request for a task that runs for another is in the words too, not what blocks it: that may be something else', 'eyes', {}, async (page) => {
   await press(page, 'End');
-  assert.deepEqual([await lines(page, 'Waits'), await lines(page, 'Runs')], [[], ['Boss: for the program', 'Guard: for the program', 'Look: for Guard; queued for Boss: blocked, as it runs for Guard']]);
+  assert.deepEqual([await lines(page, 'Waits'), await lines(page, 'Runs')], [[], ['Boss: for the program', 'Guard: for the program', 'Look: for Guard; queued for Boss: blocked']]);
 });
 
 await situation('one picture of modules or layers shows the moment too', 'minute', {}, async (page) => {
