@@ -83,7 +83,7 @@ await situation('a push is shown: who waits and why, who is pushed for it, in wo
       'Motion is rolling (tests/docs/rover/rover.yaml:21)' + 'Drive.braking is to cause it: pushed for root>Photograph (tests/docs/rover/rover.yaml:36)',
   ]);
   assert.deepEqual(await page.locator('#moment .notes a').evaluateAll((all) => all.map((each) => each.href)), [21, 36].map((line) => `https://git.example.org/tests/docs/rover/rover.yaml#L${line}`));
-  assert.deepEqual(await lines(page, 'Pushed'), ['Drive: pushed to braking for Photograph, which waits for Motion == still']);
+  assert.deepEqual(await lines(page, 'Pushed'), ['Drive: pushed to braking for Photograph, to cause Motion == still']);
   assert.deepEqual(await lines(page, 'States'), ['Motion == rolling']);
   assert.deepEqual([await marked(page, 'running'), await marked(page, 'pushed'), await marked(page, 'queued'), await marked(page, 'inactive')], [['Explore', 'Wheels'], ['Drive'], ['Photograph'], ['Camera']]);
   assert.deepEqual(await page.locator('.holder:not([hidden]) g.edge.is-pushed > title').allTextContents(), ['Photograph → Drive.braking']);

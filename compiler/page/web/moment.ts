@@ -63,7 +63,7 @@ export class Moment {
     const { names } = this.source.recording;
     const text = words(names, group, standing);
     const others = standing.waits.map((wait) => `; queued for ${names.askerText(wait.edge)}: ${waitWords(wait, names)}`);
-    return make('li', { class: mark }, link('group', this.name(group)), text === '' ? '' : `: ${text}`, mark === 'pushed' && condition ? `, which waits for ${condition}` : '', ...others);
+    return make('li', { class: mark }, link('group', this.name(group)), text === '' ? '' : `: ${text}`, mark === 'pushed' && condition ? `, to cause ${condition}` : '', ...others);
   }
 
   private idle(group: number): HTMLElement {

@@ -71,8 +71,8 @@ Moment moment_of(const View& view, const Model& model, const Lowered& lowered) {
     const ProviderId to{push.provider};
     const std::string condition = condition_text(model, lowered, push.condition);
     out.pushes.push_back({waits, group, to, condition,
-                          fmt::format("{} waits for {} and has pushed {} to it", model.groups[waits].name.value,
-                                      condition, model.distinct_name(to))});
+                          fmt::format("{} has pushed {} to cause {}", model.groups[waits].name.value,
+                                      model.distinct_name(to), condition)});
   }
   for (const EdgeId edge : model.edges.ids()) {
     const Index target = static_cast<Index>(model.edges[edge].target.value);
