@@ -87,6 +87,8 @@ void Recording::add(Time time, std::string shape) {
 void Recording::add_derived() {
   add_derived("held", waits_.held, held_);
   add_derived("stays", waits_.stays, stays_);
+  add_derived("without_effect", waits_.without_effect, without_effect_);
+  add_derived("in_force", waits_.in_force, in_force_);
 }
 
 void Recording::add_derived(const char* event, const std::vector<Waits::Held>& all, std::size_t& next) {

@@ -197,15 +197,23 @@ export class Recording {
     this.add(t ?? this.ends, this.addShape(rest));
   }
 
-  /** Adds events where a complete list of standings differs. Held groups that are not in it run; requests that are not in it are not queued. */
+  /**
+   * Adds events where a complete list of standings differs. Held groups that are not in it run; requests that are not in it are not queued; pushes
+   * that are not in it are in force.
+   */
   private settle(told: EventLine[]): void {
     const look = (line: EventLine) => {
       const shape = this.addShape(line);
       if (!this.now.knows(this.shapes[shape])) this.add(this.ends, shape);
     };
     told.forEach(look);
-    const groups = new Set(told.map((line) => line.group)), edges = new Set(told.map((line) => line.edge));
-    for (const { name: group } of this.names.header.groups) if (!groups.has(group)) look({ event: 'runs', group });
+    const isOfPush = (line: EventLine) => line.event === 'without_effect';
+    const groups = new Set(told.filter((line) => !isOfPush(line)).map((line) => line.group)), edges = new Set(told.map((line) => line.edge));
+    const pushed = new Set(told.filter(isOfPush).map((line) => line.group));
+    for (const { name: group } of this.names.header.groups) {
+      if (!groups.has(group)) look({ event: 'runs', group });
+      if (!pushed.has(group)) look({ event: 'in_force', group });
+    }
     for (const { name: edge } of this.names.header.edges) if (!edges.has(edge)) look({ event: 'dequeue', edge });
   }
 

@@ -39,7 +39,7 @@ Moment::Standing standing_of(const View& view, GroupId group, const Model& model
   for (const EdgeId edge : model.groups[group].requesters)
     requested = requested || view.requested(static_cast<Index>(edge.value));
   if (view.granted(row)) {
-    out.mark = now.push.edge != nil && now.push.provider == now.active ? Mark::pushed : Mark::running;
+    out.mark = now.in_force() ? Mark::pushed : Mark::running;
     if (out.mark == Mark::pushed) {
       const GroupId waits = model.edges[EdgeId{now.push.edge}].target;
       out.note = fmt::format("pushed to {} for {}", model.providers[*out.active].name, model.groups[waits].name.value);
