@@ -74,7 +74,7 @@ await situation('steps go from decision to decision, and picture, words and list
     await page.getByRole('button', { name: 'Next event' }).click();
     await frame(page);
   }
-  assert.deepEqual(texts.slice(0, 6), ['> request Photograph', 'push Drive.braking for root>Photograph', 'queue root>Photograph: waiting for Motion == still', 'set Motion still', 'queue Explore>Drive: blocked', 'take over Wheels: Photograph>Wheels from Drive>Wheels'].slice(0, 6));
+  assert.deepEqual(texts.slice(0, 6), ['> request Photograph', 'push Drive.braking for root>Photograph', 'queue root>Photograph: waiting for Motion == still', 'set Motion still', 'queue Explore>Drive: blocked', 'hand over Wheels from Drive>Wheels to Photograph>Wheels'].slice(0, 6));
 });
 
 await situation('a push is shown: who waits and why, who is pushed for it, in words and in the picture', 'rover', {}, async (page) => {

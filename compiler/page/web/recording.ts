@@ -58,7 +58,7 @@ export class Recording {
   readonly groups: Track[];
   readonly states: Track[];
   private readonly levels: Track[]; // of each edge: at which level its requester requests it
-  readonly flows: Column<Uint32Array> = counts(); // events that are pushes or take-overs
+  readonly flows: Column<Uint32Array> = counts(); // events that are pushes or hand-overs
   readonly switches: Column<Uint32Array> = counts(); // events that enable or disable a provider
   readonly gaps: Column<Uint32Array> = counts(); // events `dropped`: other events are missing before them
   readonly standings: Standing[] = [];
