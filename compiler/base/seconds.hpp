@@ -24,8 +24,8 @@ inline std::string exact_seconds(std::int64_t microseconds) {
 }
 
 /// "250 us", "1.5 s", "59 min 59.99 s", "1 h 0 min 3 s": at most three digits after the point, without trailing zeros.
-inline std::string as_duration(std::int64_t microseconds) {
-  constexpr std::int64_t thousand = 1000, minute = 60'000'000, hour = 60 * minute;
+inline std::string as_duration(std::uint64_t microseconds) {
+  constexpr std::uint64_t thousand = 1000, minute = 60'000, hour = 60 * minute;
   const auto plain = [](double number) {
     std::string out = fmt::format("{:.3f}", number);
     out.erase(out.find_last_not_of('0') + 1);
@@ -34,11 +34,11 @@ inline std::string as_duration(std::int64_t microseconds) {
   };
   if (microseconds < thousand && microseconds != 0) return fmt::format("{} us", microseconds);
   // To the millisecond first: otherwise 59.9996 s would become 60 s of a minute.
-  const std::int64_t rounded = (microseconds + thousand / 2) / thousand * thousand;
+  const std::uint64_t rounded = microseconds / thousand + (microseconds % thousand >= thousand / 2 ? 1 : 0);
   std::string out;
   if (rounded >= hour) out += fmt::format("{} h ", rounded / hour);
   if (rounded >= minute) out += fmt::format("{} min ", rounded % hour / minute);
-  return out + plain(static_cast<double>(rounded % minute) / 1e6) + " s";
+  return out + plain(static_cast<double>(rounded % minute) / 1e3) + " s";
 }
 
 } // namespace director::compiler

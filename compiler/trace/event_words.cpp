@@ -84,7 +84,7 @@ private:
     if (is_limbo(e_.edge)) return fmt::format("hold {} for what comes after it", group());
     const std::string in = full() == group() ? "" : " in " + full();
     if (e_.other == nil || is_limbo(e_.other)) return fmt::format("grant {}{}", task(e_.edge), in);
-    return fmt::format("take over {}: {} from {}{}", group(), task(e_.edge), task(e_.other), in);
+    return fmt::format("hand over {} from {} to {}{}", group(), task(e_.other), task(e_.edge), in);
   }
 
   std::string input() const {

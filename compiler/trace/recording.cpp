@@ -76,7 +76,7 @@ void Recording::add(Time time, std::string shape) {
   if (events_ == 0) begins_ = now_ = time;
   const Time before = now_;
   now_ = std::max(now_, time);
-  put(static_cast<std::uint64_t>(now_ - before), times_);
+  put(static_cast<std::uint64_t>(now_) - static_cast<std::uint64_t>(before), times_);
   const auto [at, is_new] = shape_of_.try_emplace(shape, shapes_.size());
   if (is_new) shapes_.push_back(std::move(shape));
   put(at->second, places_);
@@ -87,6 +87,8 @@ void Recording::add(Time time, std::string shape) {
 void Recording::add_derived() {
   add_derived("held", waits_.held, held_);
   add_derived("stays", waits_.stays, stays_);
+  add_derived("without_effect", waits_.without_effect, without_effect_);
+  add_derived("in_force", waits_.in_force, in_force_);
 }
 
 void Recording::add_derived(const char* event, const std::vector<Waits::Held>& all, std::size_t& next) {

@@ -22,7 +22,8 @@
 //
 // Numbers behind the head have seven bits a byte, the lowest first, each byte but the last with its highest bit set.
 // Events that nothing on the page needs are left out: answers and settings of bodies, and which timer was due. One is
-// added for Waits::held, {"event":"held","group":…}, and one for Waits::stays, {"event":"stays","group":…}.
+// added for Waits::held, {"event":"held","group":…}, and likewise for Waits::stays, Waits::without_effect and
+// Waits::in_force.
 
 #include "compiler/base/json.hpp"
 #include "compiler/trace/waits.hpp"
@@ -68,7 +69,8 @@ private:
   std::vector<std::string> shapes_;
   std::string times_, places_, change_events_, change_groups_, change_answers_;
   std::optional<std::uint64_t> micro_step_; ///< of the last event that is not left out
-  std::size_t line_ = 1, events_ = 0, held_ = 0, stays_ = 0, changes_ = 0, change_event_ = 0, why_until_ = 0;
+  std::size_t line_ = 1, events_ = 0, held_ = 0, stays_ = 0, without_effect_ = 0, in_force_ = 0, changes_ = 0,
+              change_event_ = 0, why_until_ = 0;
   Time begins_ = 0, now_ = 0;
 };
 

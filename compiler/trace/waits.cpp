@@ -37,10 +37,14 @@ public:
     if (ends_hold(event) || ends_its_request) standing.is_told = true;
     if (ends_its_request) standing.is_doubtful = true;
     if (event.kind == Kind::grant) standing.is_doubtful = false;
+    if (event.kind == Kind::release) standing.is_without_effect = false;
   }
 
   void stepped(const View& view) override {
-    for (Index group = 0; group < groups_.size(); ++group) note_held(view, group);
+    for (Index group = 0; group < groups_.size(); ++group) {
+      note_held(view, group);
+      note_push(view, group);
+    }
     for (Index group = 0; group < groups_.size(); ++group) look(view, group);
     anew_ = false;
     decision_line_ = 0;
@@ -61,6 +65,7 @@ private:
     Index holder = nil;
     bool is_live = false, is_told = false; ///< before this micro-step; and whether an event of this one reports its end
     bool is_doubtful = false;              ///< by the end of its request alone
+    bool is_without_effect = false;        ///< the push on it, when it ran last in the provider of that push
   };
 
   static bool is_decision(Kind kind) {
@@ -93,6 +98,15 @@ private:
     standing.is_live = is_live;
     standing.holder = view.holder(group);
     standing.is_told = standing.is_doubtful = false;
+  }
+
+  void note_push(const View& view, Index group) {
+    const GroupAssignment& now = view.assignment[group];
+    bool& is_without_effect = groups_[group].is_without_effect;
+    if (now.push.edge == nil || now.push.provider != now.active || !now.granted()) return;
+    if (is_without_effect == !now.in_force()) return;
+    is_without_effect = !now.in_force();
+    (is_without_effect ? out_.without_effect : out_.in_force).push_back({last_line_, group});
   }
 
   /// Whether that group may request this edge, and has just had the opportunity.

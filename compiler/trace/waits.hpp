@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // Finds by a replay what a trace does not contain: the reason why each waiting group waits, at every moment, which
-// groups are only held, and which continue although their request waits. why() is called whenever its answer may
-// change; few answers differ, so each is stored once.
+// groups are only held, which continue although their request waits, and which pushes have no effect. why() is called
+// whenever its answer may change; few answers differ, so each is stored once.
 
 #include "compiler/lower/lowered.hpp"
 #include "compiler/model/model.hpp"
@@ -33,18 +33,25 @@ struct Waits {
   /// A group without a request in force, as it was queued, withdrawn or not repeated, that continues as a need of its
   /// requester: it keeps its own requests. After the event in this line. The engine has no event for this either.
   using Stays = Held;
+  /// A group that runs in the provider of its push, but not because of it: from the event in this line on. The engine
+  /// has no event for this.
+  using WithoutEffect = Held;
+  /// Because of it again, without a release of the push since.
+  using InForce = Held;
   /// What blocks a waiting group.
   struct Blocker {
     Index group = nil; ///< a held group; nil: none
     Index edge = nil;  ///< by which
     auto operator<=>(const Blocker&) const = default;
   };
-  std::vector<std::string> texts; ///< as `directorc why` prints them
-  std::vector<Blocker> blockers;  ///< of each text
-  std::vector<Change> changes;    ///< by line
-  std::vector<Held> held;         ///< by line
-  std::vector<Stays> stays;       ///< likewise
-  std::size_t last_line = 0;      ///< unknown after it; 0: nothing is known at all
+  std::vector<std::string> texts;            ///< as `directorc why` prints them
+  std::vector<Blocker> blockers;             ///< of each text
+  std::vector<Change> changes;               ///< by line
+  std::vector<Held> held;                    ///< by line
+  std::vector<Stays> stays;                  ///< likewise
+  std::vector<WithoutEffect> without_effect; ///< likewise
+  std::vector<InForce> in_force;             ///< likewise
+  std::size_t last_line = 0;                 ///< unknown after it; 0: nothing is known at all
   Replayed replayed;
 };
 

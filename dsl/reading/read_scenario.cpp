@@ -30,6 +30,14 @@ Keys with(Keys keys, std::initializer_list<std::string> more) {
   return keys;
 }
 
+/// What to do with two words in one step, or in one entry of `inputs`.
+std::string help_for_two(std::string_view first, std::string_view second, bool in_step) {
+  if (!in_step) return "make two entries of them";
+  if (first == "advance" || second == "advance") return "make two steps of them";
+  if (second == "inputs") return fmt::format("make two steps of them, or write `{}` as an entry of `inputs`", first);
+  return "make two steps of them, or `inputs: [...]` where they come at once";
+}
+
 /// Returns the only one of `words` among the keys of the mapping; reports if there is none or more than one. Does not
 /// report if the mapping has a key that is not in `keys`: that was reported, and is probably a misspelt one of `words`.
 std::optional<std::size_t> only_word(Reader& reader, const YamlNode& mapping, std::string_view thing, const Keys& words,
@@ -38,8 +46,7 @@ std::optional<std::size_t> only_word(Reader& reader, const YamlNode& mapping, st
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (!mapping.find(words[i])) continue;
     if (found)
-      reader.exclude(mapping, words[*found], words[i],
-                     "make two steps of them, or `inputs: [...]` where they come at once");
+      reader.exclude(mapping, words[*found], words[i], help_for_two(words[*found], words[i], thing == "a step"));
     else
       found = i;
   }
@@ -112,7 +119,7 @@ std::vector<InputSpec> read_inputs(Reader& reader, const YamlNode* node) {
   if (!reader.is_list(node, "inputs", "a list of inputs")) return out;
   for (const YamlNode& item : node->items) {
     if (!reader.is_mapping(&item, "inputs", "a mapping such as {request: Walk}", "", "")) continue;
-    reader.know_keys(item, "an input", input_words());
+    reader.know_keys(item, "an input", input_words(), slips_of_input());
     if (const auto word = only_word(reader, item, "an input", input_words(), input_words()))
       out.push_back(read_input(reader, item, *word));
   }

@@ -131,6 +131,19 @@ const Slips& slips_of_step() {
   return slips;
 }
 
+const Slips& slips_of_input() {
+  static const Slips slips{
+      {{"advance", "wait", "sleep", "after", "time", "delay"}, "time passes in a step of its own: `- advance: 100 ms`"},
+      {{"expect", "check", "assert", "then", "expected", "output"},
+       "what should happen stands in `expect`, beside `inputs`"},
+      {{"fire", "triggers"}, "one trigger is fired with `trigger: Picture`"},
+      {{"requests", "tasks"}, "several tasks are one input: `request: [Walk, Look]`"},
+      {{"states"}, "states are set with `set: {Ball: near}`"},
+      {{"doc", "name", "description", "comment"}, "a text for people stands in `doc`, beside `inputs`"},
+  };
+  return slips;
+}
+
 const Slips& slips_of_case() {
   static const Slips slips{
       {{"keep", "nothing"}, "that everything goes on is said by `continue: true`"},

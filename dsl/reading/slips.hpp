@@ -24,6 +24,7 @@ const Slips& slips_of_state();
 const Slips& slips_of_group(); ///< and of a provider
 const Slips& slips_of_task();
 const Slips& slips_of_step();
+const Slips& slips_of_input(); ///< an entry of `inputs`
 const Slips& slips_of_case();
 const Slips& slips_of_assertion();
 

@@ -124,6 +124,11 @@ void append_standing(const View& view, const Names& names, std::string& out) {
     if (stays) line.key("asks"), append_requests(view, group, names, out);
     line.end();
   }
+  for (Index group = 0; group < tables.groups.size(); ++group) {
+    const GroupAssignment& now = view.assignment[group];
+    if (!now.granted() || now.push.edge == nil || now.push.provider != now.active || now.in_force()) continue;
+    begin().text("event", "without_effect").text("group", names.group(names.self, group)).end();
+  }
   for (Index edge = 0; edge < tables.edges.size(); ++edge) {
     const Queued queued = view.queued(edge);
     if (view.state(edge) != RunState::queued || queued.why == Why::none) continue;

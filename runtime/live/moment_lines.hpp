@@ -16,9 +16,10 @@ void append_moment(const View& view, const Names& names, std::string& out);
 
 /// Appends the groups that do not simply run, as a JSON array: `{"event":"held","group":…}` for each that is held only
 /// as a need, `{"event":"stays","group":…,"asks":[…]}` for each that runs on though its request is queued, with the
-/// edges that request it, and `{"event":"waits","edge":…,"why":…}` for each queued request. The list is complete: all
-/// other held groups run, and no other request is queued. Events report most of that, but not all
-/// (compiler/trace/waits.hpp).
+/// edges that request it, `{"event":"without_effect","group":…}` for each that runs in the provider of its push, but
+/// not because of it, and `{"event":"waits","edge":…,"why":…}` for each queued request. The list is complete: all other
+/// held groups run, those in the provider of their push because of it, and no other request is queued. Events report
+/// most of that, but not all (compiler/trace/waits.hpp).
 void append_standing(const View& view, const Names& names, std::string& out);
 
 /// Why a group runs or does not, as JSON: `group`, `kind`, `text`; if a group that it needs is held, `held`, with that

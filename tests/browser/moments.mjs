@@ -79,7 +79,7 @@ for await (const text of createInterface({ input: child.stdout })) {
   } else if (line.late !== undefined) {
     if (moment) compareOne('late', hear(line.late), line);
   } else {
-    if (line.event !== 'held' && line.event !== 'stays') compare(line);
+    if (!['held', 'stays', 'without_effect', 'in_force'].includes(line.event)) compare(line);
     recording.append(text);
   }
 }

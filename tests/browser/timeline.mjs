@@ -74,7 +74,7 @@ await situation('steps go from decision to decision, and picture, words and list
     await page.getByRole('button', { name: 'Next event' }).click();
     await frame(page);
   }
-  assert.deepEqual(texts.slice(0, 6), ['> request Photograph', 'push Drive.braking for root>Photograph', 'queue root>Photograph: waiting for Motion == still', 'set Motion still', 'queue Explore>Drive: blocked', 'take over Wheels: Photograph>Wheels from Drive>Wheels'].slice(0, 6));
+  assert.deepEqual(texts.slice(0, 6), ['> request Photograph', 'push Drive.braking for root>Photograph', 'queue root>Photograph: waiting for Motion == still', 'set Motion still', 'queue Explore>Drive: blocked', 'hand over Wheels from Drive>Wheels to Photograph>Wheels'].slice(0, 6));
 });
 
 await situation('a push is shown: who waits and why, who is pushed for it, in words and in the picture', 'rover', {}, async (page) => {
@@ -83,7 +83,7 @@ await situation('a push is shown: who waits and why, who is pushed for it, in wo
       'Motion is rolling (tests/docs/rover/rover.yaml:21)' + 'Drive.braking is to cause it: pushed for root>Photograph (tests/docs/rover/rover.yaml:36)',
   ]);
   assert.deepEqual(await page.locator('#moment .notes a').evaluateAll((all) => all.map((each) => each.href)), [21, 36].map((line) => `https://git.example.org/tests/docs/rover/rover.yaml#L${line}`));
-  assert.deepEqual(await lines(page, 'Pushed'), ['Drive: pushed to braking for Photograph, which waits for Motion == still']);
+  assert.deepEqual(await lines(page, 'Pushed'), ['Drive: pushed to braking for Photograph, to cause Motion == still']);
   assert.deepEqual(await lines(page, 'States'), ['Motion == rolling']);
   assert.deepEqual([await marked(page, 'running'), await marked(page, 'pushed'), await marked(page, 'queued'), await marked(page, 'inactive')], [['Explore', 'Wheels'], ['Drive'], ['Photograph'], ['Camera']]);
   assert.deepEqual(await page.locator('.holder:not([hidden]) g.edge.is-pushed > title').allTextContents(), ['Photograph → Drive.braking']);
@@ -505,9 +505,9 @@ await situation('in a recording that begins in the middle nothing is known until
   assert.ok((await lines(page, 'Runs')).length > 2);
 });
 
-await situation('a request for a task that runs for another is in the words too', 'eyes', {}, async (page) => {
+await situation('a request for a task that runs for another is in the words too, not what blocks it: that may be something else', 'eyes', {}, async (page) => {
   await press(page, 'End');
-  assert.deepEqual([await lines(page, 'Waits'), await lines(page, 'Runs')], [[], ['Boss: for the program', 'Guard: for the program', 'Look: for Guard; queued for Boss: blocked, as it runs for Guard']]);
+  assert.deepEqual([await lines(page, 'Waits'), await lines(page, 'Runs')], [[], ['Boss: for the program', 'Guard: for the program', 'Look: for Guard; queued for Boss: blocked']]);
 });
 
 await situation('one picture of modules or layers shows the moment too', 'minute', {}, async (page) => {

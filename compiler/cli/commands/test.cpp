@@ -1,5 +1,6 @@
 // Header: compiler/cli/options/commands.hpp. Test: tests/compiler/cli/commands/scenario_test.cpp,
 // tests/compiler/cli/commands/coverage_test.cpp. SPDX-License-Identifier: MIT
+#include "compiler/base/for_shell.hpp"
 #include "compiler/cli/commands/watch.hpp"
 #include "compiler/cli/input/load_scenario.hpp"
 #include "compiler/cli/input/named_file.hpp"
@@ -119,8 +120,8 @@ private:
           result.happened.empty()
               ? fmt::format("directorc: `{}` has no steps, so nothing is tested\n", shown_path(file))
               : fmt::format("directorc: `{0}` expects nothing, so nothing is compared; `directorc test --update "
-                            "{0}` writes what happens\n",
-                            shown_path(file)));
+                            "{1}` writes what happens\n",
+                            shown_path(file), for_shell(shown_path(file))));
     }
     std::vector<dsl::Diagnostic> findings = loaded.findings;
     if (result.played.refused) {

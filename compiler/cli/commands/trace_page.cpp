@@ -16,18 +16,15 @@
 
 #include <fmt/format.h>
 
-#include <limits>
+#include <cstdint>
 #include <utility>
 
 namespace director::compiler::cli {
 
 namespace {
 
-/// At most the longest duration.
-Time between(Time from, Time to) {
-  Time out = 0;
-  return __builtin_sub_overflow(to, from, &out) ? std::numeric_limits<Time>::max() : out;
-}
+/// `to` is not earlier. The longest duration is longer than a Time can hold.
+std::uint64_t between(Time from, Time to) { return static_cast<std::uint64_t>(to) - static_cast<std::uint64_t>(from); }
 
 constexpr std::size_t first_events = 40; ///< that are in the page as text
 

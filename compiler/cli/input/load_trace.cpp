@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/cli/input/load_trace.hpp"
 
+#include "compiler/base/for_shell.hpp"
 #include "compiler/cli/input/load.hpp"
 #include "compiler/cli/input/named_file.hpp"
 #include "runtime/hosted/trace/fingerprint.hpp"
@@ -16,15 +17,6 @@ namespace director::compiler::cli {
 
 namespace {
 constexpr std::size_t most_bytes = std::numeric_limits<std::int32_t>::max(); ///< that are held in memory
-
-/// As a word of a command.
-std::string for_shell(const std::string& file) {
-  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._/-+,:=@%";
-  if (!file.empty() && file.find_first_not_of(plain) == std::string::npos) return file;
-  std::string out = "'";
-  for (const char letter : file) out += letter == '\'' ? "'\\''" : std::string(1, letter);
-  return out + "'";
-}
 } // namespace
 
 void print_unreadable(const std::string& file, std::size_t line, const std::string& problem, Console& console) {

@@ -1,5 +1,6 @@
 // Header: compiler/cli/options/common.hpp. Test: tests/compiler/cli/options/parse_test.cpp.
 // SPDX-License-Identifier: MIT
+#include "compiler/base/for_shell.hpp"
 #include "compiler/cli/options/common.hpp"
 
 #include <fmt/format.h>
@@ -35,11 +36,11 @@ std::optional<Message> take_format_of(DrawGraph& request) {
   if (!name.empty()) request.format = format_called(name);
   const std::string other = drawn_by_graphviz(request.output);
   if (other.empty()) return {};
-  return Message{
-      fmt::format("directorc: `{0}`: there is no format {1}; Graphviz makes it: directorc graph {2} | dot -T{1} "
-                  "-o {0}\n",
-                  request.output, other, request.file),
-      true};
+  const std::string dot = request.output.substr(0, request.output.rfind('.')) + ".dot";
+  return Message{fmt::format("directorc: `{0}`: there is no format {1}; Graphviz makes it: write a dot file, with -o "
+                             "{2}, then `dot -T{1} -o {3} {2}`\n",
+                             request.output, other, for_shell(dot), for_shell(request.output)),
+                 true};
 }
 
 } // namespace

@@ -7,11 +7,11 @@ import type { Recording } from './recording';
 import { type Sort, sorts } from './shape';
 
 const words: Record<Sort, string> = {
-  request: 'requests of the program', input: 'other inputs', run: 'runs', ask: 'what bodies request', 'take-over': 'take-overs', control: 'granted, lost and withdrawn', push: 'pushes', queue: 'queued',
+  request: 'requests of the program', input: 'other inputs', run: 'runs', ask: 'what bodies request', 'hand-over': 'hand-overs', control: 'granted, lost and withdrawn', push: 'pushes', queue: 'queued',
   state: 'states set', handler: 'start and stop', result: 'done and failed', fault: 'faults and losses',
 };
 /** The kinds of events that are chosen at first; very frequent ones are not among them. */
-const usual: Sort[] = ['request', 'take-over', 'push', 'queue', 'state', 'handler', 'fault'];
+const usual: Sort[] = ['request', 'hand-over', 'push', 'queue', 'state', 'handler', 'fault'];
 
 export class Filter {
   readonly element = make('details', { class: 'filter' }, make('summary', {}, 'Filter'));

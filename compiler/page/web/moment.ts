@@ -62,15 +62,8 @@ export class Moment {
     const { condition } = standing.push ?? {};
     const { names } = this.source.recording;
     const text = words(names, group, standing);
-    const others = standing.waits.map((wait) => `; queued for ${names.askerText(wait.edge)}: ${waitWords(wait, names)}${wait.why === 'blocked' ? this.holderWords(wait.edge, standing.holder) : ''}`);
-    return make('li', { class: mark }, link('group', this.name(group)), text === '' ? '' : `: ${text}`, mark === 'pushed' && condition ? `, which waits for ${condition}` : '', ...others);
-  }
-
-  /** Why a request is blocked for a group that runs for another one, `holder`. */
-  private holderWords(edge: number, holder: number): string {
-    const { names } = this.source.recording;
-    if (holder < 0 || holder === edge) return '';
-    return `, as it runs for ${names.askerText(holder)}`;
+    const others = standing.waits.map((wait) => `; queued for ${names.askerText(wait.edge)}: ${waitWords(wait, names)}`);
+    return make('li', { class: mark }, link('group', this.name(group)), text === '' ? '' : `: ${text}`, mark === 'pushed' && condition ? `, to cause ${condition}` : '', ...others);
   }
 
   private idle(group: number): HTMLElement {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A strip of the whole recording: it shows where pushes, take-overs and gaps are, and which part of the time the tracks show.
+// A strip of the whole recording: it shows where pushes, hand-overs and gaps are, and which part of the time the tracks show.
 
 import type { Cursor } from './cursor';
 import { make } from './elements';
@@ -46,7 +46,7 @@ export class Overview {
     this.line.style.transform = `translateX(${this.xOf(this.cursor.time, this.width)}px)`;
   }
 
-  /** Pushes are in the upper half, take-overs in the lower half, gaps in both. */
+  /** Pushes are in the upper half, hand-overs in the lower half, gaps in both. */
   private mark(to: CanvasRenderingContext2D, event: number, width: number, colour: string): void {
     const shape = this.recording.shapeAt(event);
     const isPush = shape.line.event === 'push';

@@ -58,7 +58,7 @@ export class Recording {
   readonly groups: Track[];
   readonly states: Track[];
   private readonly levels: Track[]; // of each edge: at which level its requester requests it
-  readonly flows: Column<Uint32Array> = counts(); // events that are pushes or take-overs
+  readonly flows: Column<Uint32Array> = counts(); // events that are pushes or hand-overs
   readonly switches: Column<Uint32Array> = counts(); // events that enable or disable a provider
   readonly gaps: Column<Uint32Array> = counts(); // events `dropped`: other events are missing before them
   readonly standings: Standing[] = [];
@@ -197,15 +197,23 @@ export class Recording {
     this.add(t ?? this.ends, this.addShape(rest));
   }
 
-  /** Adds events where a complete list of standings differs. Held groups that are not in it run; requests that are not in it are not queued. */
+  /**
+   * Adds events where a complete list of standings differs. Held groups that are not in it run; requests that are not in it are not queued; pushes
+   * that are not in it are in force.
+   */
   private settle(told: EventLine[]): void {
     const look = (line: EventLine) => {
       const shape = this.addShape(line);
       if (!this.now.knows(this.shapes[shape])) this.add(this.ends, shape);
     };
     told.forEach(look);
-    const groups = new Set(told.map((line) => line.group)), edges = new Set(told.map((line) => line.edge));
-    for (const { name: group } of this.names.header.groups) if (!groups.has(group)) look({ event: 'runs', group });
+    const isOfPush = (line: EventLine) => line.event === 'without_effect';
+    const groups = new Set(told.filter((line) => !isOfPush(line)).map((line) => line.group)), edges = new Set(told.map((line) => line.edge));
+    const pushed = new Set(told.filter(isOfPush).map((line) => line.group));
+    for (const { name: group } of this.names.header.groups) {
+      if (!groups.has(group)) look({ event: 'runs', group });
+      if (!pushed.has(group)) look({ event: 'in_force', group });
+    }
     for (const { name: edge } of this.names.header.edges) if (!edges.has(edge)) look({ event: 'dequeue', edge });
   }
 

@@ -24,7 +24,7 @@ export interface EventLine {
 }
 
 /** The kinds of events that can be chosen in the filter. */
-export const sorts = ['request', 'input', 'run', 'ask', 'take-over', 'control', 'push', 'queue', 'state', 'handler', 'result', 'fault'] as const;
+export const sorts = ['request', 'input', 'run', 'ask', 'hand-over', 'control', 'push', 'queue', 'state', 'handler', 'result', 'fault'] as const;
 export type Sort = (typeof sorts)[number];
 
 /** False for events that the page does not need, as other events report their effect: answers and settings of bodies, and due timers. */
@@ -42,9 +42,9 @@ function sortOf(line: EventLine): Sort {
     case 'given': case 'begin': return 'input';
     case 'run': return 'run';
     case 'ask': case 'keep': return 'ask';
-    case 'grant': return line.from === undefined || line.from === 'limbo' || line.edge === 'limbo' ? 'control' : 'take-over';
+    case 'grant': return line.from === undefined || line.from === 'limbo' || line.edge === 'limbo' ? 'control' : 'hand-over';
     case 'lose': case 'withdraw': case 'held': case 'stays': case 'runs': return 'control';
-    case 'push': case 'release': return 'push';
+    case 'push': case 'release': case 'without_effect': case 'in_force': return 'push';
     case 'queue': case 'waits': case 'dequeue': return 'queue';
     case 'set': return 'state';
     case 'start': case 'stop': return 'handler';
@@ -86,8 +86,8 @@ export class Shape {
     this.begins = line.begins ?? isUsualBeginning(line);
     this.setsState = line.event === 'set' || line.event === 'given' || line.input === 'set';
     this.setsLevel = ['ask', 'keep', 'withdraw'].includes(line.event) && this.edge >= 0;
-    this.isFlow = line.event === 'push' || this.sort === 'take-over';
-    this.decides = ['run', 'stop', 'held', 'stays', 'runs', 'waits', 'dequeue', 'ask', 'keep', 'grant', 'lose', 'queue', 'withdraw', 'push', 'release', 'dropped'].includes(line.event) || line.event === 'input';
+    this.isFlow = line.event === 'push' || this.sort === 'hand-over';
+    this.decides = ['run', 'stop', 'held', 'stays', 'runs', 'waits', 'dequeue', 'ask', 'keep', 'grant', 'lose', 'queue', 'withdraw', 'push', 'release', 'without_effect', 'in_force', 'dropped'].includes(line.event) || line.event === 'input';
     this.text = textOf(this, names);
     this.groups = [this.group, names.requesters[this.edge] ?? nobody, names.requesters[this.from] ?? nobody].filter((group) => group !== nobody);
   }
@@ -108,6 +108,8 @@ function textOf(shape: Shape, names: Names): string {
     case 'run': return `run ${names.providerText(group, shape.provider)} ${(line.reasons ?? []).join('+')}`.trimEnd();
     case 'queue': case 'waits': return `${line.event} ${line.edge}: ${line.why}${line.why === 'waiting' && line.condition ? ` for ${line.condition}` : ''}`;
     case 'push': return `push ${full} for ${line.edge}`;
+    case 'without_effect': return `push of ${groupName} without effect`;
+    case 'in_force': return `push of ${groupName} in force`;
     case 'set': return line.value === null ? `unset ${line.state}` : `set ${line.state} ${valueText(line)}`;
     case 'refused': return `refused ${line.state} ${valueText(line)}`;
     case 'given': return `given ${line.state} ${valueText(line)}`;
@@ -118,7 +120,7 @@ function textOf(shape: Shape, names: Names): string {
     case 'dropped': return `${line.count} ${line.count === 1 ? 'event is' : 'events are'} missing`;
     case 'grant':
       if (shape.edge === limbo) return `hold ${groupName} for what comes after it`;
-      return shape.from === nobody || shape.from === limbo ? `grant ${line.edge}` : `take over ${groupName}: ${line.edge} from ${line.from}`;
+      return shape.from === nobody || shape.from === limbo ? `grant ${line.edge}` : `hand over ${groupName} from ${line.from} to ${line.edge}`;
     case 'lose': return `lose ${groupName}`;
     case 'withdraw': case 'ask': case 'keep': return `${line.event} ${line.edge}${levelText(line)}`;
     case 'dequeue': return `dequeue ${line.edge}`;

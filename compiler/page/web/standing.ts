@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The standing of each group: its mark, provider, holder and queued requests. It is derived from events, and at rest equals what the engine's view says
-// (compiler/play/why/moment.cpp). Two changes have no event of the engine: a group that is no longer requested, and was kept for a possible requester,
-// stops and is only held as a need; a group whose request was queued or withdrawn continues as a need, with its own requests. Sources report them:
-// - a recording has additional events where that happened: {"event":"held","group":…}, {"event":"stays","group":…} (compiler/trace/waits.hpp);
+// (compiler/play/why/moment.cpp). Three changes have no event of the engine: a group that is no longer requested, and was kept for a possible requester,
+// stops and is only held as a need; a group whose request was queued or withdrawn continues as a need, with its own requests; a group runs in the
+// provider of its push, but not because of it. Sources report them:
+// - a recording has additional events where that happened: {"event":"held","group":…}, {"event":"stays","group":…}, {"event":"without_effect",
+//   "group":…}, and {"event":"in_force","group":…} where it runs because of its push again (compiler/trace/waits.hpp);
 // - a running program sends complete lists of standings (runtime/live/feed.hpp); recording.ts adds {"event":"runs","group":…} for a held group that
-//   is not in the list, and {"event":"dequeue","edge":…} for a request that is not.
+//   is not in the list, {"event":"in_force","group":…} for one whose push is not without effect in the list, and {"event":"dequeue","edge":…} for a
+//   request that is not in it.
 // Without these events, the standing is wrong until the next event of the group.
 
 import { type Names, nobody } from './names';
@@ -45,6 +48,8 @@ interface Group {
   /** It is not granted any more but continues: its own requests remain. */
   stays: boolean;
   push?: Push;
+  /** When it ran last in the provider of its push, it was not because of it. */
+  isWithoutEffect: boolean;
 }
 
 export class Standings {
@@ -57,7 +62,7 @@ export class Standings {
 
   /** `known`: nothing runs at first; otherwise it is not known what does. */
   constructor(private readonly names: Names, known: boolean) {
-    this.groups = names.header.groups.map(() => ({ known, holder: nobody, provider: nobody, granted: false, stays: false }));
+    this.groups = names.header.groups.map(() => ({ known, holder: nobody, provider: nobody, granted: false, stays: false, isWithoutEffect: false }));
     this.waits = names.header.edges.map(() => undefined);
     this.told = names.header.edges.map(() => undefined);
     this.asked = names.header.edges.map(() => false);
@@ -85,19 +90,22 @@ export class Standings {
         if (line.input === 'request') this.asked[edge] = true;
         return line.input === 'cancel' ? this.forget(edge) : this.touched;
       case 'push': if (at) at.push = { edge, provider: shape.provider, condition: line.condition }; break;
-      case 'release': if (at) at.push = undefined; break;
+      case 'release': if (at) Object.assign(at, { push: undefined, isWithoutEffect: false }); break;
+      case 'without_effect': case 'in_force': if (at) at.isWithoutEffect = line.event === 'without_effect'; break;
       case 'dropped': return this.lostTrack();
       default: return this.touched;
     }
     return this.touched.add(group);
   }
 
-  /** Whether a line `held`, `stays`, `runs`, `waits` or `dequeue` says only what is known already. */
+  /** Whether a line `held`, `stays`, `runs`, `without_effect`, `in_force`, `waits` or `dequeue` says only what is known already. */
   knows({ line, group, edge }: Shape): boolean {
     if (line.event === 'waits') return this.waits[edge] !== undefined;
     if (line.event === 'dequeue') return !this.isWaiting(edge);
     const at = this.groups[group];
     if (line.event === 'runs') return at.granted || at.holder === nobody;
+    if (line.event === 'without_effect') return at.isWithoutEffect;
+    if (line.event === 'in_force') return !at.isWithoutEffect || at.push?.provider !== at.provider;
     if (!at || this.lapsing.has(group)) return false;
     if (line.event === 'held') return !this.isAlive(group);
     return !at.granted && at.stays && (line.asks ?? []).every((edge) => this.asked[this.names.edge(edge)]);
@@ -106,7 +114,7 @@ export class Standings {
   of(group: number): Standing {
     const at = this.groups[group];
     const waits = this.names.askers[group].filter((edge) => this.isWaiting(edge)).map((edge) => this.waits[edge] as Wait);
-    const pushed = at.push !== undefined && at.push.provider === at.provider;
+    const pushed = at.push !== undefined && at.push.provider === at.provider && !at.isWithoutEffect;
     const mark = at.granted ? (pushed ? 'pushed' : 'running') : waits.length > 0 ? 'queued' : !at.known ? 'unknown' : at.holder !== nobody ? 'held' : 'inactive';
     return { mark, provider: at.granted ? at.provider : nobody, holder: at.holder, push: at.push, waits };
   }
@@ -264,7 +272,7 @@ export class Standings {
 
   private lostTrack(): Set<number> {
     this.groups.forEach((at, group) => {
-      Object.assign(at, { known: false, granted: false, stays: false, holder: nobody, provider: nobody, push: undefined });
+      Object.assign(at, { known: false, granted: false, stays: false, holder: nobody, provider: nobody, push: undefined, isWithoutEffect: false });
       this.touched.add(group);
     });
     this.waits.fill(undefined);

@@ -102,7 +102,7 @@ export class Timeline {
       make('label', {}, this.inPicture, ' Moment in the picture'), make('label', {}, this.onlyNow, ' Only what runs or waits then'),
     );
     if (this.source.grows) bar.append(make('label', {}, this.follow, ' Follow the end'));
-    const legend = make('p', { class: 'looks' }, ...['running', 'pushed', 'queued', 'held', 'inactive'].map((mark) => make('span', {}, make('i', { class: mark }), ` ${mark}`)), make('span', { class: 'push-sign' }, '▲ push'), make('span', { class: 'take-sign' }, '◆ take-over'), 'Lines of the picture: thick blue: has it; dashed red, with a bar: waits for it; pale: not requested.');
+    const legend = make('p', { class: 'looks' }, ...['running', 'pushed', 'queued', 'held', 'inactive'].map((mark) => make('span', {}, make('i', { class: mark }), ` ${mark}`)), make('span', { class: 'push-sign' }, '▲ push'), make('span', { class: 'hand-over-sign' }, '◆ hand-over'), 'Lines of the picture: thick blue: has it; dashed red, with a bar: waits for it; pale: not requested.');
     const hint = make('p', { class: 'hint' }, 'Click or drag to a moment. With the keyboard: ← and → to the events beside it, Page keys further, Home, End, space plays, + and − zoom, as does Ctrl with the wheel.');
     const lanes = make('div', { class: 'lanes' }, this.labels, this.area);
     section.append(bar, this.where, this.overview.element, lanes, this.printed, legend, make('div', { class: 'beside' }, this.moment.element, this.list.element), hint);

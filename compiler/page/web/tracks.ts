@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tracks: one for each group, with a slice for each standing, then one for each state, and at the top a ruler with pushes and take-overs. If more
+// The tracks: one for each group, with a slice for each standing, then one for each state, and at the top a ruler with pushes and hand-overs. If more
 // slices of a group are in the viewport than pixels, each pixel shows the shares of the marks in its time: the cost depends on the number of pixels.
 
 import { drawSlice, drawText, hatch, type Look } from './look';
@@ -171,7 +171,7 @@ export class Tracks {
     }
   }
 
-  /** Pushes are triangles, take-overs diamonds, with an arrow from the group that waits or loses to the other one; if there are many, short lines. */
+  /** Pushes are triangles, hand-overs diamonds, with an arrow from the group that waits or loses to the other one; if there are many, short lines. */
   private drawFlows(to: CanvasRenderingContext2D, width: number, look: Look, events: number[]): void {
     const { flows } = this.recording;
     const [first, last] = [flows.upTo(events[0]), flows.upTo(events[width])];

@@ -98,18 +98,20 @@ public:
       const bool last = text_.substr(place.end, rest - place.end).find_first_not_of(" \t") == std::string_view::npos;
       return {place.begin, place.end, flow || !last ? quoted(lines) : block(lines, indent)};
     }
+    // In quotes beside other keys in quotes, so that JSON remains JSON.
+    const char* const key = next_mark(text_, flow ? begin + 1 : begin) == '"' ? "\"expect\"" : "expect";
     const char next = next_mark(text_, end);
     if (!flow && (next == ',' || next == ']')) // `steps: [request: Walk]`
-      return {begin, end, fmt::format("{{{}, expect: {}}}", text_.substr(begin, end - begin), quoted(lines))};
+      return {begin, end, fmt::format("{{{}, {}: {}}}", text_.substr(begin, end - begin), key, quoted(lines))};
     if (!flow) {
       const std::size_t at = end_of_line(text_, end);
-      return {at, at, fmt::format("{}{}expect: {}", newline_, std::string(indent, ' '), block(lines, indent))};
+      return {at, at, fmt::format("{}{}{}: {}", newline_, std::string(indent, ' '), key, block(lines, indent))};
     }
     if (text_.substr(begin, end - begin).find('#') != std::string_view::npos) // there may be a comment at its end
-      return {begin + 1, begin + 1, fmt::format("expect: {}, ", quoted(lines))};
+      return {begin + 1, begin + 1, fmt::format("{}: {}, ", key, quoted(lines))};
     std::size_t last = end - 2; // what is before the bracket
     while (text_[last] == ' ' || text_[last] == '\n' || text_[last] == '\r') --last;
-    return {last + 1, last + 1, fmt::format("{} expect: {}", text_[last] == ',' ? "" : ",", quoted(lines))};
+    return {last + 1, last + 1, fmt::format("{} {}: {}", text_[last] == ',' ? "" : ",", key, quoted(lines))};
   }
 
 private:

@@ -39,7 +39,7 @@ Moment::Standing standing_of(const View& view, GroupId group, const Model& model
   for (const EdgeId edge : model.groups[group].requesters)
     requested = requested || view.requested(static_cast<Index>(edge.value));
   if (view.granted(row)) {
-    out.mark = now.push.edge != nil && now.push.provider == now.active ? Mark::pushed : Mark::running;
+    out.mark = now.in_force() ? Mark::pushed : Mark::running;
     if (out.mark == Mark::pushed) {
       const GroupId waits = model.edges[EdgeId{now.push.edge}].target;
       out.note = fmt::format("pushed to {} for {}", model.providers[*out.active].name, model.groups[waits].name.value);
@@ -71,8 +71,8 @@ Moment moment_of(const View& view, const Model& model, const Lowered& lowered) {
     const ProviderId to{push.provider};
     const std::string condition = condition_text(model, lowered, push.condition);
     out.pushes.push_back({waits, group, to, condition,
-                          fmt::format("{} waits for {} and has pushed {} to it", model.groups[waits].name.value,
-                                      condition, model.distinct_name(to))});
+                          fmt::format("{} has pushed {} to cause {}", model.groups[waits].name.value,
+                                      model.distinct_name(to), condition)});
   }
   for (const EdgeId edge : model.edges.ids()) {
     const Index target = static_cast<Index>(model.edges[edge].target.value);

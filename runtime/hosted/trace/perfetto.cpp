@@ -5,8 +5,8 @@
 // for each time that a provider is active, those of the states, with a slice for each value, and counters. Viewers
 // merge tracks of one name below one parent, so those of the states have a parent of their own, and the names of other
 // tracks have a space, which names of groups have not; and they sort by name unless a rank is given. Flows lead from a
-// waiting task to the group that is pushed for it, and from the requester that loses a group to the one that takes it
-// over. No event says that a group is only held as a need from now on: it is found as the page of a trace finds it
+// waiting task to the group that is pushed for it, and from the requester that loses a group to the one that gets it.
+// No event says that a group is only held as a need from now on: it is found as the page of a trace finds it
 // (compiler/page/web/standing.ts), except for what only a replay knows. Numbers of fields: protos/perfetto/trace of
 // https://github.com/google/perfetto; those used are in tests/support/perfetto.proto.
 #include "runtime/core/api/event_names.hpp"
@@ -328,7 +328,7 @@ private:
     if (e.edge < t_.edges.size() && queued_at_[e.edge] != e.micro_step) forget(e.edge, out);
     if (e.edge >= t_.edges.size() || e.other >= t_.edges.size()) return; // it had no holder before, or has none now
     const std::string group = n_.group(n_.self, e.group);
-    flow(requester(e.other), "lose " + group, requester(e.edge), "take " + group, out);
+    flow(requester(e.other), "lose " + group, requester(e.edge), "get " + group, out);
   }
 
   void push(const Event& e, std::string& out) {

@@ -95,6 +95,8 @@ public:
     std::cout << line << '\n';
     untold("held", waits_.held, held_, number);
     untold("stays", waits_.stays, stays_, number);
+    untold("without_effect", waits_.without_effect, without_effect_, number);
+    untold("in_force", waits_.in_force, in_force_, number);
   }
 
   void end() { shown_.tell(); }
@@ -134,7 +136,7 @@ private:
   const director::Names names_;
   const Waits& waits_;
   Shown shown_;
-  std::size_t held_ = 0, stays_ = 0;
+  std::size_t held_ = 0, stays_ = 0, without_effect_ = 0, in_force_ = 0;
 };
 
 bool tell(const director::property::Documents& documents, std::uint64_t seed, const char* of) {

@@ -19,6 +19,7 @@ TEST_CASE("a duration has no superfluous digits") {
   CHECK(as_duration(3'599'990'000) == "59 min 59.99 s");
   CHECK(as_duration(3'599'999'900) == "1 h 0 min 0 s");
   CHECK(as_duration(90'061'000'000) == "25 h 1 min 1 s");
+  CHECK(as_duration(std::numeric_limits<std::uint64_t>::max()) == "5124095576 h 1 min 49.552 s");
 }
 
 TEST_CASE("a time has six digits after the point, exactly, also where a floating-point number has not so many") {

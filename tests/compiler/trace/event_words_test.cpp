@@ -55,7 +55,7 @@ TEST_CASE("events that simulate does not print have words too") {
   CHECK(words(R"("event":"grant","group":"B","edge":"limbo","provider":"default")") ==
         "hold B for what comes after it");
   CHECK(words(R"("event":"grant","edge":"A>B","from":"root>A","provider":"default")") ==
-        "take over B: A>B from root>A");
+        "hand over B from root>A to A>B");
   CHECK(words(R"("event":"grant","edge":"A>B","from":"limbo","provider":"default")") == "grant A>B");
   CHECK(words(R"("event":"lose","group":"B","from":"A>B")") == "lose B, held for A>B");
   CHECK(words(R"("event":"lose","group":"B","from":"limbo")") == "lose B, held for what comes after it");

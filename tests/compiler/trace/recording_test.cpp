@@ -140,16 +140,20 @@ TEST_CASE("answers hold from the event in their line on, or from the one before 
   waits.changes = {{2, 1, 1}, {4, 1, 2}, {5, 1, 0}};
   waits.held = {{4, 0}};
   waits.stays = {{4, 1}};
+  waits.without_effect = {{6, 0}};
+  waits.in_force = {{7, 0}};
   waits.last_line = 5;
   const Decoded out =
       recorded({R"({"t":1,"n":1,"event":"done","group":"A"})", R"({"t":2,"n":2,"event":"done","group":"B"})",
                 R"({"t":3,"n":3,"event":"done","group":"A"})",
                 R"({"t":3,"n":3,"event":"answer","group":"A","provider":"x","answer":"done"})",
-                R"({"t":4,"n":4,"event":"done","group":"B"})"},
+                R"({"t":4,"n":4,"event":"done","group":"B"})", R"({"t":5,"n":5,"event":"done","group":"B"})"},
                waits, "something is missing");
-  CHECK(out.events.size() == 6);
+  CHECK(out.events.size() == 9);
   CHECK(out.events[3] == std::pair<std::int64_t, std::string>{3, R"({"event":"held","group":"A"})"});
   CHECK(out.events[4] == std::pair<std::int64_t, std::string>{3, R"({"event":"stays","group":"B"})"});
+  CHECK(out.events[6] == std::pair<std::int64_t, std::string>{4, R"({"event":"without_effect","group":"A"})"});
+  CHECK(out.events[8] == std::pair<std::int64_t, std::string>{5, R"({"event":"in_force","group":"A"})"});
   CHECK(out.head["texts"].as_texts() == waits.texts);
   CHECK(to_line(out.head["held"]) == R"([null,{"group":"B","by":"A>B"}])");
   CHECK(out.changes == std::vector<std::vector<std::uint64_t>>{{0, 1, 1}, {4, 1, 2}, {4, 1, 0}});

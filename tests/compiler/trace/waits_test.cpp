@@ -176,3 +176,52 @@ steps:
   CHECK(waits.held.size() == 1);
   CHECK(last.find("Base could cause it, but nothing requests Base") != std::string::npos);
 }
+
+TEST_CASE(
+    "a group that runs in the provider of its push is noted where it is not because of it, and where it is again") {
+  World world;
+  world.files.add("rover.yaml", R"(behaviour: rover
+language: 1
+states:
+  Motion: {values: [still, rolling], initial: rolling}
+  Key: {values: [off, on], initial: on, external: true}
+roots: {Low: {priority: 10}, Photo: {priority: 20}, High: {priority: 30}}
+groups:
+  Low: {tasks: [Drive]}
+  High: {tasks: [Drive]}
+  Drive:
+    providers:
+      - {name: rolling, when: [Key == on], sets: [Motion == rolling]}
+      - {name: braking, causing: [Motion == still]}
+  Photo: {when: [Motion == still]}
+)");
+  world.files.add("s.yaml", R"(scenario: High goes before the push for Photo, and brakes for want of the key
+behaviour: rover.yaml
+script: {Drive: {continue: true}}
+steps:
+  - request: [Low, Photo]
+  - request: High
+  - set: {Key: off}
+  - cancel: High
+)");
+  REQUIRE(world.directorc({"simulate", "s.yaml", "--trace", "run.jsonl"}) == 0);
+  director::dsl::Sources sources;
+  const Checked checked = check("rover.yaml", world.files, sources);
+  REQUIRE(checked.lowerable);
+  const std::string& trace = world.outputs.files.at("run.jsonl");
+  TraceLines lines(trace);
+  lines.next();
+  const Waits waits = find_waits(lines, checked.model, lower(checked.model), sources);
+  const auto line_of = [&](const std::string& event) {
+    const std::size_t at = trace.find(event);
+    REQUIRE(at != std::string::npos);
+    return static_cast<std::size_t>(1 +
+                                    std::count(trace.begin(), trace.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+  };
+  REQUIRE(waits.without_effect.size() == 1);
+  CHECK(waits.without_effect[0].line >= line_of(R"("input":"set")"));
+  CHECK(waits.without_effect[0].line < line_of(R"("input":"cancel")"));
+  REQUIRE(waits.in_force.size() == 1);
+  CHECK(waits.in_force[0].line >= line_of(R"("input":"cancel")"));
+  CHECK(checked.model.groups[GroupId{waits.in_force[0].group}].name.value == "Drive");
+}

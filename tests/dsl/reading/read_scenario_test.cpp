@@ -294,12 +294,20 @@ TEST_CASE("What is wrong in a step is reported at its place") {
                 "2:19 `soon` wrong_node_kind: `advance`: expected a duration such as 10 ms, found `soon` "
                 "(a whole number and one of us, ms, s, min)\n"},
            Case{"[{inputs: [{advance: 1 s}, {request: A, set: {B: c}}]}]",
-                "2:20 `advance` unknown_key: an input has no key `advance` (it may have request, cancel, set, trigger, "
-                "enable, "
-                "disable)\n"
-                "2:48 `set` exclusive_keys: `request` and `set` exclude each other (make two steps of them, or "
-                "`inputs: [...]` where they come at once)\n"
+                "2:20 `advance` unknown_key: an input has no key `advance` (time passes in a step of its own: "
+                "`- advance: 100 ms`)\n"
+                "2:48 `set` exclusive_keys: `request` and `set` exclude each other (make two entries of them)\n"
                 "  2:36 `request` `request` stands here\n"},
+           Case{"[{advance: 1 s, request: A}]",
+                "2:24 `request` exclusive_keys: `advance` and `request` exclude each other (make two steps of them)\n"
+                "  2:10 `advance` `advance` stands here\n"},
+           Case{"[{inputs: [{cancel: A}], request: A}]",
+                "2:33 `request` exclusive_keys: `inputs` and `request` exclude each other (make two steps of them, or "
+                "write `request` as an entry of `inputs`)\n"
+                "  2:10 `inputs` `inputs` stands here\n"},
+           Case{"[{inputs: [{request: A, expect: b}]}]",
+                "2:32 `expect` unknown_key: an input has no key `expect` (what should happen stands in `expect`, "
+                "beside `inputs`)\n"},
            Case{"[{cancel: A, expect: [b]}]",
                 "2:29 `[b]` wrong_node_kind: `expect`: expected a text with one event a line, found a list "
                 "(write `expect: |`, and below it each event in a line without a dash)\n"},

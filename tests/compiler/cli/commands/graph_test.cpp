@@ -126,9 +126,12 @@ TEST_CASE("the file's name decides the format of a picture if none is named") {
   CHECK(written("walker") == "// G");
   CHECK(written("dot.svg", {"--format=dot"}) == "// G");
   CHECK(world.directorc({"graph", "walker.yaml", "-o", "walker.png"}) == 2);
-  CHECK(world.err == "directorc: `walker.png`: there is no format png; Graphviz makes it: "
-                     "directorc graph walker.yaml | dot -Tpng -o walker.png\n");
+  CHECK(world.err == "directorc: `walker.png`: there is no format png; Graphviz makes it: write a dot file, with -o "
+                     "walker.dot, then `dot -Tpng -o walker.png walker.dot`\n");
   CHECK_FALSE(world.outputs.files.contains("walker.png"));
+  CHECK(world.directorc({"graph", "walker.yaml", "-o", "a $walker.pdf"}) == 2);
+  CHECK(world.err.find("with -o 'a $walker.dot', then `dot -Tpdf -o 'a $walker.pdf' 'a $walker.dot'`") !=
+        std::string::npos);
 }
 
 TEST_CASE("without Graphviz a picture is refused with what to do") {

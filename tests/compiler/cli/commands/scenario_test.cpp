@@ -197,6 +197,9 @@ TEST_CASE("a scenario that expects nothing holds, and it is reported that nothin
   CHECK(world.err ==
         "directorc: `s.yaml` expects nothing, so nothing is compared; `directorc test --update s.yaml` writes "
         "what happens\n");
+  world.files.add("a $lamp.yaml", "behaviour: lamp.yaml\nsteps:\n  - request: Lamp\n");
+  CHECK(world.directorc({"test", "a $lamp.yaml"}) == 0);
+  CHECK(world.err.find("`directorc test --update 'a $lamp.yaml'` writes") != std::string::npos);
 }
 
 TEST_CASE("a scenario without steps tests nothing, and there is nothing to write into it") {

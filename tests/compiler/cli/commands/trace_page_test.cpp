@@ -73,6 +73,20 @@ TEST_CASE("a trace as a page is that of docs with what was recorded") {
   CHECK(world.out == page);
 }
 
+TEST_CASE("the page of a trace that is longer than 2^63 us says how long it is") {
+  World world = with_recording();
+  std::string trace = trace_of(world);
+  for (const auto& [time, far] : {std::pair{"\"t\":0,", "\"t\":-5000000000000000000,"},
+                                  std::pair{"\"t\":1000000,", "\"t\":5000000000000000000,"}}) {
+    for (std::size_t at = trace.find(time); at != std::string::npos; at = trace.find(time, at + 1))
+      trace.replace(at, std::string_view(time).size(), far);
+  }
+  world.files.add("run.jsonl", trace);
+  CHECK(world.directorc({"trace", "run.jsonl", "--to=html", "-o", "run.html"}) == 0);
+  CHECK(section(world.outputs.files.at("run.html")).find("6 events in 2777777777 h 46 min 40 s, from run.jsonl.") !=
+        std::string::npos);
+}
+
 TEST_CASE("the page of a trace has refuted assertions among its findings") {
   World world;
   world.files.add("lamp.yaml", "behaviour: lamp\nlanguage: 1\nroots: [Shine, Blink]\ngroups: {Shine: {}, Blink: {}}\n"

@@ -52,6 +52,14 @@ TEST_CASE("what happens is written between brackets as a text in quotes") {
   check("steps: [request: Lamp]\n", "steps: [{request: Lamp, expect: \"run Lamp new_task\"}]\n");
 }
 
+TEST_CASE(
+    "what happens is written below a key in quotes where the others are, so that a scenario in JSON remains JSON") {
+  check("\"steps\": [\n{\"request\":\"Lamp\"},\n{ \"advance\": \"1 s\" }\n]\n",
+        "\"steps\": [\n{\"request\":\"Lamp\", \"expect\": \"run Lamp new_task\"},\n{ \"advance\": \"1 s\", \"expect\": "
+        "\"\" "
+        "}\n]\n");
+}
+
 TEST_CASE("what happens is not written into a comment, nor beside one that stands behind a dash") {
   check("steps:\n  - {request: Lamp # on\n    }\n",
         "steps:\n  - {expect: \"run Lamp new_task\", request: Lamp # on\n    }\n");

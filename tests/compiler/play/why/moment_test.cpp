@@ -67,6 +67,59 @@ TEST_CASE("a moment at a time is within the step that passes it") {
   CHECK_FALSE(has("pushed to"));
 }
 
+TEST_CASE("the arrow of a push does not say that its task waits: it may run, and the push go on") {
+  World world;
+  world.files.add("rover.yaml", R"(behaviour: rover
+language: 1
+states: {Motion: {values: [still, rolling], initial: rolling}}
+roots: {Drive: {priority: 10}, Photograph: {priority: 20}}
+groups:
+  Drive: {providers: [{name: rolling, sets: [Motion == rolling]}, {name: braking, causing: [Motion == still]}]}
+  Photograph: {when: [Motion == still]}
+)");
+  world.files.add("s.yaml", R"(behaviour: rover.yaml
+script: {Drive.braking: {set: {Motion: still}}}
+steps: [request: Drive, request: Photograph]
+)");
+  REQUIRE(world.directorc({"why", "s.yaml", "Photograph"}) == 0);
+  CHECK(world.out.starts_with("Photograph runs"));
+  REQUIRE(world.directorc({"graph", "s.yaml", "--step=2"}) == 0);
+  CHECK(world.out.find("\"Photograph has pushed Drive.braking to cause Motion == still") != std::string::npos);
+}
+
+TEST_CASE("a group that runs in the provider of its push is not pushed while the push has no effect on it") {
+  World world;
+  world.files.add("rover.yaml", R"(behaviour: rover
+language: 1
+states:
+  Motion: {values: [still, rolling], initial: rolling}
+  Key: {values: [off, on], initial: on, external: true}
+roots: {Low: {priority: 10}, Photo: {priority: 20}, High: {priority: 30}}
+groups:
+  Low: {tasks: [Drive]}
+  High: {tasks: [Drive]}
+  Drive:
+    providers:
+      - {name: rolling, when: [Key == on], sets: [Motion == rolling]}
+      - {name: braking, causing: [Motion == still]}
+  Photo: {when: [Motion == still]}
+)");
+  world.files.add("s.yaml", R"(behaviour: rover.yaml
+script: {Drive: {continue: true}}
+steps: [request: [Low, Photo], request: High, set: {Key: off}, cancel: High]
+)");
+  const auto is_pushed = [&](const char* step) {
+    REQUIRE(world.directorc({"graph", "s.yaml", step}) == 0);
+    const bool out = world.out.find("pushed to braking for Photo") != std::string::npos;
+    CHECK((world.out.find("Photo has pushed Drive.braking") != std::string::npos) == out);
+    return out;
+  };
+  CHECK(is_pushed("--step=1"));
+  CHECK_FALSE(is_pushed("--step=2"));
+  CHECK_FALSE(is_pushed("--step=3"));
+  CHECK(is_pushed("--step=4"));
+}
+
 TEST_CASE(
     "of the packs of a provider only the lines of the one that is requested are marked, unless others ask alike") {
   World world;
