@@ -106,7 +106,7 @@ private:
 
   /// `here`: where the waiting provider runs.
   void look_at_setting(const Granted& granted, const Region& here, const Want& want, const Setting& setting) {
-    if (seen_.count({state_of(want), want.condition.span}) != 0 || !loses(granted.takings, setting.provider, want) ||
+    if (seen_.count({state_of(want), want.condition.span}) != 0 || !loses(granted, setting.provider, want) ||
         !may_begin_again(setting.provider, want) || !compatible(here, region_of_run(setting.provider)) ||
         is_undone_at_once(granted, want, setting.provider))
       return;
@@ -126,9 +126,22 @@ private:
 
   Region region_of_run(ProviderId id) const { return facts_.region_to_run(model_, id, facts_.pushed.contains(id)); }
 
-  bool loses(const Takings& takings, ProviderId id, const Want& want) const {
+  bool loses(const Granted& granted, ProviderId id, const Want& want) const {
+    const Takings& takings = granted.takings;
     const GroupId group = model_.providers[id].group;
-    return takings.takes(group) || takings.need_taken(id) != nullptr || (takings.may_beat(group) && spoilt(id, want));
+    return takings.takes(group) || takings.need_taken(id) != nullptr || (takings.may_beat(group) && spoilt(id, want)) ||
+           why_refused(granted, id);
+  }
+
+  /// How each unit in which its group is requested is blocked, told of the first one.
+  std::optional<Taking> why_refused(const Granted& granted, ProviderId id) const {
+    std::optional<Taking> out;
+    for (const Request& request : shared_.requests().of(model_.providers[id].group)) {
+      std::optional<Taking> why = why_unit_ends(model_, facts_, shared_, granted, request, id);
+      if (!why) return std::nullopt;
+      if (!out) out = std::move(why);
+    }
+    return out;
   }
 
   /// The condition that it loses, if nothing else sets that state to what it accepts while the task runs.
@@ -153,7 +166,7 @@ private:
     const GroupId group = model_.providers[*source.provider].group;
     if (!compatible(here, region_of_run(*source.provider))) return false;
     return runs_below(granted.task, group) || runs_below(granted.waits, group) ||
-           !loses(granted.takings, *source.provider, want);
+           !loses(granted, *source.provider, want);
   }
 
   /// With any pack.
@@ -170,9 +183,7 @@ private:
     const auto undoes = [&](const ValueSet& values) {
       return !undoing_values(model_, granted.waits, want, values).empty();
     };
-    const auto stops = [&](ProviderId each) {
-      return !facts_.active.contains(each) || loses(granted.takings, each, want);
-    };
+    const auto stops = [&](ProviderId each) { return !facts_.active.contains(each) || loses(granted, each, want); };
     if (std::all_of(group.providers.begin(), group.providers.end(), stops)) {
       const std::vector<StopValue> values = stop_values(model_, id, state_of(want));
       return std::any_of(values.begin(), values.end(), [&](const StopValue& stop) { return undoes(stop.values); });
@@ -194,7 +205,7 @@ private:
     const GroupId group = model_.providers[setting.provider].group;
     const std::string causing = name_of(model_, setting.provider);
     Taking how = granted.takings.takes(group) ? granted.takings.way_to(group) : Taking{};
-    std::string lost = "stops";
+    std::string lost = "stops", apart;
     if (const Use<GroupId>* need = granted.takings.need_taken(setting.provider); how.notes.empty() && need != nullptr) {
       std::vector<std::string> names;
       for (const Use<GroupId>* each : granted.takings.needs_taken(setting.provider))
@@ -206,6 +217,9 @@ private:
       lost = fmt::format("loses {}", name_of(model_, lose->condition.id));
       how.notes = lose->notes;
       how.notes.insert(how.notes.begin(), runs_only_while(model_, setting.provider, lose->condition));
+    } else if (std::optional<Taking> refused = why_refused(granted, setting.provider); refused && how.notes.empty()) {
+      how = std::move(*refused);
+      if (shared_.requests().of(group).size() == 1) apart = fmt::format("make {} `apart`, or ", name_of(model_, group));
     }
     dsl::Diagnostic& finding = findings_.add(
         expires.span,
@@ -223,7 +237,7 @@ private:
                                  name_of(model_, state), giving_stay(model_, granted.waits, want));
     // A group that is held only as a need does not run.
     const bool runs = is_granted_with(model_, granted.waits, want);
-    finding.help = fmt::format("{}; or let {} renew it while it runs", stay,
+    finding.help = fmt::format("{}{}; or let {} renew it while it runs", apart, stay,
                                runs ? name_of(model_, want.waiter) : name_of(model_, granted.waits));
   }
 

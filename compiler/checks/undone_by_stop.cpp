@@ -238,7 +238,7 @@ private:
     if (values.empty() || seen_.count({stop.span, want.condition.span}) != 0 ||
         ends_.count({stopped, model_.conditions[want.condition.id].state}) != 0)
       return false;
-    Search search{causer.provider, {}, {}};
+    Search search{causer.provider, {}, {}, {}};
     std::optional<Taking> how = why_stopped(granted, stopped, search);
     if (!how) return false;
     std::vector<dsl::Note> notes;
@@ -248,7 +248,8 @@ private:
     };
     how->notes.erase(std::remove_if(how->notes.begin(), how->notes.end(), is_told), how->notes.end());
     how->notes.insert(how->notes.begin(), notes.begin(), notes.end());
-    report(granted, want, causer, stop, values, std::move(*how));
+    report(granted, want, causer, stop, values, std::move(*how),
+           search.refused.size() == 1 ? search.refused.front() : nullptr);
     return true;
   }
 
@@ -261,8 +262,9 @@ private:
 
   struct Search {
     ProviderId causer{};
-    std::set<GroupId> seen;    ///< groups whose requesters were looked at
-    std::set<GroupId> stopped; ///< of these, the ones that are known to stop
+    std::set<GroupId> seen;           ///< groups whose requesters were looked at
+    std::set<GroupId> stopped;        ///< of these, the ones that are known to stop
+    std::vector<const Task*> refused; ///< requests whose unit is blocked, though their provider goes on
   };
 
   /// Empty: the group continues, or is handed over, or it is not certain.
@@ -303,15 +305,31 @@ private:
       if (!edge.requester) return std::nullopt;
       if (!may_request(*edge.requester, group)) continue;
       std::optional<Taking> why = why_requester_stopped(granted, *edge.requester, search);
+      const bool stops = why.has_value();
+      if (!why) why = why_units_end(granted, id, search);
       if (!why) return std::nullopt;
       if (out) continue;
       out = std::move(why);
+      if (!stops) continue; // the requester goes on
       const std::vector<ChainStep> step{{*edge.requester, group, false, request_span(model_, *edge.requester, group)}};
       std::vector<dsl::Note> notes;
       add_chain(model_, step, notes);
       out->notes.insert(out->notes.begin(), notes.begin(), notes.end());
     }
     if (out) search.stopped.insert(group);
+    return out;
+  }
+
+  /// How each unit in which the requester of this edge requests it is blocked, told of the first one.
+  std::optional<Taking> why_units_end(const Granted& granted, EdgeId edge, Search& search) const {
+    std::optional<Taking> out;
+    for (const Request& request : shared_.requests().of(model_.edges[edge].target)) {
+      if (request.task->edge != edge) continue;
+      std::optional<Taking> why = why_unit_ends(model_, facts_, shared_, granted, request, search.causer);
+      if (!why) return std::nullopt;
+      search.refused.push_back(request.task);
+      if (!out) out = std::move(why);
+    }
     return out;
   }
 
@@ -329,14 +347,16 @@ private:
            });
   }
 
+  /// `refused`: it would go on if this request were `apart`.
   void report(const Granted& granted, const Want& want, const Setting& causer, const StopValue& stop,
-              const ValueSet& values, Taking how) {
+              const ValueSet& values, Taking how, const Task* refused = nullptr) {
     seen_.insert({stop.span, want.condition.span});
     dsl::Diagnostic& finding = findings_.add(
         stop.span, fmt::format("{}, and it is stopped when {}, which waits for {}: the two go round", stop.what,
                                is_granted(model_, granted), name_of(model_, want.condition.id)));
     add_taking(model_, want, causer.note, std::move(how), finding);
-    finding.help = stay_help(model_, granted.waits, want, values);
+    finding.help = refused == nullptr ? "" : fmt::format("make {} `apart`, or ", name_of(model_, refused->target));
+    finding.help += stay_help(model_, granted.waits, want, values);
   }
 
   void report(ProviderId ended, ProviderId setter, const ConditionUse& entry, bool promised, const StopValue& stop) {

@@ -9,7 +9,8 @@ namespace director::defects {
 
 namespace {
 
-// self_defeating_handler, undone_by_stop, undone_by_expiry, undone_by_fallback, undone_by_itself, undone_in_turn
+// alternating_providers, self_defeating_handler, undone_by_stop, undone_by_expiry, undone_by_fallback,
+// undone_by_itself, undone_in_turn
 
 void start_shuts_itself_out(Robot& robot, bool defect) {
   const std::string grip = make_state(robot, "open", "closed");
@@ -127,7 +128,29 @@ void unsettle_each_other(Robot& robot, bool defect) {
   ask_for_both(robot, drive, causes(arm, "folded"));
 }
 
+void bring_back_what_the_other_ends(Robot& robot, bool defect) {
+  const std::string gait = make_state(robot, "standing", "trotting"), legs = robot.add_part();
+  make_root(robot,
+            defect ? "{providers: [{name: going, when: [$0 == standing], needs: [$1], sets: [@$0 == trotting], tasks: "
+                     "[$1]}, {name: halting, needs: [$1], causing: [$0 == standing], tasks: [$1]}]}"
+                   : "{providers: [{name: going, when: [$0 == standing], stay: [$0 == standing|trotting], needs: [$1], "
+                     "sets: [@$0 == trotting], tasks: [$1]}, {name: halting, needs: [$1], causing: [$0 == standing], "
+                     "tasks: [$1]}]}",
+            {gait, legs});
+}
+void take_turns(Robot& robot, bool defect) {
+  const std::string fork = make_state(robot, "low", "high");
+  make_root(robot,
+            defect ? "{providers: [{name: lifting, when: [$0 == low], sets: [@$0 == high]}, {name: lowering, sets: [$0 "
+                     "== low]}]}"
+                   : "{providers: [{name: lifting, when: [$0 == low], sets: [@$0 == high]}, {name: lowering, when: [$0 "
+                     "== high], sets: [$0 == low]}]}",
+            {fork});
+}
+
 constexpr Planter of_undoing[]{
+    {"alternating_providers", "a push is meant", bring_back_what_the_other_ends},
+    {"alternating_providers", "both by themselves", take_turns},
     {"self_defeating_handler", "start", start_shuts_itself_out},
     {"self_defeating_handler", "stop", stop_lets_itself_in},
     {"undone_by_stop", "its handler", stop_takes_it_back},

@@ -40,6 +40,35 @@ bool has_conflict(const Input& input, const Pack* pack) {
   });
 }
 
+/// How the group, or what each provider of it needs, is taken.
+std::optional<Taking> why_lost(const Model& model, const Facts& facts, const Takings& takings, GroupId group) {
+  if (takings.takes(group)) return takings.way_to(group);
+  std::optional<Taking> out;
+  for (const ProviderId id : model.groups[group].providers) {
+    if (!facts.active.contains(id)) continue;
+    const Use<GroupId>* need = takings.need_taken(id);
+    if (need == nullptr) return std::nullopt;
+    if (out) continue;
+    out = takings.way_to(*need, group);
+    out->notes.insert(out->notes.begin(),
+                      {need->span, fmt::format("{} needs {}", name_of(model, id), name_of(model, need->id))});
+  }
+  return out;
+}
+
+/// Whether each provider of the group needs what the causing one needs too, so that the two never run together.
+bool keeps_off(const Model& model, const Facts& facts, const Indispensable& indispensable, GroupId group,
+               ProviderId causer) {
+  const Provider& row = model.providers[causer];
+  const std::vector<ProviderId>& all = model.groups[group].providers;
+  return indispensable.needs_part_of(row, group) || std::all_of(all.begin(), all.end(), [&](ProviderId id) {
+           const std::vector<Use<GroupId>>& needs = model.providers[id].needs;
+           return !facts.active.contains(id) || std::any_of(needs.begin(), needs.end(), [&](const Use<GroupId>& need) {
+             return indispensable.needs_part_of(row, need.id);
+           });
+         });
+}
+
 /// What the group runs with: a provider, and a pack of it.
 std::vector<std::pair<ProviderId, const Pack*>> packs_of(const Model& model, const Facts& facts, GroupId group,
                                                          std::optional<ProviderId> provider) {
@@ -117,6 +146,29 @@ bool is_requested_beside(const Shared& shared, const Granted& granted, GroupId g
     const Claims without(shared.branches(), other, {granted.task});
     out = RunsBelow(shared.branches(), without, other).contains(group);
   });
+  return out;
+}
+
+std::optional<Taking> why_unit_ends(const Model& model, const Facts& facts, const Shared& shared,
+                                    const Granted& granted, const Request& request, ProviderId causer) {
+  if (!request.requester || request.pack->name.empty() || !model.is_always_member(*request.task)) return std::nullopt;
+  std::optional<Taking> out;
+  const std::vector<const Task*> unit = unit_members(model, *request.pack);
+  for (const Task* member : unit) {
+    if (member == request.task) continue;
+    if (keeps_off(model, facts, shared.indispensable(), member->target, causer)) return std::nullopt;
+    if (out) continue;
+    out = why_lost(model, facts, granted.takings, member->target);
+    if (!out) continue;
+    out->notes.insert(out->notes.begin(), {request.task->span, fmt::format("{} is granted only together with {}",
+                                                                           name_of(model, request.task->target),
+                                                                           name_of(model, member->target))});
+  }
+  const auto leads_to_task = [&](const Task* member) {
+    const Claims& claims = shared.claims(member->target);
+    return claims.contains(granted.waits) || claims.contains(granted.task);
+  };
+  if (out && std::any_of(unit.begin(), unit.end(), leads_to_task)) return std::nullopt;
   return out;
 }
 

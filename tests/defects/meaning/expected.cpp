@@ -20,6 +20,7 @@ const Kinds refused_checks{"bad_condition",    "bad_header",           "bad_type
 
 /// What all shapes of a defect change.
 const std::map<std::string, Kinds> by_check{
+    {"alternating_providers", {"condition_tightened"}},
     {"always_true_when", {"condition_loosened"}},
     {"causer_goes_first", {"priority"}},
     {"causer_not_running", {"finding_new"}},
@@ -60,6 +61,7 @@ const std::map<std::string, Kinds> by_check{
 
 /// What one shape changes.
 const std::map<std::pair<std::string, std::string>, Kinds> by_shape{
+    {{"alternating_providers", "both by themselves"}, {"condition_loosened"}},
     {{"assertion_failed", "beats"}, {"assertion"}},
     {{"assertion_failed", "can_run"}, {"needs_added"}},
     {{"assertion_failed", "never_together"}, {"needs_added"}},
