@@ -14,6 +14,7 @@
 #include "compiler/analysis/words/proposals.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
+#include "compiler/checks/report_stranded_pushes.hpp"
 
 #include <fmt/format.h>
 
@@ -400,6 +401,7 @@ void push_in_vain(const Input& input, Findings& findings) {
   for (const GroupId task : model.groups.ids()) {
     if (input.facts.requested.contains(task)) excluded.look_at(task);
   }
+  report_stranded_pushes(input, findings);
 }
 
 } // namespace director::checks
