@@ -9,11 +9,13 @@
 #include "compiler/analysis/requests/company.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/at_rest.hpp"
+#include "compiler/analysis/states/region.hpp"
 #include "compiler/analysis/states/sources.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/proposals.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
+#include "compiler/checks/report_stranded_pushes.hpp"
 
 #include <fmt/format.h>
 
@@ -90,13 +92,23 @@ std::string help_of(const Model& model, const Clash& clash) {
   return {};
 }
 
-/// Whether every other provider of the group that sets the step's value runs only while the condition holds too.
+/// Whether it continues with the step's value by its `stay`, whatever the other states are.
+bool stays_with(const Model& model, const compiler::Provider& provider, const Condition& step) {
+  const Region region = region_of(model, provider.stay);
+  const auto at = region.states.find(step.state);
+  const ValueSet values = values_set_by(model, provider, step.state).intersected(step.accepts);
+  return region.states.size() == 1 && at != region.states.end() && values.subset_of(at->second);
+}
+
+/// Whether every other provider of the group that sets the step's value has the condition too, or continues until then.
 bool holds_before(const Model& model, ProviderId id, const ConditionUse& step, const ConditionUse& use) {
   const Condition& wanted = model.conditions[step.id];
   const std::vector<ProviderId>& all = model.group_of(id).providers;
   return std::all_of(all.begin(), all.end(), [&](ProviderId other) {
     const compiler::Provider& row = model.providers[other];
-    if (other == id || values_set_by(model, row, wanted.state).intersected(wanted.accepts).empty()) return true;
+    if (other == id || values_set_by(model, row, wanted.state).intersected(wanted.accepts).empty() ||
+        stays_with(model, row, wanted))
+      return true;
     return std::any_of(row.when.begin(), row.when.end(),
                        [&](const ConditionUse& each) { return model.satisfies(each.id, use.id); });
   });
@@ -147,10 +159,12 @@ bool need_not_be_requested(const Input& input, const Request& request, const std
 void look_at_steps(const Input& input, Findings& findings) {
   const Model& model = input.model;
   const Sources sources = find_sources(model);
+  Waiting waiting(model, input.facts);
   for (const ProviderId id : model.providers.ids()) {
     const GroupId group = model.providers[id].group;
     const ConditionUse* step = find_own_step(model, id);
     if (step == nullptr || !input.facts.requested.contains(group) || !input.facts.capable.contains(id)) continue;
+    if (!waiting.may_wait(group)) continue;
     const StateId own = model.conditions[step->id].state;
     const std::vector<Request>& of_group = input.shared.requests().of(group);
     for (const ConditionUse& use : model.providers[id].when) {
@@ -400,6 +414,7 @@ void push_in_vain(const Input& input, Findings& findings) {
   for (const GroupId task : model.groups.ids()) {
     if (input.facts.requested.contains(task)) excluded.look_at(task);
   }
+  report_stranded_pushes(input, findings);
 }
 
 } // namespace director::checks

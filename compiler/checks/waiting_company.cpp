@@ -146,16 +146,24 @@ private:
     });
   }
 
-  /// Whether the member ends what the other one waits for, and its stop brings that back: then undone_by_itself reports
-  /// the two, and by itself the member would only keep the other one waiting.
+  /// Whether the member, or what is below it, ends what the other one waits for, and only its stop brings that back:
+  /// then undone_by_itself reports the two, unless a `stay` lets the other one go on; and by itself the member would
+  /// only keep the other one waiting.
   bool go_round(GroupId member, GroupId waiting) const {
+    const std::vector<GroupId>& below = input_.shared.claims(member).groups();
+    return std::any_of(below.begin(), below.end(),
+                       [&](GroupId group) { return keeps_waiting(member, group, waiting); });
+  }
+
+  bool keeps_waiting(GroupId member, GroupId group, GroupId waiting) const {
     const Model& model = input_.model;
-    const Group& row = model.groups[member];
+    const Group& row = model.groups[group];
     const auto ends = [&](const std::vector<ConditionUse>& entries, ProviderId waiter, const ConditionUse& use) {
       return std::any_of(entries.begin(), entries.end(), [&](const ConditionUse& entry) {
-        const Condition& set = model.conditions[entry.id];
-        return set.state == model.conditions[use.id].state &&
-               !undoing_values(model, waiter, use.id, set.accepts).empty();
+        const Condition &set = model.conditions[entry.id], &wanted = model.conditions[use.id];
+        if (set.state != wanted.state) return false;
+        return (group == member && !undoing_values(model, waiter, use.id, set.accepts).empty()) ||
+               (set.accepts.intersected(wanted.accepts).empty() && !could_satisfy(member, wanted));
       });
     };
     const auto undoes = [&](ProviderId waiter, const ConditionUse& use) {
@@ -168,7 +176,7 @@ private:
     return row.requesters.size() == 1 && std::any_of(waiters.begin(), waiters.end(), [&](ProviderId waiter) {
              const std::vector<ConditionUse>& when = model.providers[waiter].when;
              return std::any_of(when.begin(), when.end(), [&](const ConditionUse& use) {
-               return stop_that_causes(model, member, use.id) && undoes(waiter, use);
+               return stop_that_causes(model, group, use.id) && undoes(waiter, use);
              });
            });
   }
