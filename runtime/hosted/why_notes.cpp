@@ -137,6 +137,18 @@ private:
     return "";
   }
 
+  /// Or what keeps the only provider of a need from running, or of a need of that.
+  std::string hindrance_with_needs(Index row, Index request) const {
+    std::string out = hindrance(row, request);
+    for (const Index need : t_.list(t_.providers[row].needs)) {
+      const Range providers = t_.groups[t_.edges[need].target].providers;
+      if (!out.empty() || providers.size() != 1) continue;
+      out = hindrance_with_needs(providers.begin, request);
+      if (!out.empty()) out = group(t_.edges[need].target) + ", which it needs, cannot run: " + out;
+    }
+    return out;
+  }
+
   bool is_in_the_way(Index holder, Index need, Index request) const {
     return holder != nil && holder != need && request != nil && !v_.is_limbo(holder) &&
            stands_in_the_way(v_, holder, request);
@@ -215,7 +227,9 @@ private:
     } else if (is_pushed(row) && outranks(standing.holder, standing.push.edge)) {
       text += " is pushed for " + edge(standing.push.edge) + ", without effect: " + holder_words(of);
     } else if (is_pushed(row)) {
-      text += " is pushed for " + edge(standing.push.edge) + ", and cannot run now";
+      const std::string reason = hindrance_with_needs(row, standing.push.edge);
+      text +=
+          " is pushed for " + edge(standing.push.edge) + ", and cannot run now" + (reason.empty() ? "" : ": " + reason);
     } else if (!is_requested(of)) {
       text += " could cause it, but nothing requests " + group(of);
     } else if (!standing.granted()) {

@@ -236,7 +236,7 @@ groups:
 
 TEST_CASE("why a group waits: a push that stands keeps others from being pushed, also while its provider cannot run") {
   World world;
-  world.files.add("lift.yaml", R"(behaviour: lift
+  const std::string lift = R"(behaviour: lift
 language: 1
 states:
   Door: {values: [open, shut], initial: open}
@@ -246,7 +246,8 @@ groups:
   Lift: {when: [Door == shut]}
   Motor: {providers: [{name: closing, when: [Power == on], causing: [Door == shut]}, {name: resting}]}
   Helper: {providers: [{name: resting}, {name: pulling, causing: [Door == shut]}]}
-)");
+)";
+  world.files.add("lift.yaml", lift);
   const auto why = [&](const std::string& last) {
     world.files.add("s.yaml", "behaviour: lift.yaml\nsteps: [request: [Motor, Helper, Lift], " + last + "]\n");
     CHECK(world.directorc({"why", "s.yaml", "Lift"}) == 0);
@@ -261,7 +262,20 @@ groups:
       "  Helper.pulling could cause it, and is not pushed for root>Lift, because Motor.closing is "
       "(lift.yaml:10)\n";
   CHECK(why("set: {Power: off}") ==
-        head("Motor.closing") + "  Motor.closing is pushed for root>Lift, and cannot run now (lift.yaml:9)\n" + other);
+        head("Motor.closing") +
+            "  Motor.closing is pushed for root>Lift, and cannot run now: Power == on is false: Power is off "
+            "(lift.yaml:9)\n" +
+            other);
+  const std::string_view condition = "when: [Power == on], causing";
+  std::string below = lift;
+  below.replace(below.find(condition), condition.size(), "needs: [Fuse], causing");
+  world.files.add("lift.yaml", below + "  Fuse: {when: [Power == on]}\n");
+  CHECK(why("set: {Power: off}") ==
+        head("Motor.closing") +
+            "  Motor.closing is pushed for root>Lift, and cannot run now: Fuse, which it needs, cannot run: Power == on is "
+            "false: Power is off (lift.yaml:9)\n" +
+            other);
+  world.files.add("lift.yaml", lift);
   CHECK(why("disable: Motor.closing") ==
         head("Helper.pulling") + "  Motor.closing is pushed for root>Lift, and is disabled (lift.yaml:9)\n" + other);
 }
