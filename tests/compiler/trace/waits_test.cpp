@@ -5,12 +5,14 @@
 #include "compiler/lower/row_names.hpp"
 #include "compiler/trace/waits.hpp"
 #include "tests/compiler/cli/world.hpp"
+#include "tests/compiler/support/rover_with_key.hpp"
 
 #include <catch2/catch.hpp>
 
 namespace {
 
 using namespace director::compiler;
+using director::tests::rover_with_key;
 using director::tests::World;
 
 const std::string kicker_yaml = R"(behaviour: kicker
@@ -180,21 +182,7 @@ steps:
 TEST_CASE(
     "a group that runs in the provider of its push is noted where it is not because of it, and where it is again") {
   World world;
-  world.files.add("rover.yaml", R"(behaviour: rover
-language: 1
-states:
-  Motion: {values: [still, rolling], initial: rolling}
-  Key: {values: [off, on], initial: on, external: true}
-roots: {Low: {priority: 10}, Photo: {priority: 20}, High: {priority: 30}}
-groups:
-  Low: {tasks: [Drive]}
-  High: {tasks: [Drive]}
-  Drive:
-    providers:
-      - {name: rolling, when: [Key == on], sets: [Motion == rolling]}
-      - {name: braking, causing: [Motion == still]}
-  Photo: {when: [Motion == still]}
-)");
+  world.files.add("rover.yaml", rover_with_key);
   world.files.add("s.yaml", R"(scenario: High goes before the push for Photo, and brakes for want of the key
 behaviour: rover.yaml
 script: {Drive: {continue: true}}

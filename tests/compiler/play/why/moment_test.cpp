@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pictures of a moment of a scenario.
 #include "tests/compiler/cli/world.hpp"
+#include "tests/compiler/support/rover_with_key.hpp"
 #include "tests/support/golden.hpp"
 
 #include <catch2/catch.hpp>
@@ -10,6 +11,7 @@
 namespace {
 
 using director::tests::check_golden;
+using director::tests::rover_with_key;
 using director::tests::World;
 
 World photographer() {
@@ -89,21 +91,7 @@ steps: [request: Drive, request: Photograph]
 
 TEST_CASE("a group that runs in the provider of its push is not pushed while the push has no effect on it") {
   World world;
-  world.files.add("rover.yaml", R"(behaviour: rover
-language: 1
-states:
-  Motion: {values: [still, rolling], initial: rolling}
-  Key: {values: [off, on], initial: on, external: true}
-roots: {Low: {priority: 10}, Photo: {priority: 20}, High: {priority: 30}}
-groups:
-  Low: {tasks: [Drive]}
-  High: {tasks: [Drive]}
-  Drive:
-    providers:
-      - {name: rolling, when: [Key == on], sets: [Motion == rolling]}
-      - {name: braking, causing: [Motion == still]}
-  Photo: {when: [Motion == still]}
-)");
+  world.files.add("rover.yaml", rover_with_key);
   world.files.add("s.yaml", R"(behaviour: rover.yaml
 script: {Drive: {continue: true}}
 steps: [request: [Low, Photo], request: High, set: {Key: off}, cancel: High]
