@@ -129,9 +129,24 @@ private:
     finding.notes.push_back(runs_only_while(model_, first, use));
     finding.notes.push_back(
         {back.span, fmt::format("{} {} {}", name, promised ? "causes" : "may set", name_of(model_, back.id))});
-    finding.help = fmt::format("{}; or, if they are meant to alternate, say in a `when` of {} with which values of {} "
-                               "it runs",
-                               stay_help(model_, {first, use, {}}, entry_values(entry)), name, name_of(model_, state));
+    const std::string when =
+        fmt::format("say in a `when` of {} with which values of {} it runs", name, name_of(model_, state));
+    finding.help = may_stay(first, entry, next)
+                       ? fmt::format("{}; or, if they are meant to alternate, {}",
+                                     stay_help(model_, {first, use, {}}, entry_values(entry)), when)
+                       : when;
+  }
+
+  /// Whether others of the group may still run once the first one has a `stay` for its values: not if the state begins
+  /// anew with each start of the group, nor if another one is meant for these values.
+  bool may_stay(ProviderId first, const ConditionUse& entry, ProviderId next) const {
+    const State& state = model_.states[model_.conditions[entry.id].state];
+    const GroupId group = model_.providers[first].group;
+    const std::vector<ProviderId>& all = model_.groups[group].providers;
+    return !(state.of && state.of->id == group) && std::none_of(all.begin(), all.end(), [&](ProviderId id) {
+      const ConditionUse* use = id == first || id == next ? nullptr : find_use(id, model_.conditions[entry.id].state);
+      return use != nullptr && !model_.conditions[use->id].accepts.intersected(entry_values(entry)).empty();
+    });
   }
 
   const Model& model_;

@@ -89,18 +89,31 @@ private:
     });
   }
 
-  /// Whether the task, or what is granted only together with it, pushes for the condition itself.
+  /// Whether the task, or what is granted only together with it, or always requested with it, pushes for the condition
+  /// itself.
   bool waits_too(const Wanting& wanting, ConditionId id) {
     if (requires_it(wanting.provider, id)) return true;
     const std::vector<Request>& requests = shared_.requests().of(wanting.task);
     return std::any_of(requests.begin(), requests.end(), [&](const Request& request) {
-      if (request.pack == nullptr || !model_.may_be_member(*request.task)) return false;
+      if (request.pack == nullptr) return false;
+      const std::vector<Task>& beside = request.pack->tasks;
+      if (std::any_of(beside.begin(), beside.end(), [&](const Task& each) { return pushes_for(each, id); }))
+        return true;
+      if (!model_.may_be_member(*request.task)) return false;
       const std::vector<const Task*> unit = unit_members(model_, *request.pack);
       return std::any_of(unit.begin(), unit.end(), [&](const Task* mate) {
         const std::vector<ProviderId>& all = model_.groups[mate->target].providers;
         return mate->target != wanting.task &&
                std::any_of(all.begin(), all.end(), [&](ProviderId each) { return requires_it(each, id); });
       });
+    });
+  }
+
+  /// Whether the entry of a pack is always requested, and pushes for the condition.
+  bool pushes_for(const Task& entry, ConditionId id) const {
+    const std::vector<const Want*> wants = shared_.wants_of(entry.target);
+    return !model_.may_be_left_out(entry) && std::any_of(wants.begin(), wants.end(), [&](const Want* want) {
+      return !want->causers.empty() && model_.satisfies(want->condition.id, id);
     });
   }
 

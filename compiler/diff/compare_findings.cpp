@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <string_view>
@@ -73,21 +74,29 @@ std::map<std::string, std::vector<const Finding*>> sorted(const std::vector<Find
   return out;
 }
 
-/// For each kind of finding, as many of the first as there are more than in the second; of those that say "never", one
-/// is as good as several.
+/// For each kind of finding, as many of the first as there are more than in the second, those first whose text is not
+/// there; of those that say "never" of one thing, one is as good as several.
 std::vector<const Finding*> more_than(const std::map<std::string, std::vector<const Finding*>>& first,
-                                      const std::map<std::string, std::vector<const Finding*>>& second) {
+                                      const std::map<std::string, std::vector<const Finding*>>& second, bool by_check) {
   std::vector<const Finding*> out;
   for (const auto& [key, all] : first) {
     const auto at = second.find(key);
-    if (at != second.end() && reports_never(*all.front())) continue;
-    for (std::size_t i = at == second.end() ? 0 : at->second.size(); i < all.size(); ++i) out.push_back(all[i]);
+    const std::vector<const Finding*> known = at == second.end() ? std::vector<const Finding*>{} : at->second;
+    if (known.size() >= all.size() || (!known.empty() && !by_check && reports_never(*all.front()))) continue;
+    std::vector<const Finding*> extra = all;
+    const auto is_new = [&](const Finding* each) {
+      return std::none_of(known.begin(), known.end(),
+                          [&](const Finding* other) { return other->message == each->message; });
+    };
+    std::stable_partition(extra.begin(), extra.end(), is_new);
+    extra.resize(all.size() - known.size());
+    out.insert(out.end(), extra.begin(), extra.end());
   }
   return out;
 }
 
-/// Whether the provider that a finding names first can never run, or its group is never requested, on a side of which
-/// the facts are known.
+/// Whether what a finding names first is dead on this side: a provider that can never run, a group that is never
+/// requested, or a condition only of such providers.
 bool is_dead(const Finding& finding, const Model& model, const Possible& possible) {
   const std::string_view text = finding.message;
   const std::size_t begin = text.find('`') + 1, end = text.find('`', begin);
@@ -96,9 +105,19 @@ bool is_dead(const Finding& finding, const Model& model, const Possible& possibl
   const analysis::Facts& facts = possible.facts();
   if (const std::optional<GroupId> group = model.find_group(std::string(name)))
     return !facts.requested.contains(*group);
-  const auto providers = model.providers.ids();
-  return std::any_of(providers.begin(), providers.end(),
-                     [&](ProviderId id) { return model.full_name(id) == name && !facts.active.contains(id); });
+  const auto names = [&](ProviderId id) {
+    const std::vector<ConditionUse>& when = model.providers[id].when;
+    return model.full_name(id) == name || std::any_of(when.begin(), when.end(), [&](const ConditionUse& use) {
+             return model.conditions[use.id].text == name;
+           });
+  };
+  bool is_named = false;
+  for (const ProviderId id : model.providers.ids()) {
+    if (!names(id)) continue;
+    if (facts.active.contains(id)) return false;
+    is_named = true;
+  }
+  return is_named;
 }
 
 } // namespace
@@ -107,14 +126,14 @@ void compare_findings(const Pair& pair, bool alike, Changes& changes) {
   const Keys old_keys(pair.old_model, alike), new_keys(pair.new_model, alike);
   const auto was = sorted(pair.before.findings, old_keys), is = sorted(pair.after.findings, new_keys);
   const auto was_allowed = sorted(pair.before.allowed, old_keys), is_allowed = sorted(pair.after.allowed, new_keys);
-  for (const Finding* each : more_than(is, was)) {
+  for (const Finding* each : more_than(is, was, alike)) {
     const bool known = was_allowed.contains(new_keys.of(*each));
     const bool dies = reports_never(*each) && !known && !is_dead(*each, pair.old_model, pair.possible_before);
     changes.add(dies ? ChangeKind::became_dead : ChangeKind::finding_new, each->id,
                 fmt::format("{} is {}: {}", name_of(each->level), known ? "no longer allowed" : "new", each->message),
                 {}, each->span);
   }
-  for (const Finding* each : more_than(was, is)) {
+  for (const Finding* each : more_than(was, is, alike)) {
     const bool known = is_allowed.contains(old_keys.of(*each));
     const bool revives = reports_never(*each) && !known && !is_dead(*each, pair.new_model, pair.possible_after);
     changes.add(revives ? ChangeKind::became_reachable : ChangeKind::finding_gone, each->id,

@@ -34,7 +34,7 @@ struct Breaking {
 std::string changes_text(const std::vector<BehaviourChange>& changes, const Breaking& breaking,
                          const dsl::Sources& sources);
 /// As schemas/diff.schema.json says.
-/// `compared`: both behaviours were read without errors in text and names; otherwise only these errors are compared.
+/// `compared`: both exist, without errors in text and names; otherwise only these errors are compared.
 Json changes_json(const std::vector<BehaviourChange>& changes, bool compared, const Breaking& breaking,
                   const dsl::Sources& sources);
 /// As SARIF: what breaks is an error, everything else a warning.

@@ -144,7 +144,9 @@ private:
       const Range providers = t_.groups[t_.edges[need].target].providers;
       if (!out.empty() || providers.size() != 1) continue;
       out = hindrance_with_needs(providers.begin, request);
-      if (!out.empty()) out = group(t_.edges[need].target) + ", which it needs, cannot run: " + out;
+      if (out.empty()) continue;
+      out = group(t_.edges[need].target) + ", which it needs, " +
+            (v_.enabled[providers.begin] == 0 ? "" : "cannot run: ") + out;
     }
     return out;
   }

@@ -180,7 +180,7 @@ TEST_CASE("of a file that is new or gone git's difftool has nothing to compare")
   CHECK(tool("new.yaml") == "`new.yaml` is new: there is nothing to compare\n");
   CHECK(tool("robot/walker.yaml").ends_with("walker.yaml` is gone: there is nothing to compare\n"));
   const Ran json = repository.run("directorc diff --format=json /dev/null new.yaml");
-  CHECK(json.output == "{\n  \"breaking\": false,\n  \"compared\": true,\n  \"changes\": []\n}\n");
+  CHECK(json.output == "{\n  \"breaking\": false,\n  \"compared\": false,\n  \"changes\": []\n}\n");
   CHECK(json.status == 0);
 }
 

@@ -1,6 +1,7 @@
 // Header: compiler/cli/options/commands.hpp. Test: tests/compiler/cli/commands/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/base/absolute_path.hpp"
+#include "compiler/base/for_shell.hpp"
 #include "compiler/cli/input/load.hpp"
 #include "compiler/cli/system/git_files.hpp"
 #include "dsl/source/harmless.hpp"
@@ -43,7 +44,7 @@ std::optional<Checked> load_before(const Diff& request, dsl::Sources& sources, C
     print_message(
         console, fmt::format("  help: where it was called otherwise, `git add {}` lets git see that; any two files are "
                              "compared with `directorc diff OLD NEW`\n",
-                             shown_path(request.after)));
+                             for_shell(shown_path(request.after))));
   return out;
 }
 
@@ -92,7 +93,7 @@ int run(const Diff& request, Console& console) {
     if (request.format == Format::text)
       console.out << dsl::harmless_lines(text);
     else
-      print({}, true, request, sources, console);
+      print({}, false, request, sources, console);
     return clean;
   }
   LostFile lost_before, lost_after;

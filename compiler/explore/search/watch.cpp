@@ -148,7 +148,7 @@ namespace {
 bool is_apart(const Tables& t, Index edge) {
   const Range levels = t.edges[edge].levels;
   for (Index i = levels.begin; i != levels.end; ++i) {
-    if (!t.levels[i].apart) return false;
+    if (!t.levels[i].apart && !t.levels[i].optional) return false;
   }
   return true;
 }
@@ -244,11 +244,11 @@ std::optional<Index> Watch::kept_without(Index to, Index from, const std::vector
     tried = left_out.size();
     again_->repeat(machine, left_out);
     const Engine& engine = again_->engine();
-    if (engine.active(from) == nil) return {};
+    const bool goes_on = engine.active(from) != nil;
     for (const Index g : groups) {
       Index is = engine.holder(g);
       if (is == before_[g].holder || under(engine, is, from)) {
-        if (!is_let_go_of(is, from, engine)) return g;
+        if (goes_on && !is_let_go_of(is, from, engine)) return g;
         continue;
       }
       while (is < t.edges.size() && engine.state(is) == RunState::none) // a need

@@ -163,6 +163,17 @@ TEST_CASE("two tasks change ranks: the one gains what the other loses") {
       "transition_changed: from `Walk` to `Kick`: waits now, before hard\n");
 }
 
+TEST_CASE("of two warnings of one check that one is allowed now is reported") {
+  const auto robot = [](const std::string& allow) {
+    return "states: {Mode: {values: [a, b], initial: a, external: true}}\nroots: [A, B]\ngroups:\n"
+           "  A: {providers: [{name: p}, {name: q, when: [Mode == a]" +
+           allow + "}]}\n  B: {providers: [{name: p}, {name: q, when: [Mode == a]}]}\n";
+  };
+  const std::string allowed = ", allow: [shadowed_provider], because: known";
+  CHECK(told(robot(""), robot(allowed)).find("warning is allowed now: `A.q` never runs") != std::string::npos);
+  CHECK(told(robot(allowed), robot("")).find("warning is no longer allowed: `A.q` never runs") != std::string::npos);
+}
+
 TEST_CASE("what never runs on either side is not reported, whatever keeps it from running") {
   const auto robot = [](const std::string& door) {
     return "states: {Door: {values: [shut, open], initial: shut" + door +

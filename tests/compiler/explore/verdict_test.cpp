@@ -453,11 +453,31 @@ TEST_CASE("what limbo keeps until its requester has answered, without its condit
   CHECK(is_proven(verdict("tasks: [Legs]")));
 }
 
+TEST_CASE("one that takes the groups counts also where a sister of it would have taken them without it") {
+  const std::string states = "states: {Ball: {values: [far, near], initial: far, external: true}}\n";
+  const std::string groups = "roots: {Walk: {priority: 10}, Play: {priority: 20}}\ngroups:\n"
+                             "  Walk: {needs: [Legs], tasks: [Legs]}\n"
+                             "  Play: {packs: {go: {Kick: {priority: 20, apart: true}, Dribble: {priority: 10, apart: "
+                             "true}}}}\n"
+                             "  Kick: {when: [Ball == near], needs: [Legs]}\n  Dribble: {needs: [Legs]}\n";
+  CHECK(is_refuted(handed_over(states, groups, "Walk", "Kick")));
+  CHECK(is_refuted(handed_over(states, groups, "Walk", "Dribble")));
+}
+
+TEST_CASE("what an optional task holds is not held by its requester, which goes on without it") {
+  const std::string groups = "roots: {Play: {priority: 10}, Kick: {priority: 20}}\ngroups:\n"
+                             "  Play: {tasks: {Look: {optional: true}, Talk: {}}}\n  Look: {needs: [Legs]}\n"
+                             "  Talk: {}\n  Kick: {needs: [Legs]}\n";
+  CHECK(is_proven(handed_over("", groups, "Play", "Kick")));
+  CHECK(is_refuted(handed_over("", groups, "Look", "Kick")));
+}
+
 TEST_CASE("one that takes the groups counts also where another one would have taken them without it") {
-  const std::string groups = "roots: {Walk: {priority: 10}, Freeze: {priority: 30}}\ngroups:\n"
-                             "  Walk: {needs: [Legs]}\n"
-                             "  Freeze: {tasks: {Brake: {apart: true, priority: 2}, Halt: {apart: true, priority: 1}}}\n"
-                             "  Brake: {needs: [Legs]}\n  Halt: {needs: [Legs]}\n";
+  const std::string groups =
+      "roots: {Walk: {priority: 10}, Freeze: {priority: 30}}\ngroups:\n"
+      "  Walk: {needs: [Legs]}\n"
+      "  Freeze: {tasks: {Brake: {apart: true, priority: 2}, Halt: {apart: true, priority: 1}}}\n"
+      "  Brake: {needs: [Legs]}\n  Halt: {needs: [Legs]}\n";
   CHECK(handed_over("", groups, "Walk", "Brake") ==
         "refuted: after request Walk; request Freeze, granting `Brake` takes `Legs`, which `Walk` holds, and `Walk` "
         "stops; no provider of `Walk` has `causing`");
