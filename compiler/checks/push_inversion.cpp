@@ -346,13 +346,12 @@ private:
                        name_of(model_, other.between.holder.group), name_of(model_, other.wanting->task),
                        name_of(model_, pushed))});
     }
+    const std::string alone = fmt::format("let {} do without {}", name_of(model_, causer), name_of(model_, need.id));
     if (equal && !at_roots) {
-      finding.help = fmt::format("let {} do without {}, or request {} and {} as one unit", name_of(model_, causer),
-                                 name_of(model_, need.id), task, between);
+      finding.help = fmt::format("{}, or request {} and {} as one unit", alone, task, between);
       return;
     }
     if (shared_.indispensable().contains(pushed, part)) { // what goes after it would have to do without that
-      const std::string alone = fmt::format("let {} do without {}", name_of(model_, causer), name_of(model_, need.id));
       finding.help = below.together->provider
                          ? fmt::format("{}, or request {} where {} is not requested", alone,
                                        name_of(model_, below.first->target), name_of(model_, below.second->target))
@@ -361,7 +360,6 @@ private:
       return;
     }
     if (const std::optional<Turned> turned = find_turned(holder, part)) {
-      const std::string alone = fmt::format("let {} do without {}", name_of(model_, causer), name_of(model_, need.id));
       finding.help = turned->causer == holder.provider
                          ? fmt::format("{}, or {}, which {} pushes, without {}", alone, name_of(model_, turned->causer),
                                        name_of(model_, turned->task), name_of(model_, turned->need))
@@ -369,22 +367,19 @@ private:
       return;
     }
     if (differ && !one_side) {
-      finding.help = fmt::format(
-          "let {} do without {}; or order them anew: first all tasks that push it, then {}, then "
-          "what may hold {}",
-          name_of(model_, causer), name_of(model_, need.id), name_of(model_, pushed), name_of(model_, part));
+      finding.help = fmt::format("{}; or order them anew: first all tasks that push it, then {}, then what may hold {}",
+                                 alone, name_of(model_, pushed), name_of(model_, part));
       return;
     }
     if (may_push(holder.group, pushed)) { // before it, that one would no longer push
-      finding.help = fmt::format("let {} do without {}", name_of(model_, causer), name_of(model_, need.id));
+      finding.help = alone;
       return;
     }
-    finding.help =
-        one_side || equal
-            ? fmt::format("let {} do without {}, or {} go after {}, and that still after {}", name_of(model_, causer),
-                          name_of(model_, need.id), between, name_of(model_, pushed), task)
-            : fmt::format("let {} go before {}, and still after {}", name_of(model_, below.second->target),
-                          name_of(model_, below.first->target), task);
+    finding.help = one_side || equal
+                       ? fmt::format("{}, or {} go after {}, and that still after {}", alone, between,
+                                     name_of(model_, pushed), task)
+                       : fmt::format("let {} go before {}, and still after {}", name_of(model_, below.second->target),
+                                     name_of(model_, below.first->target), task);
   }
 
   /// A push of the group in between that needs the part too.

@@ -99,14 +99,19 @@ private:
       const std::vector<Task>& beside = request.pack->tasks;
       if (std::any_of(beside.begin(), beside.end(), [&](const Task& each) { return pushes_for(each, id); }))
         return true;
-      if (!model_.may_be_member(*request.task)) return false;
-      const std::vector<const Task*> unit = unit_members(model_, *request.pack);
+      const std::vector<const Task*> unit = unit_of(request);
       return std::any_of(unit.begin(), unit.end(), [&](const Task* mate) {
         const std::vector<ProviderId>& all = model_.groups[mate->target].providers;
         return mate->target != wanting.task &&
                std::any_of(all.begin(), all.end(), [&](ProviderId each) { return requires_it(each, id); });
       });
     });
+  }
+
+  /// What may be granted only together with the task of the request, and that task; empty: it is always apart.
+  std::vector<const Task*> unit_of(const Request& request) const {
+    if (request.pack == nullptr || !model_.may_be_member(*request.task)) return {};
+    return unit_members(model_, *request.pack);
   }
 
   /// Whether the entry of a pack is always requested, and pushes for the condition.
@@ -139,8 +144,7 @@ private:
     const std::vector<Request>& of_task = shared_.requests().of(wanting.task);
     const std::vector<Request>& of_group = shared_.requests().of(group);
     const auto is_mate = [&](const Request& request) {
-      if (request.pack == nullptr || !model_.may_be_member(*request.task)) return false;
-      const std::vector<const Task*> unit = unit_members(model_, *request.pack);
+      const std::vector<const Task*> unit = unit_of(request);
       return std::any_of(unit.begin(), unit.end(), [&](const Task* mate) { return mate->target == wanting.task; });
     };
     return !std::all_of(of_group.begin(), of_group.end(), is_mate) &&
@@ -153,14 +157,10 @@ private:
   const std::vector<std::pair<ProviderId, ConditionUse>>& conditions_of(ProviderId id) {
     const auto [at, is_new] = conditions_.try_emplace(id);
     if (!is_new) return at->second;
-    std::vector<ProviderId> open{id};
-    for (std::size_t next = 0; next < open.size(); ++next) {
-      for (const ConditionUse& use : model_.providers[open[next]].when) at->second.emplace_back(open[next], use);
-      for (const Use<GroupId>& need : model_.providers[open[next]].needs) {
-        const std::vector<ProviderId>& all = model_.groups[need.id].providers;
-        if (all.size() == 1 && std::find(open.begin(), open.end(), all.front()) == open.end())
-          open.push_back(all.front());
-      }
+    std::vector<ProviderId> all = shared_.push_exclusion().needed(id);
+    all.insert(all.begin(), id);
+    for (const ProviderId each : all) {
+      for (const ConditionUse& use : model_.providers[each].when) at->second.emplace_back(each, use);
     }
     return at->second;
   }

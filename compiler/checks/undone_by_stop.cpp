@@ -162,7 +162,8 @@ private:
     const GroupId causing = model_.providers[causer.provider].group;
     if (granted.is_other() || granted.pushed || beside_.count({stopped, state}) != 0 ||
         !takes_from(granted.takings, stopped) ||
-        (!granted.takings.takes(stopped) && !why_needs_fail(granted.takings, stopped, causer.provider)) ||
+        (!granted.takings.takes(stopped) &&
+         !why_needs_fail(model_, facts_, granted.takings, stopped, causer.provider)) ||
         !is_beside(granted.task, causing, stopped))
       return;
     const Takings before(model_, shared_.indispensable(), shared_.claims(causing), causing);
@@ -274,24 +275,8 @@ private:
     if (!is_requested_beside(shared_, granted, group)) return std::nullopt;
     // It is held only as a need then, and a group that is not requested stops.
     if (granted.takings.takes(group)) return granted.takings.way_to(group);
-    if (std::optional<Taking> out = why_needs_fail(granted.takings, group, search.causer)) return out;
+    if (std::optional<Taking> out = why_needs_fail(model_, facts_, granted.takings, group, search.causer)) return out;
     return why_unrequested(granted, group, search);
-  }
-
-  /// How the task takes what each provider of the group needs, told of the causer or the first one.
-  std::optional<Taking> why_needs_fail(const Takings& takings, GroupId group, ProviderId causer) const {
-    const bool causes = model_.providers[causer].group == group;
-    std::optional<Taking> out;
-    for (const ProviderId id : model_.groups[group].providers) {
-      if (id != causer && !facts_.active.contains(id)) continue;
-      const Use<GroupId>* need = takings.need_taken(id);
-      if (need == nullptr) return std::nullopt;
-      if (causes ? id != causer : out.has_value()) continue;
-      out = takings.way_to(*need, group);
-      out->notes.insert(out->notes.begin(),
-                        {need->span, fmt::format("{} needs {}", name_of(model_, id), name_of(model_, need->id))});
-    }
-    return out;
   }
 
   /// How everything that requests the group is stopped, and with it the group, told of the first one.

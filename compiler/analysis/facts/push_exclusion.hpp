@@ -33,13 +33,13 @@ public:
   std::vector<std::pair<ProviderId, ConditionUse>> conditions_on(StateId state, ProviderId provider) const;
   /// The values that they leave of those in the region.
   ValueSet values_of(StateId state, ProviderId provider, const Region& region = {}) const;
+  /// The providers of the groups that it needs, directly or not, and that have no other provider.
+  std::vector<ProviderId> needed(ProviderId id) const;
 
 private:
   /// Around the states with which the provider waits for a push, or can be chosen; what it needs included.
   const Region& region(ProviderId id, bool waits) const;
   Region own(ProviderId id, bool waits) const;
-  /// Of the groups that it needs, directly or not, and that have no other provider.
-  std::vector<ProviderId> needed(ProviderId id) const;
 
   const Model& model_;
   const Facts& facts_;

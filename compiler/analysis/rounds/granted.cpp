@@ -40,22 +40,6 @@ bool has_conflict(const Input& input, const Pack* pack) {
   });
 }
 
-/// How the group, or what each provider of it needs, is taken.
-std::optional<Taking> why_lost(const Model& model, const Facts& facts, const Takings& takings, GroupId group) {
-  if (takings.takes(group)) return takings.way_to(group);
-  std::optional<Taking> out;
-  for (const ProviderId id : model.groups[group].providers) {
-    if (!facts.active.contains(id)) continue;
-    const Use<GroupId>* need = takings.need_taken(id);
-    if (need == nullptr) return std::nullopt;
-    if (out) continue;
-    out = takings.way_to(*need, group);
-    out->notes.insert(out->notes.begin(),
-                      {need->span, fmt::format("{} needs {}", name_of(model, id), name_of(model, need->id))});
-  }
-  return out;
-}
-
 /// Whether each provider of the group needs what the causing one needs too, so that the two never run together.
 bool keeps_off(const Model& model, const Facts& facts, const Indispensable& indispensable, GroupId group,
                ProviderId causer) {
@@ -149,6 +133,22 @@ bool is_requested_beside(const Shared& shared, const Granted& granted, GroupId g
   return out;
 }
 
+std::optional<Taking> why_needs_fail(const Model& model, const Facts& facts, const Takings& takings, GroupId group,
+                                     ProviderId causer) {
+  const bool causes = model.providers[causer].group == group;
+  std::optional<Taking> out;
+  for (const ProviderId id : model.groups[group].providers) {
+    if (id != causer && !facts.active.contains(id)) continue;
+    const Use<GroupId>* need = takings.need_taken(id);
+    if (need == nullptr) return std::nullopt;
+    if (causes ? id != causer : out.has_value()) continue;
+    out = takings.way_to(*need, group);
+    out->notes.insert(out->notes.begin(),
+                      {need->span, fmt::format("{} needs {}", name_of(model, id), name_of(model, need->id))});
+  }
+  return out;
+}
+
 std::optional<Taking> why_unit_ends(const Model& model, const Facts& facts, const Shared& shared,
                                     const Granted& granted, const Request& request, ProviderId causer) {
   if (!request.requester || request.pack->name.empty() || !model.is_always_member(*request.task)) return std::nullopt;
@@ -158,7 +158,8 @@ std::optional<Taking> why_unit_ends(const Model& model, const Facts& facts, cons
     if (member == request.task) continue;
     if (keeps_off(model, facts, shared.indispensable(), member->target, causer)) return std::nullopt;
     if (out) continue;
-    out = why_lost(model, facts, granted.takings, member->target);
+    if (granted.takings.takes(member->target)) out = granted.takings.way_to(member->target);
+    if (!out) out = why_needs_fail(model, facts, granted.takings, member->target, causer);
     if (!out) continue;
     out->notes.insert(out->notes.begin(), {request.task->span, fmt::format("{} is granted only together with {}",
                                                                            name_of(model, request.task->target),

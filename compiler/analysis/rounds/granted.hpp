@@ -45,6 +45,10 @@ std::vector<Granted> with_each_pack(const Model& model, const Facts& facts, cons
 /// Whether the task takes the group from others: with other packs it requests it itself, and while it waits, nothing.
 bool is_requested_beside(const Shared& shared, const Granted& granted, GroupId group);
 
+/// How the task takes what each provider of the group needs, told of the causing one or the first one.
+std::optional<Taking> why_needs_fail(const Model& model, const Facts& facts, const Takings& takings, GroupId group,
+                                     ProviderId causer);
+
 /// How the task takes what another member of the unit of this request cannot do without, so that all of that unit is
 /// blocked. Empty: it is not a request of a unit, or the unit keeps what it needs, leads to the task, or keeps what the
 /// causing provider needs.
