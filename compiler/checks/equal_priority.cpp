@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <iterator>
 #include <list>
-#include <map>
 #include <set>
 #include <utility>
 

@@ -22,7 +22,6 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
-#include <vector>
 
 namespace {
 

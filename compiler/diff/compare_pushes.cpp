@@ -7,7 +7,7 @@
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/facts/pushes.hpp"
 #include "compiler/analysis/words/words.hpp"
-#include "compiler/base/and_list.hpp"
+#include "compiler/base/list_of.hpp"
 #include "compiler/diff/meaning.hpp"
 #include "compiler/diff/side.hpp"
 #include "compiler/model/causers.hpp"
@@ -266,7 +266,7 @@ private:
         fmt::format(
             "the conditions of `{}` are in the order {}, before {}: the first of them that it lacks decides how "
             "{} is pushed",
-            pair_.new_model.full_name(after), and_list(only(is, flipped)), and_list(only(was, flipped)),
+            pair_.new_model.full_name(after), list_of(only(is, flipped)), list_of(only(was, flipped)),
             few(groups, "or")));
   }
 

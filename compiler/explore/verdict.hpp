@@ -7,7 +7,6 @@
 #include "compiler/explore/search/search.hpp"
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>

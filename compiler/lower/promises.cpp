@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/lower/steps.hpp"
 
-#include <algorithm>
-
 namespace director::compiler {
 
 namespace {

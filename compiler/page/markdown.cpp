@@ -1,7 +1,7 @@
 // Header: compiler/page/pages.hpp. Test: tests/compiler/page/pages_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/base/and_list.hpp"
 #include "compiler/base/html.hpp"
+#include "compiler/base/list_of.hpp"
 #include "compiler/emit/artefact/notice.hpp"
 #include "compiler/page/message.hpp"
 #include "compiler/page/relations.hpp"
@@ -259,7 +259,7 @@ private:
     for (const Json& take : takes.items())
       out_ +=
           fmt::format("| {} | {} | {} | {} |\n", escaped(take["winner"].as_text()), escaped(take["loser"].as_text()),
-                      escaped(take_words(take)), escaped(and_list(take["over"].as_texts())));
+                      escaped(take_words(take)), escaped(list_of(take["over"].as_texts())));
     if (!takes.items().empty()) out_ += "\n";
     if (!rivals.empty()) add_rivals(rivals);
   }

@@ -165,8 +165,8 @@ Time time_after(const Scenario& scenario, std::size_t steps) {
 
 std::string words_of_round(const Played& played) {
   if (played.round.empty()) return "";
-  std::string out =
-      fmt::format(": {} {} again and again", dsl::list_of(played.round), played.round.size() == 1 ? "runs" : "run");
+  std::string out = fmt::format(": {} {} again and again", dsl::shortened_list(played.round),
+                                played.round.size() == 1 ? "runs" : "run");
   if (!played.after_done.empty())
     out += fmt::format("; a case with `reason: subtask_done` in the script says what {} answers when one of its tasks "
                        "is done",

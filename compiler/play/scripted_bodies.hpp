@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 // Providers and handlers that act by a scenario's script, in place of a robot's C++.
 
-#include "compiler/lower/lowered.hpp"
 #include "compiler/play/data_slots.hpp"
 #include "compiler/play/onlooker.hpp"
 #include "compiler/play/scenario/scenario.hpp"

@@ -6,7 +6,7 @@
 // and `directorc verify` reports that such a provider only keeps.
 #include "compiler/stubs/layout.hpp"
 
-#include "compiler/base/and_list.hpp"
+#include "compiler/base/list_of.hpp"
 
 #include <fmt/format.h>
 
@@ -124,7 +124,7 @@ Artefact main_file(const Wanted& wanted, const std::vector<ModuleClass>& classes
     if (root.data) with_data.push_back(fmt::format("behaviour.request({}{{data}})", root.task));
     if (!root.data) code.line(fmt::format("behaviour.request<{}>();", root.task));
   }
-  if (!with_data.empty()) code.comment(fmt::format("With data of their own: {}.", and_list(with_data)), "//");
+  if (!with_data.empty()) code.comment(fmt::format("With data of their own: {}.", list_of(with_data)), "//");
   code.line("const auto start = std::chrono::steady_clock::now();");
   code.line("const auto step = [&] { return behaviour.step(std::chrono::steady_clock::now() - start); };");
   code.open("while (stopping == 0) {");

@@ -8,7 +8,6 @@
 #include "compiler/stubs/found.hpp"
 #include "compiler/stubs/insertion.hpp"
 
-#include <map>
 #include <string>
 #include <vector>
 

@@ -7,10 +7,7 @@
 #include "runtime/core/inspect/why.hpp"
 
 #include <map>
-#include <optional>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 namespace director::compiler {

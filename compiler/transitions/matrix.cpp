@@ -6,7 +6,7 @@
 // then one of those that the column's conditions need; and so on.
 #include "compiler/transitions/matrix.hpp"
 
-#include "compiler/base/and_list.hpp"
+#include "compiler/base/list_of.hpp"
 #include "compiler/transitions/changes.hpp"
 #include "compiler/transitions/judge.hpp"
 #include "dsl/yaml/yaml_text.hpp"
@@ -228,7 +228,7 @@ private:
     if (set.empty()) return {}; // it does not run because of that
     out->words = words_of(*out, context);
     for (const auto& [id, values] : set)
-      out->words += fmt::format(" {} sets {}.", model_.full_name(id), and_list(words_of(values, model_)));
+      out->words += fmt::format(" {} sets {}.", model_.full_name(id), list_of(words_of(values, model_)));
     return out;
   }
 

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <functional>
 
 namespace director::compiler::transitions {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/transitions/words.hpp"
 
-#include "compiler/base/and_list.hpp"
+#include "compiler/base/list_of.hpp"
 #include "dsl/lexical/duration.hpp"
 
 #include <fmt/format.h>
@@ -48,7 +48,7 @@ std::string names_of(const std::vector<GroupId>& groups, const Model& model) {
   for (std::size_t i = 0; i < groups.size() && (i < most || groups.size() == most + 1); ++i)
     names.push_back(model.groups[groups[i]].name.value);
   if (groups.size() > names.size()) names.push_back(fmt::format("{} more", groups.size() - names.size()));
-  return and_list(names);
+  return list_of(names);
 }
 
 /// Nothing for no groups.
@@ -143,7 +143,7 @@ std::string pushes(const Transition& cell, const Model& model) {
 }
 
 std::string outside(const std::vector<std::string>& states) {
-  return states.empty() ? std::string{} : fmt::format(" The outside says {}.", and_list(states));
+  return states.empty() ? std::string{} : fmt::format(" The outside says {}.", list_of(states));
 }
 
 /// `FieldPlayer, which leads to Kick,`
@@ -210,9 +210,8 @@ std::string words_of(const TransitionMatrix::Row& row, const Model& model) {
   std::vector<std::string> names;
   for (const GroupId group : row.chain) names.push_back(model.groups[group].name.value);
   names.push_back(model.groups[row.group].name.value);
-  const std::string given = row.given.empty()
-                                ? std::string{}
-                                : fmt::format(" It begins with {}, which only bodies set.", and_list(row.given));
+  const std::string given =
+      row.given.empty() ? std::string{} : fmt::format(" It begins with {}, which only bodies set.", list_of(row.given));
   return fmt::format("Requested by way of {}.{}{}", fmt::join(names, " \u2192 "), outside(row.states), given);
 }
 

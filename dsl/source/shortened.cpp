@@ -42,7 +42,7 @@ std::string shortened(std::string_view message) {
   return cut(out, longest_message);
 }
 
-std::string list_of(const std::vector<std::string>& names) {
+std::string shortened_list(const std::vector<std::string>& names) {
   const std::size_t shown = std::min(names.size(), most_names_listed);
   std::string out =
       fmt::format("{}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown), ", "));

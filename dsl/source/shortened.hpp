@@ -20,6 +20,6 @@ inline constexpr std::size_t most_names_listed = 100;
 std::string shortened(std::string_view message);
 
 /// "a, b, c"; of very many "a, b, c and 97 more".
-std::string list_of(const std::vector<std::string>& names);
+std::string shortened_list(const std::vector<std::string>& names);
 
 } // namespace director::dsl

@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <cstring>
 #include <istream>
-#include <optional>
 #include <streambuf>
 #include <utility>
 

@@ -1,3 +1,4 @@
 #pragma once
 // SPDX-License-Identifier: MIT
+// For programs that include it by this name.
 #include "runtime/core/inspect/why.hpp"

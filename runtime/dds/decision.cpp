@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/dds/decision.hpp"
 
-#include "runtime/core/api/event_names.hpp"
+#include "runtime/hosted/trace/event_text.hpp"
 
 #include <string>
 #include <utility>
@@ -10,14 +10,6 @@
 namespace director::dds {
 
 namespace {
-
-std::string reasons_of(Reasons reasons) {
-  std::string out;
-  for (const Reason reason : all_reasons) {
-    if (reasons.has(reason)) out += (out.empty() ? "" : "+") + std::string(name_of(reason));
-  }
-  return out;
-}
 
 /// Whether a value satisfies both.
 bool overlap(const Tables& t, const Condition& a, const Condition& b) {
@@ -43,7 +35,7 @@ Decision decision_of(const Event& event, const Plug& plug) {
   }
   const std::string condition = event.condition < t.conditions.size() ? plug.names.condition(event.condition) : "";
   switch (event.kind) {
-  case Event::Kind::run: out.reason = reasons_of(event.reasons); break;
+  case Event::Kind::run: out.reason = to_text(event.reasons); break;
   case Event::Kind::queue:
     out.reason = name_of(event.why);
     if (!condition.empty()) out.reason += ": " + condition;

@@ -9,7 +9,6 @@
 #include "runtime/live/moments.hpp"
 #include "runtime/live/page.hpp"
 
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>

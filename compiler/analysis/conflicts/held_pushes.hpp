@@ -5,7 +5,6 @@
 // false conditions, the unit waits for the outside (semantics.md 4.4, "Refuse").
 
 #include "compiler/analysis/input.hpp"
-#include "compiler/analysis/requests/requests.hpp"
 
 #include <vector>
 

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/decisions/component.hpp"
 
+#include "compiler/base/disjoint_sets.hpp"
+
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 namespace director::analysis {
 
@@ -289,18 +290,9 @@ std::optional<Component> make_component(const Model& model, const Facts& facts, 
 }
 
 std::vector<std::vector<GroupId>> small_components(const Model& model) {
-  // Union-find; a group with a promise for a state is joined with each group that has conditions on it, whatever the
-  // values.
-  std::vector<std::uint32_t> above(model.groups.size());
-  std::iota(above.begin(), above.end(), 0U);
-  const auto find = [&](std::uint32_t at) {
-    while (above[at] != at) at = above[at] = above[above[at]];
-    return at;
-  };
-  const auto join = [&](GroupId a, GroupId b) {
-    const std::uint32_t one = find(a.value), other = find(b.value);
-    above[std::max(one, other)] = std::min(one, other);
-  };
+  // A group with a promise for a state is joined with each group that has conditions on it, whatever the values.
+  DisjointSets sets(model.groups.size());
+  const auto join = [&](GroupId a, GroupId b) { sets.join(a.value, b.value); };
   for (const Edge& edge : model.edges) {
     if (edge.requester) join(*edge.requester, edge.target);
   }
@@ -320,7 +312,7 @@ std::vector<std::vector<GroupId>> small_components(const Model& model) {
     }
   }
   std::map<std::uint32_t, std::vector<GroupId>> rows;
-  for (const GroupId id : model.groups.ids()) rows[find(id.value)].push_back(id);
+  for (const GroupId id : model.groups.ids()) rows[sets.find(id.value)].push_back(id);
   std::vector<std::vector<GroupId>> out;
   for (auto& [unused, groups] : rows) {
     if (groups.size() <= Component::most_groups) out.push_back(std::move(groups));

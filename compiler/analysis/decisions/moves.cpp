@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/decisions/moves.hpp"
 
-#include <algorithm>
-
 namespace director::analysis {
 
 namespace {

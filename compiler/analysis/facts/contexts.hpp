@@ -8,7 +8,6 @@
 #include "compiler/analysis/states/region.hpp"
 
 #include <functional>
-#include <optional>
 #include <unordered_map>
 
 namespace director::analysis {

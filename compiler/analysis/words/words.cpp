@@ -12,15 +12,6 @@ std::string name_of(const Model& model, ProviderId id) { return quoted(model.dis
 std::string name_of(const Model& model, ConditionId id) { return quoted(model.conditions[id].text); }
 std::string name_of(const Model& model, StateId id) { return quoted(model.states[id].name.value); }
 
-std::string list_of(const std::vector<std::string>& things, std::string_view last) {
-  std::string out;
-  for (std::size_t i = 0; i < things.size(); ++i) {
-    if (i > 0) out += i + 1 == things.size() ? fmt::format(" {} ", last) : ", ";
-    out += things[i];
-  }
-  return out;
-}
-
 std::string few_of(const std::vector<std::string>& things, std::string_view last) {
   constexpr std::size_t few = 4;
   if (things.size() <= few + 1) return list_of(things, last);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // The wording of things in messages.
 
+#include "compiler/base/list_of.hpp"
 #include "compiler/model/model.hpp"
 
 #include <string>
@@ -17,10 +18,7 @@ std::string name_of(const Model& model, ProviderId id);
 std::string name_of(const Model& model, ConditionId id);
 std::string name_of(const Model& model, StateId id);
 
-/// `a`, `b` and `c`: of things that are quoted already.
-std::string list_of(const std::vector<std::string>& things, std::string_view last = "and");
-
-/// The same, but of a long list the first ones and the count of the rest.
+/// As list_of(), but of a long list the first ones and the count of the rest.
 std::string few_of(const std::vector<std::string>& things, std::string_view last = "and");
 
 /// Values in plain words: "fallen or standing", "0 to 10, 50 or unset"; nothing: "nothing".

@@ -1,6 +1,5 @@
 // Header: compiler/clang/bodies/book.hpp. Test: tests/compiler/clang/pages_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/clang/bodies/blocking.hpp"
 #include "compiler/clang/bodies/effects.hpp"
 #include "compiler/clang/bodies/live.hpp"
 #include "compiler/stubs/layout.hpp"

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <filesystem>
 
 namespace director::compiler::cli {
 

@@ -6,6 +6,7 @@
 #include "compiler/emit/artefact/notice.hpp"
 #include "compiler/facts/flags.hpp"
 #include "compiler/stubs/merge.hpp"
+#include "compiler/stubs/relevance.hpp"
 #include "dsl/source/load_file.hpp"
 
 #include <fmt/format.h>

@@ -5,7 +5,6 @@
 #include "compiler/cli/options/commands.hpp"
 #include "compiler/stubs/insertion.hpp"
 #include "compiler/stubs/merge.hpp"
-#include "compiler/stubs/relevance.hpp"
 #include "compiler/stubs/scan.hpp"
 
 #include <string>

@@ -5,7 +5,7 @@
 // there decide (semantics.md, 4.1). So for each pair of edges of each requester, the rivalries of both sides are
 // compared, which pages and coverage use too: each pair of their levels, each group that both may claim then, and how.
 // Where a level is requested, and its name, say which levels of the two sides are the same.
-#include "compiler/base/and_list.hpp"
+#include "compiler/base/list_of.hpp"
 #include "compiler/diff/ranks/ranks.hpp"
 #include "compiler/diff/ranks/shifts.hpp"
 #include "compiler/diff/ranks/takes_by_name.hpp"
@@ -208,7 +208,7 @@ private:
     std::sort(priorities.begin(), priorities.end());
     const bool in_order = std::is_sorted(priorities.begin(), priorities.end(),
                                          [](const auto& a, const auto& b) { return a.second < b.second; });
-    return in_order ? "" : and_list(out);
+    return in_order ? "" : list_of(out);
   }
 
   /// The edge of a mate on both sides, if its levels have changed; else nulls.

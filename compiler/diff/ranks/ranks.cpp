@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/diff/ranks/ranks.hpp"
 
-#include "compiler/base/and_list.hpp"
+#include "compiler/base/list_of.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ std::string rank_text(const Edge& edge) {
   if (edge.levels.empty()) return "needed only";
   for (const Level& level : edge.levels)
     out.push_back(fmt::format("{}{}", level.priority, level.optional ? " (optional)" : level.apart ? " (apart)" : ""));
-  return "priority " + and_list(out);
+  return "priority " + list_of(out);
 }
 
 namespace {

@@ -5,7 +5,6 @@
 #include "compiler/analysis/facts/facts.hpp"
 
 #include <algorithm>
-#include <string>
 #include <tuple>
 
 namespace director::compiler::diff {

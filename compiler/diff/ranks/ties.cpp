@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/diff/ranks/ties.hpp"
 
-#include "compiler/base/and_list.hpp"
+#include "compiler/base/list_of.hpp"
 #include "compiler/diff/ranks/stakes.hpp"
 
 #include <fmt/format.h>
@@ -73,7 +73,7 @@ private:
     if (!groups.empty()) out.push_back(fmt::format("the first one that wants {} gets it", few(groups, "or")));
     if (!pushed.empty())
       out.push_back(fmt::format("the first one that pushes a provider of {} decides which", few(pushed, "or")));
-    return and_list(out);
+    return list_of(out);
   }
 
   /// Whether the order of these two decides something on both sides.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The contexts of bodies and handlers: their common part is in runtime/core/api/body.hpp, the packs are here.
-#include "compiler/base/and_list.hpp"
+#include "compiler/base/list_of.hpp"
 #include "compiler/emit/cpp/parts.hpp"
 #include "dsl/lexical/duration.hpp"
 
@@ -57,7 +57,7 @@ void define_pack(Code& code, const CppEmission& e, const Pack& pack, ProviderId 
   std::vector<std::string> names;
   for (const Task& task : pack.tasks) names.push_back(group_name(e.model, task.target));
   code.line(
-      fmt::format("static_assert(Pack::takes<{}...>, \"{} requests {} only\");", given, pack.name, and_list(names)));
+      fmt::format("static_assert(Pack::takes<{}...>, \"{} requests {} only\");", given, pack.name, list_of(names)));
   code.line(fmt::format("static_assert(Pack::once<{}...>, \"{} is given a task twice\");", given, pack.name));
   for (const Task& task : pack.tasks) {
     if (e.model.may_be_left_out(task)) continue;

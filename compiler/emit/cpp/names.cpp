@@ -1,7 +1,5 @@
 // Header: compiler/emit/cpp/parts.hpp. Test: tests/compiler/emit/emit_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "dsl/lexical/names.hpp"
-
 #include "compiler/emit/artefact/notice.hpp"
 #include "compiler/emit/cpp/parts.hpp"
 

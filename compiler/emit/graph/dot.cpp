@@ -6,7 +6,6 @@
 // before. The names of layers are a chain of their own down the left side, each in the rank of that node; `newrank`
 // lets them share ranks with the rest. Graphviz uses the names of nodes as titles, so they are the names of the user's
 // things.
-#include "compiler/base/html.hpp"
 #include "compiler/emit/artefact/code.hpp"
 #include "compiler/emit/graph/dot_box.hpp"
 #include "compiler/emit/graph/dot_text.hpp"

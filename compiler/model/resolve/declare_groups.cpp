@@ -135,7 +135,7 @@ void extend(Resolver& r, const dsl::ExtendSpec& spec) {
           r.error("undefined_name", spec.before->span,
                   fmt::format("`{}` has no provider called `{}`", spec.group.value, spec.before->value),
                   "leave out `before`: it has no provider so far");
-      if (!known.empty()) finding.help = fmt::format("its providers are {}", dsl::list_of(known));
+      if (!known.empty()) finding.help = fmt::format("its providers are {}", dsl::shortened_list(known));
     }
   }
   if (spec.doc) source.docs.push_back(&*spec.doc);

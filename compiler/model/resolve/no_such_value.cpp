@@ -24,7 +24,7 @@ dsl::Diagnostic no_such_value(const State& state, const Word& value, std::size_t
                : odd && state.low <= odd->value && odd->value <= state.high ? odd->help
                                                                             : "write one of them";
   } else {
-    out.message += dsl::list_of(state.values.words());
+    out.message += dsl::shortened_list(state.values.words());
     std::optional<std::string> nearest;
     if (dsl::is_slip(state.values.size(), findings)) nearest = dsl::suggest(value.value, state.values.words());
     out.help = nearest ? fmt::format("did you mean `{}`?", *nearest) : "write one of them, or add it to the `values`";

@@ -1,7 +1,6 @@
 // Header: compiler/model/resolve/resolver.hpp. Test: tests/compiler/model/resolve/resolve_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/model/resolve/resolver.hpp"
-#include "dsl/lexical/suggest.hpp"
 
 #include <fmt/format.h>
 

@@ -124,7 +124,7 @@ void compare_values(Resolver& r, const State& state, const Word& name, const Cpp
   for (const std::size_t i : foreign) {
     Diagnostic& finding =
         r.error("enum_drift", state.value_spans[i], fmt::format("`{}` has no `{}`", name.value, state.values[i]),
-                fmt::format("it has {}", dsl::list_of(names)));
+                fmt::format("it has {}", dsl::shortened_list(names)));
     note_place(r, finding, type.place, fmt::format("`{}` is here", name.value));
     if (!dsl::is_slip(names.size(), r.findings.size())) continue;
     if (const auto near = dsl::suggest(state.values[i], names)) finding.help = fmt::format("did you mean `{}`?", *near);

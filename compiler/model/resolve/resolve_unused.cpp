@@ -1,5 +1,6 @@
 // Header: compiler/model/resolve/resolver.hpp. Test: compiler/checks/unused_declaration.md.
 // SPDX-License-Identifier: MIT
+#include "compiler/model/closure.hpp"
 #include "compiler/model/resolve/resolver.hpp"
 
 #include <fmt/format.h>
@@ -63,17 +64,11 @@ void find_unused_layers(Resolver& r) {
   }
 }
 
-/// All groups that lead to these, by requests and needs; these included.
-std::vector<bool> led_to(const Model& model, std::vector<GroupId> open) {
-  std::vector<bool> out(model.groups.size(), false);
-  for (const GroupId id : open) out[id.value] = true;
-  for (std::size_t next = 0; next < open.size(); ++next) {
-    for (const EdgeId edge : model.groups[open[next]].edges) {
-      const GroupId target = model.edges[edge].target;
-      if (!out[target.value]) open.push_back(target);
-      out[target.value] = true;
-    }
-  }
+/// The groups that these lead to, by requests and needs; these included.
+IdSet<GroupId> led_to(const Model& model, std::vector<GroupId> from) {
+  add_led_to(model, from);
+  IdSet<GroupId> out(model.groups.size());
+  for (const GroupId id : from) out.add(id);
   return out;
 }
 
@@ -85,25 +80,25 @@ void find_unused_cycles(Resolver& r) {
   for (const GroupId id : model.groups.ids()) {
     if (model.groups[id].requesters.empty()) from.push_back(id); // reported
   }
-  const std::vector<bool> used = led_to(model, from);
-  std::vector<bool> done = used;
+  IdSet<GroupId> done = led_to(model, from);
   for (const GroupId id : model.groups.ids()) {
-    if (done[id.value]) continue;
-    const std::vector<bool> below = led_to(model, {id});
+    if (done.contains(id)) continue;
+    const IdSet<GroupId> below = led_to(model, {id});
     // The first group of a cycle to which no other cycle leads.
     const std::vector<EdgeId>& above = model.groups[id].requesters;
     std::vector<GroupId> open;
     for (const EdgeId edge : above) open.push_back(*model.edges[edge].requester);
-    std::vector<bool> seen(model.groups.size(), false);
+    IdSet<GroupId> seen(model.groups.size());
     bool is_top = true;
     for (std::size_t next = 0; next < open.size() && is_top; ++next) {
-      if (seen[open[next].value]) continue;
-      seen[open[next].value] = true;
-      is_top = below[open[next].value];
+      if (!seen.add(open[next])) continue;
+      is_top = below.contains(open[next]);
       for (const EdgeId edge : model.groups[open[next]].requesters) open.push_back(*model.edges[edge].requester);
     }
     if (!is_top) continue;
-    for (const GroupId each : model.groups.ids()) done[each.value] = done[each.value] || below[each.value];
+    for (const GroupId each : model.groups.ids()) {
+      if (below.contains(each)) done.add(each);
+    }
     const std::string& name = model.groups[id].name.value;
     report_group(r, model.groups[id].name.span,
                  fmt::format("nothing requests or needs `{}` but what it leads to itself", name));

@@ -24,7 +24,7 @@ Diagnostic& Names::undefined(Span span, std::string message, std::string_view na
                              const std::vector<std::string>& known) {
   std::string help = known.empty()       ? "there is none"
                      : known.size() == 1 ? fmt::format("there is only `{}`", known.front())
-                                         : "one of " + dsl::list_of(known);
+                                         : "one of " + dsl::shortened_list(known);
   if (const auto nearest = dsl::suggest(name, known)) help = fmt::format("did you mean `{}`?", *nearest);
   return error("undefined_name", span, std::move(message), std::move(help));
 }

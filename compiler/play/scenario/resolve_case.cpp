@@ -55,7 +55,7 @@ void pack_is_missing(const dsl::CaseSpec& spec, ProviderId id, Names& names) {
   names.error("missing_key", listed ? spec.answer.span : spec.span,
               fmt::format("`{}` has packs: {}", names.model.full_name(id),
                           listed ? "a case names one of them, not tasks" : "a case that answers nothing names one"),
-              known.empty() ? "give it a pack to request" : "`pack:` and one of " + dsl::list_of(known));
+              known.empty() ? "give it a pack to request" : "`pack:` and one of " + dsl::shortened_list(known));
 }
 
 /// An entry of `without`.

@@ -1,8 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The text of an event or a reason, never cut off, for programs that have a heap. Test:
-// tests/compiler/trace/event_words_test.cpp, tests/runtime/live/moment_lines_test.cpp.
+// The text of an event, of the answer of `why`, or of reasons to run, never cut off, for programs that have a heap.
+// Test: tests/compiler/trace/event_words_test.cpp, tests/runtime/live/moment_lines_test.cpp.
 
+#include "runtime/core/api/event_names.hpp"
 #include "runtime/hosted/decision_printer.hpp"
 
 #include <string>
@@ -22,6 +23,15 @@ std::string to_text(const What& what, const Names& names) {
     }
     out.resize(4 * out.size());
   }
+}
+
+/// "new_task+pushed"; empty for none.
+inline std::string to_text(Reasons reasons) {
+  std::string out;
+  for (const Reason reason : all_reasons) {
+    if (reasons.has(reason)) out += (out.empty() ? "" : "+") + std::string(name_of(reason));
+  }
+  return out;
 }
 
 } // namespace director

@@ -103,7 +103,7 @@ public:
     case Event::Kind::input: input(e, out); break;
     case Event::Kind::run:
       run(e, out);
-      instant(first_group + e.group, "run", reasons(e), out);
+      instant(first_group + e.group, "run", to_text(e.reasons), out);
       break;
     case Event::Kind::grant: grant(e, out); break;
     case Event::Kind::lose: lose(e, out); break;
@@ -371,14 +371,6 @@ private:
     if (e.input == Event::Input::set) take_value(e.state, e.value, out);
     const std::string text = to_text(e, n_);
     if (!text.empty()) instant(outside, std::string_view(text).substr(2), {}, out); // without `> `
-  }
-
-  static std::string reasons(const Event& e) {
-    std::string out;
-    for (const Reason reason : all_reasons) {
-      if (e.reasons.has(reason)) out += (out.empty() ? "" : "+") + std::string(name_of(reason));
-    }
-    return out;
   }
 
   const Names n_;

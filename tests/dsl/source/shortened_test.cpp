@@ -57,10 +57,10 @@ TEST_CASE("No character is cut in two") {
 }
 
 TEST_CASE("Of very many names the first are listed") {
-  CHECK(list_of({}).empty());
-  CHECK(list_of({"a", "b"}) == "a, b");
+  CHECK(shortened_list({}).empty());
+  CHECK(shortened_list({"a", "b"}) == "a, b");
   std::string first = "a";
   for (std::size_t i = 1; i < most_names_listed; ++i) first += ", a";
-  CHECK(list_of(std::vector<std::string>(most_names_listed, "a")) == first);
-  CHECK(list_of(std::vector<std::string>(most_names_listed + 97, "a")) == first + " and 97 more");
+  CHECK(shortened_list(std::vector<std::string>(most_names_listed, "a")) == first);
+  CHECK(shortened_list(std::vector<std::string>(most_names_listed + 97, "a")) == first + " and 97 more");
 }

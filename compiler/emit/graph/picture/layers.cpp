@@ -3,7 +3,6 @@
 #include "compiler/emit/graph/picture/layers.hpp"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 #include <vector>
 
