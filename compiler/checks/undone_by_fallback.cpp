@@ -157,12 +157,14 @@ private:
   void look_at(const Granted& granted, const Spoiling& spoiling, const Wanting& wanting, const Want& want) {
     Region here = region_of(model_, model_.providers[wanting.provider].when);
     here.meet(region_of(model_, model_.providers[want.waiter].when));
+    Region later = active_region(model_, model_.providers[wanting.provider]);
+    later.meet(active_region(model_, model_.providers[want.waiter]));
     for (const ProviderId causer : want.causers) {
       const GroupId group = model_.providers[causer].group;
       if (granted.takings.takes(group) || !is_requested_beside(shared_, granted, group)) continue;
       Loser loser{causer, granted.takings.need_taken(causer)};
       if (loser.need == nullptr) loser.spoilt = spoiling.of(causer, want.condition.id);
-      Region then = here;
+      Region then = loser.spoilt ? later : here; // once it runs, by its `stay` too
       if (loser.spoilt) then.meet(model_.conditions[loser.spoilt->condition.id].state, loser.spoilt->values);
       look_at_loser(granted, then, want, causer, loser);
       for (const GroupId above : alternatives_[state_of(want)]) look_above(granted, here, want, causer, above);

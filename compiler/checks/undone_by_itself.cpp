@@ -32,12 +32,13 @@ public:
         earlier_(model_, facts_, shared_.requests(), shared_.rivals(), shared_.budget()),
         findings_(findings) {}
 
-  void look_at(const Granted& granted, const Want& want) {
+  /// `provider`: of the task; it waits for its own conditions, and for those of what it needs.
+  void look_at(const Granted& granted, ProviderId provider, const Want& want) {
     if (!granted.is_other()) {
-      for (const ConditionUse& entry : model_.providers[want.waiter].sets)
-        look_at_entry(granted, want, setter(want.waiter), entry);
-      if (!want.pushed) // else it is done then
-        for (const ConditionUse& entry : model_.providers[want.waiter].causing) look_at_goal(granted, want, entry);
+      for (const ConditionUse& entry : model_.providers[provider].sets)
+        look_at_entry(granted, want, setter(provider), entry);
+      if (!want.pushed && want.waiter == provider) // else it is done then
+        for (const ConditionUse& entry : model_.providers[provider].causing) look_at_goal(granted, want, entry);
     }
     for (const GroupId group : granted.below.groups()) {
       if (group != granted.waits) look_below(granted, want, group);
@@ -337,7 +338,9 @@ private:
   void look_at_entry(const Granted& granted, const Want& want, const Setter& by, const ConditionUse& entry) {
     const Condition& set = model_.conditions[entry.id];
     if (set.state != model_.conditions[want.condition.id].state) return;
-    const ValueSet values = undoing_values(model_, granted.waits, want, set.accepts);
+    // What it sets in its first run counts before what it requests there is granted.
+    const Timing timing = by.group == granted.task ? Timing::with_grant : Timing::later;
+    const ValueSet values = undoing_values(model_, granted.waits, want, set.accepts, timing);
     if (values.empty()) return;
     auto causer = std::find_if(want.causers.begin(), want.causers.end(),
                                [&](ProviderId id) { return model_.providers[id].group != by.group; });
@@ -349,10 +352,11 @@ private:
                                               by.promised ? "cause" : "set", name_of(model_, entry.id), waiter,
                                               name_of(model_, *causer), condition));
     add_waiter(model_, want, finding.notes);
+    add_chain(model_, need_path(model_, granted.waits, model_.providers[want.waiter].group), finding.notes);
     add_company(granted, finding.notes);
     add_chain(model_, granted.below.path(by.group), finding.notes);
     finding.notes.push_back(causes(model_, *causer, want.condition.id));
-    finding.help = stay_help(model_, want, values);
+    finding.help = stay_help(model_, granted.waits, want, values, timing);
   }
 
   const Model& model_;
@@ -385,16 +389,14 @@ void undone_by_itself(const Input& input, Findings& findings) {
   Undone undone(input, findings);
   for (const Wanting& wanting : input.shared.wants()) {
     for (const Granted& granted : granted_with(input, wanting)) {
-      for (const Want& want : wanting.wants) {
-        if (want.waiter == wanting.provider) undone.look_at(granted, want);
-      }
+      for (const Want& want : wanting.wants) undone.look_at(granted, wanting.provider, want);
     }
   }
   for (const Wanting& wanting : input.shared.wants_of_pushed()) {
     Granted any = std::move(granted_with(input, wanting).front());
     for (const Granted& granted :
          with_each_pack(input.model, input.facts, input.shared, std::move(any), wanting.provider)) {
-      for (const Want& want : wanting.wants) undone.look_at(granted, want);
+      for (const Want& want : wanting.wants) undone.look_at(granted, wanting.provider, want);
     }
   }
   for (const ProviderId id : input.model.providers.ids()) {

@@ -228,20 +228,25 @@ private:
       if (values.empty() || seen_.count({stop.span, want.condition.span}) != 0) continue;
       Taking how{spoilt->notes, {}};
       how.notes.insert(how.notes.begin(), runs_only_while(model_, causer.provider, spoilt->condition));
-      report(granted, want, causer, stop, values, std::move(how));
+      report(granted, want, causer, stop, values, std::move(how), Timing::later);
     }
   }
 
   /// Whether it is reported now.
   bool look_at_stop(const Granted& granted, const Want& want, const Setting& causer, GroupId stopped,
                     const StopValue& stop, const std::vector<ChainStep>& chain) {
-    const ValueSet values = undoing_values(model_, granted.waits, want, stop.values);
-    if (values.empty() || seen_.count({stop.span, want.condition.span}) != 0 ||
+    const auto undoing = [&](Timing timing) {
+      return undoing_values(model_, granted.waits, want, stop.values, timing);
+    };
+    if (undoing(Timing::with_grant).empty() || seen_.count({stop.span, want.condition.span}) != 0 ||
         ends_.count({stopped, model_.conditions[want.condition.id].state}) != 0)
       return false;
     Search search{causer.provider, {}, {}, {}};
     std::optional<Taking> how = why_stopped(granted, stopped, search);
-    if (!how) return false;
+    // What the task needs it takes as it is granted; what it requests, as it runs.
+    const Timing timing = how && how->requests.empty() ? Timing::with_grant : Timing::later;
+    const ValueSet values = undoing(timing);
+    if (!how || values.empty()) return false;
     std::vector<dsl::Note> notes;
     add_chain(model_, chain, notes);
     const auto is_told = [&](const dsl::Note& note) {
@@ -249,7 +254,7 @@ private:
     };
     how->notes.erase(std::remove_if(how->notes.begin(), how->notes.end(), is_told), how->notes.end());
     how->notes.insert(how->notes.begin(), notes.begin(), notes.end());
-    report(granted, want, causer, stop, values, std::move(*how),
+    report(granted, want, causer, stop, values, std::move(*how), timing,
            search.refused.size() == 1 ? search.refused.front() : nullptr);
     return true;
   }
@@ -334,14 +339,14 @@ private:
 
   /// `refused`: it would go on if this request were `apart`.
   void report(const Granted& granted, const Want& want, const Setting& causer, const StopValue& stop,
-              const ValueSet& values, Taking how, const Task* refused = nullptr) {
+              const ValueSet& values, Taking how, Timing timing, const Task* refused = nullptr) {
     seen_.insert({stop.span, want.condition.span});
     dsl::Diagnostic& finding = findings_.add(
         stop.span, fmt::format("{}, and it is stopped when {}, which waits for {}: the two go round", stop.what,
                                is_granted(model_, granted), name_of(model_, want.condition.id)));
     add_taking(model_, want, causer.note, std::move(how), finding);
     finding.help = refused == nullptr ? "" : fmt::format("make {} `apart`, or ", name_of(model_, refused->target));
-    finding.help += stay_help(model_, granted.waits, want, values);
+    finding.help += stay_help(model_, granted.waits, want, values, timing);
   }
 
   void report(ProviderId ended, ProviderId setter, const ConditionUse& entry, bool promised, const StopValue& stop) {

@@ -71,8 +71,8 @@ ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId con
   return undoing_values(model, provider, condition, values, true, std::nullopt);
 }
 
-ValueSet undoing_values(const Model& model, GroupId task, const Want& want, const ValueSet& values) {
-  return undoing_values(model, want.waiter, want.condition.id, values, is_granted_with(model, task, want),
+ValueSet undoing_values(const Model& model, GroupId task, const Want& want, const ValueSet& values, Timing timing) {
+  return undoing_values(model, want.waiter, want.condition.id, values, is_granted_with(model, task, want, timing),
                         wanted_by_push(want));
 }
 
@@ -132,12 +132,12 @@ std::optional<dsl::Note> stop_that_causes(const Model& model, GroupId group, Con
   return std::nullopt;
 }
 
-bool is_granted_with(const Model& model, GroupId task, const Want& want) {
+bool is_granted_with(const Model& model, GroupId task, const Want& want, Timing timing) {
   const GroupId group = model.providers[want.waiter].group;
+  if (group == task || timing == Timing::with_grant) return group == task;
   const std::vector<EdgeId>& edges = model.groups[group].requesters;
-  return group == task || std::any_of(edges.begin(), edges.end(), [&](EdgeId id) {
-           return model.edges[id].needed && !model.edges[id].levels.empty();
-         });
+  return std::any_of(edges.begin(), edges.end(),
+                     [&](EdgeId id) { return model.edges[id].needed && !model.edges[id].levels.empty(); });
 }
 
 std::string giving_stay(const Model& model, GroupId task, const Want& want) {
@@ -149,10 +149,14 @@ std::string giving_stay(const Model& model, GroupId task, const Want& want) {
   return out + fmt::format("and give {} a `stay`", waiter);
 }
 
-std::string stay_help(const Model& model, GroupId task, const Want& want, const ValueSet& values) {
+std::string stay_help(const Model& model, GroupId task, const Want& want, const ValueSet& values, Timing timing) {
   const StateId state = model.conditions[want.condition.id].state;
-  return fmt::format("{} under which {} may be {}", giving_stay(model, task, want), name_of(model, state),
-                     values_in_words(model.states[state], values));
+  const std::string under =
+      fmt::format("under which {} may be {}", name_of(model, state), values_in_words(model.states[state], values));
+  if (timing == Timing::later || is_granted_with(model, task, want, timing))
+    return fmt::format("{} {}", giving_stay(model, task, want), under);
+  return fmt::format("let {} wait for {} itself instead of {}, with a `stay` {}", name_of(model, task),
+                     name_of(model, want.condition.id), name_of(model, want.waiter), under);
 }
 
 std::string stay_help(const Model& model, const Want& want, const ValueSet& values) {

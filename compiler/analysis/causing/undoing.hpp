@@ -16,9 +16,13 @@ namespace director::analysis {
 /// say.
 ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId condition, const ValueSet& values);
 
-/// The same of what a task for this group waits for: the `stay` of a group that it only needs does not count; and if
-/// the waiter is pushed, another provider of its group continues only if it causes the same.
-ValueSet undoing_values(const Model& model, GroupId task, const Want& want, const ValueSet& values);
+/// When the value comes: before what the granted task requests is granted too, or later.
+enum class Timing { with_grant, later };
+
+/// The same of what a task for this group waits for: the `stay` of a group that it only needs then does not count; and
+/// if the waiter is pushed, another provider of its group continues only if it causes the same.
+ValueSet undoing_values(const Model& model, GroupId task, const Want& want, const ValueSet& values,
+                        Timing timing = Timing::later);
 
 /// The same for a state that becomes unset: whether the waiter cannot continue then.
 bool is_undone_when_unset(const Model& model, GroupId task, const Want& want);
@@ -39,13 +43,14 @@ void add_waiter(const Model& model, const Want& want, std::vector<dsl::Note>& no
 std::optional<dsl::Note> stop_that_causes(const Model& model, GroupId group, ConditionId condition);
 
 /// Whether what a task for this group waits for is granted with it, and runs: the task itself, or a group that it, or a
-/// need of it, needs and requests too. Else it is held only as a need.
-bool is_granted_with(const Model& model, GroupId task, const Want& want);
+/// need of it, needs and, later, requests too. Else it is held only as a need.
+bool is_granted_with(const Model& model, GroupId task, const Want& want, Timing timing = Timing::later);
 
 /// "give `Kick` a `stay`", "let `Screw` request `Clamp` too, and give `Clamp` a `stay`"
 std::string giving_stay(const Model& model, GroupId task, const Want& want);
 /// Help for a wanted condition that these values make false again.
-std::string stay_help(const Model& model, GroupId task, const Want& want, const ValueSet& values);
+std::string stay_help(const Model& model, GroupId task, const Want& want, const ValueSet& values,
+                      Timing timing = Timing::later);
 /// The same for what the task waits for by itself.
 std::string stay_help(const Model& model, const Want& want, const ValueSet& values);
 
