@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/chains/runs_below.hpp"
+#include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/requests/earlier.hpp"
 #include "compiler/analysis/requests/gaps.hpp"
 #include "compiler/analysis/rounds/granted.hpp"

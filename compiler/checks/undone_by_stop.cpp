@@ -1,6 +1,7 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/undone_by_stop.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/undoing.hpp"
+#include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/rounds/granted.hpp"
 #include "compiler/analysis/rounds/settings.hpp"
 #include "compiler/analysis/rounds/spoiling.hpp"
@@ -95,28 +96,41 @@ private:
         const Condition& set = model_.conditions[entry.id];
         if (set.state != state) continue;
         for (const StopValue& stop : stop_values(model_, group, state)) {
-          const std::optional<ProviderId> ended = find_ended(group, state, set.accepts, stop.values);
+          const std::optional<Ended> ended = find_ended(group, state, set.accepts, stop.values);
           if (ended && ends_.insert({group, state}).second) report(*ended, id, entry, entries == &row.causing, stop);
         }
       }
     }
   }
 
+  struct Ended {
+    ProviderId requester{};
+    ProviderId waits{}; ///< it, or one that it needs, which cannot run with what is set
+  };
+
   /// The first provider that requests the group and begins again with a value of its stop, if the values that the group
   /// sets end all that request it.
-  std::optional<ProviderId> find_ended(GroupId group, StateId state, const ValueSet& set, const ValueSet& stop) const {
+  std::optional<Ended> find_ended(GroupId group, StateId state, const ValueSet& set, const ValueSet& stop) const {
     const auto accepts_any = [&](const Region& region, const ValueSet& values) {
       const auto at = region.states.find(state);
       return at == region.states.end() || !at->second.intersected(values).empty();
     };
-    std::optional<ProviderId> out;
+    std::optional<Ended> out;
     for (const Request& request : shared_.requests().of(group)) {
       if (!request.requester) return std::nullopt;
-      const Provider& row = model_.providers[*request.requester];
-      const bool pushed = facts_.pushed.contains(*request.requester);
-      if (accepts_any(facts_.region_to_run(model_, *request.requester, pushed), set)) return std::nullopt;
-      if (!out && facts_.chosen.contains(*request.requester) && accepts_any(region_of(model_, row.when), stop))
-        out = *request.requester;
+      const ProviderId requester = *request.requester;
+      std::vector<ProviderId> all = shared_.push_exclusion().needed(requester);
+      all.insert(all.begin(), requester);
+      const auto waits = std::find_if(all.begin(), all.end(), [&](ProviderId id) {
+        return !accepts_any(id == requester ? facts_.region_to_run(model_, id, facts_.pushed.contains(id))
+                                            : active_region(model_, model_.providers[id]),
+                            set);
+      });
+      if (waits == all.end()) return std::nullopt;
+      const bool begins = std::all_of(all.begin(), all.end(), [&](ProviderId id) {
+        return accepts_any(region_of(model_, model_.providers[id].when), stop);
+      });
+      if (!out && facts_.chosen.contains(requester) && begins) out = {requester, *waits};
     }
     return out;
   }
@@ -349,10 +363,10 @@ private:
     finding.help += stay_help(model_, granted.waits, want, values, timing);
   }
 
-  void report(ProviderId ended, ProviderId setter, const ConditionUse& entry, bool promised, const StopValue& stop) {
+  void report(const Ended& ended, ProviderId setter, const ConditionUse& entry, bool promised, const StopValue& stop) {
     const Condition& set = model_.conditions[entry.id];
     const GroupId group = model_.providers[setter].group;
-    const std::string condition = name_of(model_, entry.id), requester = name_of(model_, ended);
+    const std::string condition = name_of(model_, entry.id), requester = name_of(model_, ended.requester);
     dsl::Diagnostic& finding = findings_.add(
         stop.span, fmt::format("{}, and it is stopped when it has {} {}, which ends {}, which requests it: the two go "
                                "round",
@@ -367,19 +381,20 @@ private:
           finding.rules_out.push_back(each.span);
       }
     }
-    const std::vector<ConditionUse>& when = model_.providers[ended].when;
+    const std::vector<ConditionUse>& when = model_.providers[ended.waits].when;
     const auto use = std::find_if(when.begin(), when.end(), [&](const ConditionUse& each) {
       return model_.conditions[each.id].state == set.state;
     });
-    if (use != when.end()) finding.notes.push_back(runs_only_while(model_, ended, *use));
-    if (const RequestEntry request = find_entry(model_, ended, group); request.task != nullptr)
-      finding.notes.push_back(requests(model_, ended, *request.task));
-    if (const std::optional<ProviderId> next = find_next(ended, set)) {
+    if (use != when.end()) finding.notes.push_back(runs_only_while(model_, ended.waits, *use));
+    const GroupId of = model_.providers[ended.requester].group;
+    add_chain(model_, need_path(model_, of, model_.providers[ended.waits].group), finding.notes);
+    if (const RequestEntry request = find_entry(model_, ended.requester, group); request.task != nullptr)
+      finding.notes.push_back(requests(model_, ended.requester, *request.task));
+    if (const std::optional<ProviderId> next = find_next(ended.requester, set)) {
       finding.help = fmt::format("{}: {} can run with {}", stop.without, name_of(model_, *next), condition);
     } else {
-      finding.help =
-          fmt::format("give {} a `stay` under which {} may be {}, or {}", requester, name_of(model_, set.state),
-                      values_in_words(model_.states[set.state], set.accepts), stop.without);
+      finding.help = use == when.end() ? "" : stay_help(model_, of, {ended.waits, *use, {}}, set.accepts) + ", or ";
+      finding.help += stop.without;
     }
   }
 
