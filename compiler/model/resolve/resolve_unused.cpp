@@ -63,7 +63,7 @@ void find_unused_layers(Resolver& r) {
   }
 }
 
-/// All groups that lead to these, by requests and needs; these included.
+/// All groups that these lead to, by requests and needs; these included.
 std::vector<bool> led_to(const Model& model, std::vector<GroupId> open) {
   std::vector<bool> out(model.groups.size(), false);
   for (const GroupId id : open) out[id.value] = true;
