@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// From a path to a checked model: the first step of every command.
+// From a path to a checked model: the first step of every command that reads a behaviour.
 
 #include "compiler/checks/run_checks.hpp"
 #include "compiler/facts/types.hpp"

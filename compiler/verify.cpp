@@ -130,7 +130,7 @@ private:
     const auto read = world_.files.read(file, dsl::largest_file, dsl::Kinds::ordinary);
     if (read || !unreadable_.insert(file).second) return;
     out_.not_decided.push_back(
-        fmt::format("what stands in `{}`, a source of the build, cannot be read: {}; configure again if it is gone, "
+        fmt::format("`{}`, a source of the build, cannot be read: {}; configure again if it is gone, "
                     "build if it is generated",
                     world_.shown(file), read.error().message));
   }
@@ -312,7 +312,7 @@ private:
       if ((!each.carries && !realtime) || !reported.insert(each.what).second) continue;
       const dsl::SourceFile& file = sources_[each.span.file];
       const dsl::Place place = file.place(each.span.begin);
-      std::string line = fmt::format("{}: nobody can see {}: {}:{}:{}: {}", analysis::name_of(checked_.model, body.of),
+      std::string line = fmt::format("{}: it is not known {}: {}:{}:{}: {}", analysis::name_of(checked_.model, body.of),
                                      each.carries ? "what else it may request" : "whether it blocks", file.path(),
                                      place.line, place.column, each.what);
       std::vector<std::string>& all = out_.not_decided; // instances of a template say the same

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// A scenario file as it is written: no name resolved. Source: the second half of the language page.
+// A scenario file as it is written: no name resolved. Source: docs/scenarios.md.
 
 #include "dsl/data.hpp"
 #include "dsl/lexical/duration.hpp"

@@ -5,7 +5,7 @@
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/requests/company.hpp"
 #include "compiler/analysis/shared/shared.hpp"
-#include "compiler/analysis/states/at_rest.hpp"
+#include "compiler/analysis/states/stopped_values.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/proposals.hpp"
 #include "compiler/analysis/words/words.hpp"

@@ -91,7 +91,7 @@ private:
     for (std::size_t next = 0; next < open.size(); ++next) {
       for (const Branch& branch : input_.shared.branches().from(open[next])) {
         if (branch.by_need || !seen.insert(branch.to).second) continue;
-        (is_skill(input_.model, branch.to) ? at->second : open).push_back(branch.to);
+        (stop_matters(input_.model, branch.to) ? at->second : open).push_back(branch.to);
       }
     }
     return at->second;

@@ -58,7 +58,7 @@ void look_at(const Input& input, ProviderId later, Findings& findings) {
       finding = &findings.add(row.when.front().span,
                               fmt::format("{} and {} can both run while {}: the one that is written first is preferred",
                                           name_of(model, earlier), name_of(model, later), where));
-      finding->help = "where the order is not meant to decide, say in `when` what tells them apart";
+      finding->help = "where the order is not meant to decide, write in `when` the conditions that distinguish them";
     } else {
       finding->notes.push_back({preferred.when.front().span,
                                 fmt::format("{} is preferred as well, while {}", name_of(model, earlier), where)});

@@ -61,7 +61,7 @@ Consequence consequence_of(const Registered& check) {
   for (const auto& [words, consequence] : known) {
     if (text == words) return consequence;
   }
-  throw std::logic_error(fmt::format("{}.md names a consequence that nobody knows", check.id));
+  throw std::logic_error(fmt::format("{}.md names an unknown consequence", check.id));
 }
 
 bool reports_never(const Registered& check) { return header_of(check, "\nSays: ") == "never"; }

@@ -132,24 +132,24 @@ private:
     if (!decided(provider.group) || !input_.facts.active.contains(id)) return;
     const std::vector<StateId>& undoing = decisions_.set_before_run[id];
     if (!undoing.empty()) return report_undone(id, undoing);
-    const Kept& kept = decisions_.passed_over[id];
+    const Hindrance& hindrance = decisions_.passed_over[id];
     const std::string name = name_of(model_, id), group = name_of(model_, provider.group);
     std::vector<std::string> reasons;
-    if (!kept.first.empty()) reasons.push_back("another provider comes first");
-    if (!kept.lacking.empty()) reasons.push_back("a condition does not hold");
-    if (!kept.taken.empty()) reasons.push_back("what it needs is held");
+    if (!hindrance.first.empty()) reasons.push_back("another provider comes first");
+    if (!hindrance.lacking.empty()) reasons.push_back("a condition does not hold");
+    if (!hindrance.taken.empty()) reasons.push_back("what it needs is held");
     dsl::Diagnostic& finding =
         add("shadowed_provider", provider.span,
             reasons.empty()
                 ? fmt::format("{} never runs: no decision about {} ever comes to it", name, group)
                 : fmt::format("{} never runs: whenever {} is requested, {}", name, group, list_of(reasons, "or")));
     finding.rules_out = {provider.span};
-    for (const ProviderId first : kept.first)
+    for (const ProviderId first : hindrance.first)
       finding.notes.push_back({model_.providers[first].span, fmt::format("{} comes first", name_of(model_, first))});
-    add_notes(kept, provider.span, {id}, finding);
+    add_notes(hindrance, provider.span, {id}, finding);
     propose_or_leave_out(model_, input_.facts, id,
-                         kept.first.empty() ? fmt::format("request {} where it can have what it lacks", group)
-                                            : fmt::format("let the others leave {} something", name),
+                         hindrance.first.empty() ? fmt::format("request {} where it can have what it lacks", group)
+                                                 : fmt::format("let the others leave {} something", name),
                          finding);
   }
 
@@ -157,13 +157,13 @@ private:
     const Edge& edge = model_.edges[id];
     const std::vector<const Task*> entries = entries_of(model_, id);
     if (entries.empty() || !decided(edge.target) || !may_run(edge.target)) return;
-    const Kept& kept = decisions_.refused[id];
+    const Hindrance& hindrance = decisions_.refused[id];
     const bool optional = edge.levels[entries.front()->levels.front().level].optional;
     const std::string name = name_of(model_, edge.target);
     std::vector<std::string> reasons;
-    if (!kept.taken.empty()) reasons.push_back("what it takes is held");
-    if (!kept.lacking.empty()) reasons.push_back("a condition does not hold");
-    if (!kept.together.empty()) reasons.push_back("what is granted only together with it cannot be");
+    if (!hindrance.taken.empty()) reasons.push_back("what it takes is held");
+    if (!hindrance.lacking.empty()) reasons.push_back("a condition does not hold");
+    if (!hindrance.together.empty()) reasons.push_back("what is granted only together with it cannot be");
     dsl::Diagnostic& finding = add(
         optional ? "optional_never_runs" : "starved_task", entries.front()->span,
         reasons.empty() ? fmt::format("{0} never runs for {1}: whenever it is requested, {1} has lost control again",
@@ -171,8 +171,8 @@ private:
                         : fmt::format("{} never runs for {}: whenever it is requested, {}", name, requester_of(id),
                                       list_of(reasons, "or")));
     for (const Task* entry : entries) finding.rules_out.push_back(entry->span);
-    add_together(kept, finding);
-    add_notes(kept, entries.front()->span, model_.groups[edge.target].providers, finding);
+    add_together(hindrance, finding);
+    add_notes(hindrance, entries.front()->span, model_.groups[edge.target].providers, finding);
     for (std::size_t i = 1; i < entries.size(); ++i)
       finding.notes.push_back({entries[i]->span, fmt::format("{} is requested here too", name)});
     finding.help = reasons.empty() ? fmt::format("let {} keep control, or leave {} out", requester_of(id), name)
@@ -185,7 +185,7 @@ private:
     const std::vector<EdgeId> members = members_of(model_, at.first, at.second);
     std::vector<std::string> names;
     std::vector<ProviderId> providers;
-    Kept kept;
+    Hindrance hindrance;
     const auto join = [](auto& all, const auto& more) {
       for (const auto& each : more) {
         if (std::find(all.begin(), all.end(), each) == all.end()) all.push_back(each);
@@ -196,13 +196,13 @@ private:
       if (!may_run(target)) return;
       names.push_back(name_of(model_, target));
       join(providers, model_.groups[target].providers);
-      join(kept.lacking, decisions_.refused[member].lacking);
-      join(kept.taken, decisions_.refused[member].taken);
-      join(kept.holders, decisions_.refused[member].holders);
+      join(hindrance.lacking, decisions_.refused[member].lacking);
+      join(hindrance.taken, decisions_.refused[member].taken);
+      join(hindrance.holders, decisions_.refused[member].holders);
     }
     std::vector<std::string> reasons;
-    if (!kept.taken.empty()) reasons.push_back("what one of them takes is held");
-    if (!kept.lacking.empty()) reasons.push_back("a condition does not hold");
+    if (!hindrance.taken.empty()) reasons.push_back("what one of them takes is held");
+    if (!hindrance.lacking.empty()) reasons.push_back("a condition does not hold");
     const Task* last = nullptr;
     for (const Task& task : pack.tasks) {
       if (std::find(members.begin(), members.end(), task.edge) != members.end()) last = &task;
@@ -214,12 +214,12 @@ private:
       if (std::find(members.begin(), members.end(), task.edge) != members.end())
         finding.rules_out_together.push_back(task.span);
     }
-    add_notes(kept, last->span, providers, finding);
+    add_notes(hindrance, last->span, providers, finding);
     finding.help = "make one of them `apart` or `optional`, or request them in different packs";
   }
 
-  void add_together(const Kept& kept, dsl::Diagnostic& finding) const {
-    for (const EdgeId other : kept.together) {
+  void add_together(const Hindrance& hindrance, dsl::Diagnostic& finding) const {
+    for (const EdgeId other : hindrance.together) {
       const std::vector<const Task*> entries = entries_of(model_, other);
       if (!entries.empty())
         finding.notes.push_back({entries.front()->span, fmt::format("{} is granted only together with it",
@@ -229,10 +229,10 @@ private:
 
   /// Adds a note for what is held, at the need for it, and for what does not hold, at the condition. `begin`: their
   /// possible owners.
-  void add_notes(const Kept& kept, dsl::Span otherwise, const std::vector<ProviderId>& begin,
+  void add_notes(const Hindrance& hindrance, dsl::Span otherwise, const std::vector<ProviderId>& begin,
                  dsl::Diagnostic& finding) const {
     const std::vector<ProviderId> all = with_needs(begin);
-    for (const GroupId group : kept.taken) {
+    for (const GroupId group : hindrance.taken) {
       dsl::Span span = otherwise;
       for (const ProviderId id : all) {
         for (const Use<GroupId>& need : model_.providers[id].needs) {
@@ -240,14 +240,14 @@ private:
         }
       }
       std::vector<std::string> holders;
-      for (const EdgeId holder : kept.holders) {
+      for (const EdgeId holder : hindrance.holders) {
         if (model_.edges[holder].target == group) holders.push_back(requester_of(holder));
       }
       finding.notes.push_back({span, holders.empty() ? fmt::format("{} is held then", name_of(model_, group))
                                                      : fmt::format("{} is held then, for {}", name_of(model_, group),
                                                                    few_of(holders, "or"))});
     }
-    for (const ConditionId condition : kept.lacking) {
+    for (const ConditionId condition : hindrance.lacking) {
       for (const ProviderId id : all) {
         const std::vector<ConditionUse>& when = model_.providers[id].when;
         const auto use =

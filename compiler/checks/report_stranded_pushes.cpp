@@ -108,7 +108,8 @@ private:
     });
   }
 
-  /// What may be granted only together with the task of the request, and that task; empty: it is always apart.
+  /// What may be granted only together with the task of the request, and that task; empty: it is a root task, or never
+  /// a member of a unit.
   std::vector<const Task*> unit_of(const Request& request) const {
     if (request.pack == nullptr || !model_.may_be_member(*request.task)) return {};
     return unit_members(model_, *request.pack);
@@ -241,7 +242,7 @@ private:
     const std::string lost = name_of(model_, one.use.id), name = name_of(model_, pushed);
     dsl::Diagnostic& finding =
         findings_.add(want.condition.span, fmt::format("{} waits for {} in vain once {}, which it pushes, has lost {}: "
-                                                       "the push stands, and nothing is pushed for that",
+                                                       "the push is kept, and nothing is pushed for that condition",
                                                        waiter, name_of(model_, want.condition.id), name, lost));
     finding.notes.push_back(causes(model_, pushed, want.condition.id));
     const GroupId from = model_.providers[pushed].group, to = model_.providers[one.waiter].group;

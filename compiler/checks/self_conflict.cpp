@@ -142,14 +142,14 @@ std::vector<std::vector<Losers>> losers_by_place(const Input& input) {
 }
 
 void add_same(const Model& model, const Loser& first, const Loser& other, dsl::Diagnostic& finding) {
-  const auto is_told = [&](dsl::Span span) {
+  const auto is_reported = [&](dsl::Span span) {
     return span == finding.span || std::any_of(finding.notes.begin(), finding.notes.end(),
                                                [&](const dsl::Note& note) { return note.span == span; });
   };
   if (requests_above(other) && other.taker.holder != first.taker.holder) {
     finding.notes.push_back(
         {other.entry->span, fmt::format("nor below {}, which leads to it here", name_of(model, other.taker.holder))});
-  } else if (!is_told(place_of(other).span)) {
+  } else if (!is_reported(place_of(other).span)) {
     finding.notes.push_back(
         {place_of(other).span, other.above == first.above
                                    ? std::string("the same here")

@@ -35,7 +35,7 @@ bool never_holds(const Facts& facts, ProviderId id) {
 
 /// A state whose missing value is reported may have it: a provider that is shadowed only without that value is not
 /// reported again.
-IdTable<StateId, ValueSet> mended_values(const Model& model, const Facts& facts) {
+IdTable<StateId, ValueSet> corrected_values(const Model& model, const Facts& facts) {
   IdTable<StateId, ValueSet> out = facts.values;
   for (const Impossible& fault : facts.impossible) {
     if (fault.why != Impossible::Why::contradictory) out[fault.state] = model.states[fault.state].domain();
@@ -296,7 +296,7 @@ void shadowed_provider(const Input& input, Findings& findings) {
   const Model& model = input.model;
   const Facts& facts = input.facts;
   const Rivals& rivals = input.shared.rivals();
-  const IdTable<StateId, ValueSet> mended = mended_values(model, facts);
+  const IdTable<StateId, ValueSet> corrected = corrected_values(model, facts);
   IdSet<ProviderId> explained = input.shared.promises().explained;
   for (const Imprecise& fault : input.shared.imprecise()) explained.add(fault.causer);
   // A condition that is reported as never holding may still be pushed for.
@@ -316,9 +316,10 @@ void shadowed_provider(const Input& input, Findings& findings) {
       if (input.model.has_any(provider.group, input.facts.active)) report_excluded(input, id, findings);
       continue;
     }
-    if (!facts.impossible.empty() && find_choice_here(input, id, rivals.of(id), mended) != Covering::covered) continue;
+    if (!facts.impossible.empty() && find_choice_here(input, id, rivals.of(id), corrected) != Covering::covered)
+      continue;
     std::vector<std::string> names;
-    const Culprits culprits = find_culprits(input, id, rivals.of(id), mended);
+    const Culprits culprits = find_culprits(input, id, rivals.of(id), corrected);
     for (const ProviderId rival : culprits.all) names.push_back(name_of(model, rival));
     const bool are_all = !culprits.each || names.size() < most_left_out;
     dsl::Diagnostic& finding = findings.add(

@@ -37,7 +37,7 @@ void stay_adds_nothing(const Input& input, Findings& findings) {
                                  name_of(model, id)));
     for (const ConditionUse& use : provider.when) finding.notes.push_back({use.span, "part of its `when`"});
     finding.help =
-        "a `stay` says less than the `when`: leave out what may be lost meanwhile, or leave it out altogether";
+        "a `stay` requires less than the `when`: leave out what may be lost meanwhile, or leave it out altogether";
   }
 }
 

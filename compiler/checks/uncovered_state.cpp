@@ -1,6 +1,6 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/uncovered_state.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/analysis/causing/circles.hpp"
+#include "compiler/analysis/causing/causing_cycles.hpp"
 #include "compiler/analysis/causing/exclusion.hpp"
 #include "compiler/analysis/causing/promises.hpp"
 #include "compiler/analysis/causing/self_defeats.hpp"
@@ -43,7 +43,7 @@ public:
         shared_(input.shared),
         grants_(input.conflicts.grants()),
         earlier_(model_, facts_, shared_.requests(), shared_.rivals(), shared_.budget()),
-        circles_(model_, facts_, shared_.causers()),
+        cycles_(model_, facts_, shared_.causers()),
         findings_(findings),
         explained_(input.shared.promises().explained) {
     for (const Imprecise& fault : shared_.imprecise()) explained_.add(fault.waiter);
@@ -62,8 +62,8 @@ public:
     for (const Wanting& wanting : shared_.wants()) {
       for (const Want& want : wanting.wants) pushed_.insert({wanting.task, want.condition.id});
     }
-    for (const Outranked& one : input.conflicts.outranked()) told_.insert({one.request->target, one.condition.id});
-    for (const HeldPush& held : input.conflicts.held_pushes()) told_.insert({held.waits->target, held.wanted.id});
+    for (const Outranked& one : input.conflicts.outranked()) reported_.insert({one.request->target, one.condition.id});
+    for (const HeldPush& held : input.conflicts.held_pushes()) reported_.insert({held.waits->target, held.wanted.id});
   }
 
   void run() {
@@ -110,7 +110,7 @@ private:
 
   /// Whether the condition is one that a task for this group has to wait for without being able to cause it.
   bool counts(GroupId group, ProviderId provider, const ConditionUse& use) const {
-    if (explained_.contains(provider) || told_.count({group, use.id}) != 0) return false;
+    if (explained_.contains(provider) || reported_.count({group, use.id}) != 0) return false;
     if (ends_requests(group, use)) return true;
     if (beginnings(group, provider, use)) return true;
     if (pushed_.count({group, use.id}) != 0) return false;
@@ -139,17 +139,17 @@ private:
            facts_.active.contains(causer) && !shared_.push_exclusion().find_outside(provider, causer);
   }
 
-  /// Where a push can lead to the condition, if all that could cause it waits for it, itself or in a circle.
+  /// Where a push can lead to the condition, if all that could cause it waits for it, itself or in a cycle.
   const std::optional<std::vector<Region>>& beginnings(GroupId group, ProviderId provider,
                                                        const ConditionUse& use) const {
     const auto [at, is_new] = beginnings_.try_emplace({group, provider, use.id});
     if (is_new)
-      at->second = circles_.beginnings(use.id, [&](ProviderId causer) { return may_cause(group, provider, causer); });
+      at->second = cycles_.beginnings(use.id, [&](ProviderId causer) { return may_cause(group, provider, causer); });
     return at->second;
   }
 
   /// Adds the ways to run by such a push.
-  void add_circles(GroupId group, std::vector<Region>& ways) const {
+  void add_cycles(GroupId group, std::vector<Region>& ways) const {
     for (const ProviderId id : model_.groups[group].providers) {
       for (const ConditionUse& use : model_.providers[id].when) {
         const std::optional<std::vector<Region>>& found = beginnings(group, id, use);
@@ -171,7 +171,7 @@ private:
     return std::all_of(all.begin(), all.end(),
                        [&](ProviderId id) {
                          SparseSet<GroupId> seen;
-                         return !facts_.active.contains(id) && !is_told(id, seen);
+                         return !facts_.active.contains(id) && !is_reported(id, seen);
                        }) &&
            !waits_with_reported(group);
   }
@@ -213,13 +213,13 @@ private:
              const std::vector<ProviderId>& all = model_.groups[member->target].providers;
              return std::all_of(all.begin(), all.end(), [&](ProviderId each) {
                SparseSet<GroupId> seen;
-               return is_told(each, seen);
+               return is_reported(each, seen);
              });
            });
   }
 
   /// Whether another finding reports what prevents it, or what it needs, from running.
-  bool is_told(ProviderId id, SparseSet<GroupId>& seen) const {
+  bool is_reported(ProviderId id, SparseSet<GroupId>& seen) const {
     const auto faults = facts_.impossible_of(id);
     const std::vector<Use<GroupId>>& needs = model_.providers[id].needs;
     return explained_.contains(id) || facts_.plans[id] != PlanVerdict::found ||
@@ -227,7 +227,7 @@ private:
            std::any_of(needs.begin(), needs.end(), [&](const Use<GroupId>& need) {
              if (facts_.capable_groups.contains(need.id) || !seen.add(need.id)) return false;
              const std::vector<ProviderId>& below = model_.groups[need.id].providers;
-             return std::any_of(below.begin(), below.end(), [&](ProviderId each) { return is_told(each, seen); });
+             return std::any_of(below.begin(), below.end(), [&](ProviderId each) { return is_reported(each, seen); });
            });
   }
 
@@ -275,7 +275,7 @@ private:
     std::vector<Region> open = ways_for(group, false).of(group);
     const bool goes_on = may_begin(group, open);
     if (goes_on) open = ways_for(group, true).of(group);
-    add_circles(group, open);
+    add_cycles(group, open);
     if (never_runs(group)) {
       const Request& first = shared_.requests().of(group).front();
       found_.push_back({group, {std::string(everywhere)}, true, {}, &first});
@@ -577,12 +577,13 @@ private:
   const Shared& shared_;
   const Grants& grants_;
   const Earlier earlier_;
-  const Circles circles_;
+  const CausingCycles cycles_;
   mutable std::map<std::tuple<GroupId, ProviderId, ConditionId>, std::optional<std::vector<Region>>> beginnings_;
   Findings& findings_;
   IdSet<ProviderId> explained_;
-  std::set<std::pair<GroupId, ConditionId>> pushed_, told_; ///< told_: another finding says why it is not pushed
-  std::set<const Task*> conflicting_;                       ///< entries of packs whose members exclude each other
+  std::set<std::pair<GroupId, ConditionId>> pushed_;
+  std::set<std::pair<GroupId, ConditionId>> reported_; ///< another finding says why it is not pushed
+  std::set<const Task*> conflicting_;                  ///< entries of packs whose members exclude each other
   std::vector<Uncoveredness> found_;
 };
 

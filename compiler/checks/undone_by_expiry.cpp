@@ -133,7 +133,7 @@ private:
            why_refused(granted, id);
   }
 
-  /// How each unit in which its group is requested is blocked, told of the first one.
+  /// How each unit in which its group is requested is blocked, described for the first one.
   std::optional<Taking> why_refused(const Granted& granted, ProviderId id) const {
     std::optional<Taking> out;
     for (const Request& request : shared_.requests().of(model_.providers[id].group)) {

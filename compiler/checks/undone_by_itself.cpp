@@ -46,7 +46,7 @@ public:
     }
   }
 
-  /// The task, or one below it, ends the condition, and what causes it goes first, so that nobody pushes it.
+  /// The task, or one below it, ends the condition, and what causes it goes first, so that no task pushes it.
   void look_at_unpushed(const Input& input, ProviderId waiter, const ConditionUse& use) {
     if (!facts_.impossible_of(waiter).empty()) return;
     const auto [at, is_new] = only_causers_.try_emplace(use.id);
@@ -56,7 +56,7 @@ public:
     const Provider& row = model_.providers[waiter];
     const Task* const first = root_before(model_.providers[*causer].group, row.group);
     if (first == nullptr) return;
-    const Unpushed wait{waiter, use, *causer, *first};
+    const CausedByRoot wait{waiter, use, *causer, *first};
     for (const ConditionUse& entry : row.sets) look_at_unpushed(wait, setter(waiter), entry, {});
     if (row.packs.empty()) return;
     const RunsBelow below(input.shared.branches(), input.shared.claims(row.group), row.group);
@@ -116,14 +116,14 @@ private:
   };
 
   /// A condition that only a root causes that goes before the waiting one.
-  struct Unpushed {
+  struct CausedByRoot {
     ProviderId waiter{};
     const ConditionUse& use;
     ProviderId causer{};
     const Task& first;
   };
 
-  void look_at_unpushed(const Unpushed& wait, const Setter& by, const ConditionUse& entry,
+  void look_at_unpushed(const CausedByRoot& wait, const Setter& by, const ConditionUse& entry,
                         const std::vector<ChainStep>& path) {
     const auto& [waiter, use, causer, first] = wait;
     if (model_.conditions[entry.id].state != model_.conditions[use.id].state) return;

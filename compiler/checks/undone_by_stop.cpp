@@ -263,10 +263,10 @@ private:
     if (!how || values.empty()) return false;
     std::vector<dsl::Note> notes;
     add_chain(model_, chain, notes);
-    const auto is_told = [&](const dsl::Note& note) {
+    const auto is_reported = [&](const dsl::Note& note) {
       return std::any_of(notes.begin(), notes.end(), [&](const dsl::Note& told) { return told.span == note.span; });
     };
-    how->notes.erase(std::remove_if(how->notes.begin(), how->notes.end(), is_told), how->notes.end());
+    how->notes.erase(std::remove_if(how->notes.begin(), how->notes.end(), is_reported), how->notes.end());
     how->notes.insert(how->notes.begin(), notes.begin(), notes.end());
     report(granted, want, causer, stop, values, std::move(*how), timing,
            search.refused.size() == 1 ? search.refused.front() : nullptr);
@@ -298,9 +298,9 @@ private:
     return why_unrequested(granted, group, search);
   }
 
-  /// How everything that requests the group is stopped, and with it the group, told of the first one.
+  /// How everything that requests the group is stopped, and with it the group, described for the first one.
   std::optional<Taking> why_unrequested(const Granted& granted, GroupId group, Search& search) const {
-    if (search.stopped.count(group) != 0) return Taking{}; // it was told before
+    if (search.stopped.count(group) != 0) return Taking{}; // it is described already
     if (!search.seen.insert(group).second) return std::nullopt;
     std::optional<Taking> out;
     for (const EdgeId id : model_.groups[group].requesters) {
@@ -324,7 +324,7 @@ private:
     return out;
   }
 
-  /// How each unit in which the requester of this edge requests it is blocked, told of the first one.
+  /// How each unit in which the requester of this edge requests it is blocked, described for the first one.
   std::optional<Taking> why_units_end(const Granted& granted, EdgeId edge, Search& search) const {
     std::optional<Taking> out;
     for (const Request& request : shared_.requests().of(model_.edges[edge].target)) {

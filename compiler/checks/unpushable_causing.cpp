@@ -4,7 +4,7 @@
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/facts/waiting.hpp"
 #include "compiler/analysis/shared/shared.hpp"
-#include "compiler/analysis/states/at_rest.hpp"
+#include "compiler/analysis/states/stopped_values.hpp"
 #include "compiler/analysis/words/proposals.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -193,11 +193,11 @@ std::vector<NeverKept::Waiting> find_waiting(const Model& model, Waiting& waitin
 void report(const Input& input, const Chains& chains, Waiting& waits, const NeverKept& promise, Findings& findings) {
   const Model& model = input.model;
   const GroupId group = model.providers[promise.causer].group;
-  Diagnostic& finding =
-      findings.add(promise.promise.span,
-                   fmt::format("{} could cause {}, but nothing that waits for it can ever push {}{}",
-                               name_of(model, promise.causer), name_of(model, promise.promise.id),
-                               name_of(model, group), promise.at_first ? ": once lost, it never comes back" : ""));
+  Diagnostic& finding = findings.add(
+      promise.promise.span,
+      fmt::format("{} could cause {}, but nothing that waits for it can ever push {}{}", name_of(model, promise.causer),
+                  name_of(model, promise.promise.id), name_of(model, group),
+                  promise.at_first ? ": once it is false, it never becomes true again" : ""));
   Obstacles obstacles;
   std::optional<Before> earlier;
   std::string causer_help; // if conditions exclude each other

@@ -19,7 +19,7 @@ namespace {
 /// Whether the provider keeps a skill beside a planner. With a need for the skill it would not be granted before the
 /// planner has decided, and the skill would be stopped.
 bool keeps_skill(const Input& input, ProviderId id, const Task& task) {
-  if (!is_skill(input.model, task.target)) return false;
+  if (!stop_matters(input.model, task.target)) return false;
   const std::vector<Request>& requests = input.shared.requests().of(input.model.providers[id].group);
   return std::any_of(requests.begin(), requests.end(), [&](const Request& request) {
     return request.requester && find_deferring(input, *request.pack, *request.task, task.target);

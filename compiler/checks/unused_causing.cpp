@@ -56,10 +56,10 @@ bool has_another(const Input& input, const Graph::Causing& arrow) {
   });
 }
 
-/// Sets the help, and notes who listens to the end of its time, which never comes.
+/// Sets the help, and notes the providers that listen to the broken promise, which is never reported.
 void advise(const Input& input, ProviderId id, const ConditionUse& promise, dsl::Diagnostic& finding) {
   const Model& model = input.model;
-  finding.help = "what a provider sets without a promise to anybody stands in `sets`";
+  finding.help = "values that a provider sets without a promise belong in `sets`";
   if (!promise.within) return;
   for (const Provider& listener : model.providers) {
     for (const Use<TriggerId>& use : listener.triggers) {

@@ -95,9 +95,9 @@ std::vector<const Finding*> more_than(const std::map<std::string, std::vector<co
   return out;
 }
 
-/// Whether what a finding names first is dead on this side: a provider that can never run, a group that is never
+/// Whether what a finding names first never happens on this side: a provider that can never run, a group that is never
 /// requested, or a condition only of such providers.
-bool is_dead(const Finding& finding, const Model& model, const Possible& possible) {
+bool never_happens(const Finding& finding, const Model& model, const Possible& possible) {
   const std::string_view text = finding.message;
   const std::size_t begin = text.find('`') + 1, end = text.find('`', begin);
   if (begin == 0 || end == std::string_view::npos) return false;
@@ -128,14 +128,14 @@ void compare_findings(const Pair& pair, bool alike, Changes& changes) {
   const auto was_allowed = sorted(pair.before.allowed, old_keys), is_allowed = sorted(pair.after.allowed, new_keys);
   for (const Finding* each : more_than(is, was, alike)) {
     const bool known = was_allowed.contains(new_keys.of(*each));
-    const bool dies = reports_never(*each) && !known && !is_dead(*each, pair.old_model, pair.possible_before);
+    const bool dies = reports_never(*each) && !known && !never_happens(*each, pair.old_model, pair.possible_before);
     changes.add(dies ? ChangeKind::became_dead : ChangeKind::finding_new, each->id,
                 fmt::format("{} is {}: {}", name_of(each->level), known ? "no longer allowed" : "new", each->message),
                 {}, each->span);
   }
   for (const Finding* each : more_than(was, is, alike)) {
     const bool known = is_allowed.contains(old_keys.of(*each));
-    const bool revives = reports_never(*each) && !known && !is_dead(*each, pair.new_model, pair.possible_after);
+    const bool revives = reports_never(*each) && !known && !never_happens(*each, pair.new_model, pair.possible_after);
     changes.add(revives ? ChangeKind::became_reachable : ChangeKind::finding_gone, each->id,
                 fmt::format("{} is {}: {}", name_of(each->level), known ? "allowed now" : "gone", each->message),
                 each->span, {});

@@ -87,7 +87,7 @@ private:
       return group.layer ? ticked(model.layers[group.layer->id].name.value) : std::string("no layer");
     };
     const std::string was = text(pair_.old_model, before_), is = text(pair_.new_model, after_);
-    if (was != is) add(ChangeKind::layers, fmt::format("`{}` stands in {}, before in {}", name_, is, was));
+    if (was != is) add(ChangeKind::layers, fmt::format("`{}` is in {}, before in {}", name_, is, was));
   }
 
   void handler(const char* what, const std::optional<Handler>& before, const std::optional<Handler>& after) {

@@ -1,7 +1,7 @@
 // Header: compiler/diff/side.hpp. Test: tests/compiler/diff/diff_test.cpp.
 // SPDX-License-Identifier: MIT
 //
-// Compares what may ever happen, by the facts of the checks: an over-approximation, so "dead" is a proof and
+// Compares what may ever happen, by the facts of the checks: an over-approximation, so "never runs" is a proof and
 // "reachable" means "may".
 #include "compiler/diff/side.hpp"
 

@@ -24,7 +24,7 @@ void add_errors(const Checked& checked, ChangeKind kind, Changes& changes) {
   }
 }
 
-/// What tells an error apart, without its place. Messages about files have their paths, which differ between the sides:
+/// What identifies an error, without its place. Messages about files have their paths, which differ between the sides:
 /// then it is what the import says.
 std::pair<std::string, std::string> identity_of(const Checked& checked, const dsl::Diagnostic& error) {
   for (const dsl::BehaviourSpec& file : checked.spec.files) {

@@ -10,7 +10,6 @@
 
 namespace director::compiler {
 
-/// `{"findings": [...]}`
 /// File, line and column.
 Json place_json(const dsl::Span& span, const dsl::Sources& sources);
 
@@ -19,7 +18,7 @@ Json note_json(const dsl::Note& note, const dsl::Sources& sources);
 
 Json finding_json(const dsl::Diagnostic& finding, const dsl::Sources& sources);
 
-/// All of them, under the key `findings`.
+/// All of them: `{"findings": [...]}`.
 Json findings_json(const std::vector<dsl::Diagnostic>& findings, const dsl::Sources& sources);
 
 } // namespace director::compiler

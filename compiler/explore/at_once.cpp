@@ -20,8 +20,8 @@
 // leads to `from`, that stops nothing above it either. Otherwise a latch: `to` waits for a value of a state that is
 // `of: from` and does not begin with that value, that only one causing provider of `from` ever sets, and that the
 // `when` and `stay` of all its other providers exclude. Then from the moment in which the causing provider set it the
-// condition holds at most for as long as `from` lives, and that provider is the active one: a stop of `from` resets the
-// value before anything else is decided.
+// condition holds at most for as long as `from` is live, and that provider is the active one: a stop of `from` resets
+// the value before anything else is decided.
 //
 // can_run: the facts of the checks decide for every provider whether it may ever run; they are an over-approximation,
 // for programs that disable no provider. If the same facts for programs that do prove less, the reason says so.

@@ -9,7 +9,7 @@ namespace director::compiler {
 /// Limit of states for one assertion or one provider alone.
 inline constexpr std::size_t states_of_focus = 20'000;
 
-/// Limit of states for each of the two explorations in `check` and `generate`.
+/// Limit of states for deciding the assertions, in every command but `explore`.
 inline constexpr std::size_t states_of_check = 100'000;
 
 } // namespace director::compiler

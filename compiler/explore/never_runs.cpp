@@ -64,8 +64,9 @@ private:
   }
 
   std::string help(GroupId id) const {
-    return fmt::format("`directorc why SCENARIO {}` tells what keeps it from running, in a scenario that requests it",
-                       model_.groups[id].name.value);
+    return fmt::format(
+        "`directorc why SCENARIO {}`, with a scenario that requests it, prints what keeps it from running",
+        model_.groups[id].name.value);
   }
 
   const Model& model_;

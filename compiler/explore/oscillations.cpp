@@ -4,6 +4,7 @@
 
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
+#include "compiler/base/counted.hpp"
 #include "compiler/explore/scenario/write_scenario.hpp"
 
 #include <fmt/format.h>
@@ -68,7 +69,7 @@ Oscillation oscillation(const Ground& ground, const Searched::Cycle& cycle, cons
   out.keeps_promises = keeps_promises(out.round, ground);
   ScenarioHead head;
   head.title = "it never comes to rest";
-  head.doc = fmt::format("The last step goes round for ever: {}.", fmt::join(names_in(out.round, ground.model), ", "));
+  head.doc = fmt::format("The last step repeats for ever: {}.", fmt::join(names_in(out.round, ground.model), ", "));
   head.behaviour = behaviour;
   head.round = out.round;
   out.scenario = write_scenario(ground, out.way, head);
@@ -89,9 +90,9 @@ std::vector<Oscillation> find_oscillations(const Ground& ground, const Searched&
 }
 
 std::string in_words(const Ground& ground, const Oscillation& oscillation) {
-  return fmt::format("Never at rest{}: after {} it goes round in {} micro-steps: {}",
+  return fmt::format("Never at rest{}: after {} it repeats {}: {}",
                      oscillation.keeps_promises ? ", if what is promised takes no time" : "",
-                     in_words(ground, oscillation.way), oscillation.round.size(),
+                     in_words(ground, oscillation.way), counted(oscillation.round.size(), "micro-step"),
                      fmt::join(names_in(oscillation.round, ground.model), ", "));
 }
 

@@ -24,7 +24,7 @@ struct Oscillation {
 std::vector<Oscillation> find_oscillations(const Ground& ground, const Searched& searched,
                                            const std::string& behaviour);
 
-/// `Never at rest: after request A it goes round in 2 micro-steps: A, B`.
+/// `Never at rest: after request A it repeats 2 micro-steps: A, B`.
 std::string in_words(const Ground& ground, const Oscillation& oscillation);
 
 /// Errors: only of cycles in which no body keeps a promise.

@@ -26,9 +26,9 @@ std::vector<dsl::Diagnostic> refuted_assertions(const Model& model, const std::v
       finding.help =
           verdicts[i].explored
               ? fmt::format(
-                    "`directorc why SCENARIO {}` tells what keeps it from running, in a scenario that requests it",
+                    "`directorc why SCENARIO {}`, with a scenario that requests it, prints what keeps it from running",
                     group)
-              : fmt::format("`directorc check FILE --explain-reachable={}` tells what it would take", group);
+              : fmt::format("`directorc check FILE --explain-reachable={}` prints what is missing", group);
     }
     out.push_back(std::move(finding));
   }

@@ -84,7 +84,9 @@ Verdict by_search(const Ground& ground, std::size_t at, const Searched& searched
   head.doc = wanted ? "How it comes to run." : "In the last step " + event + ".";
   head.behaviour = behaviour;
   if (!follower.shows(*searched.seen[at], at)) {
-    out.why = fmt::format("after {}, it was seen only in a state that had been put away", in_words(ground, out.way));
+    out.why = fmt::format("after {}, it was found from a restored state, and not when the events were played from the "
+                          "start; this is a fault of directorc: please report it",
+                          in_words(ground, out.way));
     out.way.clear();
     return out;
   }
@@ -160,7 +162,8 @@ std::vector<std::optional<Verdict>> decide_early(const Ground& ground, SearchOpt
     }
     return searched.complete;
   };
-  // A short breadth-first search; then some that are focused on a goal; then a full one.
+  // A short lean search, and one with usual answers only; then searches that are focused on a goal; then a lean one up
+  // to the bound.
   const std::size_t bound = options.bound, few = std::min(bound, states_of_focus);
   const bool all = look(ground, without_verdict(out), few);
   if (!all) look(ground, without_verdict(out), few, Breadth::usual);

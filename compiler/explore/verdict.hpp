@@ -31,7 +31,8 @@ std::string_view name_of(Verdict::Kind kind);
 /// `never_together [Travel, Reach]`, as it is written in the behaviour.
 std::string words_of(const Assertion& assertion, const Model& model);
 
-/// Without any exploration, from needs and priorities alone; empty if these do not decide it.
+/// Without any exploration, from the declarations and the facts of the checks (at_once.cpp); empty if these do not
+/// decide it.
 std::optional<Verdict> prove_at_once(const Assertion& assertion, const Model& model);
 
 /// For each assertion of the Model: at once, otherwise by lean explorations, of everything and of what leads to its

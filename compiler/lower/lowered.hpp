@@ -32,7 +32,7 @@ struct Lowered {
   /// picks.
   std::vector<ProviderId> wide_aims;
 
-  /// A view of the vectors above: valid as long as this object lives and is not assigned to.
+  /// A view of the vectors above: valid as long as this object exists and is not assigned to.
   Tables view() const;
 };
 

@@ -43,7 +43,7 @@ private:
 
   /// Adds a word to a row, unless it has its default.
   void word(std::string_view name, const std::string& text) {
-    if (!text.empty()) line("      {:<10}{}", name, text);
+    if (!text.empty()) line("      {:<12}{}", name, text);
   }
 
   template <class Rows>
@@ -102,7 +102,7 @@ private:
         accepts += fmt::format("{}{}..{}", accepts.empty() ? "" : ", ", interval.low, interval.high);
       }
       word("accepts", accepts.empty() ? "nothing" : accepts);
-      word("asked by", groups(tables_.list(row.groups)));
+      word("used by", groups(tables_.list(row.groups)));
       word("causers", join(tables_.list(row.causers), [this](Index index) { return provider(index); }));
     }
   }
@@ -122,7 +122,7 @@ private:
       const director::Group& row = tables_.groups[i];
       line("  {:>3}  {}", i, group(i));
       word("rows", fmt::format("providers {}, edges {}", rows(row.providers), rows(row.edges)));
-      word("asked by", join(tables_.list(row.requesters), [this](Index index) { return edge(index); }));
+      word("requesters", join(tables_.list(row.requesters), [this](Index index) { return edge(index); }));
       const std::span<const Index> users = tables_.list(row.users);
       if (users.size() > 1) word("used by", groups(users));
       word("slots", groups(tables_.plan_groups.subspan(row.slots.begin, row.slots.size())));

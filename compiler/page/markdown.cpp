@@ -302,7 +302,7 @@ private:
     if (!transitions["not_requested"].items().empty()) {
       std::vector<std::string> names;
       for (const std::string& name : transitions["not_requested"].as_texts()) names.push_back(escaped(name));
-      out_ += fmt::format("Not requested by anybody: {}.\n\n", fmt::join(names, ", "));
+      out_ += fmt::format("Not requested: {}.\n\n", fmt::join(names, ", "));
     }
     for (const Json& row : rows.items()) add_row(rows, row);
   }

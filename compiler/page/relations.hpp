@@ -36,7 +36,7 @@ struct Relations {
 
 Relations find_relations(const Json& data);
 
-/// Nor needed by anybody.
+/// Nor needed by any group.
 bool requested_by_nobody(const Relations& relations, const std::string& group);
 
 /// `priority 20`, `priority 10, optional`, `priority normal 10, urgent 80 optional`, and its `doc`:

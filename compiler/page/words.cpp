@@ -95,12 +95,11 @@ std::string state_words(const Json& state) {
   if (!state["type"].is_null()) out += fmt::format("; in C++ {}", state["type"].as_text());
   const std::string& initial = state["initial"].as_text();
   out += initial.empty() ? "; unset at the beginning" : fmt::format("; {} at the beginning", initial);
-  if (state["external"].as_boolean()) out += "; told by the outside";
+  if (state["external"].as_boolean()) out += "; external";
   if (!state["of"].is_null()) out += fmt::format("; belongs to {}", state["of"].as_text());
   if (const Json& expires = state["expires"]; expires.is_object()) {
     const std::string& to = expires["to"].as_text();
-    out += fmt::format("; {} when nobody has said anything for {}", to.empty() ? "unset" : to,
-                       time_text(expires["after_us"]));
+    out += fmt::format("; {} if it is not set for {}", to.empty() ? "unset" : to, time_text(expires["after_us"]));
   }
   return out;
 }

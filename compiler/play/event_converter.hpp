@@ -29,7 +29,7 @@ public:
   EventConverter(const EventConverter&) = delete;
   EventConverter& operator=(const EventConverter&) = delete;
 
-  Observer observer(); ///< for as long as this object lives
+  Observer observer(); ///< for as long as this object exists
   void begin_step(std::uint32_t step) { step_ = step; }
   void share(const Observer& events) { shared_ = events; } ///< gets every event first
   void now(Time time) { time_ = time; }                    ///< the time of events from the player, not from the engine

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Events of a scenario, as values that can be printed without the Model. Source: the language page, its second half.
+// Events of a scenario, as values that can be printed without the Model. Source: docs/scenarios.md.
 
 #include <cstdint>
 #include <optional>

@@ -129,7 +129,7 @@ private:
   void add_declaration(std::size_t index) {
     const WantedFunction& function = module_.functions[index];
     if (type_.in_macro) return obstacle(function, "the class ends in a macro");
-    if (texts_.count(type_.place.path) == 0) return obstacle(function, "the class stands outside of the folder");
+    if (texts_.count(type_.place.path) == 0) return obstacle(function, "the class is outside of the folder");
     const FoundFunction* const row = anchor(index, [&](const FoundFunction& each) { return fits_declaration(each); });
     const bool outside = definition_anchor(index) != nullptr && !type_.only_inline && (row == nullptr || !row->defines);
     const bool here = defined(function) == nullptr && !outside;
@@ -196,7 +196,7 @@ private:
       out_.insertions.push_back({path, at->second.size(), whole ? body + std::string(end) : std::string(end) + body});
       return;
     }
-    if (texts_.count(type_.place.path) == 0) return obstacle(function, "the class stands outside of the folder");
+    if (texts_.count(type_.place.path) == 0) return obstacle(function, "the class is outside of the folder");
     const auto same = [&](const Artefact& file) { return file.path == path; };
     auto file = std::find_if(out_.sources.begin(), out_.sources.end(), same);
     if (file == out_.sources.end()) {

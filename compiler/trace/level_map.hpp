@@ -9,7 +9,7 @@ namespace director::compiler {
 
 /// The level at which `edge` of the version `to` is requested: the one that the same pack names so, or the pack's first
 /// one if it had no name; else one with the same priority, `optional` and `apart`, of that pack if it is still there.
-/// nil: none, so it cannot be told. `request`, and `answer` of the run that makes it, have the rows of the version
+/// nil: none, so it is unknown. `request`, and `answer` of the run that makes it, have the rows of the version
 /// `from`, which must have level_uses; of a request of root, `answer` does not count.
 Index same_level(const director::Names& from, const Event& request, const Event& answer, const director::Names& to,
                  Index edge);

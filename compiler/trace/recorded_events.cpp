@@ -15,7 +15,7 @@ namespace {
 
 /// Why a request is not replayed.
 constexpr const char* untold =
-    "the level of this request cannot be told: no level of the pack has the recorded name, or means the same; or the "
+    "the level of this request is unknown: no level of the pack has the recorded name, or means the same; or the "
     "recorded one has several names";
 
 using Kind = Event::Kind;

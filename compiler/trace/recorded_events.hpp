@@ -30,7 +30,7 @@ public:
   /// same.
   RecordedEvents(TraceLines& lines, const Model& model, const director::Names& names, const director::Names* recorded);
 
-  /// The event so many places ahead; null: there is none. Events about the recorder, a full inbox or an exhausted
+  /// The event after so many others; null: there is none. Events about the recorder, a full inbox or an exhausted
   /// budget are skipped: they decide nothing.
   const RecordedEvent* ahead(std::size_t places);
   /// Whether the next event is an answer that is impossible for what its requests, behind it, leave out.

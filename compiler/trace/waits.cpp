@@ -34,7 +34,7 @@ public:
     if (event.group == nil) return;
     Standing& standing = groups_[event.group];
     const bool ends_its_request = ends_request(event) && event.edge == standing.holder;
-    if (ends_hold(event) || ends_its_request) standing.is_told = true;
+    if (ends_hold(event) || ends_its_request) standing.is_reported = true;
     if (ends_its_request) standing.is_doubtful = true;
     if (event.kind == Kind::grant) standing.is_doubtful = false;
     if (event.kind == Kind::release) standing.is_without_effect = false;
@@ -63,9 +63,10 @@ private:
     Because because{};
     std::uint32_t text = 0; ///< as in Change
     Index holder = nil;
-    bool is_live = false, is_told = false; ///< before this micro-step; and whether an event of this one reports its end
-    bool is_doubtful = false;              ///< by the end of its request alone
-    bool is_without_effect = false;        ///< the push on it, when it ran last in the provider of that push
+    bool is_live = false;           ///< before this micro-step
+    bool is_reported = false;       ///< whether an event of this one reports its end
+    bool is_doubtful = false;       ///< by the end of its request alone
+    bool is_without_effect = false; ///< the push on it, when it ran last in the provider of that push
   };
 
   static bool is_decision(Kind kind) {
@@ -92,12 +93,12 @@ private:
     const bool is_live = view.assignment[group].active != nil;
     anew_ =
         anew_ || is_live != standing.is_live; // an answer says of a group that could cause something whether it runs
-    if (standing.is_live && !is_live && !standing.is_told) out_.held.push_back({last_line_, group});
+    if (standing.is_live && !is_live && !standing.is_reported) out_.held.push_back({last_line_, group});
     const bool is_doubtful = standing.is_doubtful || is_requested_by(view, view.holder(group), ran_);
     if (standing.is_live && is_live && is_doubtful && !view.granted(group)) out_.stays.push_back({last_line_, group});
     standing.is_live = is_live;
     standing.holder = view.holder(group);
-    standing.is_told = standing.is_doubtful = false;
+    standing.is_reported = standing.is_doubtful = false;
   }
 
   void note_push(const View& view, Index group) {

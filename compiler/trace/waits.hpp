@@ -36,7 +36,8 @@ struct Waits {
   /// A group that runs in the provider of its push, but not because of it: from the event in this line on. The engine
   /// has no event for this.
   using WithoutEffect = Held;
-  /// Because of it again, without a release of the push since.
+  /// A group that was WithoutEffect and runs because of its push again, without a release of the push in between: from
+  /// the event in this line on.
   using InForce = Held;
   /// What blocks a waiting group.
   struct Blocker {

@@ -86,9 +86,9 @@ private:
 
   /// If nothing that the row lost, or that was interrupted, had another holder: what a body set that contradicts a
   /// condition of the row's side.
-  std::optional<Assignment> find_ender(const Beginning& row, const Beginning& column, const Trial& trial,
-                                       const std::vector<GroupId>& lost, const Transition& out,
-                                       const CellContext& context) const;
+  std::optional<SetState> find_ender(const Beginning& row, const Beginning& column, const Trial& trial,
+                                     const std::vector<GroupId>& lost, const Transition& out,
+                                     const CellContext& context) const;
 
   const Model& model_;
   const Lowered& lowered_;

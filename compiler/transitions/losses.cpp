@@ -120,9 +120,9 @@ bool Judge::takes_from_side(const Beginning& row, const Beginning& column, const
   return !first_taken(row, column, trial, groups).by.empty();
 }
 
-std::optional<Assignment> Judge::find_ender(const Beginning& row, const Beginning& column, const Trial& trial,
-                                            const std::vector<GroupId>& lost, const Transition& out,
-                                            const CellContext& context) const {
+std::optional<SetState> Judge::find_ender(const Beginning& row, const Beginning& column, const Trial& trial,
+                                          const std::vector<GroupId>& lost, const Transition& out,
+                                          const CellContext& context) const {
   const bool is_any_held =
       std::any_of(lost.begin(), lost.end(), [&](GroupId id) { return trial.rest.groups[id.value].by.has_value(); });
   if (is_any_held || context.holder || !out.pushes.empty()) return {};
@@ -131,14 +131,14 @@ std::optional<Assignment> Judge::find_ender(const Beginning& row, const Beginnin
   const auto first_stop = std::find_if(trial.events.begin(), trial.events.end(), [&](const Event& event) {
     return lost.empty() && event.kind == Event::Kind::stop && contains(out.again, GroupId{event.group});
   });
-  const auto ends = [&](const Assignment& set, const ConditionUse& use) {
+  const auto ends = [&](const SetState& set, const ConditionUse& use) {
     const Condition& condition = model_.conditions[use.id];
     if (condition.state != set.state || condition.accepts.contains(set.value)) return false;
     const auto before = row.rest.values.find(set.state), after = trial.rest.values.find(set.state);
     return before != row.rest.values.end() && condition.accepts.contains(before->second) &&
            (lost.empty() || (after != trial.rest.values.end() && after->second == set.value));
   };
-  for (const Assignment& set : assignments_of({trial.events.begin(), first_stop})) {
+  for (const SetState& set : set_states_of({trial.events.begin(), first_stop})) {
     for (const GroupId id : model_.groups.ids()) {
       const std::optional<ProviderId> ran = row.rest.groups[id.value].active;
       if (!ran || !(row.way.passes(id) || row.rest.is_under(model_, id, row.way.last().edge))) continue;

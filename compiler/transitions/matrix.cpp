@@ -217,7 +217,7 @@ private:
     std::optional<Transition> out = running_cell(row, column, context);
     if (!out) return {};
     std::vector<std::pair<ProviderId, Values>> set; // in the order in which they ran
-    for (const Assignment& each : context.assignments) {
+    for (const SetState& each : context.set_states) {
       const auto given = row.given.find(each.state);
       if (given == row.given.end() || given->second != each.value) continue;
       if (std::find(setters.begin(), setters.end(), each.by) == setters.end()) continue;
@@ -306,7 +306,7 @@ private:
 
   /// Its scenario is without the bodies that did not run.
   void keep_play(const Play& play, CellContext& context, Transition& out) {
-    context.assignments = assignments_of(play.trial.events);
+    context.set_states = set_states_of(play.trial.events);
     out.scenario = {piece("scenario: from "), piece(model_.groups[context.row.group].name.value), piece(" to "),
                     piece(model_.groups[context.column.group].name.value),
                     piece(fmt::format("\nbehaviour: {}\n", behaviour_))};

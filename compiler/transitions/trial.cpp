@@ -108,8 +108,8 @@ bool Rest::is_for(const Model& model, GroupId group, GroupId above) const {
   return false;
 }
 
-std::vector<Assignment> assignments_of(std::span<const Event> events) {
-  std::vector<Assignment> out;
+std::vector<SetState> set_states_of(std::span<const Event> events) {
+  std::vector<SetState> out;
   for (const Event& event : events) {
     if (event.kind == Event::Kind::assign && event.provider != nil)
       out.push_back({ProviderId{event.provider}, StateId{event.state}, event.value});

@@ -34,7 +34,7 @@ struct Rest {
 };
 
 /// A body sets a state.
-struct Assignment {
+struct SetState {
   ProviderId by{};
   StateId state{};
   std::int64_t value = 0;
@@ -52,7 +52,7 @@ struct Trial {
 };
 
 /// Those of the events, in order.
-std::vector<Assignment> assignments_of(std::span<const Event> events);
+std::vector<SetState> set_states_of(std::span<const Event> events);
 
 /// Whether the group stopped in one of its events.
 bool has_stopped(const Trial& trial, GroupId group);

@@ -143,7 +143,7 @@ std::string pushes(const Transition& cell, const Model& model) {
 }
 
 std::string outside(const std::vector<std::string>& states) {
-  return states.empty() ? std::string{} : fmt::format(" The outside says {}.", list_of(states));
+  return states.empty() ? std::string{} : fmt::format(" From outside: {}.", list_of(states));
 }
 
 /// `FieldPlayer, which leads to Kick,`

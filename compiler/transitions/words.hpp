@@ -32,8 +32,8 @@ struct CellContext {
   bool runs_at_once = false;       ///< with takers: the second does not wait
   std::vector<GroupId> round{};    ///< endless: what runs again and again
   bool when_done = false;          ///< endless: only when the first one is done
-  std::optional<Assignment> ender{};     ///< condition lost: what a body set; empty: the values from outside
-  std::vector<Assignment> assignments{}; ///< from the second one's request on
+  std::optional<SetState> ender{}; ///< condition lost: what a body set; empty: the values from outside
+  std::vector<SetState> set_states{}; ///< from the second one's request on
 };
 
 bool contains(const std::vector<GroupId>& groups, GroupId id);

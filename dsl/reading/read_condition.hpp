@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Reads conditions, `<State> <op> <value>`. Source: the language page, "Rules". Finds bad_condition, whose place is the
-// word inside the condition that is wrong.
+// Reads conditions, `<State> <op> <value>`. Source: docs/language.md, "Conditions". Finds bad_condition, whose place is
+// the word inside the condition that is wrong.
 
 #include "dsl/reading/reader.hpp"
 #include "dsl/spec.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Reads a scenario file, without the behaviour that it names. Source: the second half of the language page.
+// Reads a scenario file, without the behaviour that it names. Source: docs/scenarios.md.
 
 #include "dsl/scenario_spec.hpp"
 #include "dsl/source/diagnostic.hpp"

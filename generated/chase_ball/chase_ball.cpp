@@ -84,7 +84,7 @@ void Whole::called_from_inside() {
 
 /// What the engine calls.
 struct [[gnu::visibility("hidden")]] Bodies {
-  /// What the user's code throws waits in the behaviour until the micro-step is over.
+  /// An exception of the user's code is kept in the behaviour until the micro-step is over.
   template <class Call, class Fault>
   static auto guarded([[maybe_unused]] Behaviour& behaviour, Call call, [[maybe_unused]] Fault fault) {
 #ifdef __cpp_exceptions
@@ -155,7 +155,7 @@ void Behaviour::throw_on() {
 }
 
 #ifdef __cpp_exceptions
-/// What an observer throws waits as well, and ends the step.
+/// An exception of an observer is kept as well, and ends the step.
 void Behaviour::tell(void* self, const director::Event& event) {
   Behaviour& behaviour = *static_cast<Behaviour*>(self);
   const director::Observer to = behaviour.observer_;

@@ -40,7 +40,7 @@ struct Wheels final : director::Task<Wheels, chase_ball::WheelSpeeds> {
 
 } // namespace chase_ball
 
-// What the C++ compiler must know of the behaviour; there is nothing to read.
+// Details for the C++ compiler: numbers of rows, and what each body may request.
 #include "chase_ball.facts.hpp"
 
 // What the bodies of providers, and start and stop handlers, get. Defined from outside of the namespace: GCC walks all
@@ -79,7 +79,7 @@ public:
   virtual director::Outcome provide(Wheels::Default& run) = 0;
 
 protected:
-  ~Cart() = default; // nobody deletes through this interface
+  ~Cart() = default; // not virtual: no object is deleted through this interface
 };
 
 namespace detail {
@@ -90,23 +90,24 @@ inline namespace DIRECTOR_INDEX_NAMESPACE { struct chase_ball_behaviour_a7a083bb
 } // namespace detail
 
 /// The smallest useful behaviour. A cart turns until it sees the ball, and drives to it. (chase_ball.yaml:2)
-/// Holds all memory of its own. The modules must live as long as it does. Its end calls nobody: what runs then is not
-/// stopped, and no stop handler is called. Before it ends, call cancel_all(), and step() until it answers `quiescent`.
-/// All that includes this header must be compiled either with exceptions or without.
+/// Holds all memory of its own. The modules must live as long as it does. The destructor calls no handler: groups that
+/// run then are not stopped. Before it, call cancel_all(), then step() until it returns `quiescent`. All that includes
+/// this header must be compiled either with exceptions or without.
 class Behaviour final : public director::Program<detail::Whole> {
 public:
   explicit Behaviour(Cart& module_0)
       : Behaviour(detail::chase_ball_behaviour_a7a083bb388b382b{}, module_0) {}
-  /// With one that is told of every decision: without it, what tells is not linked.
+  /// With an observer, which is called for every event. Without one, the code that reports events is not linked.
   template <bool reports = director::observable>
   Behaviour(Cart& module_0, director::Observer observer)
       : Behaviour(module_0) {
     observe<reports>(observer);
   }
 
-  /// Takes the inputs that were posted before, then all that is due up to `now` (a duration since any start; an earlier
-  /// one counts as the last), until nothing is left to do. What a body, handler or observer threw is thrown on, after
-  /// its micro-step; call again to go on. Not from inside one of them: an assertion fails there.
+  /// Takes the inputs that were posted before, then all that is due up to `now` (a duration since a start of your
+  /// choice; an earlier time counts as the last one), until nothing is left to do. An exception of a body, handler or
+  /// observer is rethrown after its micro-step; call step() again to continue. Not to be called by one of these: an
+  /// assertion fails.
   template <director::Duration Now>
   director::StepResult step(Now now) {
     return hand_on(step_to(director::microseconds_begun(now)));
@@ -137,10 +138,10 @@ private:
 #endif
 };
 
-/// What the rows are called that a director::Event names; empty where there is no such row.
+/// The names of the rows in a director::Event; empty if there is no such row.
 namespace names {
 const char* group(director::Index row);
-const char* provider(director::Index row);  ///< `halting`; `default` where its group writes its words directly
+const char* provider(director::Index row);  ///< `halting`; `default` if the group declares the provider directly
 const char* edge(director::Index row);      ///< `root>Walk`
 const char* state(director::Index row);
 const char* value(director::Index state, std::int32_t number); ///< `unset` too; empty for a number of a range
@@ -149,10 +150,10 @@ const char* condition(director::Index row); ///< `Stability == standing`
 const char* level(director::Index row);     ///< of other than root tasks empty for the first one
 using director::name_of;                    // of kinds of events and inputs, of reasons, and why something does not run
 
-/// All of them, for what prints the events of any behaviour.
+/// All of them, for printers of events of any behaviour.
 const director::Names& all();
 
-/// What `why` answered, as a line for people. Written into `buffer`, cut off where that is too small.
+/// The answer of `why` as one line of text. Written into `buffer`, cut off where that is too small.
 const char* why(const director::Because& because, std::span<char> buffer);
 } // namespace names
 

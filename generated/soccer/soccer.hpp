@@ -20,11 +20,11 @@ using Phase = soccer::GamePhase;
 
 /// The inertial sensor reports falls. That the robot stands still, only the walk can say, which knows when it has
 /// stopped. (senses.yaml:15)
-/// unknown has no place in the order.
+/// `unknown` is unordered: no condition with <, <=, > or >= accepts it.
 enum class Stability : std::int32_t { unknown, fallen, falling, unstable, standing };
 
 /// How far away the camera sees the ball. Not seen for a second, it is lost. (senses.yaml:21)
-/// lost has no place in the order.
+/// `lost` is unordered: no condition with <, <=, > or >= accepts it.
 enum class Ball : std::int32_t { lost, far, close, near };
 
 /// How far it has come. It belongs to GetUp, so the next fall begins at the first step again. (recovery.yaml:10)
@@ -195,7 +195,7 @@ struct RightAnkle final : director::Task<RightAnkle, soccer::ServoMove> {
 
 } // namespace soccer
 
-// What the C++ compiler must know of the behaviour; there is nothing to read.
+// Details for the C++ compiler: numbers of rows, and what each body may request.
 #include "soccer.facts.hpp"
 
 // What the bodies of providers, and start and stop handlers, get. Defined from outside of the namespace: GCC walks all
@@ -710,7 +710,7 @@ public:
   virtual director::Outcome provide(GetUp::Rising& run) = 0;
 
 protected:
-  ~Recovery() = default; // nobody deletes through this interface
+  ~Recovery() = default; // not virtual: no object is deleted through this interface
 };
 
 class Safety {
@@ -720,7 +720,7 @@ public:
   virtual director::Outcome provide(FallRecovery::Watching& run) = 0;
 
 protected:
-  ~Safety() = default; // nobody deletes through this interface
+  ~Safety() = default; // not virtual: no object is deleted through this interface
 };
 
 class Locomotion {
@@ -731,7 +731,7 @@ public:
   virtual director::Outcome provide(Walk::Halting& run) = 0;
 
 protected:
-  ~Locomotion() = default; // nobody deletes through this interface
+  ~Locomotion() = default; // not virtual: no object is deleted through this interface
 };
 
 class Kicking {
@@ -739,7 +739,7 @@ public:
   virtual director::Outcome provide(Kick::Default& run) = 0;
 
 protected:
-  ~Kicking() = default; // nobody deletes through this interface
+  ~Kicking() = default; // not virtual: no object is deleted through this interface
 };
 
 class Looking {
@@ -747,7 +747,7 @@ public:
   virtual director::Outcome provide(LookAt::Default& run) = 0;
 
 protected:
-  ~Looking() = default; // nobody deletes through this interface
+  ~Looking() = default; // not virtual: no object is deleted through this interface
 };
 
 class Planning {
@@ -756,7 +756,7 @@ public:
   virtual director::Outcome provide(KickTo::Default& run) = 0;
 
 protected:
-  ~Planning() = default; // nobody deletes through this interface
+  ~Planning() = default; // not virtual: no object is deleted through this interface
 };
 
 class Strategy {
@@ -773,7 +773,7 @@ public:
   virtual director::Outcome provide(Look::Sweeping& run) = 0;
 
 protected:
-  ~Strategy() = default; // nobody deletes through this interface
+  ~Strategy() = default; // not virtual: no object is deleted through this interface
 };
 
 class Limbs {
@@ -783,7 +783,7 @@ public:
   virtual director::Outcome provide(Head::Default& run) = 0;
 
 protected:
-  ~Limbs() = default; // nobody deletes through this interface
+  ~Limbs() = default; // not virtual: no object is deleted through this interface
 };
 
 class Servos {
@@ -798,7 +798,7 @@ public:
   virtual director::Outcome provide(RightAnkle::Default& run) = 0;
 
 protected:
-  ~Servos() = default; // nobody deletes through this interface
+  ~Servos() = default; // not virtual: no object is deleted through this interface
 };
 
 namespace detail {
@@ -809,9 +809,9 @@ inline namespace DIRECTOR_INDEX_NAMESPACE { struct soccer_behaviour_8a339dba0cd5
 } // namespace detail
 
 /// A striker that walks to the ball, stops softly, kicks, falls, gets up and plays on. (soccer.yaml:2)
-/// Holds all memory of its own. The modules must live as long as it does. Its end calls nobody: what runs then is not
-/// stopped, and no stop handler is called. Before it ends, call cancel_all(), and step() until it answers `quiescent`.
-/// All that includes this header must be compiled either with exceptions or without.
+/// Holds all memory of its own. The modules must live as long as it does. The destructor calls no handler: groups that
+/// run then are not stopped. Before it, call cancel_all(), then step() until it returns `quiescent`. All that includes
+/// this header must be compiled either with exceptions or without.
 class Behaviour final : public director::Program<detail::Whole> {
 public:
   Behaviour(
@@ -820,7 +820,7 @@ public:
       : Behaviour(
       detail::soccer_behaviour_8a339dba0cd58979{}, module_0, module_1, module_2, module_3, module_4, module_5, module_6,
       module_7, module_8) {}
-  /// With one that is told of every decision: without it, what tells is not linked.
+  /// With an observer, which is called for every event. Without one, the code that reports events is not linked.
   template <bool reports = director::observable>
   Behaviour(
       Recovery& module_0, Safety& module_1, Locomotion& module_2, Kicking& module_3, Looking& module_4,
@@ -829,9 +829,10 @@ public:
     observe<reports>(observer);
   }
 
-  /// Takes the inputs that were posted before, then all that is due up to `now` (a duration since any start; an earlier
-  /// one counts as the last), until nothing is left to do. What a body, handler or observer threw is thrown on, after
-  /// its micro-step; call again to go on. Not from inside one of them: an assertion fails there.
+  /// Takes the inputs that were posted before, then all that is due up to `now` (a duration since a start of your
+  /// choice; an earlier time counts as the last one), until nothing is left to do. An exception of a body, handler or
+  /// observer is rethrown after its micro-step; call step() again to continue. Not to be called by one of these: an
+  /// assertion fails.
   template <director::Duration Now>
   director::StepResult step(Now now) {
     return hand_on(step_to(director::microseconds_begun(now)));
@@ -864,10 +865,10 @@ private:
 #endif
 };
 
-/// What the rows are called that a director::Event names; empty where there is no such row.
+/// The names of the rows in a director::Event; empty if there is no such row.
 namespace names {
 const char* group(director::Index row);
-const char* provider(director::Index row);  ///< `halting`; `default` where its group writes its words directly
+const char* provider(director::Index row);  ///< `halting`; `default` if the group declares the provider directly
 const char* edge(director::Index row);      ///< `root>Walk`
 const char* state(director::Index row);
 const char* value(director::Index state, std::int32_t number); ///< `unset` too; empty for a number of a range
@@ -876,10 +877,10 @@ const char* condition(director::Index row); ///< `Stability == standing`
 const char* level(director::Index row);     ///< of other than root tasks empty for the first one
 using director::name_of;                    // of kinds of events and inputs, of reasons, and why something does not run
 
-/// All of them, for what prints the events of any behaviour.
+/// All of them, for printers of events of any behaviour.
 const director::Names& all();
 
-/// What `why` answered, as a line for people. Written into `buffer`, cut off where that is too small.
+/// The answer of `why` as one line of text. Written into `buffer`, cut off where that is too small.
 const char* why(const director::Because& because, std::span<char> buffer);
 } // namespace names
 

@@ -1,7 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The notes below the answer of `why`: the requesters of the edge in the way, the value of the state in a false
-// condition, and the state of each provider that could cause it.
+// The notes below the answer of `why`: what holds or lacks what, each at its edge, condition, state or provider.
 
 #include "runtime/core/inspect/why.hpp"
 

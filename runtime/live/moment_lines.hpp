@@ -23,8 +23,7 @@ void append_moment(const View& view, const Names& names, std::string& out);
 void append_standing(const View& view, const Names& names, std::string& out);
 
 /// Why a group runs or does not, as JSON: `group`, `kind`, `text`; if a group that it needs is held, `held`, with that
-/// `group` and its holder, the edge `by`; and `notes`, texts: the value of the state in a false condition, and the
-/// state of each provider that could cause it.
+/// `group` and its holder, the edge `by`; and `notes`, the texts of why_notes().
 void append_why(const View& view, Index group, const Names& names, std::string& out);
 
 } // namespace director::live

@@ -27,21 +27,22 @@ bool reports_any(const compiler::Model& model, const analysis::Facts& facts) {
 FollowOn follow_on_of(const compiler::Model& model) {
   using analysis::Reported;
   const compiler::Graph graph = compiler::make_graph(model);
-  const analysis::Facts mended = analysis::find_facts(model, graph),
+  const analysis::Facts corrected = analysis::find_facts(model, graph),
                         facts = analysis::find_facts(model, graph, Reported::as_is);
   FollowOn out;
-  if (!reports_any(model, mended)) return out;
+  if (!reports_any(model, corrected)) return out;
   for (const ProviderId id : model.providers.ids()) {
-    if (mended.active.contains(id) && !facts.active.contains(id)) out.idle.push_back(id);
-    if (mended.pushed.contains(id) && !facts.pushed.contains(id)) out.unpushed.push_back(id);
+    if (corrected.active.contains(id) && !facts.active.contains(id)) out.idle.push_back(id);
+    if (corrected.pushed.contains(id) && !facts.pushed.contains(id)) out.unpushed.push_back(id);
   }
   // What is known of both, and never happens only because of the declarations.
   analysis::Budget budget, other_budget;
   const analysis::Decisions as_is = analysis::find_decisions(model, facts, Reported::as_is, budget),
-                            as_mended = analysis::find_decisions(model, mended, Reported::mended, other_budget);
+                            as_corrected =
+                                analysis::find_decisions(model, corrected, Reported::corrected, other_budget);
   const auto is_told = [&](GroupId group, const auto& never) {
-    return as_is.decided.contains(group) && never(as_is) && as_mended.looked_at.contains(group) &&
-           !(as_mended.decided.contains(group) && never(as_mended));
+    return as_is.decided.contains(group) && never(as_is) && as_corrected.looked_at.contains(group) &&
+           !(as_corrected.decided.contains(group) && never(as_corrected));
   };
   for (const ProviderId id : model.providers.ids()) {
     const GroupId group = model.providers[id].group;

@@ -130,7 +130,7 @@ void Timeline::grant(const Event& event) {
   if (const Index old = requester(event.other); old != nil) row.before = old;
   row.edge = event.edge;
   const Index now = requester(event.edge);
-  if (now == nil) return; // limbo: it waits for an heir
+  if (now == nil) return; // limbo: a stale group may request it again
   told_waiting_[event.edge] = 0;
   row.new_holder = true;
   if (row.before == now) row.before = nil;

@@ -101,7 +101,7 @@ private:
   void explain_members(const Pack& pack, const Task& task) {
     if (pack.name.empty() || !model_.may_be_member(task)) return;
     for (const Task& other : pack.tasks) {
-      if (&other == &task || !model_.may_be_member(other) || !speaks(other.target)) continue;
+      if (&other == &task || !model_.may_be_member(other) || !has_conditions(other.target)) continue;
       notes_.push_back({other.span, fmt::format("it is granted only together with {}", name_of(model_, other.target))});
       for (const ProviderId id : model_.groups[other.target].providers) explain_conditions(id);
     }
@@ -115,13 +115,13 @@ private:
     const bool needs =
         id == id_ || std::find(needed_.begin(), needed_.end(), model_.providers[id].group) != needed_.end();
     for (const Use<GroupId>& need : model_.providers[id].needs) {
-      if (needs && speaks(need.id))
+      if (needs && has_conditions(need.id))
         notes_.push_back({need.span, fmt::format("{} needs {}", name_of(model_, id), name_of(model_, need.id))});
     }
   }
 
   /// Whether one of its providers, or of those below, has conditions on these states.
-  bool speaks(GroupId group) const {
+  bool has_conditions(GroupId group) const {
     std::vector<GroupId> all{group};
     add_needed(model_, all);
     return std::any_of(all.begin(), all.end(), [&](GroupId each) {

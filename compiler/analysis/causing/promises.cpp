@@ -15,7 +15,7 @@ namespace director::analysis {
 
 namespace {
 
-/// The blame: from each provider that never runs to those that might change it.
+/// The blame: from each provider that never runs to those that could remove the reason.
 class BlameGraph {
 public:
   BlameGraph(const Model& model, const Facts& facts, const Chains& chains)

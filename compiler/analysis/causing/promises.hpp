@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // Finds promises that are never kept although a condition waits for them and nothing else serves it, and what is to
-// blame. A provider that never runs is blamed on what it lacks, that on what prevents it, and so on, down to causes
-// that blame nothing else.
+// blame. An edge of the blame graph leads from a provider that never runs to each provider that could remove the
+// reason; the end of such a chain is a cause that blames nothing else.
 
 #include "compiler/analysis/chains/meetings.hpp"
 #include "compiler/analysis/facts/facts.hpp"

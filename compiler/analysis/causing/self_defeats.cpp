@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/causing/self_defeats.hpp"
 
-#include "compiler/analysis/states/at_rest.hpp"
 #include "compiler/analysis/states/region.hpp"
+#include "compiler/analysis/states/stopped_values.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -64,7 +64,7 @@ private:
   /// Values that the state may have when the group starts: a state of the group has the value that its stop left.
   ValueSet values_before(GroupId group, StateId id) const {
     const State& state = model_.states[id];
-    return state.of && state.of->id == group ? values_at_rest(model_, state).values : facts_.values[id];
+    return state.of && state.of->id == group ? values_while_stopped(model_, state).values : facts_.values[id];
   }
 
   void look_at_start(GroupId group, const ConditionUse& entry) {

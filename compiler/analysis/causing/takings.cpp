@@ -66,8 +66,8 @@ std::optional<Reach> Takings::find_taking(GroupId loser, GroupId group) const {
   return reach == std::end(all_reaches) ? std::nullopt : std::optional(*reach);
 }
 
-/// What the task needs itself is claimed with the whole unit, where its first member stands; what it requests, by the
-/// rank of the task.
+/// What the task needs itself is claimed with the whole unit, at the place of its first member; what it requests, by
+/// the rank of the task.
 bool Takings::goes_before(Reach reach, GroupId loser) const {
   if (ranks_ == nullptr) return true;
   if (reach == Reach::own) return !is_held_ && may_beat(loser);

@@ -22,7 +22,7 @@ struct Together {
   std::optional<ProviderId> provider; ///< empty: the roots
   const std::vector<Task>* tasks = nullptr;
   std::string_view pack; ///< empty for roots and flat `tasks`
-  bool whole = false;    ///< a named pack: if one of them, then all
+  bool whole = false;    ///< a named pack: with one of them all mandatory ones are requested
 };
 
 /// Every pack and list of these providers, and the roots, first.

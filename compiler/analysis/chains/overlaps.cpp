@@ -12,7 +12,7 @@ Overlaps::Overlaps(const Model& model, const Branches& branches)
       lonely_(model.groups.size()),
       found_by_(model.groups.size(), no_group) {
   // From the leaves up: a group on a cycle always has an edge left.
-  IdTable<GroupId, std::size_t> left(model.groups.size()); // edges to groups that are not known to be lonely
+  IdTable<GroupId, std::size_t> left(model.groups.size()); // edges to groups below which two entries may still meet
   for (const Edge& edge : model.edges) {
     if (edge.requester) ++left[*edge.requester];
   }

@@ -27,7 +27,7 @@ struct KeptNeed {
 std::vector<KeptNeed> find_kept_needs(const Model& model, const Shared& shared, ProviderId above,
                                       const std::vector<ProviderId>& providers);
 
-/// Whether it requests the group, or a group that may lead to it.
+/// Whether it requests the group, or a task that may come to hold it (Claims).
 bool leads_to(const Model& model, const Shared& shared, ProviderId provider, GroupId group);
 
 } // namespace director::analysis

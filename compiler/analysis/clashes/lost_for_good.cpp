@@ -83,7 +83,8 @@ private:
     for (const Found* each : kept) add(*each);
   }
 
-  /// Whether something makes it false; the value at the start is not considered.
+  /// Whether something makes it false. The value at the start counts only for a state that belongs to a group, and that
+  /// returns to it.
   bool is_spoilt_by(const Source& source, ConditionId id) const {
     if (source.values.subset_of(model_.conditions[id].accepts)) return false;
     if (source.provider)

@@ -63,7 +63,7 @@ public:
               {fmt::format("`{}`", call.name), call.span, call.declared_in, call.carries, false, false});
       }
     }
-    // What nobody can see may use a stored context. Of a virtual function the overriders in the build are known.
+    // A call of unknown effect may use a stored context. Of a virtual function the overriders in the build are known.
     if (stores) {
       for (Unseen& each : body.unseen) each.carries = each.carries || !each.is_virtual;
     } else {

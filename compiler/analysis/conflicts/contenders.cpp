@@ -203,7 +203,7 @@ bool may_be_needed(const Input& input, ProviderId provider, const ContendedTask&
          !is_wanted_below(input, input.model.providers[provider], contended.task->target);
 }
 
-bool is_skill(const Model& model, GroupId group) {
+bool stop_matters(const Model& model, GroupId group) {
   const Group& row = model.groups[group];
   return row.stop || std::any_of(row.providers.begin(), row.providers.end(),
                                  [&](ProviderId id) { return !model.providers[id].causing.empty(); });
@@ -213,7 +213,7 @@ std::optional<Deferring> find_deferring(const Input& input, const Pack& pack, co
   const Model& model = input.model;
   const auto& parts = input.shared.indispensable().of(skill);
   if (!parts) return std::nullopt;
-  // What waits for the skill to come to rest decides nothing meanwhile.
+  // A group that waits for a promise of the skill requests nothing meanwhile.
   const auto waits_for_skill = [&](GroupId group) {
     const std::vector<ProviderId>& providers = model.groups[group].providers;
     return std::all_of(providers.begin(), providers.end(), [&](ProviderId id) {

@@ -35,8 +35,9 @@ std::vector<ContendedTask> find_contended_tasks(const Input& input, ProviderId p
 /// Whether the provider may need it, without a conflict with what others or its own tasks want, and without waiting.
 bool may_be_needed(const Input& input, ProviderId provider, const ContendedTask& contended);
 
-/// Whether an abrupt end of it matters: it has a stop handler, or can be pushed to come to rest.
-bool is_skill(const Model& model, GroupId group);
+/// Whether it matters that the group is stopped instead of handed over: it has a stop handler, or a provider that
+/// promises something.
+bool stop_matters(const Model& model, GroupId group);
 
 /// A planner that is requested beside a task, goes before it, and may request something that the skill has to have, but
 /// not the skill. Until it has decided, the task is given no skill that it does not have yet (semantics.md 4.4, "Defer"

@@ -15,11 +15,11 @@ namespace {
 
 /// Decides whether what a provider takes is available while others hold something, and if not, which of them prevents
 /// it.
-class Trial {
+class Availability {
 public:
   /// `only_steady`: also of a unit. `granted`: the task may be granted already, with another provider.
-  Trial(const Input& input, Takers& takers, Packmates& packmates, std::optional<GroupId> requester, const Task& task,
-        const Held& held, const Groups& must, bool only_steady, bool granted)
+  Availability(const Input& input, Takers& takers, Packmates& packmates, std::optional<GroupId> requester,
+               const Task& task, const Held& held, const Groups& must, bool only_steady, bool granted)
       : input_(input),
         takers_(takers),
         packmates_(packmates),
@@ -298,9 +298,10 @@ std::vector<Grants::Entry> Grants::entries_of(const Provider& provider, const Pa
 std::optional<Taker> Grants::find_taker(std::optional<GroupId> requester, const Task& task, ProviderId id,
                                         const Held& held, bool granted) {
   if (held.empty()) return std::nullopt;
-  Trial trial(input_, takers_, packmates_, requester, task, held, takers_.must(id), !origin_, granted);
-  if (trial.can_have(requester, task.target) && trial.can_meet(input_.model.providers[id])) return std::nullopt;
-  return trial.taker();
+  Availability availability(input_, takers_, packmates_, requester, task, held, takers_.must(id), !origin_, granted);
+  if (availability.can_have(requester, task.target) && availability.can_meet(input_.model.providers[id]))
+    return std::nullopt;
+  return availability.taker();
 }
 
 bool Grants::is_grantable(std::optional<GroupId> requester, const Task& task, const Held& held) {

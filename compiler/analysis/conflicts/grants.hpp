@@ -41,8 +41,8 @@ class Grants {
 public:
   /// Below all roots. Only what is held steadily counts.
   Grants(const Input& input, Takers& takers, Packmates& packmates);
-  /// While which provider the requests of a pack stand: the one that made them, or any of its group, which may keep
-  /// them.
+  /// With which active providers the requests of a pack remain: only with the one that made them (`above`), or with any
+  /// of its group, which may keep them.
   enum class Running { above, any };
   /// Only below this pack of `above`, for any requester of its group.
   Grants(const Input& input, Takers& takers, Packmates& packmates, ProviderId above, const Pack& pack, Running running);

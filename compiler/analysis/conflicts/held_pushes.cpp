@@ -7,8 +7,8 @@
 #include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/requests/company.hpp"
 #include "compiler/analysis/shared/shared.hpp"
-#include "compiler/analysis/states/at_rest.hpp"
 #include "compiler/analysis/states/covering.hpp"
+#include "compiler/analysis/states/stopped_values.hpp"
 
 #include <algorithm>
 #include <map>
@@ -261,7 +261,7 @@ private:
     for (auto& [id, here] : out) {
       const State& state = model_.states[id];
       if (!state.of || state.of->id != held.waits->target) continue;
-      const Possible at_rest = values_at_rest(model_, state); // it does not run while it waits
+      const Possible at_rest = values_while_stopped(model_, state); // it does not run while it waits
       here = {here.values.intersected(at_rest.values), here.unset && at_rest.unset};
     }
     const bool is_empty = std::any_of(out.begin(), out.end(), [](const auto& entry) { return entry.second.empty(); });

@@ -14,8 +14,8 @@ namespace {
 /// Limit for the entries that may take one group and are considered for one entry; those of the highest rank come
 /// first.
 constexpr std::size_t most_others = 8;
-/// Limit for the groups from which one group may be asked for; with more, some may ask in time.
-constexpr std::size_t most_asking = 200;
+/// Limit for the groups that may request one group and are examined; with more, one of them is assumed to request it.
+constexpr std::size_t most_requesters = 200;
 
 bool is_in(const Unit& unit, const Task* task) { return std::find(unit.begin(), unit.end(), task) != unit.end(); }
 
@@ -108,7 +108,7 @@ std::optional<Packmate> Packmates::find_mate(GroupId requester, const Rival& riv
   if (!rival.at_first || (!first && !together && !takers_.is_mandatory(over))) return std::nullopt;
   // It waits until the task that goes before it has run, and then for its requester if that is stale by then: meanwhile
   // what the first one requested may be granted.
-  if (!out.from_below && takers_.may_get_new_orders(requester)) return std::nullopt;
+  if (!out.from_below && takers_.may_become_stale(requester)) return std::nullopt;
   out.taker.kind = Taker::Kind::before;
   out.taker.spoilers = spoilers_of(requester, rival, over);
   if (!before && !out.taker.spoilers.empty() && may_keep(requester, *rival.unit, over)) return std::nullopt;
@@ -145,7 +145,7 @@ Beside Packmates::beside(GroupId requester, const Unit& unit, const Task& by, co
   // hand-over of the requester: then nothing is held for it, and the one that was requested first goes first with
   // everything below it.
   const bool is_before_below = !is_first(requester, by, over) && by.edge != over.edge &&
-                               takers_.always_beside(requester, by, over) && !takers_.may_change_hands(requester);
+                               takers_.always_beside(requester, by, over) && !takers_.may_change_holder(requester);
   return {requester, &unit, &by, &over, is_before_below};
 }
 
@@ -187,25 +187,25 @@ bool Packmates::may_be_deferred(GroupId requester, const Unit& unit) {
   for (std::size_t i = 0; i < unit.size() && !at->second; ++i) {
     const Groups& taken = takes.maybe.empty() ? input_.shared.units().needed(unit[i]->target) : takes.maybe[i];
     at->second = std::any_of(taken.begin(), taken.end(),
-                             [&](GroupId group) { return may_be_asked_for(requester, *unit[i], group); });
+                             [&](GroupId group) { return may_be_requested_above(requester, *unit[i], group); });
   }
   return at->second;
 }
 
 /// By a group that goes before the member, does not hold that group already as a need, and is not always above.
-bool Packmates::may_be_asked_for(GroupId requester, const Task& member, GroupId group) {
+bool Packmates::may_be_requested_above(GroupId requester, const Task& member, GroupId group) {
   const Chains& chains = input_.shared.chains();
-  Groups asking{group};
+  Groups requesting{group};
   SparseSet<GroupId> seen;
   seen.add(group);
-  for (std::size_t next = 0; next < asking.size(); ++next) {
-    for (const EdgeId id : input_.model.groups[asking[next]].requesters) {
+  for (std::size_t next = 0; next < requesting.size(); ++next) {
+    for (const EdgeId id : input_.model.groups[requesting[next]].requesters) {
       const std::optional<GroupId> by = input_.model.edges[id].requester;
-      if (by && takers_.is_alive(id) && seen.add(*by)) asking.push_back(*by);
+      if (by && takers_.is_alive(id) && seen.add(*by)) requesting.push_back(*by);
     }
-    if (asking.size() > most_asking) return true;
+    if (requesting.size() > most_requesters) return true;
   }
-  return std::any_of(asking.begin() + 1, asking.end(), [&](GroupId each) {
+  return std::any_of(requesting.begin() + 1, requesting.end(), [&](GroupId each) {
     if (each == requester || chains.always_below(requester, each) || has(takers_.must(each), group)) return false;
     bool goes_before = false;
     chains.visit(each, {member.target, requester}, [&](const Meeting& meeting, GroupId other) {

@@ -38,7 +38,7 @@ public:
   /// The entries of the provider's pack. In a flat list, of which any part may be requested, each entry is alone.
   const std::vector<PackEntry>& of(const Provider& provider, const Pack& pack);
   /// Whether this unit may have to wait although it could have everything, because a group that goes before it and is
-  /// about to run may ask for some of that (semantics.md 4.4, "Defer"). Meanwhile tasks of the requester that were
+  /// about to run may request some of that (semantics.md 4.4, "Defer"). Meanwhile tasks of the requester that were
   /// granted before may take it.
   bool may_be_deferred(GroupId requester, const Unit& unit);
 
@@ -59,7 +59,7 @@ private:
   Groups spoilers_of(GroupId requester, const Rival& rival, const Task& over);
   const Spoilers& spoilers(const Beside& beside);
   bool may_keep(GroupId requester, const Unit& unit, const Task& over);
-  bool may_be_asked_for(GroupId requester, const Task& member, GroupId group);
+  bool may_be_requested_above(GroupId requester, const Task& member, GroupId group);
 
   const Input& input_;
   Takers& takers_;

@@ -48,7 +48,7 @@ void Spoilers::find_after(const Beside& beside) {
         return takers_.always_before(*beside.by, task) ||
                (&task == beside.over && takers_.always_first_of_equals(requester_, *beside.by, task));
       };
-      // A unit is tried at the position of its first member.
+      // A unit is tried at the place of its first member.
       const Unit unit = unit_members(input_.model, pack);
       const bool is_unit_after =
           std::all_of(unit.begin(), unit.end(), [&](const Task* each) { return is_after(*each); });

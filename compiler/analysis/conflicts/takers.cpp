@@ -265,14 +265,14 @@ bool Takers::always_beside(GroupId requester, const Task& first, const Task& sec
   return true;
 }
 
-bool Takers::may_change_hands(GroupId id) const {
+bool Takers::may_change_holder(GroupId id) const {
   const std::vector<EdgeId>& all = input_.model.groups[id].requesters;
   return all.size() > 1 || std::any_of(all.begin(), all.end(),
                                        [&](EdgeId edge) { return input_.model.edges[edge].requester.has_value(); });
 }
 
-bool Takers::may_get_new_orders(GroupId id) const {
-  return input_.model.groups[id].providers.size() > 1 || may_change_hands(id);
+bool Takers::may_become_stale(GroupId id) const {
+  return input_.model.groups[id].providers.size() > 1 || may_change_holder(id);
 }
 
 bool Takers::may_be_equals(GroupId a, GroupId b) {

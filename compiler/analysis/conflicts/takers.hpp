@@ -95,9 +95,9 @@ public:
   /// Whether they are equal at all levels, and this requester requests the first whenever it requests the second.
   bool always_beside(GroupId requester, const Task& first, const Task& second) const;
   /// Whether it may continue for another requester, or without one until the next request.
-  bool may_change_hands(GroupId group) const;
+  bool may_change_holder(GroupId group) const;
   /// Whether between two runs of others it may change its provider or its holder, or be requested again.
-  bool may_get_new_orders(GroupId group) const;
+  bool may_become_stale(GroupId group) const;
   /// Whether tasks for the two may have equal priority at the point where their chains meet, or one leads to the other.
   bool may_be_equals(GroupId a, GroupId b);
   /// Whether another group's plan may hold the group, by any provider that can run.

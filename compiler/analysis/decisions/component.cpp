@@ -40,7 +40,7 @@ public:
     for (Component::ProviderRow& row : out_.providers) {
       // A provider without a plan is never granted, unless that is reported: then it is assumed to need nothing.
       if (facts_.plans[row.id] == PlanVerdict::undecided) return std::nullopt;
-      if (facts_.plans[row.id] == PlanVerdict::none && reported_ == Reported::mended) {
+      if (facts_.plans[row.id] == PlanVerdict::none && reported_ == Reported::corrected) {
         row.plans.emplace_back();
         continue;
       }

@@ -54,7 +54,7 @@ struct Component {
     bool operator==(const Planned&) const = default;
   };
   using Plan = std::vector<Planned>;
-  /// A possible assignment: one of the values, or unset.
+  /// What a handler or body may set: one of the values, or unset.
   struct Setting {
     Row state = 0;
     std::vector<Row> values;

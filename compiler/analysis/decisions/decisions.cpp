@@ -145,8 +145,8 @@ private:
            std::all_of(push_goal_.begin(), push_goal_.end(), is_pushed);
   }
 
-  Kept ids_of(const Reasons& reasons) const {
-    Kept out;
+  Hindrance ids_of(const Reasons& reasons) const {
+    Hindrance out;
     const auto add = [](Rows rows, const auto& table, auto& ids) {
       for (Row row = 0; row < table.size(); ++row) {
         if ((rows & bit(row)) != 0) ids.push_back(table[row].id);
@@ -179,8 +179,8 @@ Decisions find_decisions(const Model& model, const Facts& facts, Reported report
   out.looked_at = out.decided = IdSet<GroupId>(model.groups.size());
   out.runs = IdSet<ProviderId>(model.providers.size());
   out.requested = out.granted = IdSet<EdgeId>(model.edges.size());
-  out.passed_over = IdTable<ProviderId, Kept>(model.providers.size());
-  out.refused = IdTable<EdgeId, Kept>(model.edges.size());
+  out.passed_over = IdTable<ProviderId, Hindrance>(model.providers.size());
+  out.refused = IdTable<EdgeId, Hindrance>(model.edges.size());
   out.set_before_run = IdTable<ProviderId, std::vector<StateId>>(model.providers.size());
   const std::int64_t most = budget.grant(Decisions::steps_for(model.groups.size()));
   std::int64_t left = most;

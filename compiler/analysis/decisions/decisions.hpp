@@ -35,7 +35,7 @@
 namespace director::analysis {
 
 /// What prevented a grant, in all decisions about it together.
-struct Kept {
+struct Hindrance {
   std::vector<ConditionId> lacking;
   std::vector<GroupId> taken;
   std::vector<EdgeId> holders;   ///< the edges that held those
@@ -50,8 +50,8 @@ struct Decisions {
   IdSet<EdgeId> requested, granted;
   std::set<std::pair<ProviderId, std::size_t>> whole; ///< packs whose members, two or more, are granted together
   std::set<std::pair<ProviderId, ConditionId>> pushed;
-  IdTable<ProviderId, Kept> passed_over;
-  IdTable<EdgeId, Kept> refused;
+  IdTable<ProviderId, Hindrance> passed_over;
+  IdTable<EdgeId, Hindrance> refused;
   /// In some decision it was chosen, but before its run a handler, or the stop of their group, set these states.
   IdTable<ProviderId, std::vector<StateId>> set_before_run;
   std::size_t moments = 0, passes = 0; ///< that were examined

@@ -364,10 +364,11 @@ bool Pass::hand_over() {
     if (first.size() > 1 && std::any_of(first.begin(), first.end(), competes)) group = first[picks_.pick(first.size())];
     open_ &= ~bit(group);
     if (now_.by[group] != nothing) continue;
-    bool heir = false;
-    for (Row other = 0; other < part_.groups.size() && !heir; ++other)
-      heir = now_.has(other, Moment::granted) && (part_.groups[other].may_request & bit(group)) != 0 && stale(other);
-    if (!heir) continue;
+    bool stale_requester = false;
+    for (Row other = 0; other < part_.groups.size() && !stale_requester; ++other)
+      stale_requester =
+          now_.has(other, Moment::granted) && (part_.groups[other].may_request & bit(group)) != 0 && stale(other);
+    if (!stale_requester) continue;
     const std::vector<Component::Plan>& plans = part_.providers[last_.active[group]].plans;
     const Row plan = last_.plan[group] != nothing ? last_.plan[group] : static_cast<Row>(picks_.pick(plans.size()));
     const bool is_free = std::all_of(plans[plan].begin(), plans[plan].end(),

@@ -73,7 +73,7 @@ bool Contests::match(const Meeting& meeting, const Side& first, const Side& seco
 
 /// Whether the task that waits for the group could push for all of its conditions that are false while the other one
 /// has it. A task above it waits for its own conditions by itself, and not for the group.
-std::optional<Unpushed> Contests::find_unpushed(GroupId group, const Side& waiting, const Region& other) const {
+std::optional<BlockedPusher> Contests::find_unpushed(GroupId group, const Side& waiting, const Region& other) const {
   const Claim* claim = waiting.claim;
   LastStep last = claim->held.value_or(claim->last);
   while (claim->steps > 0 && last.step.by_need) {
@@ -91,7 +91,7 @@ std::optional<Unpushed> Contests::find_unpushed(GroupId group, const Side& waiti
     if (!requested || !compatible(waiting.claims.on_path(last.step.from, last.reach_from)->region, other))
       return std::nullopt;
   }
-  std::optional<Unpushed> out;
+  std::optional<BlockedPusher> out;
   for (const auto& [state, values] : waiting.claim->region.states) {
     const auto theirs = other.states.find(state);
     if (theirs == other.states.end() || !values.intersected(theirs->second).empty()) continue;
@@ -100,7 +100,7 @@ std::optional<Unpushed> Contests::find_unpushed(GroupId group, const Side& waiti
       return condition.state == state && values.subset_of(condition.accepts);
     });
     if (want == wants.end()) return std::nullopt;
-    if (!out) out = Unpushed{false, group, *want};
+    if (!out) out = BlockedPusher{false, group, *want};
   }
   return out;
 }

@@ -19,7 +19,7 @@ namespace director::analysis {
 
 /// A task that is blocked while the other one has the group, and would push for its condition if it went before that:
 /// the two exclude each other, but not for good.
-struct Unpushed {
+struct BlockedPusher {
   bool second = false; ///< by the first task; else the first by the second
   GroupId task{};      ///< the last one of its chain that is requested
   const Want* want = nullptr;
@@ -31,7 +31,7 @@ struct Contest {
   Reach first = Reach::own, second = Reach::own;
   std::size_t steps = 0;
   std::vector<ChainStep> first_path, second_path;
-  std::optional<Unpushed> unpushed; ///< if their conditions exclude each other
+  std::optional<BlockedPusher> unpushed; ///< if their conditions exclude each other
 };
 
 /// What the first one may hold while it waits for the contested group, and what the second one, which holds that, waits
@@ -84,7 +84,7 @@ private:
   /// The groups that the entry may hold while its requester runs.
   const Claims& claims(const Meeting& meeting, const Task& entry) const;
   bool match(const Meeting& meeting, const Side& first, const Side& second, Contest& contest) const;
-  std::optional<Unpushed> find_unpushed(GroupId group, const Side& waiting, const Region& other) const;
+  std::optional<BlockedPusher> find_unpushed(GroupId group, const Side& waiting, const Region& other) const;
   std::vector<Contest> find_candidates(const Meeting& meeting) const; ///< whatever their priorities
   std::optional<Contest> find(const Meeting& meeting, const std::vector<Contest>& candidates);
   std::optional<MutualWait> find_mutual_wait(const Meeting& meeting, const std::vector<Contest>& candidates,

@@ -85,7 +85,7 @@ Region Contexts::around_requested(ProviderId id) {
   Region out = around(id);
   // While its requester is stale, a task that runs goes on without those that it was granted together with.
   const Region& granted = facts_.grants[group];
-  out.meet(is_kept_adrift(group) ? after(granted) : kept_within(facts_.contexts[group], granted));
+  out.meet(may_be_in_limbo(group) ? after(granted) : kept_within(facts_.contexts[group], granted));
   if (facts_.plans[id] == PlanVerdict::found) {
     for (const Use<GroupId>& need : model_.providers[id].needs) out.meet(around_needed(need.id));
   }
@@ -151,7 +151,7 @@ const Region& Contexts::around_members(const Pack& pack) {
   return at->second;
 }
 
-bool Contexts::is_kept_adrift(GroupId group) const {
+bool Contexts::may_be_in_limbo(GroupId group) const {
   const auto has_requester = [&](EdgeId id) { return model_.edges[id].requester.has_value(); };
   const std::vector<EdgeId>& above = model_.groups[group].requesters;
   return std::any_of(above.begin(), above.end(), [&](EdgeId id) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Finds the states with which a group is ever requested, and whether a provider can begin there: a task is tried only
 // while its requester can run, and granted with all its needs, so the conditions of both hold at once; and so on
-// upwards, unless something is kept for an heir.
+// upwards, except for groups in limbo.
 
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/states/region.hpp"
@@ -36,9 +36,9 @@ public:
   bool can_go_on(ProviderId id, Region within);
 
 private:
-  /// Whether it may continue for a requester that cannot run any more, and is kept for an heir (semantics.md 4.4,
-  /// "Hand-over"): some group requests or needs that requester.
-  bool is_kept_adrift(GroupId group) const;
+  /// Whether limbo may keep the group while its requester cannot run (semantics.md 4.4, "Limbo"), because a stale group
+  /// may still request that requester.
+  bool may_be_in_limbo(GroupId group) const;
   /// Around the states with which it runs, pushed or not.
   Region around(ProviderId id) const;
   /// ... for a request.

@@ -270,7 +270,7 @@ private:
     });
   }
 
-  std::vector<StateId> mended_states(ProviderId id) const {
+  std::vector<StateId> corrected_states(ProviderId id) const {
     std::vector<StateId> out;
     for (const Impossible& fault : facts_.impossible_of(id)) {
       if (!fault.stay) out.push_back(fault.state);
@@ -287,7 +287,7 @@ private:
     std::vector<Region> others;
     bool with_needs = false; // which others may come to hold later
     const auto counts = [&](const Rival& rival) {
-      return facts_.plans[rival.provider] == PlanVerdict::found && mended_states(rival.provider).empty();
+      return facts_.plans[rival.provider] == PlanVerdict::found && corrected_states(rival.provider).empty();
     };
     for (const Rival& rival : rivals_.that_meet(id, own, counts)) {
       with_needs = with_needs || !model_.providers[rival.provider].needs.empty();

@@ -77,8 +77,8 @@ struct Facts {
 
 /// How to treat what is reported as impossible by declarations alone (`impossible`, needs without a plan).
 enum class Reported {
-  mended, ///< as corrected: what never happens because of it is no further finding
-  as_is   ///< as it is: it never happens, nor anything that depends on it
+  corrected, ///< treated as corrected: what never happens because of it is no further finding
+  as_is      ///< as it is: it never happens, nor anything that depends on it
 };
 
 /// Which providers may run, as far as the program decides it.
@@ -88,7 +88,7 @@ enum class Enabled {
        ///< run
 };
 
-Facts find_facts(const Model& model, const Graph& graph, Reported reported = Reported::mended,
+Facts find_facts(const Model& model, const Graph& graph, Reported reported = Reported::corrected,
                  Enabled enabled = Enabled::all);
 
 } // namespace director::analysis

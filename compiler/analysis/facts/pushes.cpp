@@ -45,7 +45,7 @@ Pushes::Pushes(const Model& model, const Facts& facts, const Chains& chains, con
       causers_(causers),
       waiting_(model, facts),
       exclusion_(model, facts, causers),
-      hopeful_(model.providers.size()) {
+      could_be_pushed_(model.providers.size()) {
   find_hopeful();
 }
 
@@ -80,7 +80,7 @@ bool Pushes::is_passed_over(ProviderId causer, ConditionId wanted) const {
   const Provider& provider = model_.providers[causer];
   const bool waits_too = std::any_of(provider.when.begin(), provider.when.end(), [&](const ConditionUse& use) {
     const Condition& own = model_.conditions[use.id];
-    return own.state == condition.state && own.accepts.subset_of(condition.accepts) && !is_mended(causer, use.id);
+    return own.state == condition.state && own.accepts.subset_of(condition.accepts) && !is_corrected(causer, use.id);
   });
   return (waits_too && provider.stay.empty()) || earlier_causer(causer, wanted).has_value();
 }
@@ -99,7 +99,7 @@ std::optional<ProviderId> Pushes::earlier_causer(ProviderId causer, ConditionId 
 }
 
 /// Whether it is reported as impossible, and treated as corrected.
-bool Pushes::is_mended(ProviderId provider, ConditionId id) const {
+bool Pushes::is_corrected(ProviderId provider, ConditionId id) const {
   return facts_.is_impossible(provider, model_.conditions[id].state);
 }
 
@@ -118,7 +118,7 @@ void Pushes::find_hopeful() {
     const Provider& provider = model_.providers[id];
     if (provider.causing.empty() || !facts_.requested.contains(provider.group)) continue;
     for (const ConditionUse& use : provider.when) {
-      if (may_hold(use.id) || is_mended(id, use.id)) continue;
+      if (may_hold(use.id) || is_corrected(id, use.id)) continue;
       waiting[use.id].push_back(id);
       ++lacking[id];
     }
@@ -131,7 +131,7 @@ void Pushes::find_hopeful() {
   while (!open.empty()) {
     const ProviderId causer = open.back();
     open.pop_back();
-    if (!hopeful_.add(causer)) continue;
+    if (!could_be_pushed_.add(causer)) continue;
     for (const ConditionUse& promise : model_.providers[causer].causing) {
       for (const ConditionId id : by_state[model_.conditions[promise.id].state]) {
         if (waiting[id].empty() || !model_.causes(causer, id)) continue;
@@ -168,7 +168,8 @@ void PushSearch::settle(ConditionId id) {
     for (const ProviderId causer : all_.causers_[open[next]]) {
       if (!may_serve(causer)) continue;
       for (const ConditionUse& use : all_.model_.providers[causer].when) {
-        if (!all_.may_hold(use.id) && !all_.is_mended(causer, use.id) && settled_.add(use.id)) open.push_back(use.id);
+        if (!all_.may_hold(use.id) && !all_.is_corrected(causer, use.id) && settled_.add(use.id))
+          open.push_back(use.id);
       }
     }
   }
@@ -185,14 +186,14 @@ void PushSearch::settle(ConditionId id) {
 }
 
 bool PushSearch::may_serve(ProviderId causer) {
-  return all_.hopeful_.contains(causer) && beats(all_.model_.providers[causer].group);
+  return all_.could_be_pushed_.contains(causer) && beats(all_.model_.providers[causer].group);
 }
 
 /// A soft transition begins only if it can be completed.
 bool PushSearch::can_be_completed(ProviderId provider) {
   const std::vector<ConditionUse>& when = all_.model_.providers[provider].when;
   return std::all_of(when.begin(), when.end(), [&](const ConditionUse& use) {
-    return all_.is_mended(provider, use.id) || is_servable_for(provider, use.id);
+    return all_.is_corrected(provider, use.id) || is_servable_for(provider, use.id);
   });
 }
 
@@ -214,7 +215,7 @@ bool PushSearch::may_push(ProviderId causer, ConditionId condition) {
       if (!can_be_completed(provider)) continue;
       wanting_.push_back(provider);
       for (const ConditionUse& use : all_.model_.providers[provider].when) {
-        if (!all_.is_mended(provider, use.id)) wanted_->add(use.id);
+        if (!all_.is_corrected(provider, use.id)) wanted_->add(use.id);
       }
     }
   }
@@ -222,7 +223,7 @@ bool PushSearch::may_push(ProviderId causer, ConditionId condition) {
          std::any_of(wanting_.begin(), wanting_.end(), [&](ProviderId provider) {
            const std::vector<ConditionUse>& when = all_.model_.providers[provider].when;
            return std::any_of(when.begin(), when.end(), [&](const ConditionUse& use) { return use.id == condition; }) &&
-                  !all_.is_mended(provider, condition) && !all_.exclusion_.excludes(provider, causer);
+                  !all_.is_corrected(provider, condition) && !all_.exclusion_.excludes(provider, causer);
          });
 }
 
@@ -243,7 +244,7 @@ std::vector<ProviderId> PushSearch::explore(Explored& explored) {
   const auto want = [&](ProviderId provider, std::optional<ConditionId> lacking) {
     for (const ConditionUse& use : all_.model_.providers[provider].when) {
       if (seen.contains(use.id) || explored.conditions.contains(use.id) || all_.causers_[use.id].empty() ||
-          all_.is_mended(provider, use.id) || (lacking && !all_.may_lack_with(use.id, *lacking)))
+          all_.is_corrected(provider, use.id) || (lacking && !all_.may_lack_with(use.id, *lacking)))
         continue;
       if (!all_.excludes_some_causer(provider, use.id)) {
         seen.add(use.id);
@@ -292,7 +293,7 @@ std::vector<ProviderId> PushSearch::explore(Explored& explored) {
         return false;
       return explored.pushable.contains(causer) && std::all_of(when.begin(), when.end(), [&](const ConditionUse& use) {
                return explored.conditions.contains(use.id) || all_.causers_[use.id].empty() ||
-                      all_.is_mended(causer, use.id) || !all_.may_lack_with(use.id, at->id);
+                      all_.is_corrected(causer, use.id) || !all_.may_lack_with(use.id, at->id);
              });
     });
     if (all_found) explored.conditions.add(at->id);

@@ -37,7 +37,7 @@ public:
 private:
   friend class PushSearch;
   bool may_hold(ConditionId id) const;
-  bool is_mended(ProviderId provider, ConditionId id) const;
+  bool is_corrected(ProviderId provider, ConditionId id) const;
   bool excludes_some_causer(ProviderId waiter, ConditionId id) const;
   void find_hopeful();
 
@@ -47,7 +47,7 @@ private:
   const Causers& causers_;
   Waiting waiting_;
   PushExclusion exclusion_;
-  IdSet<ProviderId> hopeful_; ///< causing providers that a task before all others could push
+  IdSet<ProviderId> could_be_pushed_; ///< causing providers that a task before all others could push
 };
 
 /// Shared results of searches, so that a later one need not repeat them.

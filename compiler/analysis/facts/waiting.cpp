@@ -46,12 +46,13 @@ bool Waiting::may_wait(GroupId group) {
   for (const EdgeId edge : model_.groups[group].requesters) {
     if (model_.edges[edge].levels.empty()) continue;
     if (!model_.edges[edge].requester) {
-      if (!is_carefree(group, facts_.contexts[group])) return true;
+      if (!always_finds_choice(group, facts_.contexts[group])) return true;
       continue;
     }
     for (const Entry& entry : entries_[edge]) {
       if (!facts_.active.contains(entry.provider)) continue;
-      if (!is_carefree(group, facts_.contexts[group]) || (entry.in_unit && unit_waits(*entry.pack))) return true;
+      if (!always_finds_choice(group, facts_.contexts[group]) || (entry.in_unit && unit_waits(*entry.pack)))
+        return true;
     }
   }
   return false;
@@ -61,12 +62,12 @@ bool Waiting::unit_waits(const Pack& pack) {
   const auto [at, is_new] = unit_waits_.try_emplace(&pack, false);
   if (!is_new) return at->second;
   const bool out = std::any_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& task) {
-    return model_.may_be_member(task) && !is_carefree(task.target, facts_.contexts[task.target]);
+    return model_.may_be_member(task) && !always_finds_choice(task.target, facts_.contexts[task.target]);
   });
   return unit_waits_[&pack] = out;
 }
 
-bool Waiting::is_carefree(GroupId group, const Region& context) {
+bool Waiting::always_finds_choice(GroupId group, const Region& context) {
   const auto [at, is_new] = carefree_.try_emplace(group, false);
   if (!is_new) return at->second;
   std::set<GroupId> seen;

@@ -43,7 +43,7 @@ private:
   /// Whether a member of its unit may be refused for a condition.
   bool unit_waits(const Pack& pack);
   /// Whether its conditions allow a grant wherever its groups are available.
-  bool is_carefree(GroupId group, const Region& context);
+  bool always_finds_choice(GroupId group, const Region& context);
   /// `known`: the answers for this context so far.
   bool can_do_without(GroupId group, const Region& context, std::map<GroupId, bool>& known) const;
   bool holds_always(GroupId group, const Region& context, std::set<GroupId>& seen) const;

@@ -11,7 +11,7 @@ using namespace director::compiler;
 
 struct Bounds {
   std::int64_t decision_bytes = 0;       ///< RAM of the decision state
-  std::int64_t engine_bytes = 0;         ///< that, and the temporary memory of a pass
+  std::int64_t engine_bytes = 0;         ///< that, and the scratch memory of a pass
   std::int64_t runs_waiting = 0;         ///< entries of the run queue
   std::int64_t trials = 0;               ///< combinations of providers and plans that one decision tries
   std::int64_t trials_in_a_pass = 0;     ///< the same, for all that one pass over one component decides

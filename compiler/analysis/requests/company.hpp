@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Finds what is certainly requested together with a task: by the same pack, or by one above it.
+// Finds what is certainly requested together with a task: by the same pack, or by one above it. Other
+// roots count as requested too.
 
 #include "compiler/analysis/chains/sparse_set.hpp"
 #include "compiler/analysis/requests/requests.hpp"

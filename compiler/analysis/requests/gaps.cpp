@@ -170,10 +170,10 @@ std::vector<Region> Ways::of(ProviderId id, bool with_stay) {
     for (const ConditionUse& use : uses) {
       const Condition& condition = model_.conditions[use.id];
       const auto faults = facts_.impossible_of(id);
-      const bool mended = std::any_of(faults.begin(), faults.end(), [&](const Impossible& fault) {
+      const bool corrected = std::any_of(faults.begin(), faults.end(), [&](const Impossible& fault) {
         return fault.stay == stay && fault.state == condition.state;
       });
-      if (!mended && (stay || counts_(id, use))) region.meet(condition.state, condition.accepts);
+      if (!corrected && (stay || counts_(id, use))) region.meet(condition.state, condition.accepts);
     }
     return region;
   };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/requests/standstill.hpp"
 
-#include "compiler/analysis/states/at_rest.hpp"
+#include "compiler/analysis/states/stopped_values.hpp"
 
 #include <algorithm>
 
@@ -22,7 +22,7 @@ bool Standstill::may_wait(const Region& region, ProviderId waiter, const Conditi
   Possible& here = possible_in(model_, facts_, condition.state, start);
   const State& state = model_.states[condition.state];
   if (state.of && std::find(absent.begin(), absent.end(), state.of->id) != absent.end()) {
-    const Possible at_rest = values_at_rest(model_, state);
+    const Possible at_rest = values_while_stopped(model_, state);
     here = {here.values.intersected(at_rest.values), here.unset && at_rest.unset};
   }
   here.values = here.values.without(condition.accepts);

@@ -42,10 +42,12 @@ std::vector<Granted> granted_with(const Input& input, const Wanting& wanting);
 std::vector<Granted> with_each_pack(const Model& model, const Facts& facts, const Shared& shared, Granted granted,
                                     ProviderId provider);
 
-/// Whether the task takes the group from others: with other packs it requests it itself, and while it waits, nothing.
+/// Whether the group may be requested by another task, which goes after this one and from which this one takes it. True
+/// too if it is not known which pack the task requests.
 bool is_requested_beside(const Shared& shared, const Granted& granted, GroupId group);
 
-/// How the task takes what each provider of the group needs, told of the causing one or the first one.
+/// How the task takes a need of each provider of the group, described for the causing provider if it is one of them,
+/// else for the first. Empty: some provider keeps its needs.
 std::optional<Taking> why_needs_fail(const Model& model, const Facts& facts, const Takings& takings, GroupId group,
                                      ProviderId causer);
 

@@ -17,7 +17,7 @@ const Promises& Shared::promises() const {
 }
 
 const Decisions& Shared::decisions() const {
-  if (!decisions_) decisions_ = find_decisions(model_, facts_, Reported::mended, budget_);
+  if (!decisions_) decisions_ = find_decisions(model_, facts_, Reported::corrected, budget_);
   return *decisions_;
 }
 

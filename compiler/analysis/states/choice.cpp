@@ -59,9 +59,9 @@ std::vector<Rival> Rivals::that_meet(ProviderId provider, const Region& region,
   std::vector<Rival> out;
   regions_[group].visit_meeting(region, std::min(place_[provider], deciding_[group]), [&](std::size_t place) {
     const ProviderId rival = model_.groups[group].providers[place];
-    Trial trial{provider, {group}, {}};
-    find_parties(model_, rival, trial.parties);
-    std::vector<Region> ways = this->ways(rival, trial);
+    Comparison comparison{provider, {group}, {}};
+    find_parties(model_, rival, comparison.parties);
+    std::vector<Region> ways = this->ways(rival, comparison);
     if (ways.empty()) return true;
     const bool is_free = std::any_of(ways.begin(), ways.end(), [](const Region& way) { return way.states.empty(); });
     out.push_back({rival, std::move(ways)});
@@ -70,12 +70,12 @@ std::vector<Rival> Rivals::that_meet(ProviderId provider, const Region& region,
   return out;
 }
 
-std::vector<Region> Rivals::ways(ProviderId rival, Trial& trial) const {
+std::vector<Region> Rivals::ways(ProviderId rival, Comparison& comparison) const {
   const Provider& row = model_.providers[rival];
   std::vector<Region> out{region_of(model_, row.when)};
   for (const Use<GroupId>& need : row.needs) {
     std::vector<Region> both;
-    for (const Region& below : ways(need.id, row.group, trial)) {
+    for (const Region& below : ways(need.id, row.group, comparison)) {
       for (const Region& own : out) {
         if (both.size() == most_ways) break;
         Region way = own;
@@ -89,17 +89,17 @@ std::vector<Region> Rivals::ways(ProviderId rival, Trial& trial) const {
   return out;
 }
 
-std::vector<Region> Rivals::ways(GroupId group, GroupId needer, Trial& trial) const {
+std::vector<Region> Rivals::ways(GroupId group, GroupId needer, Comparison& comparison) const {
   // The later provider holds its own needs by the same edge. Needs of only a part of its plan do not count: an equal
   // from which that part may get the group may deny it to this one.
-  const Provider& provider = model_.providers[trial.provider];
+  const Provider& provider = model_.providers[comparison.provider];
   if (needer == provider.group && provider.needs_group(group)) return {Region{}};
-  std::vector<GroupId>& path = trial.path;
-  if (std::find(path.begin(), path.end(), group) != path.end() || is_contended(group, needer, trial)) return {};
+  std::vector<GroupId>& path = comparison.path;
+  if (std::find(path.begin(), path.end(), group) != path.end() || is_contended(group, needer, comparison)) return {};
   path.push_back(group);
   std::vector<Region> out;
   for (const ProviderId id : model_.groups[group].providers) {
-    for (Region& way : ways(id, trial)) {
+    for (Region& way : ways(id, comparison)) {
       if (out.size() < most_ways) out.push_back(std::move(way));
     }
   }
@@ -108,15 +108,15 @@ std::vector<Region> Rivals::ways(GroupId group, GroupId needer, Trial& trial) co
 }
 
 /// Whether a group other than `needer` may hold it when the provider's group is tried, or take it in the same plan.
-bool Rivals::is_contended(GroupId group, GroupId needer, const Trial& trial) const {
-  const GroupId above = model_.providers[trial.provider].group;
+bool Rivals::is_contended(GroupId group, GroupId needer, const Comparison& comparison) const {
+  const GroupId above = model_.providers[comparison.provider].group;
   const std::vector<EdgeId>& all = model_.groups[group].requesters;
   return std::any_of(all.begin(), all.end(), [&](EdgeId id) {
     const Edge& edge = model_.edges[id];
     if (edge.requester == needer) return false;
-    if (edge.needed && trial.parties.count(*edge.requester) != 0) return true;
+    if (edge.needed && comparison.parties.count(*edge.requester) != 0) return true;
     return holding_.contains(id) &&
-           (!edge.requester || needer != above || goes_without(*edge.requester, group, trial.provider));
+           (!edge.requester || needer != above || goes_without(*edge.requester, group, comparison.provider));
   });
 }
 

@@ -37,14 +37,14 @@ public:
 
 private:
   /// Of one rival.
-  struct Trial {
+  struct Comparison {
     ProviderId provider{};     ///< the later one
     std::vector<GroupId> path; ///< the groups above, to detect cycles
     std::set<GroupId> parties; ///< all that the rival's plans may hold
   };
-  std::vector<Region> ways(ProviderId rival, Trial& trial) const;
-  std::vector<Region> ways(GroupId group, GroupId needer, Trial& trial) const;
-  bool is_contended(GroupId group, GroupId needer, const Trial& trial) const;
+  std::vector<Region> ways(ProviderId rival, Comparison& comparison) const;
+  std::vector<Region> ways(GroupId group, GroupId needer, Comparison& comparison) const;
+  bool is_contended(GroupId group, GroupId needer, const Comparison& comparison) const;
   bool goes_without(GroupId holder, GroupId group, ProviderId provider) const;
 
   const Model& model_;

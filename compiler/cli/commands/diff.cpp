@@ -21,7 +21,7 @@ std::optional<Checked> load_from(dsl::FileAccess& files, const std::string& file
   return load(file, {}, sources, other, request.cpp);
 }
 
-/// `lost`: gets the file because of which git cannot tell how the behaviour was.
+/// `lost`: gets the file because of which the old behaviour is not known from git.
 std::optional<Checked> load_before(const Diff& request, dsl::Sources& sources, Console& console, LostFile& lost) {
   if (request.revision.empty()) {
     FilesBeside files(console.files, shown_path(request.before), shown_path(request.after));

@@ -165,14 +165,14 @@ private:
     Found first = found_with({});
     // What one class leaves undefined, a derived one may define in a file that does not mention the behaviour.
     while (first.problems.empty() && add_heirs(program_, first.classes)) first = found_with({});
-    if (!first.problems.empty()) throw not_understood(first.problems, "this C++ cannot be read, so nothing is written");
+    if (!first.problems.empty()) throw not_understood(first.problems, "nothing is written: this C++ cannot be read");
     Merge out = merge(wanted_, first, program_.texts);
     classes_ = first.classes;
     if (request_.check) stale_ = stale_comments(wanted_, first, program_.texts);
     if (out.insertions.empty() && out.sources.empty()) return out;
 
     const Found then = found_with(out);
-    const std::string_view consequence = "nothing is written, because with what is missing this could not be read";
+    const std::string_view consequence = "nothing is written: with the insertions this C++ cannot be read";
     if (!then.problems.empty()) throw not_understood(in_users_text(then.problems, out.insertions), consequence);
     Texts texts = program_.texts;
     for (const Artefact& file : out.sources) texts[file.path] = file.text;

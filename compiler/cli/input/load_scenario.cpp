@@ -59,8 +59,8 @@ LoadedScenario load_scenario(const std::string& file, dsl::Sources& sources, Con
     const Findings anew = printed == nullptr ? findings : not_among(*printed, findings, sources);
     print_findings(anew, sources, console.err, console.err_colours, console.err_width);
     if (anew.size() < findings.size())
-      print_message(console, fmt::format("directorc: `{}` cannot be played either: {} told above\n", shown_path(file),
-                                         counted_are(findings.size() - anew.size(), "error")));
+      print_message(console, fmt::format("directorc: `{}` cannot be played either: {} printed above\n",
+                                         shown_path(file), counted_are(findings.size() - anew.size(), "error")));
     out.status = status;
     out.findings = findings;
   };

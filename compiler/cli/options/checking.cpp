@@ -108,7 +108,7 @@ Make dump_options(CLI::App& app) {
   auto request = std::make_shared<Dump>();
   app.add_option("FILE", request->file, "the behaviour")->required();
   app.add_option("--stage", request->stage,
-                 "spec: as it was read; model: every name resolved; graph: who leads to whom; "
+                 "spec: as it was read; model: every name resolved; graph: which group leads to which; "
                  "tables: what the engine runs on")
       ->required()
       ->type_name("NAME")

@@ -1,9 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// The subcommands: the request of each, and its function. One file each; the other files of this folder make the
-// requests from the command line. Exit statuses: 0 clean; 1 findings of level error, a scenario that does not hold, an
-// engine that does not come to rest, or too little coverage by scenarios; 2 wrong usage, or a file named on the command
-// line that cannot be read or written; 3 an assertion was not decided, or not everything was explored.
+// The subcommands: the request of each, and its function, which is a file of cli/commands. The other files of this
+// folder make the requests from the command line. `exit_status` in parse.cpp says what each exit status means.
 
 #include "compiler/analysis/plans/work.hpp"
 #include "compiler/checks/run_checks.hpp"

@@ -75,7 +75,8 @@ std::optional<Message> unknown_id(const SelectionWords& words) {
                                    id, dsl::name_of(checks::level_of(*check))),
                        true};
       if (every || check != nullptr) continue;
-      if (id == "*") return Message{"directorc: --allow needs the id of a check, --allow=<id>\n", true};
+      if (id == "*")
+        return Message{"directorc: --allow=ID needs the id of a check; `directorc checks` lists them\n", true};
       const std::optional<std::string> near = dsl::suggest(id, known);
       return Message{fmt::format("directorc: there is no check `{}`{}\n", id,
                                  near ? fmt::format("; did you mean `{}`?", *near) : std::string{}),

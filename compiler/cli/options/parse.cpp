@@ -46,13 +46,13 @@ const std::array<Subcommand, 16> subcommands{{
     {"generate", "Write the C++ of a behaviour", generate_options},
     {"graph", "Draw a behaviour", graph_options},
     {"docs", "Write pages about behaviours, for a browser or as Markdown", docs_options},
-    {"diff", "Tell what changes in meaning from one behaviour to another", diff_options},
-    {"explain", "Print the page of a check, or what a key of the language says", explain_options},
+    {"diff", "Print what changes in meaning from one behaviour to another", diff_options},
+    {"explain", "Print the page of a check, or what a key of the language means", explain_options},
     {"checks", "List all checks", checks_options},
     {"simulate", "Play a scenario and print what happens", simulate_options},
     {"trace", "Print what was recorded, or write it for a browser or for Perfetto", trace_options},
-    {"replay", "Play again what was recorded, and say where a behaviour decides otherwise", replay_options},
-    {"why", "Say why a group runs, or does not, in a scenario", why_options},
+    {"replay", "Play again what was recorded, and print where a behaviour decides otherwise", replay_options},
+    {"why", "Print why a group runs, or does not, in a scenario", why_options},
     {"test", "Play scenarios and compare with what they expect", test_options},
     {"explore", "Try everything that can happen, and decide the assertions", explore_options},
     {"stubs", "Write the C++ that is for you to fill in, or add to it what is missing", stubs_options},
@@ -86,7 +86,7 @@ std::string unexpected(const CLI::App& subcommand, std::vector<std::string> word
   }
   const std::string name = option->substr(0, option->find('='));
   if (const CLI::App* parent = subcommand.get_parent(); parent && subcommand.get_option_no_throw(name))
-    return fmt::format("`{0}` stands before the subcommand; write `{1} {2} {0}`", name, parent->get_name(),
+    return fmt::format("`{0}` is before the subcommand; write `{1} {2} {0}`", name, parent->get_name(),
                        subcommand.get_name());
   std::vector<std::string> names;
   for (const CLI::Option* each : subcommand.get_options())
@@ -147,7 +147,7 @@ constexpr std::string_view exit_status =
 
 /// The text below the list of subcommands.
 std::string last_words(const std::string& schemas) {
-  std::string out = fmt::format("{}\n`directorc SUBCOMMAND --help` tells more.", exit_status);
+  std::string out = fmt::format("{}\n`directorc SUBCOMMAND --help` lists its options.", exit_status);
   if (!schemas.empty())
     out += fmt::format("\n\nAn editor with the YAML language server knows the keys where the first line is\n"
                        "# yaml-language-server: $schema={0}/behaviour.schema.json\n"

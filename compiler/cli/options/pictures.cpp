@@ -78,8 +78,8 @@ Make graph_options(CLI::App& app) {
       app.add_flag("--findings", request->findings, "draw also what `check` finds, each at its place");
   CLI::Option* page =
       app.add_flag("--page", request->page,
-                   "with --format=json: add all else that a page of `directorc docs` tells, findings, who "
-                   "beats whom, verdicts of assertions and the transition matrix");
+                   "with --format=json: add everything else that a page of `directorc docs` has: findings, which "
+                   "task goes before which, verdicts of assertions and the transition matrix");
   add_transitions(app, request->transitions)->needs(page);
   auto time = std::make_shared<std::string>();
   CLI::Option* step = app.add_option("--step", request->step, "FILE is a scenario: the moment after this step of it")

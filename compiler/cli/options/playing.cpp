@@ -58,7 +58,8 @@ Make trace_options(CLI::App& app) {
     if (to->empty() && !by_ending.empty()) request->to = by_ending;
     for (const char* option : {"--behaviour", "--link", "--build", "--flags"}) {
       if (request->to != "html" && !subcommand->get_option(option)->empty())
-        return Message{fmt::format("directorc: {} is for --to=html\n", option), true};
+        return Message{
+            fmt::format("directorc: {} has an effect only with --to=html: leave it out, or add that\n", option), true};
     }
     if (const std::optional<Message> wrong = wrong_link(request->link)) return *wrong;
     if (request->output == standard_output) request->output.clear();

@@ -25,7 +25,10 @@ std::optional<std::string> draw_svg(const Picture& picture, const PictureLinks& 
     return {};
   }
   if (answer.status != 0) {
-    print_message(console, fmt::format("directorc: `dot` could not draw the graph (exit status {})\n", answer.status));
+    print_message(
+        console,
+        fmt::format("directorc: `dot` failed with exit status {}: the graph is not drawn; {} needs no Graphviz\n",
+                    answer.status, instead));
     return {};
   }
   return finish_svg(picture, answer.output);

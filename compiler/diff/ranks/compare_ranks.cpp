@@ -77,9 +77,9 @@ private:
       const TakesByName::Groups now = new_.between(winner, loser), before = old_winner == nullptr
                                                                                 ? TakesByName::Groups{}
                                                                                 : old_.between(*old_winner, *old_loser);
-      const bool is_told =
+      const bool is_reported =
           now != before && compare_contest(winner, old_winner, loser, *old_loser, before, now, wordings);
-      if (!is_told && old_winner != nullptr) compare_in_passing(winner, *old_winner, loser, *old_loser, wordings);
+      if (!is_reported && old_winner != nullptr) compare_in_passing(winner, *old_winner, loser, *old_loser, wordings);
     }
     for (const auto& [wording, losers] : wordings) {
       const auto& [shift, groups, why] = wording;
@@ -113,7 +113,7 @@ private:
     explained_.insert({edge_name(winner), edge_name(loser)});
   }
 
-  /// Whether something was told.
+  /// Whether a change was reported.
   bool compare_contest(const Edge& winner, const Edge* old_winner, const Edge& loser, const Edge& old_loser,
                        const TakesByName::Groups& before, const TakesByName::Groups& now, Wordings& out) {
     static const Encounters none;
@@ -130,7 +130,7 @@ private:
       if (!now.contains(group)) compare(group, was, none);
     }
     if (shifted.empty()) return false;
-    bool is_told = false;
+    bool is_reported = false;
     const std::set<std::string_view> top = new_.topmost_taken(winner, loser, now),
                                      old_top = old_winner == nullptr
                                                    ? std::set<std::string_view>{}
@@ -142,7 +142,7 @@ private:
       for (const std::string_view group : groups) {
         if (from.contains(group)) names.emplace_back(group);
       }
-      is_told = is_told || !names.empty();
+      is_reported = is_reported || !names.empty();
       if (names.empty()) continue; // it comes with a group that can be taken as before
       const std::pair<const Edge*, const Edge*> brought = mate.name == 0 ? std::pair{nullptr, nullptr} : changed(mate);
       Losers& losers = out[{shift, names,
@@ -160,7 +160,7 @@ private:
       if (brought.first != nullptr) explained_.insert(edge_name(*brought.first));
       explained_.insert({edge_name(winner), edge_name(loser)});
     }
-    return is_told;
+    return is_reported;
   }
 
   std::string reason(const Edge& winner, const Edge* old_winner, const Edge& loser, const Edge& old_loser) {

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// How two edges of one requester stand to each other by their levels: what is optional goes last, then by priority.
+// How two edges of one requester are ordered by their levels: what is optional goes last, then by priority.
 
 #include "compiler/model/model.hpp"
 
@@ -20,7 +20,7 @@ std::vector<int> orders(const Edge& one, const Edge& other);
 /// The first is before something now that it was not before, and the other way round.
 std::pair<bool, bool> gains_and_loses(const std::vector<int>& before, const std::vector<int>& now);
 
-/// Whether each level of the one stands to each of the other as it did.
+/// Whether each level of the one has the same order to each of the other as before.
 bool is_order_alike(const Edge& one, const Edge& old_one, const Edge& other, const Edge& old_other);
 
 } // namespace director::compiler::diff

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// What has become of one task's taking a group from another one, and how that is told.
+// How it changed whether one task takes a group from another one, and the sentence for it.
 
 #include "compiler/diff/ranks/takes_by_name.hpp"
 

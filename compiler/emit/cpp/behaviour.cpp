@@ -13,9 +13,10 @@ namespace {
 
 void define_steps(Code& code, const CppEmission& e) {
   code.comment(
-      "Takes the inputs that were posted before, then all that is due up to `now` (a duration since any start; an "
-      "earlier one counts as the last), until nothing is left to do. What a body, handler or observer threw is thrown "
-      "on, after its micro-step; call again to go on. Not from inside one of them: an assertion fails there.");
+      "Takes the inputs that were posted before, then all that is due up to `now` (a duration since a start of your "
+      "choice; an earlier time counts as the last one), until nothing is left to do. An exception of a body, handler "
+      "or observer is rethrown after its micro-step; call step() again to continue. Not to be called by one of these: "
+      "an assertion fails.");
   code.line("template <director::Duration Now>");
   code.open("director::StepResult step(Now now) {");
   code.line("return hand_on(step_to(director::microseconds_begun(now)));");
@@ -77,10 +78,9 @@ Code behaviour_part(const CppEmission& e) {
   code.blank();
   document(code, e, e.model.doc, e.model.name_span);
   code.comment(
-      "Holds all memory of its own. The modules must live as long as it does. Its end calls nobody: what runs "
-      "then is not stopped, and no stop handler is called. Before it ends, call cancel_all(), and step() until "
-      "it answers `quiescent`. All that includes this header must be compiled either with exceptions or "
-      "without.");
+      "Holds all memory of its own. The modules must live as long as it does. The destructor calls no handler: groups "
+      "that run then are not stopped. Before it, call cancel_all(), then step() until it returns `quiescent`. All that "
+      "includes this header must be compiled either with exceptions or without.");
   code.open("class Behaviour final : public director::Program<detail::Whole> {");
   code.outdented("public:");
   std::vector<std::string> parameters, arguments, modules;
@@ -96,7 +96,8 @@ Code behaviour_part(const CppEmission& e) {
   std::vector<std::string> with_tag = arguments;
   with_tag.insert(with_tag.begin(), fmt::format("detail::{}{{}}", tag));
   code.list("    : Behaviour(", with_tag, ") {}");
-  code.comment("With one that is told of every decision: without it, what tells is not linked.");
+  code.comment(
+      "With an observer, which is called for every event. Without one, the code that reports events is not linked.");
   code.line("template <bool reports = director::observable>");
   parameters.push_back("director::Observer observer");
   constructor(")");

@@ -16,7 +16,7 @@ namespace {
 
 /// The same in every behaviour.
 constexpr std::string_view common =
-    R"(/// What the user's code throws waits in the behaviour until the micro-step is over.
+    R"(/// An exception of the user's code is kept in the behaviour until the micro-step is over.
 template <class Call, class Fault>
 static auto guarded([[maybe_unused]] Behaviour& behaviour, Call call, [[maybe_unused]] Fault fault) {
 #ifdef __cpp_exceptions
@@ -58,7 +58,7 @@ constexpr std::string_view throwing = R"(void Behaviour::throw_on() {
 }
 
 #ifdef __cpp_exceptions
-/// What an observer throws waits as well, and ends the step.
+/// An exception of an observer is kept as well, and ends the step.
 void Behaviour::tell(void* self, const director::Event& event) {
   Behaviour& behaviour = *static_cast<Behaviour*>(self);
   const director::Observer to = behaviour.observer_;

@@ -33,7 +33,7 @@ Code header(const Deployment& deployment) {
   for (const Code& part : {states_part(e), triggers_part(e), tasks_part(e)}) code.append(part);
   code.line(closed);
   code.blank();
-  code.comment("What the C++ compiler must know of the behaviour; there is nothing to read.", "//");
+  code.comment("Details for the C++ compiler: numbers of rows, and what each body may request.", "//");
   code.line(fmt::format("#include \"{}\"", facts_name(model.name)));
   code.blank();
   code.append(contexts_part(e));

@@ -28,7 +28,7 @@ Code modules_part(const CppEmission& e) {
     }
     code.blank();
     code.outdented("protected:");
-    code.line(fmt::format("~{}() = default; // nobody deletes through this interface", name));
+    code.line(fmt::format("~{}() = default; // not virtual: no object is deleted through this interface", name));
     code.close("};");
     code.blank();
   }

@@ -55,10 +55,10 @@ void values(Code& code, const Model& model) {
 
 Code name_declarations(const CppEmission&) {
   Code code;
-  code.block(R"(/// What the rows are called that a director::Event names; empty where there is no such row.
+  code.block(R"(/// The names of the rows in a director::Event; empty if there is no such row.
 namespace names {
 const char* group(director::Index row);
-const char* provider(director::Index row);  ///< `halting`; `default` where its group writes its words directly
+const char* provider(director::Index row);  ///< `halting`; `default` if the group declares the provider directly
 const char* edge(director::Index row);      ///< `root>Walk`
 const char* state(director::Index row);
 const char* value(director::Index state, std::int32_t number); ///< `unset` too; empty for a number of a range
@@ -67,10 +67,10 @@ const char* condition(director::Index row); ///< `Stability == standing`
 const char* level(director::Index row);     ///< of other than root tasks empty for the first one
 using director::name_of;                    // of kinds of events and inputs, of reasons, and why something does not run
 
-/// All of them, for what prints the events of any behaviour.
+/// All of them, for printers of events of any behaviour.
 const director::Names& all();
 
-/// What `why` answered, as a line for people. Written into `buffer`, cut off where that is too small.
+/// The answer of `why` as one line of text. Written into `buffer`, cut off where that is too small.
 const char* why(const director::Because& because, std::span<char> buffer);
 } // namespace names
 )");

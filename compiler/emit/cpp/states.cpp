@@ -30,7 +30,8 @@ void declare_state(Code& code, const CppEmission& e, StateId id) {
   } else {
     document(code, e, state.doc, state.name.span);
     for (const std::int64_t value : state.unordered)
-      code.comment(fmt::format("{} has no place in the order.", state.value_text(value)));
+      code.comment(
+          fmt::format("`{}` is unordered: no condition with <, <=, > or >= accepts it.", state.value_text(value)));
     code.list(fmt::format("enum class {} : std::int32_t {{ ", name), state.values.words(), " };", state.name.span);
   }
   code.blank();

@@ -113,7 +113,7 @@ private:
   bool draws(Predicate is_one) const {
     return any(picture_.arrows, is_one);
   }
-  static bool asks(const PictureArrow& arrow) { return arrow.kind == Kind::task || arrow.kind == Kind::both; }
+  static bool is_request(const PictureArrow& arrow) { return arrow.kind == Kind::task || arrow.kind == Kind::both; }
   static bool has_number(const std::string& text) {
     return any(text, [](unsigned char letter) { return std::isdigit(letter) != 0; });
   }
@@ -155,18 +155,18 @@ private:
     };
     const auto is = [&](Kind kind) { return draws([=](const PictureArrow& arrow) { return arrow.kind == kind; }); };
     add(draws(plain), Sample::task, "requests");
-    add(draws([](const PictureArrow& arrow) { return asks(arrow) && arrow.optional; }), Sample::optional,
+    add(draws([](const PictureArrow& arrow) { return is_request(arrow) && arrow.optional; }), Sample::optional,
         "requests, optional: weaker than all that is not");
-    add(draws([](const PictureArrow& arrow) { return asks(arrow) && arrow.apart && !arrow.optional; }), Sample::apart,
-        "requests, apart: granted by itself");
+    add(draws([](const PictureArrow& arrow) { return is_request(arrow) && arrow.apart && !arrow.optional; }),
+        Sample::apart, "requests, apart: granted by itself");
     add(is(Kind::need), Sample::need, "needs: holds it while it runs");
     add(is(Kind::both), Sample::both, "needs and requests");
     add(is(Kind::push), Sample::push, "waits until that is true, and may push the other to make it true");
     add(is(Kind::take), Sample::take, "may take from the other what it holds, by these ranks");
     add_sign(draws([](const PictureArrow& arrow) { return arrow.from.box == arrow.to.box; }), "back to its box",
              "one of its groups may take from another one of it");
-    add_sign(draws([](const PictureArrow& arrow) { return asks(arrow) && has_number(arrow.label); }), "20",
-             "priority among all that the same one requests: the higher one wins");
+    add_sign(draws([](const PictureArrow& arrow) { return is_request(arrow) && has_number(arrow.label); }), "20",
+             "priority among the tasks of the same requester: the higher one goes first");
   }
 
   void add_boxes() {
@@ -174,7 +174,7 @@ private:
     add_sign(draws_box([](const PictureBox& box) { return box.requested.has_value(); }),
              marked_ ? "\u25BC program" : "thick frame",
              fmt::format("the program itself requests it{}", ranked ? ", with that priority" : ""));
-    add_sign(draws_box([](const PictureBox& box) { return box.in_focus; }), "thickest", "what was asked about");
+    add_sign(draws_box([](const PictureBox& box) { return box.in_focus; }), "thickest", "the groups in focus");
     const bool from_rows = draws([](const PictureArrow& arrow) { return arrow.from.row.has_value(); });
     add_sign(draws_box([](const PictureBox& box) { return box.rows.size() > 1; }), "rows",
              fmt::format("providers, the preferred one first{}",

@@ -15,7 +15,7 @@ struct LegendEntry {
   Sample sample = Sample::text;
   std::string sign; ///< of a text: how it looks
   std::string words;
-  bool is_grey = false; ///< a line whose colour tells something else: the status at a moment
+  bool is_grey = false; ///< a line whose colour means something else: the status at a moment
   bool operator==(const LegendEntry&) const = default;
 };
 

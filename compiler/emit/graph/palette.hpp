@@ -13,8 +13,8 @@ inline constexpr std::string_view ink = "#202428", task = "#404040", need = "#00
                                   push = "#00704F", take = "#A23B00", queued = "#A3171A", faint = "#8A919B",
                                   grey = "#5A616B", frame = "#6B727C", band = "#F1F3F5", paper = "#FFFFFF";
 
-/// HTML on several lines, broken between words. `before`: the width of the text before it. `line_end`: where each line
-/// stands: by default at the left.
+/// HTML on several lines, broken between words. `before`: the width of the text before it. `line_end`: the alignment of
+/// each line, by default to the left.
 std::string wrapped(std::string_view text, std::size_t before = 0,
                     std::string_view line_end = "<BR ALIGN=\"LEFT\"/>");
 /// A string of the DOT language.

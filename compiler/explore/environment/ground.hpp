@@ -77,13 +77,13 @@ struct Ground {
 
   const Model& model;
   const Lowered timed;                     ///< as the robot runs it, with time: what is found is played on it
-  Lowered lowered;                         ///< without time, and with a trigger for each group that wakes it
+  Lowered lowered;                         ///< without time; a group with a wait or `every` has a trigger
   Tables tables;                           ///< of `lowered`
   std::vector<ValueClasses> classes;       ///< state
   std::vector<FreeBody> bodies;            ///< provider
   std::vector<std::vector<Puts>> starting; ///< group: what its start handler may set
   std::vector<std::vector<Puts>> stopping;
-  std::vector<Index> wake;             ///< group: its trigger; nil: none wakes it
+  std::vector<Index> wake;             ///< group: that trigger; nil: it has none
   std::vector<RequestedPack> requests; ///< what the program may request in one input
   std::vector<Puts> sets;              ///< what one input may set
   std::vector<Index> triggers;         ///< that an input may fire and some provider listens to

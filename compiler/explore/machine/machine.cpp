@@ -5,7 +5,7 @@
 // - a body that answers `failed` instead of `done`: only other bodies can see the difference, and these do anything;
 // - a second `done` before a new task: it has no effect, like `continue`;
 // - a body that requests no `wait`: one that requests a very long one does the same. So every group that runs
-//   may be woken at rest, at any time.
+//   may be run at rest, at any time.
 #include "compiler/explore/machine/machine.hpp"
 
 #include <algorithm>

@@ -26,7 +26,7 @@ public:
   void repeat(const std::vector<Taken>& round);
 
   /// A provider that is not on the way only continues. True if that is new.
-  bool quieten(const std::string& name) { return script_.try_emplace(name, Cases{{"continue: true"}}).second; }
+  bool add_continuing(const std::string& name) { return script_.try_emplace(name, Cases{{"continue: true"}}).second; }
 
   const std::vector<std::string>& lines() const { return lines_; }
   const std::vector<Words>& steps() const { return steps_; }

@@ -92,7 +92,7 @@ std::optional<std::string> write_scenario(const Ground& ground, const std::vecto
       return {};
     if (endless) return text_of(draft, head, {});
     bool quieter = false;
-    for (const std::string& name : play.providers) quieter = draft.quieten(name) || quieter;
+    for (const std::string& name : play.providers) quieter = draft.add_continuing(name) || quieter;
     if (!quieter) return text_of(draft, head, play.steps);
   }
 }

@@ -56,7 +56,7 @@ Watch::Watch(const Ground& ground, const std::vector<std::size_t>& assertions)
       one.ran_since = bit;
       one.active_since = bit << 1;
       bit <<= 2;
-      minds_puts_ = true;
+      depends_on_puts_ = true;
     }
     watched_.push_back(std::move(one));
   }

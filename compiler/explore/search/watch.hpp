@@ -49,7 +49,7 @@ public:
   std::uint64_t after(const Machine& machine, std::vector<std::size_t>& seen);
 
   /// Whether what is remembered depends on what bodies set, not only on the resulting values.
-  bool minds_puts() const { return minds_puts_; }
+  bool depends_on_puts() const { return depends_on_puts_; }
 
   Happened happened;
   /// Of the Model's assertions: a task of the winner's side was blocked while the loser's side held what it may take,
@@ -84,7 +84,7 @@ private:
   void note(const Machine& machine);
 
   const Ground& ground_;
-  bool minds_puts_ = false;
+  bool depends_on_puts_ = false;
   std::vector<One> watched_;
   std::vector<Held> before_;   ///< of groups, before the micro-step
   std::vector<Index> waiting_; ///< edges whose target was never granted for them yet

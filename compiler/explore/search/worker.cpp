@@ -23,7 +23,7 @@ void Worker::foresee(const PlayedTable& played) {
   const std::vector<Action>& answers = machine.answers();
   const std::size_t puts = answers.empty() ? 0 : machine.ground().bodies[answers.front().provider].puts.size();
   for (std::size_t i = 0; i < answers.size(); ++i) {
-    for (std::size_t j = 0; j < puts; ++j) foreseen_.push_back(ahead.of_body(i, j, watched_, watch.minds_puts()));
+    for (std::size_t j = 0; j < puts; ++j) foreseen_.push_back(ahead.of_body(i, j, watched_, watch.depends_on_puts()));
   }
   for (const Happens& happens : happens_) {
     if (happens.kind == Happens::Kind::set)

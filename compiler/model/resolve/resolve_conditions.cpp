@@ -87,7 +87,7 @@ void report_sentinels(Resolver& r, const State& state, const Condition& conditio
     const std::string name = state.value_text(sentinel);
     Diagnostic& finding =
         r.find("ordering_on_sentinel", dsl::Level::warning, span,
-               fmt::format("`{}` does not hold for `{}`, although that stands where it would", condition.text, name),
+               fmt::format("`{}` does not hold for `{}`, although that is listed in its range", condition.text, name),
                fmt::format("if `{}` is meant, write `{} == {}`", name, state.name.value, name));
     finding.notes.push_back({state.value_spans[static_cast<std::size_t>(sentinel)],
                              fmt::format("`{}` is `unordered`: it satisfies no ordered comparison", name)});

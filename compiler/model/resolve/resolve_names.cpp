@@ -150,7 +150,7 @@ void check_namespace(Resolver& r, const Word& name) {
     } else if (const std::string why = taken(part, outermost); !why.empty()) {
       r.error("reserved_name", name.span, fmt::format("a C++ namespace cannot be called `{}`: {}", part, why), another);
     } else if (part == "std" || part == "director") {
-      r.error("reserved_name", name.span, fmt::format("the C++ of a behaviour cannot stand in a namespace `{}`", part),
+      r.error("reserved_name", name.span, fmt::format("the C++ of a behaviour cannot be in a namespace `{}`", part),
               another);
     } else {
       continue;
@@ -189,7 +189,7 @@ void check_foreign_type(Resolver& r, const Word& type, std::string_view own) {
     r.error("redefined_name", type.span,
             fmt::format("`{}` in `{}` is what the {} `{}` becomes in C++, so a type of yours is not found by it",
                         first.word, type.value, at->second.kind, other.value),
-            fmt::format("write `::{}` if yours stands outside of all namespaces, else its whole name", first.word))
+            fmt::format("write `::{}` if yours is in no namespace, else its whole name", first.word))
         .notes.push_back({other.span, fmt::format("the {} is declared here", at->second.kind)});
     return;
   }

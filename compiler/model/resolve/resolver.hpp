@@ -52,7 +52,7 @@ struct Resolver {
   };
   std::map<std::string, Declared, std::less<>> cpp_names{}; ///< by capitalised name
 
-  /// Whether the file that imports this one provides the group: nobody knows its providers yet.
+  /// Whether the file that imports this one provides the group: its providers are not known here.
   bool is_provided_elsewhere(GroupId group) const { return !model.deployment && group_sources[group].spec == nullptr; }
 
   /// `help`: what to do.

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Finds how two tasks of one requester stand to each other: whether it ever requests both at once, as one unit, or
-// needs one of them.
+// Finds how two tasks of one requester relate: whether it ever requests both at once, as one unit, or needs one of
+// them.
 
 #include "compiler/analysis/ranks/contention.hpp"
 #include "compiler/model/model.hpp"

@@ -62,7 +62,7 @@ std::uint64_t count_where(const Json& all, std::string_view key, std::string_vie
                                                   [&](const Json& each) { return each[key].as_text() == value; }));
 }
 
-/// The title in the list of sections, with what a reader has to know before he trusts the page.
+/// The title in the list of sections, with the counts that say how far the page can be trusted.
 std::string counted_title(const Section& section, const Json& data) {
   std::string out{section.title};
   const auto add = [&](std::uint64_t count, std::string_view sign, const std::string& words) {

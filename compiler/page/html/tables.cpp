@@ -195,7 +195,7 @@ std::string transitions_html(const HtmlInput& input) {
   if (std::string names; !transitions["not_requested"].items().empty()) {
     for (const std::string& name : transitions["not_requested"].as_texts())
       names += (names.empty() ? "" : ", ") + group_link(name);
-    out += fmt::format("<p>Not requested by anybody: {}.</p>\n", names);
+    out += fmt::format("<p>Not requested: {}.</p>\n", names);
   }
   out += "<div class=\"rows\">\n";
   for (const Json& row : rows.items()) out += row_html(transitions, row);

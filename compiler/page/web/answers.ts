@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The answers of a running program to why groups wait. Each is of the time at which it was given, and is shown for another moment only if all that it
-// tells was the same then: since when the group waits, who holds the group that blocks it, the values of the states that it names, what the groups that
-// it names do, and which of their providers are enabled.
+// The answers of a running program to why groups wait. Each is of the time at which it was given, and is shown for another moment only if everything
+// that it mentions was the same then: since when the group waits, the holder of the group that blocks it, the values of the states, the standings of
+// the groups, and which of their providers are enabled.
 
 import { type Column, times } from './columns';
 import { limbo, nobody } from './names';

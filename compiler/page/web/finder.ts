@@ -67,7 +67,7 @@ export class Finder {
     shown?.tools.append(this.clear, this.focused); // beside the picture, to which the page is scrolled
     this.clear.hidden = group === undefined;
     for (const { tools } of this.pictures) tools.style.minHeight = '';
-    const words = group === undefined ? '' : `Focus on ${group}: who leads to it, what it requests, needs and pushes, who pushes it, and who needs the same.`;
+    const words = group === undefined ? '' : `Focus on ${group}: what leads to it, what it requests, needs and pushes, what pushes it, and what needs the same.`;
     this.focused.textContent = words;
     for (const picture of this.pictures) picture.focus(group);
     if (group === undefined) return;

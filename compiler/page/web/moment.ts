@@ -62,13 +62,13 @@ export class Moment {
     const { condition } = standing.push ?? {};
     const { names } = this.source.recording;
     const text = words(names, group, standing);
-    const others = standing.waits.map((wait) => `; queued for ${names.askerText(wait.edge)}: ${waitWords(wait, names)}`);
+    const others = standing.waits.map((wait) => `; queued for ${names.requesterText(wait.edge)}: ${waitWords(wait, names)}`);
     return make('li', { class: mark }, link('group', this.name(group)), text === '' ? '' : `: ${text}`, mark === 'pushed' && condition ? `, to cause ${condition}` : '', ...others);
   }
 
   private idle(group: number): HTMLElement {
     const { names } = this.source.recording;
-    const by = names.askers[group].filter((edge) => names.header.edges[edge].levels.length > 0).map((edge) => names.askerText(edge));
+    const by = names.edgesTo[group].filter((edge) => names.header.edges[edge].levels.length > 0).map((edge) => names.requesterText(edge));
     return make('li', {}, link('group', this.name(group)), by.length === 0 ? '' : `: ${by.join(', ')} may request it`);
   }
 

@@ -34,7 +34,7 @@ export class Names {
   readonly targets: number[]; // of each edge
   readonly requesters: number[]; // of each edge; `nobody`: the program
   readonly requests: number[][]; // of each group, the edges of which it is the requester
-  readonly askers: number[][]; // of each group, the edges that lead to it, from its requesters
+  readonly edgesTo: number[][]; // of each group, the edges that lead to it, from its requesters
 
   constructor(readonly header: Header) {
     this.groups = places(header.groups.map((group) => group.name));
@@ -44,7 +44,7 @@ export class Names {
     this.requesters = header.edges.map((edge) => this.group(edge.name.split('>')[0]));
     const of = (ends: number[]) => header.groups.map((_, group) => header.edges.map((__, edge) => edge).filter((edge) => ends[edge] === group));
     this.requests = of(this.requesters);
-    this.askers = of(this.targets);
+    this.edgesTo = of(this.targets);
   }
 
   group(name: string | undefined): number {
@@ -76,7 +76,7 @@ export class Names {
   }
 
   /** The requester of this edge: a group, or the program. */
-  askerText(edge: number): string {
+  requesterText(edge: number): string {
     const group = this.requesters[edge] ?? nobody;
     return group === nobody ? 'the program' : this.header.groups[group].name;
   }

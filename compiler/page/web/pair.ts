@@ -64,7 +64,7 @@ export class Pair {
     if (lines.length === 0) {
       lines.push(a === b ? `Nowhere do two chains of requesters lead to ${first}.` : `They never meet: no requester leads to both beside each other.`);
     } else if (answer.decisions.some((code) => ranks.decisions[Math.floor(code / 2)].goes_first === 'equal')) {
-      lines.push('Of equals, who has it keeps it; of two that request it, the older request goes first.');
+      lines.push('Of equals, the holder keeps it; of two that request it, the older request goes first.');
     }
     if (answer.more) lines.push(`And ${answer.more} more, which are too many for a page: directorc graph --format=json --page has them all, and a deployment with fewer roots has fewer.`);
     return [make('ul', {}, ...lines.map((line) => make('li', {}, line)))];

@@ -113,7 +113,7 @@ export class Standings {
 
   of(group: number): Standing {
     const at = this.groups[group];
-    const waits = this.names.askers[group].filter((edge) => this.isWaiting(edge)).map((edge) => this.waits[edge] as Wait);
+    const waits = this.names.edgesTo[group].filter((edge) => this.isWaiting(edge)).map((edge) => this.waits[edge] as Wait);
     const pushed = at.push !== undefined && at.push.provider === at.provider && !at.isWithoutEffect;
     const mark = at.granted ? (pushed ? 'pushed' : 'running') : waits.length > 0 ? 'queued' : !at.known ? 'unknown' : at.holder !== nobody ? 'held' : 'inactive';
     return { mark, provider: at.granted ? at.provider : nobody, holder: at.holder, push: at.push, waits };

@@ -8,7 +8,7 @@ import type { Standing, Wait } from './standing';
 /** `until Stability == standing`, or the reason in one word; for a blocked request also what blocks it, if the answer to `why` says so. */
 export function waitWords(wait: Wait, names: Names, why?: Because): string {
   if (wait.why === 'waiting' && wait.condition !== undefined) return `until ${wait.condition}`;
-  if (wait.why === 'blocked' && why?.held !== undefined) return `blocked, as ${why.held.group} is held by ${names.askerText(names.edge(why.held.by))}`;
+  if (wait.why === 'blocked' && why?.held !== undefined) return `blocked, as ${why.held.group} is held by ${names.requesterText(names.edge(why.held.by))}`;
   return wait.why;
 }
 
@@ -18,9 +18,9 @@ export function words(names: Names, group: number, standing: Standing, why?: Bec
   const provider = own === undefined || own === 'default' ? '' : own;
   switch (standing.mark) {
     case 'running': {
-      if (standing.holder === limbo) return `${provider} for nobody`.trim();
-      const asker = standing.holder === nobody ? '' : `for ${names.askerText(standing.holder)}`;
-      return [provider, asker].filter((text) => text !== '').join(', ');
+      if (standing.holder === limbo) return `${provider} kept in limbo`.trim();
+      const requester = standing.holder === nobody ? '' : `for ${names.requesterText(standing.holder)}`;
+      return [provider, requester].filter((text) => text !== '').join(', ');
     }
     case 'pushed': return `pushed to ${own} for ${names.header.groups[names.targets[standing.push?.edge ?? nobody]]?.name ?? ''}`;
     case 'queued': return `queued: ${waitWords(standing.waits[0], names, why)}`;

@@ -18,7 +18,7 @@ public:
   CoverageWatch(const CoverageWatch&) = delete;
   CoverageWatch& operator=(const CoverageWatch&) = delete;
 
-  Onlooker onlooker(); ///< for as long as this object lives
+  Onlooker onlooker(); ///< for as long as this object exists
 
 private:
   /// An edge of a chain, from an edge to one of root.

@@ -119,7 +119,7 @@ const Task* Names::task(const std::vector<Task>& tasks, std::string_view owner, 
   if (name.value[end] == '.')
     fault.help = fmt::format("a request names the group, `{}`: its provider is chosen by `when` and `needs`", task);
   else if (name.value.ends_with(')'))
-    fault.help = fmt::format("data stands in `data`: `{{{}: {{data: {}}}}}`", task,
+    fault.help = fmt::format("data belongs in `data`: `{{{}: {{data: {}}}}}`", task,
                              name.value.substr(end + 1, name.value.size() - end - 2));
   return nullptr;
 }

@@ -267,8 +267,8 @@ void push_for(Context& x, Index count, Index unmet) {
   }
 }
 
-/// Drops pushes whose unit is not decided any more, or on groups that nobody requests any more, and determines which of
-/// the others are in force.
+/// Drops pushes whose unit is not decided any more, or on groups that are not requested any more, and determines which
+/// of the others are in force.
 void finish_pushes(Context& x) {
   const auto is_requested = [&](Index edge) { // by root or a live group
     const Index from = x.t.edges[edge].requester;

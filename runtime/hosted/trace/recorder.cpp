@@ -21,7 +21,7 @@ namespace director {
 namespace {
 
 constexpr std::size_t full_buffer = 1 << 20; ///< bytes in the buffer, after which they are written to the file
-constexpr std::chrono::seconds patience{1};  ///< of close() with the reader of a pipe who takes hardly anything
+constexpr std::chrono::seconds patience{1};  ///< of close() with a reader of a pipe that takes hardly anything
 
 /// While it lives, a write of this thread to a pipe without a reader, or beyond the limit of a file's size, is an error
 /// only: without it, the kernel also sends a signal that ends the program.

@@ -52,7 +52,7 @@ public:
   }
 
   /// Writes all events that wait and ends the file; later events are not recorded. After it, `error()` covers all
-  /// events: before, those of the last `interval` may still fail. The reader of a pipe who takes less than 4 kB in a
+  /// events: before, those of the last `interval` may still fail. A reader of a pipe that takes less than 4 kB in a
   /// second is not waited for (ETIMEDOUT). The behaviour must not step meanwhile.
   void close();
 

@@ -367,7 +367,7 @@ TEST_CASE("in whatever shape a body keeps its promise, that is recognised, or re
   INFO(worked.err);
   for (const Shape& shape : out_of_sight) {
     CAPTURE(shape.name);
-    CHECK(!lines_with(worked.err, fmt::format("not decided: `{}`: nobody can see", shape.name)).empty());
+    CHECK(!lines_with(worked.err, fmt::format("not decided: `{}`: it is not known", shape.name)).empty());
   }
   for (const Shape& shape : promises) {
     CAPTURE(shape.name);

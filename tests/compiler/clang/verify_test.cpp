@@ -348,8 +348,7 @@ TEST_CASE("a source that the build lists and that does not exist is reported, on
   work.write("body.cpp", wheels(included));
   work.write_commands({work.path("body.cpp"), work.path("gone.cpp"), work.path("gone.cpp")}, flags(work));
   const Worked worked = work.directorc({"verify", work.path("cart.yaml"), "-p", work.path()});
-  CHECK(worked.err == "directorc: not decided: what stands in `" +
-                          director::compiler::cli::shown_path(work.path("gone.cpp")) +
+  CHECK(worked.err == "directorc: not decided: `" + director::compiler::cli::shown_path(work.path("gone.cpp")) +
                           "`, a source of the build, cannot be read: No such file or directory; configure again if it "
                           "is gone, build if it is generated\n");
   const Worked left_out =

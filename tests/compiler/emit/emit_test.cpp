@@ -49,8 +49,9 @@ states:
   Charge: {range: [-5, 100], external: true}
   Mode: {type: ns::Mode, values: [day, night]}
 )");
-  CHECK(has(out.header, "/// What shines. (test.yaml:5)\n/// off has no place in the order.\n"
-                        "enum class Colour : std::int32_t { off, red, green };\n"));
+  CHECK(has(out.header,
+            "/// What shines. (test.yaml:5)\n/// `off` is unordered: no condition with <, <=, > or >= accepts it.\n"
+            "enum class Colour : std::int32_t { off, red, green };\n"));
   CHECK(has(out.header, "/// -5 to 100.\nstruct Charge {\n  std::int32_t value = 0;\n};\n"));
   CHECK(has(out.header, "using Mode = ns::Mode;\n"));
   CHECK(has(out.facts, "    case Mode::night: return {2, 1};\n"));

@@ -26,8 +26,8 @@ TEST_CASE("a body that keeps a promise in a cycle is distinguished from one that
   };
   using Words = std::vector<std::string>;
   CHECK(oscillations("stop: {sets: [S == x]}, causing: [S == y]") ==
-        Words{"Never at rest, if what is promised takes no time: after request A it goes round in 2 micro-steps: A"});
+        Words{"Never at rest, if what is promised takes no time: after request A it repeats 2 micro-steps: A"});
   CHECK(oscillations("start: {sets: [S == y]}, stop: {sets: [S == x]}") ==
-        Words{"Never at rest: after request A it goes round in 2 micro-steps: A"});
+        Words{"Never at rest: after request A it repeats 2 micro-steps: A"});
   CHECK(oscillations("stop: {sets: [S == x]}, sets: [S == y]").empty()); // it need not set it
 }

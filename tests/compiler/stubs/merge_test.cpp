@@ -247,9 +247,9 @@ TEST_CASE("what cannot be added is reported at the class, with the reason") {
     found.functions.front().defines = with_body;
     return said(merge(wanted_with({walk, jump}), found, {}).obstacles);
   };
-  CHECK(elsewhere(true) == Said{jumps + "the class stands outside of the folder"});
+  CHECK(elsewhere(true) == Said{jumps + "the class is outside of the folder"});
   CHECK(elsewhere(false) ==
-        Said{jumps + "the class stands outside of the folder", walks + "the class stands outside of the folder"});
+        Said{jumps + "the class is outside of the folder", walks + "the class is outside of the folder"});
 }
 
 TEST_CASE("headers are known by their names") {

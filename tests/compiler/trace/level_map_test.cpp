@@ -110,7 +110,7 @@ TEST_CASE("packs that exchange their priorities are another version, though the 
   CHECK(differs(replayed(packs("1", "5"), "pack: b", packs("5", "1"))));
 }
 
-TEST_CASE("a level without its name or pack is one that means the same, or it cannot be told") {
+TEST_CASE("a level without its name or pack is one that means the same, or it is unknown") {
   const auto pack = [](const std::string& name, const std::string& look) {
     return behaviour("      " + name + ": {Look: {" + look + "}, Nod: {priority: 3}}\n");
   };
@@ -131,7 +131,7 @@ TEST_CASE("a level without its name or pack is one that means the same, or it ca
       replay.out ==
       R"(run.jsonl:7: event 6, at 0.000000 s, cannot be replayed by `other.yaml`, another version than the one recorded
   recorded: ask Play>Look
-  replayed: the level of this request cannot be told: no level of the pack has the recorded name, or means the same; or the recorded one has several names
+  replayed: the level of this request is unknown: no level of the pack has the recorded name, or means the same; or the recorded one has several names
   5 events before it are the same
 )");
 }

@@ -56,7 +56,7 @@ groups:
   Arm: {}
 )",
                    "Tidy", "Carry") == "hard: When Carry is requested, Tidy loses groups at once. Sweep stops, and "
-                                       "begins again. The outside says Box == "
+                                       "begins again. From outside: Box == "
                                        "there.");
 }
 
@@ -107,7 +107,7 @@ groups:
   Leg: {}
 )",
                    "Lift", "Send") ==
-        "waits: Leg stops. Send is queued, and runs when Lift is done. The outside says Load == box. Send waits "
+        "waits: Leg stops. Send is queued, and runs when Lift is done. From outside: Load == box. Send waits "
         "(root>Send): Arm, which it needs, is held by Lift>Arm, and root>Lift (priority 20) goes before root>Send "
         "(priority 10).");
 }

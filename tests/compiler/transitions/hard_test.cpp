@@ -111,8 +111,8 @@ groups:
   Walk: {needs: [Legs]}
   Legs: {}
 )",
-                   "Place", "Clear") ==
-        "hard: Clear takes at once what Place holds. Walk stops. The outside says Ball == near.");
+                   "Place",
+                   "Clear") == "hard: Clear takes at once what Place holds. Walk stops. From outside: Ball == near.");
 }
 
 TEST_CASE(
@@ -132,7 +132,7 @@ groups:
 )",
                    "Walk", "Clear") ==
         "hard: Clear takes at once what Walk holds. Walk stops. Legs runs on, but not for "
-        "Walk any more. The outside says Ball == near.");
+        "Walk any more. From outside: Ball == near.");
 }
 
 TEST_CASE("hard: what is requested with the second one takes all at once, and is pushed itself") {
@@ -190,7 +190,7 @@ groups:
   LeftArm: {}
   RightArm: {}
 )",
-                   "Carry", "Wave") == "both: Carry and Wave run beside each other. The outside says Load == light.");
+                   "Carry", "Wave") == "both: Carry and Wave run beside each other. From outside: Load == light.");
 }
 
 TEST_CASE("hard: what is requested with the second one too has another requester before the push is answered") {

@@ -22,7 +22,7 @@ groups:
                    "Safety", "Drive") ==
         "condition lost: What Drive wants from outside ends groups below Safety, which "
         "runs on. Freeze stops. Wheels runs "
-        "on, but not for Safety any more. The outside says Person == none.");
+        "on, but not for Safety any more. From outside: Person == none.");
   CHECK(cell_words(person + R"(roots: [Stay, Go]
 groups:
   Stay: {when: [Person == near], tasks: [Walk]}
@@ -32,7 +32,7 @@ groups:
 )",
                    "Walk", "Go") ==
         "condition lost: What Go wants from outside ends Walk. Stay stops. Walk stops, and begins again, but not for "
-        "Stay. The outside says Person == none.");
+        "Stay. From outside: Person == none.");
 }
 
 TEST_CASE("condition lost: what the second wants from outside ends the first one") {
@@ -45,7 +45,7 @@ groups:
   Head: {}
 )";
   CHECK(cell(phases, "Wait", "Play") ==
-        R"(condition lost: What Play wants from outside ends Wait. The outside says Phase == playing.
+        R"(condition lost: What Play wants from outside ends Wait. From outside: Phase == playing.
 stops Wait
 scenario: from Wait to Play
 behaviour: test.yaml
@@ -73,7 +73,7 @@ groups:
 )",
                    "Walk", "Clear") ==
         "condition lost: By what Clear wants from outside, Walk runs on, but not for Keep any more. Legs runs on, but "
-        "not for Walk any more. The outside says Ball == near.");
+        "not for Walk any more. From outside: Ball == near.");
 }
 
 TEST_CASE("condition lost: a body of the second one sets what ends the first one, of which nothing is taken") {
@@ -118,7 +118,7 @@ groups:
 )",
                  "Kick", "GetUp") ==
       "condition lost: What GetUp wants from outside ends Kick. Kick stops. Legs stops, and begins again, but not for "
-      "Kick. The outside says Stability == fallen.");
+      "Kick. From outside: Stability == fallen.");
 }
 
 TEST_CASE("condition lost: the outside ends the provider that is preferred to the one that leads to the second one") {
@@ -136,7 +136,7 @@ groups:
 )",
                      "Dive", "Walk") ==
           "condition lost: What Walk wants from outside ends Dive. Dive stops. Legs runs on, "
-          "but not for Dive any more. The outside says Penalty == away.");
+          "but not for Dive any more. From outside: Penalty == away.");
   }
 }
 
@@ -153,7 +153,7 @@ TEST_CASE("condition lost: the outside ends several providers that are preferred
   };
   const auto lost = [](const std::string& group, const std::string& state) {
     return "condition lost: What Walk wants from outside ends " + group + ". " + group +
-           " stops. Legs runs on, but not for " + group + " any more. The outside says " + state + ".";
+           " stops. Legs runs on, but not for " + group + " any more. From outside: " + state + ".";
   };
   // A value that prevents one of them lets the other one run.
   const std::string modes = keeper("{Mode: {values: [a, b, c], initial: c, external: true}}", "Mode == b", "Mode == a");
@@ -182,7 +182,7 @@ groups:
   Legs: {}
 )",
              "Kick", "Brace") ==
-        R"(condition lost: What Brace wants from outside ends Kick. The outside says Pose == falling.
+        R"(condition lost: What Brace wants from outside ends Kick. From outside: Pose == falling.
 stops Kick
 scenario: from Kick to Brace
 behaviour: test.yaml

@@ -60,11 +60,11 @@ groups:
       - {name: setting, when: [Wind == calm], causing: [Sail == full within 9 s]}
   Rudder: {}
 )";
-  CHECK(row_words(boat, "Cruise") == "Requested by way of SailTo \u2192 Cruise. The outside says Wind == calm.");
+  CHECK(row_words(boat, "Cruise") == "Requested by way of SailTo \u2192 Cruise. From outside: Wind == calm.");
   CHECK(
       cell_words(boat, "Fish", "Cruise") ==
       "soft: Cruise waits. Rig is pushed to setting for Sail == full, within 9 s. Then Cruise takes over. Fish stops. "
-      "The outside says Wind == calm.");
+      "From outside: Wind == calm.");
 }
 
 TEST_CASE("waits: the requester of the second runs in another way meanwhile, and is named") {
@@ -206,7 +206,7 @@ groups:
 )",
                      "Walk", "Clear") ==
           "replaced: Keep requests Clear instead of Walk. Walk stops. Legs runs on, but not "
-          "for Walk any more. The outside says Ball == near.");
+          "for Walk any more. From outside: Ball == near.");
   }
 }
 

@@ -36,7 +36,7 @@ groups:
   Legs: {}
 )";
   CHECK(cell_words(names, "Yes", "No") ==
-        "hard: No takes at once what Yes holds. Yes and Legs stop. The outside says On == yes.");
+        "hard: No takes at once what Yes holds. Yes and Legs stop. From outside: On == yes.");
 }
 
 TEST_CASE("a row begins with declared values if it can, also where no body sets one of several values then") {
@@ -77,7 +77,7 @@ groups:
 )";
   CHECK(cell_words(climbing, "Rest", "Climb") ==
         "hard: Climb takes at once what Rest holds. Rest stops. Move runs on, but "
-        "not for Rest any more. The outside says Ground == rough.");
+        "not for Rest any more. From outside: Ground == rough.");
 }
 
 TEST_CASE("a row is not called unreachable while values for the other tasks of its unit let it run") {
@@ -92,7 +92,7 @@ groups:
 )";
   CHECK(cell_words(delivery, "Rest", "Drive") ==
         "hard: Drive takes at once what Rest holds. Rest stops. Wheels runs on, "
-        "but not for Rest any more. The outside says Door == open.");
+        "but not for Rest any more. From outside: Door == open.");
 }
 
 TEST_CASE("what the second waits for is set by a body of its requester, if it would never run otherwise") {
@@ -238,7 +238,7 @@ groups:
   Legs: {}
 )";
   CHECK(cell(senses, "Play", "Kick") ==
-        R"(hard: Kick takes at once what Play holds. Play stops. The outside says Ball == near.
+        R"(hard: Kick takes at once what Play holds. Play stops. From outside: Ball == near.
 stops Play
 scenario: from Play to Kick
 behaviour: test.yaml

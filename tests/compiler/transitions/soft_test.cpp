@@ -193,7 +193,7 @@ groups:
   };
   const char* const soft =
       "soft: Clear waits. Walk is pushed to halting for Posture == standing. No time is promised for that. Then Clear "
-      "takes over. Walk stops. Legs runs on, but not for Walk any more. The outside says Ball == near.";
+      "takes over. Walk stops. Legs runs on, but not for Walk any more. From outside: Ball == near.";
   CHECK(cell_words(keeper("packs: {go: {Clear: {priority: 20}, Walk: {apart: true}}}"), "Walk", "Clear") == soft);
   CHECK(cell_words(keeper("packs: {idle: {}, go: {Clear: {priority: 20}, Walk: {apart: true}}}"), "Walk", "Clear") ==
         soft);
@@ -220,7 +220,7 @@ groups:
 )",
                  "Walk", "Charge") ==
       "soft: Charge waits. Walk is pushed to halting for Gait == still, within 2 s. Then Charge takes over. GoToDock, "
-      "Walk and Legs stop. The outside says Dock == touching.");
+      "Walk and Legs stop. From outside: Dock == touching.");
 }
 
 } // namespace director::tests

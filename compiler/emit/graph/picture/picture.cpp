@@ -251,7 +251,7 @@ private:
       const bool folded = options_.fold != Fold::nothing;
       const bool takes = from_groups.kind == ArrowKind::take;
       const bool pushes = from_groups.kind == ArrowKind::push || takes;
-      if (folded && !takes && arrow.from.box == arrow.to.box) continue; // who may take within a box is told
+      if (folded && !takes && arrow.from.box == arrow.to.box) continue; // only --view=takes draws these
       const int kind = !folded || pushes ? static_cast<int>(from_groups.kind) : -1;
       const auto [found, fresh] = places.try_emplace({arrow.from, arrow.to, kind, folded ? std::string{} : arrow.label},
                                                      picture_.arrows.size());

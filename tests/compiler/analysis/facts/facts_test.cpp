@@ -81,7 +81,7 @@ groups:
   CHECK(Found(text + "roots: [Kick]\n").active().empty());
 }
 
-TEST_CASE("what is reported as impossible is taken for mended") {
+TEST_CASE("what is reported as impossible is treated as corrected") {
   const Found found("states: {A: {values: [no, yes], initial: no}}\nroots: [Kick]\ngroups: {Kick: {when: [A == yes], "
                     "tasks: [Ball]}, Ball: {}}\n");
   CHECK(found.facts.impossible.size() == 1);

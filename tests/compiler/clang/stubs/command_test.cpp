@@ -108,7 +108,7 @@ TEST_CASE("what is generated, read as C++17, is reported as not understood") {
   REQUIRE(std::system(generate.c_str()) == 0);
   shop.write("compile_commands.json", R"([{"directory": ")" + shop.folder() +
                                           R"(", "file": "main.cpp", "command": "g++ -std=c++17 -c main.cpp"}])");
-  CHECK(shop.stubs("--check").ends_with("directorc: this C++ cannot be read, so nothing is written\nstatus 1\n"));
+  CHECK(shop.stubs("--check").ends_with("directorc: nothing is written: this C++ cannot be read\nstatus 1\n"));
 }
 
 TEST_CASE("what was generated beside the sources may be of an earlier version of the behaviour") {
@@ -385,8 +385,7 @@ TEST_CASE("what cannot be read with what is missing is named at the places that 
   shop.write("src/wheels.cpp", wheels);
   const std::string fault = "src/wheels.cpp:8:41: error: in what would be added here: expected ')'\n";
   CHECK(shop.stubs() ==
-        fault + fault +
-            "directorc: nothing is written, because with what is missing this could not be read\nstatus 1\n");
+        fault + fault + "directorc: nothing is written: with the insertions this C++ cannot be read\nstatus 1\n");
   CHECK(shop.text("src/wheels.cpp") == wheels);
 }
 
@@ -484,12 +483,12 @@ TEST_CASE("C++ that cannot be read is reported, and nothing is written") {
   const std::string said = shop.stubs();
   CAPTURE(said);
   CHECK(said.starts_with("src/wheels.cpp:"));
-  CHECK(said.ends_with("directorc: this C++ cannot be read, so nothing is written\nstatus 1\n"));
+  CHECK(said.ends_with("directorc: nothing is written: this C++ cannot be read\nstatus 1\n"));
   CHECK(shop.text("src/wheels.cpp") == broken);
   shop.write("src/wheels.cpp", "#include \"cart.hpp\"\n#include \"absent.hpp\"\n");
   const std::string help = "  help: name the folder from which it is included with `-I`, or with `-p` the folder of "
                            "compile_commands.json\n"
-                           "directorc: this C++ cannot be read, so nothing is written\nstatus 1\n";
+                           "directorc: nothing is written: this C++ cannot be read\nstatus 1\n";
   CHECK(shop.stubs() == "src/wheels.cpp:2:10: error: 'absent.hpp' file not found\n" + help);
   // A header that the behaviour lists is included by the generated one, which need not be on the disk.
   shop.write("cart.yaml", std::string(yaml) + "cpp: {headers: [parts/axle.hpp]}\n");
@@ -503,7 +502,7 @@ TEST_CASE("a missing #include is reported, and what is there is not added again"
   const Workshop shop;
   shop.stubs();
   const std::string header = shop.text("src/wheels.hpp"), source = shop.text("src/wheels.cpp");
-  const std::string refusal = "directorc: this C++ cannot be read, so nothing is written\nstatus 1\n";
+  const std::string refusal = "directorc: nothing is written: this C++ cannot be read\nstatus 1\n";
 
   // Of the class, whatever the name of the file.
   for (const std::string file : {"src/wheels.cpp", "src/bodies.cpp"}) {

@@ -45,7 +45,7 @@ TEST_CASE("a cycle in which the engine never comes to rest is an error, also of 
                             "  Charge: {when: [Clamp == open], needs: [Contacts], tasks: [Contacts]}\n";
   World world = with(clamp + "  Contacts: {start: {sets: [Clamp == shut]}, stop: {sets: [Clamp == open]}}\n");
   CHECK(world.directorc({"explore", "b.yaml"}) == 1);
-  CHECK(world.out.find("\nNever at rest: after request Charge it goes round in 3 micro-steps: Charge, Contacts\n") !=
+  CHECK(world.out.find("\nNever at rest: after request Charge it repeats 3 micro-steps: Charge, Contacts\n") !=
         std::string::npos);
   CHECK(world.directorc({"check", "b.yaml"}) == 0);
   CHECK(world.directorc({"check", "--explore", "--allow=uncovered_state", "b.yaml"}) == 1);
@@ -57,7 +57,7 @@ TEST_CASE("a cycle in which the engine never comes to rest is an error, also of 
            "      - {name: stepping, when: [Foot == left], causing: [Foot == right]}\n"
            "      - {name: following, causing: [Foot == left]}\n");
   CHECK(walk.directorc({"explore", "b.yaml"}) == 0);
-  CHECK(walk.out.find("\nNever at rest, if what is promised takes no time: after request Walk it goes round in 2 "
+  CHECK(walk.out.find("\nNever at rest, if what is promised takes no time: after request Walk it repeats 2 "
                       "micro-steps: Walk.following, Walk.stepping\n") != std::string::npos);
   CHECK(walk.directorc({"check", "--explore", "b.yaml"}) == 0);
 }

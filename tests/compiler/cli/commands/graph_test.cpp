@@ -142,7 +142,8 @@ TEST_CASE("without Graphviz a picture is refused with what to do") {
                      "apt-get install graphviz); --format=dot needs nothing\n");
   world.programs.answer = {true, 3, ""};
   CHECK(world.directorc({"graph", "--format=svg", "walker.yaml"}) == 2);
-  CHECK(world.err == "directorc: `dot` could not draw the graph (exit status 3)\n");
+  CHECK(world.err ==
+        "directorc: `dot` failed with exit status 3: the graph is not drawn; --format=dot needs no Graphviz\n");
 }
 
 TEST_CASE("the list of groups of a focus ends with the word, and can be given several times") {

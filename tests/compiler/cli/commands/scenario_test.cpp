@@ -85,14 +85,14 @@ TEST_CASE("an error of a file that several scenarios share is reported once") {
   const std::string once = world.err;
   CHECK(once.starts_with("lamp.yaml:3:15: error: "));
   CHECK(world.directorc({"test", "a.yaml", "b.yaml", "c.yaml"}) == 1);
-  CHECK(world.err == once + "directorc: `b.yaml` cannot be played either: 1 error is told above\n"
-                            "directorc: `c.yaml` cannot be played either: 1 error is told above\n");
+  CHECK(world.err == once + "directorc: `b.yaml` cannot be played either: 1 error is printed above\n"
+                            "directorc: `c.yaml` cannot be played either: 1 error is printed above\n");
   CHECK(world.out == "0 of 3 hold\n");
   // One of its own, and two tests one after another.
   world.files.add("b.yaml", "behaviour: lamp.yaml\nsteps: [{reqest: Lamp}]\n");
   CHECK(world.directorc({"test", "a.yaml", "b.yaml", "c.yaml"}) == 1);
   CHECK(world.err.find("b.yaml:2:") != std::string::npos);
-  CHECK(world.err.ends_with("directorc: `c.yaml` cannot be played either: 1 error is told above\n"));
+  CHECK(world.err.ends_with("directorc: `c.yaml` cannot be played either: 1 error is printed above\n"));
 }
 
 TEST_CASE("every stage can be printed") {

@@ -204,13 +204,13 @@ TEST_CASE("the page of a trace that begins in the middle says so, also beside th
 TEST_CASE("what is for pages only is refused for the others, and Graphviz is requested") {
   World world = with_recording();
   CHECK(world.directorc({"trace", "runs/run.jsonl", "--behaviour=lamp.yaml"}) == 2);
-  CHECK(world.err == "directorc: --behaviour is for --to=html\n");
+  CHECK(world.err == "directorc: --behaviour has an effect only with --to=html: leave it out, or add that\n");
   CHECK(world.directorc({"trace", "runs/run.jsonl", "--to=json", "--link=https://example.org/{file}"}) == 2);
-  CHECK(world.err == "directorc: --link is for --to=html\n");
+  CHECK(world.err == "directorc: --link has an effect only with --to=html: leave it out, or add that\n");
   CHECK(world.directorc({"trace", "runs/run.jsonl", "-p", "build"}) == 2);
-  CHECK(world.err == "directorc: --build is for --to=html\n");
+  CHECK(world.err == "directorc: --build has an effect only with --to=html: leave it out, or add that\n");
   CHECK(world.directorc({"trace", "runs/run.jsonl", "--flags=flags.txt"}) == 2);
-  CHECK(world.err == "directorc: --flags is for --to=html\n");
+  CHECK(world.err == "directorc: --flags has an effect only with --to=html: leave it out, or add that\n");
   CHECK(world.directorc({"trace", "runs/run.jsonl", "--to=html", "--link=https://example.org"}) == 2);
   CHECK(world.err == "directorc: --link needs {file} in it, and {line}: --link='https://example.org/{file}#L{line}'\n");
   world.programs.answer.started = false;

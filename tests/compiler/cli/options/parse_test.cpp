@@ -34,7 +34,7 @@ TEST_CASE("a wrong command line is reported, with a suggestion") {
   CHECK(world.err ==
         "directorc: --verbose prints text or JSON, and SARIF has no place for it: leave out one of the two\n");
   CHECK(world.directorc({"check", "x.yaml", "--allow"}) == 2);
-  CHECK(world.err == "directorc: --allow needs the id of a check, --allow=<id>\n");
+  CHECK(world.err == "directorc: --allow=ID needs the id of a check; `directorc checks` lists them\n");
   CHECK(world.directorc({}) == 2);
   CHECK(world.out.empty());
 }
@@ -55,7 +55,7 @@ TEST_CASE("the first unknown option is reported, or all arguments that are too m
   for (const std::string option : {"--werror", "--format=json", "-p"}) {
     const std::string name = option.substr(0, option.find('='));
     CHECK(world.directorc({option, "check", "w.yaml"}) == 2);
-    CHECK(world.err == "directorc check: `" + name + "` stands before the subcommand; write `directorc check " + name +
+    CHECK(world.err == "directorc check: `" + name + "` is before the subcommand; write `directorc check " + name +
                            "`\nTry `directorc check --help`.\n");
   }
   CHECK(world.directorc({"check", "--verbos"}) == 2);
@@ -170,7 +170,7 @@ TEST_CASE("the help ends with the first line that an editor wants, where the sch
     return std::get<director::compiler::cli::Message>(director::compiler::cli::parse({"--help"}, schemas)).text;
   };
   const std::string without = help("");
-  CHECK(without.ends_with("`directorc SUBCOMMAND --help` tells more.\n"));
+  CHECK(without.ends_with("`directorc SUBCOMMAND --help` lists its options.\n"));
   CHECK(help("/usr/share/director/schemas") ==
         without + "\nAn editor with the YAML language server knows the keys where the first line is\n"
                   "# yaml-language-server: $schema=/usr/share/director/schemas/behaviour.schema.json\n"

@@ -150,7 +150,7 @@ TEST_CASE("a request that says more than its task is refused with what is to be 
         R"(test.scenario.yaml:2:19: error: there is no group called `Walk(3)` [undefined_name]
     2 | steps: [{request: Walk(3)}, {cancel: Walk.halting}, {cancel: all}]
       |                   ^~~~~~~
-  help: data stands in `data`: `{Walk: {data: 3}}`
+  help: data belongs in `data`: `{Walk: {data: 3}}`
 test.scenario.yaml:2:38: error: there is no group called `Walk.halting` [undefined_name]
     2 | steps: [{request: Walk(3)}, {cancel: Walk.halting}, {cancel: all}]
       |                                      ^~~~~~~~~~~~

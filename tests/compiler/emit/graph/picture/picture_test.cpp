@@ -536,7 +536,7 @@ TEST_CASE("the legend names what is drawn, and nothing else") {
         "needs: holds it while it runs\n"
         "needs and requests\n"
         "waits until that is true, and may push the other to make it true\n"
-        "20: priority among all that the same one requests: the higher one wins\n"
+        "20: priority among the tasks of the same requester: the higher one goes first\n"
         "thick frame: the program itself requests it, with that priority\n"
         "rows: providers, the preferred one first; an arrow from one row is of that provider alone\n"
         "\u25C7: packs: it requests one of them at a time\n"

@@ -1,6 +1,6 @@
-// Header: compiler/analysis/causing/circles.hpp. Test: compiler/checks/uncovered_state.md.
+// Header: compiler/analysis/causing/causing_cycles.hpp. Test: compiler/checks/uncovered_state.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/analysis/causing/circles.hpp"
+#include "compiler/analysis/causing/causing_cycles.hpp"
 
 #include "compiler/analysis/states/sources.hpp"
 
@@ -10,8 +10,8 @@ namespace director::analysis {
 
 namespace {
 
-/// Circles that would take more steps to follow are left out.
-constexpr std::size_t most_circle_steps = 200;
+/// Cycles that would take more steps to follow are left out.
+constexpr std::size_t most_causing_steps = 200;
 
 /// Follows the chains of pushes, each provider once.
 class CircleSearch {
@@ -24,7 +24,7 @@ public:
   /// From its condition `from` on, each holds already or is caused in turn.
   void add(ProviderId causer, std::size_t from, const Region& with, std::vector<Region>& out) {
     const std::vector<ConditionUse>& when = model_.providers[causer].when;
-    if (with.empty() || ++steps_ > most_circle_steps) return;
+    if (with.empty() || ++steps_ > most_causing_steps) return;
     if (from == when.size()) {
       out.push_back(with);
       return;
@@ -43,7 +43,7 @@ public:
     for (const Region& each : served) add(causer, from + 1, each, out);
   }
 
-  bool is_too_long() const { return steps_ > most_circle_steps; }
+  bool is_too_long() const { return steps_ > most_causing_steps; }
 
 private:
   const Model& model_;
@@ -55,7 +55,7 @@ private:
 
 } // namespace
 
-Circles::Circles(const Model& model, const Facts& facts, const Causers& causers)
+CausingCycles::CausingCycles(const Model& model, const Facts& facts, const Causers& causers)
     : model_(model),
       facts_(facts),
       causers_(causers),
@@ -85,13 +85,13 @@ Circles::Circles(const Model& model, const Facts& facts, const Causers& causers)
   }
 }
 
-bool Circles::comes_otherwise(ProviderId waiter, const ConditionUse& use) const {
+bool CausingCycles::comes_otherwise(ProviderId waiter, const ConditionUse& use) const {
   const std::vector<ProviderId>& all = causers_[use.id];
   return all.empty() || given_.contains(use.id) || facts_.is_impossible(waiter, model_.conditions[use.id].state) ||
          std::any_of(all.begin(), all.end(), [&](ProviderId id) { return free_.contains(id); });
 }
 
-Region Circles::around(ProviderId causer) const {
+Region CausingCycles::around(ProviderId causer) const {
   const Provider& row = model_.providers[causer];
   Region out = region_of(model_, row.when);
   if (!row.stay.empty()) out = hull(out, region_of(model_, row.stay));
@@ -102,15 +102,15 @@ Region Circles::around(ProviderId causer) const {
   return out;
 }
 
-bool Circles::waits_for(ProviderId causer, ConditionId condition) const {
+bool CausingCycles::waits_for(ProviderId causer, ConditionId condition) const {
   const Condition& row = model_.conditions[condition];
   const Region region = around(causer);
   const auto at = region.states.find(row.state);
   return at != region.states.end() && at->second.subset_of(row.accepts);
 }
 
-std::optional<std::vector<Region>> Circles::beginnings(ConditionId condition,
-                                                       const std::function<bool(ProviderId)>& counts) const {
+std::optional<std::vector<Region>> CausingCycles::beginnings(ConditionId condition,
+                                                             const std::function<bool(ProviderId)>& counts) const {
   std::vector<Region> out;
   CircleSearch search(model_, facts_, causers_);
   bool any = false;

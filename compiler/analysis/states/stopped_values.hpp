@@ -9,7 +9,7 @@ namespace director::analysis {
 
 /// The initial value, what the group's stop handler may have set, and what that expires to. The state must have an
 /// `of`.
-Possible values_at_rest(const Model& model, const State& state);
+Possible values_while_stopped(const Model& model, const State& state);
 
 /// A condition of the provider on a state of its own group, with a value that the state loses when the group stops;
 /// null: none.

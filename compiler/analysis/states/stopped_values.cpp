@@ -1,10 +1,10 @@
-// Header: compiler/analysis/states/at_rest.hpp. Test: compiler/checks/causer_not_running.md.
+// Header: compiler/analysis/states/stopped_values.hpp. Test: compiler/checks/causer_not_running.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/analysis/states/at_rest.hpp"
+#include "compiler/analysis/states/stopped_values.hpp"
 
 namespace director::analysis {
 
-Possible values_at_rest(const Model& model, const State& state) {
+Possible values_while_stopped(const Model& model, const State& state) {
   Possible out{ValueSet::single(*state.initial), state.may_be_unset()};
   if (state.expires && state.expires->to) out.values = out.values.united(ValueSet::single(*state.expires->to));
   const Group& group = model.groups[state.of->id];
@@ -22,7 +22,7 @@ const ConditionUse* find_own_step(const Model& model, ProviderId id) {
     const Condition& condition = model.conditions[use.id];
     const State& state = model.states[condition.state];
     if (state.of && state.of->id == provider.group &&
-        values_at_rest(model, state).values.intersected(condition.accepts).empty())
+        values_while_stopped(model, state).values.intersected(condition.accepts).empty())
       return &use;
   }
   return nullptr;

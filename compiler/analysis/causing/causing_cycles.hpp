@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: MIT
 // Finds conditions that no push can cause while they are false, because all that could cause them waits for them,
-// itself or in a circle (semantics.md 4.4, "Refuse": no provider stands above itself).
+// itself or in a cycle (semantics.md 4.4, "Refuse": no provider is above itself).
 
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/model/causers.hpp"
@@ -12,17 +12,17 @@
 
 namespace director::analysis {
 
-class Circles {
+class CausingCycles {
 public:
   /// All must outlive this.
-  Circles(const Model& model, const Facts& facts, const Causers& causers);
+  CausingCycles(const Model& model, const Facts& facts, const Causers& causers);
 
   /// Whether this provider runs only while the condition holds already, by what it and its needs without alternative
   /// require.
   bool waits_for(ProviderId causer, ConditionId condition) const;
 
   /// Around the states with which a chain of pushes for the condition can begin with one of its causers, if each of
-  /// them waits for what only others of the circle could cause; `counts`: the causers that are considered. Nothing:
+  /// them waits for what only others of the cycle could cause; `counts`: the causers that are considered. Nothing:
   /// another one can be pushed, or there is none.
   std::optional<std::vector<Region>> beginnings(ConditionId condition,
                                                 const std::function<bool(ProviderId)>& counts) const;
@@ -36,7 +36,7 @@ private:
   const Facts& facts_;
   const Causers& causers_;
   IdSet<ConditionId> given_; ///< something other than a promise or the outside makes it true
-  IdSet<ProviderId> free_;   ///< can be pushed whatever the others of a circle wait for
+  IdSet<ProviderId> free_;   ///< can be pushed whatever the others of a cycle wait for
 };
 
 } // namespace director::analysis
