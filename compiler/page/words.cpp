@@ -9,6 +9,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
+#include <string_view>
 
 namespace director::compiler::page {
 
@@ -168,16 +170,14 @@ std::vector<Rivals> rivals_in(const Json& ranks) {
     for (const Json& row : contended["rivals"].items()) {
       Rivals rivals{contended["group"].as_text(), requester(row["first"]), requester(row["second"]), {}};
       // A decision may be listed for either order of the two, with the same text.
+      std::set<std::string_view> seen;
       for (const Json& code : row["decisions"].items()) {
         const std::string& words =
             ranks["decisions"].items()[static_cast<std::size_t>(code.as_number() / 2)]["words"].as_text();
-        if (std::find(rivals.decisions.begin(), rivals.decisions.end(), words) == rivals.decisions.end())
-          rivals.decisions.push_back(words);
+        if (seen.insert(words).second && seen.size() <= most_decisions_listed) rivals.decisions.push_back(words);
       }
-      if (const std::size_t all = rivals.decisions.size(); all > most_decisions_listed) {
-        rivals.decisions.resize(most_decisions_listed);
-        rivals.decisions.push_back(fmt::format("and {} more", all - most_decisions_listed));
-      }
+      if (seen.size() > most_decisions_listed)
+        rivals.decisions.push_back(fmt::format("and {} more", seen.size() - most_decisions_listed));
       out.push_back(std::move(rivals));
     }
   }

@@ -52,7 +52,7 @@ public:
       rivals += more;
       contended.add(contended_json(id));
     }
-    const std::size_t count = model_.groups.size();
+    const std::size_t count = model_.groups.size(), of_contended = known_.size();
     Json pairs = count <= most_compared ? pairs_json() : Json::list({});
     Json out = Json::object({});
     std::string left_out;
@@ -67,6 +67,8 @@ public:
                       "those that several request are.",
                       most_decisions_);
       pairs = answers_ = Json::list({});
+      const std::vector<Json>& all = decisions_.items();
+      decisions_ = Json::list({all.begin(), all.begin() + static_cast<std::ptrdiff_t>(of_contended)});
     }
     if (!crowded.empty())
       left_out += fmt::format("{}The requesters of {} are not compared with each other, as there would be more than {} "
@@ -198,10 +200,11 @@ private:
     return out;
   }
 
-  /// Two chains to one group.
+  /// Two chains to one group. If they are more than allowed, only some.
   std::vector<Ruling> rulings(GroupId group) {
     std::vector<Ruling> out;
     for (const analysis::Contention& each : contentions_.at(group)) {
+      if (out.size() > most_decisions_) break;
       const std::vector<Ruling> some = rulings(each);
       out.insert(out.end(), some.begin(), some.end());
     }
@@ -229,10 +232,15 @@ private:
   }
 
   std::int64_t answer(GroupId first, GroupId second) {
+    const std::vector<Ruling> found = first == second ? rulings(first) : rulings(first, second);
+    if (found.size() > most_decisions_) {
+      listed_ = found.size();
+      return 0;
+    }
     Json all = Json::object({});
     if (reaches_[first][second.value] && first != second) all.add("leads", Json::text("first"));
     if (reaches_[second][first.value] && first != second) all.add("leads", Json::text("second"));
-    all.add("decisions", numbers(first == second ? rulings(first) : rulings(first, second)));
+    all.add("decisions", numbers(found));
     const auto [at, fresh] = answer_places_.try_emplace(to_line(all), answer_places_.size());
     if (fresh) {
       listed_ += all["decisions"].items().size();

@@ -18,7 +18,7 @@ inline constexpr std::size_t most_rivals = 20'000;
 
 /// Limit for the decisions between any two groups, counted for each pair with other ones: in dense graphs, hundreds
 /// decide between two. If there are more, no two groups are compared, but for the requesters of one.
-inline constexpr std::size_t most_listed = 1'000'000;
+inline constexpr std::size_t most_listed = 200'000;
 
 Json ranks_json(const Model& model, std::size_t most_decisions = most_listed);
 

@@ -105,16 +105,20 @@ private:
   PictureFlaws out_;
 };
 
-std::optional<PlaceInGroup> place_of(const dsl::Spec& spec, const Model& model, const Span& span) {
-  std::optional<PlaceInGroup> out;
-  each_group(spec, model, [&](GroupId group, const Span& whole, const std::vector<dsl::ProviderSpec>& providers) {
-    if (out || !whole.contains(span)) return;
-    out = PlaceInGroup{group, {}};
-    for (const dsl::ProviderSpec& provider : providers) {
-      if (provider.span.contains(span) || provider.name.span == span)
-        out->row = row_called(model, group, provider.name.value);
-    }
-  });
+struct Declared {
+  GroupId group{};
+  Span whole;
+  const std::vector<dsl::ProviderSpec>& providers;
+};
+
+std::optional<PlaceInGroup> place_of(const std::vector<Declared>& all, const Model& model, const Span& span) {
+  const auto at = std::find_if(all.begin(), all.end(), [&](const Declared& each) { return each.whole.contains(span); });
+  if (at == all.end()) return std::nullopt;
+  PlaceInGroup out{at->group, {}};
+  for (const dsl::ProviderSpec& provider : at->providers) {
+    if (provider.span.contains(span) || provider.name.span == span)
+      out.row = row_called(model, at->group, provider.name.value);
+  }
   return out;
 }
 
@@ -132,10 +136,14 @@ PictureFlaws find_missing(const dsl::Spec& spec, const Model& model, const dsl::
 
 void add_findings(PictureFlaws& flaws, const dsl::Spec& spec, const Model& model, const dsl::Sources& sources,
                   const std::vector<dsl::Diagnostic>& findings) {
+  std::vector<Declared> declared;
+  each_group(spec, model, [&](GroupId group, const Span& whole, const std::vector<dsl::ProviderSpec>& providers) {
+    declared.push_back({group, whole, providers});
+  });
   for (const dsl::Diagnostic& finding : findings) {
     const bool is_error = finding.level == dsl::Level::error;
     const std::string key = fmt::format("{} {}:", is_error ? "\u2716" : "\u26A0", finding.id);
-    if (const std::optional<PlaceInGroup> place = place_of(spec, model, finding.span)) {
+    if (const std::optional<PlaceInGroup> place = place_of(declared, model, finding.span)) {
       flaws.lines.push_back({place->group, place->row, is_error, key, finding.message});
       continue;
     }
