@@ -1,6 +1,7 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/causer_goes_first.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/conflicts/outranked.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -12,12 +13,6 @@
 namespace director::checks {
 
 namespace {
-
-bool is_optional(const Model& model, const Task& task) {
-  return std::any_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
-    return model.edges[task.edge].levels[named.level].optional;
-  });
-}
 
 /// With several levels the one that decides: the lowest of what goes first, the highest of what waits.
 std::string rank_of(const Model& model, const Task& task, bool lowest) {
@@ -46,13 +41,12 @@ void causer_goes_first(const Input& input, Findings& findings) {
         one.request->span, fmt::format("{} may wait here for {}, and pushes no group for it: {}",
                                        name_of(model, one.request->target), name_of(model, one.condition.id), reason));
     finding.rules_out = {one.condition.span};
+    finding.help = propose_going_first(model, one);
     finding.notes.push_back({one.condition.span, fmt::format("{} waits for this", name_of(model, one.waiter))});
     for (const ProviderId id : one.causers) finding.notes.push_back(causes(model, id, one.condition.id));
     if (one.need != nullptr) {
       finding.notes.push_back(
           {one.need->span, fmt::format("{} needs {}", name_of(model, *one.needer), name_of(model, one.need->id))});
-      finding.help = fmt::format("instead of needing {}, request it `apart`, with a lower priority than {}",
-                                 name_of(model, one.need->id), waits);
       continue;
     }
     const std::string first = name_of(model, one.first->target);
@@ -61,11 +55,6 @@ void causer_goes_first(const Input& input, Findings& findings) {
         one.first->target == causing ? "" : fmt::format(", which leads to {},", name_of(model, causing));
     finding.notes.push_back({one.first->span, fmt::format("{}{} {}", first, way, rank_of(model, *one.first, true))});
     finding.notes.push_back({one.waits->span, fmt::format("and {} {}", waits, rank_of(model, *one.waits, false))});
-    // Otherwise it would be in one unit with the other one.
-    finding.help =
-        is_optional(model, *one.waits)
-            ? fmt::format("make {} `apart` instead of `optional`, with a higher priority than {}", waits, first)
-            : fmt::format("give {} a higher priority than {}", waits, first);
   }
 }
 

@@ -3,6 +3,7 @@
 #include "compiler/analysis/causing/undoing.hpp"
 #include "compiler/analysis/clashes/holdings.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/requests/company.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/stopped_values.hpp"
@@ -60,14 +61,42 @@ private:
       return std::find(groups.begin(), groups.end(), root.target) != groups.end();
     });
     if (is_root) return;
+    std::set<const Task*> reported;
     for (const Request& request : shared_.requests().of(task)) {
       if (!request.requester || is_claimed_above(request) ||
           !shared_.standstill().may_wait(request, waiter, use, groups))
         continue;
       Company company(model_, facts_, shared_.requests(), groups);
       const std::vector<const Task*> chain = company.find_bare_chain(request);
-      if (!chain.empty()) report(waiter, use, causers, request, chain, company.held_back());
+      if (chain.empty()) continue;
+      const std::vector<Request> above = find_waiting_above(request, chain, task);
+      const Request& place = above.empty() ? request : above.back();
+      if (!reported.insert(place.task).second) continue;
+      const auto begin = chain.begin() + static_cast<std::ptrdiff_t>(above.size());
+      report(waiter, use, causers, place, {begin, chain.end()}, company.held_back());
     }
+  }
+
+  /// Of the chain above the request, the entries of those that need the task: they wait with it, and request nothing.
+  std::vector<Request> find_waiting_above(const Request& request, const std::vector<const Task*>& chain,
+                                          GroupId task) const {
+    std::vector<Request> out;
+    const Request* last = &request;
+    while (shared_.indispensable().needs_contain(model_.providers[*last->requester], task)) {
+      const std::vector<Request>& all = shared_.requests().of(model_.providers[*last->requester].group);
+      const auto at = std::find_if(all.begin(), all.end(), [&](const Request& each) {
+        return each.requester && each.task == chain[out.size() + 1];
+      });
+      if (at == all.end()) break;
+      last = &*at;
+      out.push_back(*at);
+    }
+    return out;
+  }
+
+  /// Whether the program requests what needs the task.
+  bool waits_with_root(const Request& request, const std::vector<const Task*>& chain, GroupId task) const {
+    return chain.size() == 2 && shared_.indispensable().needs_contain(model_.providers[*request.requester], task);
   }
 
   /// A need keeps the causing group from being pushed, requested or not.
@@ -87,6 +116,7 @@ private:
     finding.notes.push_back({use.span, fmt::format("{} waits for this", name_of(model_, waiter))});
     for (const ProviderId id : causers) finding.notes.push_back(causes(model_, id, use.id));
     const GroupId waiting = model_.providers[waiter].group;
+    add_chain(model_, need_path(model_, request.task->target, waiting), finding.notes);
     for (const GroupId each : groups_of(causers)) {
       if (const Span own = request_span(model_, waiting, each); own != Span{})
         finding.notes.push_back({own, fmt::format("{} requests {} itself, but only once it runs",
@@ -112,14 +142,11 @@ private:
                                  name_of(model_, model_.conditions[step->id].state), own.value_text(*own.initial));
       return;
     }
+    const bool by_program =
+        leads_back(model_.providers[causer].group, chain) || waits_with_root(request, chain, waiting);
     finding.help = !held_back.empty() ? set_apart(request, held_back)
-                   : leads_back(model_.providers[causer].group, chain)
-                       ? fmt::format("let the program request {} too, with a lower priority", group)
-                   : request.pack->name.empty()
-                       ? fmt::format("say with `packs` that {} is requested too{}", group,
-                                     must_be_apart(request, causer) ? ", `apart` and with a lower priority" : "")
-                       : fmt::format("request {} too, here{}, `apart` and with a lower priority", group,
-                                     would_be_stopped(model_.providers[causer].group, waiting) ? "" : " or above");
+                   : by_program       ? fmt::format("let the program request {} too, with a lower priority", group)
+                                      : propose_company(request, causer, waiting);
     add_kept(*request.requester, causers, causer, finding);
     for (const ConditionUse& promise : model_.providers[waiter].causing) {
       const Condition& goal = model_.conditions[promise.id];
@@ -130,6 +157,18 @@ private:
     }
     add_excluded(waiter, use, request, causer, finding);
     if (held_back.empty()) finding.help += ": a push never starts a group";
+  }
+
+  std::string propose_company(const Request& request, ProviderId causer, GroupId waiting) const {
+    const std::string group = name_of(model_, model_.providers[causer].group);
+    const bool flat = request.pack->name.empty();
+    // What is mandatory goes before what is optional, with any priority.
+    const std::string rank = is_optional(*request.task)                ? ", `optional` and with a lower priority"
+                             : !flat || must_be_apart(request, causer) ? ", `apart` and with a lower priority"
+                                                                       : "";
+    if (flat) return fmt::format("say with `packs` that {} is requested too{}", group, rank);
+    const bool may_be_above = !is_optional(*request.task) && !would_be_stopped(model_.providers[causer].group, waiting);
+    return fmt::format("request {} too, here{}{}", group, may_be_above ? " or above" : "", rank);
   }
 
   /// Requested there, it could not run either.
@@ -228,6 +267,12 @@ private:
     }
     return before.empty() ? apart + ", so that it waits for itself alone"
                           : fmt::format("{}, with a higher priority than {}", apart, list_of(before));
+  }
+
+  bool is_optional(const Task& task) const {
+    return std::any_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
+      return model_.edges[task.edge].levels[named.level].optional;
+    });
   }
 
   /// In a pack it would be granted only together with what waits, as the pack has no separate entry yet.

@@ -1,9 +1,9 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/push_held_by_outside.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/conflicts.hpp"
-#include "compiler/analysis/facts/waiting.hpp"
 #include "compiler/analysis/needs/needs.hpp"
 #include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/states/region.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -44,9 +44,10 @@ std::string help_of(const Input& input, const HeldPush& held) {
   if (held.with != held.waits)
     out = fmt::format("make {} `apart`, so that {} does not wait for it, or ", name_of(model, held.with->target),
                       name_of(model, held.waits->target));
-  // Otherwise the other one would never run.
+  // If both could run, the order would decide which of them does.
   if (held.hopes.empty() && is_free_of_outside(input, held.later) &&
-      !can_always_replace(model, held.later, held.earlier))
+      !compatible(region_of(model, model.providers[held.later].when),
+                  region_of(model, model.providers[held.earlier].when)))
     out += fmt::format("put {} before {}, or ", later, earlier);
   // In a group below, the same two would wait in the same order.
   if (model.providers[held.waiter].group == group)

@@ -107,9 +107,16 @@ private:
   void report_undone(ProviderId id, const std::vector<StateId>& states) {
     const bool handlers = std::any_of(states.begin(), states.end(), [&](StateId at) { return is_set_by_handler(at); });
     std::vector<dsl::Note> notes;
+    std::vector<std::string> groups; // that would have to go on
+    bool waits_itself = true;        // false: a `stay` of its own would not help what it needs
     for (const StateId at : states) {
+      const std::vector<ConditionUse>& when = model_.providers[id].when;
+      waits_itself = waits_itself && std::any_of(when.begin(), when.end(), [&](const ConditionUse& use) {
+                       return model_.conditions[use.id].state == at;
+                     });
       const State& state = model_.states[at];
       if (!state.of) continue;
+      groups.push_back(name_of(model_, state.of->id));
       notes.push_back({state.of->span, fmt::format("{} is {} again when {} stops", name_of(model_, at),
                                                    state.value_text(*state.initial), name_of(model_, state.of->id))});
     }
@@ -124,7 +131,9 @@ private:
     finding.rules_out = {model_.providers[id].span};
     finding.notes = std::move(notes);
     finding.help = handlers ? "let `start` or `stop` set what leaves its conditions true, or give it a `stay`"
-                            : fmt::format("give {} a `stay` under which it can continue", name);
+                   : waits_itself || groups.empty()
+                       ? fmt::format("give {} a `stay` under which it can continue", name)
+                       : fmt::format("let something that goes on request {}", list_of(groups, "or"));
   }
 
   void report(ProviderId id) {

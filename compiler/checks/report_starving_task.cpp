@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/checks/report_starving_task.hpp"
 
+#include "compiler/analysis/conflicts/outranked.hpp"
 #include "compiler/analysis/conflicts/ways.hpp"
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/requests/company.hpp"
@@ -143,6 +144,16 @@ std::string propose(const Input& input, const Refused& refused, const Taker& tak
                         : fmt::format("give {} a higher priority than {}, or {}", over, by, elsewhere);
 }
 
+/// Null: the task that takes it cannot be pushed for what it waits for.
+const Outranked* find_pushed_taker(const Input& input, const Task& task, const Taker& taker) {
+  if (taker.kind != Taker::Kind::before) return nullptr;
+  const std::vector<Outranked>& all = input.conflicts.outranked();
+  const auto at = std::find_if(all.begin(), all.end(), [&](const Outranked& one) {
+    return one.request == &task && one.first != nullptr && one.first->target == taker.by->target;
+  });
+  return at == all.end() ? nullptr : &*at;
+}
+
 /// Several tasks that go before it take everything only together.
 std::string message_of(const Model& model, const Refused& refused) {
   std::vector<std::string> by, groups;
@@ -189,6 +200,11 @@ void report_starving_task(const Input& input, const StarvingTask& starving, Find
     if (reported.insert(place.task).second)
       finding.notes.push_back({place.task->span, fmt::format("the same here, by {}, which takes {}",
                                                              taken_by(model, one), name_of(model, one.group))});
+  }
+  // Where that is not requested, it would wait for ever.
+  if (const Outranked* pushed = find_pushed_taker(input, *first.task, taker)) {
+    finding.help = propose_going_first(model, *pushed);
+    return;
   }
   finding.help = starving.optional && taker.kind != Taker::Kind::above
                      ? propose_elsewhere(input, first) + ": what is optional goes after all that is mandatory"

@@ -1,6 +1,7 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/self_conflict.md.
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/conflicts/conflicts.hpp"
+#include "compiler/analysis/conflicts/contenders.hpp"
 #include "compiler/analysis/conflicts/starving.hpp"
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/needs/needs.hpp"
@@ -163,7 +164,8 @@ std::string propose_need(const Input& input, const Loser& loser) {
   const Model& model = input.model;
   const GroupId task = loser.entry->target;
   std::vector<std::string> instead, conflicting;
-  bool conflict = input.facts.may_wait.contains(task); // if it needed that, it would wait with it
+  bool conflict = input.facts.may_wait.contains(task) || // if it needed that, it would wait with it
+                  is_pushed_below(input, model.providers[loser.above], task);
   for (const Use<GroupId>& need : model.providers[loser.above].needs) {
     if (need.id == task) continue;
     const bool is_shared = !input.shared.indispensable().in_common(need.id, task).empty();

@@ -129,8 +129,10 @@ Unpushed note_unpushed(const Input& input, ProviderId id, dsl::Diagnostic& findi
            waits ? fmt::format(
                        "{} waits for this, but cannot push {}: that does not rank after it, or is granted with it",
                        name_of(model, other), name_of(model, own))
-                 : fmt::format("{} looks at this, but {} never waits for it: another provider of it can run",
-                               name_of(model, other), name)});
+           : input.facts.holds_always(model, use.id, Region{})
+               ? fmt::format("{} looks at this, but never waits for it: it always holds", name_of(model, other))
+               : fmt::format("{} looks at this, but {} never waits for it: another provider of it can run",
+                             name_of(model, other), name)});
       if (waits && !out.outranked) out.outranked = group;
     }
   }

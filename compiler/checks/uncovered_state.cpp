@@ -371,12 +371,23 @@ private:
     if (const std::string stay = one ? help_for_ended(*all.front()) : std::string(); !stay.empty()) return stay;
     if (const std::string stay = one ? help_for_done(*all.front()) : std::string(); !stay.empty()) return stay;
     const std::string name = one ? name_of(model_, all.front()->group) : "them";
-    return fmt::format("end {}with a provider that can always run, or ", one ? "" : "each ") +
+    const bool pushes =
+        std::any_of(all.begin(), all.end(), [&](const Uncoveredness* each) { return depends_on_pushes(*each); });
+    return (pushes ? "" : fmt::format("end {}with a provider that can always run, or ", one ? "" : "each ")) +
            (by_program ? fmt::format("allow this, if {} requested only while {} can run",
                                      one ? name + " is" : std::string("they are"), one ? "it" : "they")
                        : fmt::format("request {} only in providers that run while {} can, followed by one without that "
                                      "request",
                                      name, one ? "it" : "they"));
+  }
+
+  /// Whether only pushes bring about something that it waits for: if it could always run, it would push nothing.
+  bool depends_on_pushes(const Uncoveredness& one) const {
+    const std::vector<const Want*> wants = shared_.wants_of(one.group);
+    return std::any_of(wants.begin(), wants.end(), [&](const Want* want) {
+      return std::none_of(want->causers.begin(), want->causers.end(),
+                          [&](ProviderId causer) { return facts_.chosen.contains(causer); });
+    });
   }
 
   /// What is pushed for a condition of it ends its request.

@@ -1,10 +1,13 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/unpushable_causing.md.
 // SPDX-License-Identifier: MIT
+#include "compiler/analysis/causing/causing_cycles.hpp"
 #include "compiler/analysis/chains/meetings.hpp"
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/facts/waiting.hpp"
 #include "compiler/analysis/shared/shared.hpp"
+#include "compiler/analysis/states/region.hpp"
 #include "compiler/analysis/states/stopped_values.hpp"
+#include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/proposals.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
@@ -33,8 +36,9 @@ struct Obstacle {
 
 struct Obstacles {
   std::vector<Obstacle> all;
-  bool meet = false;       ///< somewhere; false: one is always below the other
-  bool none_waits = false; ///< each has another way to run, so that rank does not matter
+  bool meet = false;         ///< somewhere; false: one is always below the other
+  bool none_waits = false;   ///< each has another way to run, so that rank does not matter
+  bool waits_itself = false; ///< the causing provider runs only while the condition holds already
 };
 
 const Use<GroupId>* need_of(const Model& model, const Together& together, GroupId group) {
@@ -146,9 +150,14 @@ std::string propose_order(const Model& model, const Before& before) {
   if (before.causer)
     return fmt::format("let {} only choose between {} and {}, each of which requests a group that waits",
                        name_of(model, model.providers[before.waiter].group), earlier, waiter);
-  return fmt::format("put {0} before {1}, or choose between the two in a group above, so that {0} waits in a group of "
-                     "its own",
-                     waiter, earlier);
+  // If both could run, the order would decide which of them does.
+  const bool exclude = !compatible(region_of(model, model.providers[before.waiter].when),
+                                   region_of(model, model.providers[before.earlier].when));
+  return exclude ? fmt::format("put {0} before {1}, or choose between the two in a group above, so that {0} waits in a "
+                               "group of its own",
+                               waiter, earlier)
+                 : fmt::format("choose between {1} and {0} in a group above, so that {0} waits in a group of its own",
+                               waiter, earlier);
 }
 
 std::string propose_rank(const Model& model, const Obstacle& obstacle) {
@@ -165,12 +174,18 @@ std::string propose_rank(const Model& model, const Obstacle& obstacle) {
   return in_packs(obstacle, fmt::format("give {} a higher priority than {}", first, second));
 }
 
-std::string propose(const Model& model, ProviderId causer, const Obstacles& obstacles,
+std::string propose(const Model& model, const NeverKept& promise, const Obstacles& obstacles,
                     const std::optional<Before>& before) {
   if (obstacles.meet && obstacles.all.empty() && before) return propose_order(model, *before);
-  if (obstacles.meet && (obstacles.none_waits || obstacles.all.empty()))
-    return fmt::format("leave out either the other ways of those that wait for it, or {} and what waits for it",
-                       name_of(model, causer));
+  if (obstacles.meet && obstacles.all.empty() && obstacles.waits_itself) return {};
+  if (obstacles.meet && (obstacles.none_waits || obstacles.all.empty())) {
+    const bool other_ways = std::any_of(promise.waiting.begin(), promise.waiting.end(), [&](const auto& each) {
+      return model.group_of(each.provider).providers.size() > 1;
+    });
+    return fmt::format("leave out {}{} and what waits for it",
+                       other_ways ? "either the other ways of those that wait for it, or " : "",
+                       name_of(model, promise.causer));
+  }
   if (obstacles.all.empty())
     return fmt::format("request the two side by side, what waits with the higher priority and, in a pack, `apart`{}: a "
                        "task pushes nothing below itself, nothing above, and nothing that is never requested with it",
@@ -179,6 +194,19 @@ std::string propose(const Model& model, ProviderId causer, const Obstacles& obst
   const std::string rank = propose_rank(model, obstacle);
   if (!before || model.providers[before->waiter].group != obstacle.waiter) return rank;
   return fmt::format("{}; and {}", rank, propose_order(model, *before));
+}
+
+/// Why it runs only while its promise holds already.
+void add_own_conditions(const Model& model, const PushExclusion& exclusion, const NeverKept& promise,
+                        Diagnostic& finding) {
+  std::vector<ProviderId> all = exclusion.needed(promise.causer);
+  all.insert(all.begin(), promise.causer);
+  for (const ProviderId id : all) {
+    for (const ConditionUse& use : model.providers[id].when) {
+      if (model.conditions[use.id].state == model.conditions[promise.promise.id].state)
+        add_once(runs_only_while(model, id, use), finding.notes);
+    }
+  }
 }
 
 /// Those that may wait for it; for others, whose group can always run another provider, rank does not matter. All of
@@ -190,8 +218,10 @@ std::vector<NeverKept::Waiting> find_waiting(const Model& model, Waiting& waitin
   return out.empty() ? promise.waiting : out;
 }
 
-void report(const Input& input, const Chains& chains, Waiting& waits, const NeverKept& promise, Findings& findings) {
+void report(const Input& input, const CausingCycles& cycles, Waiting& waits, const NeverKept& promise,
+            Findings& findings) {
   const Model& model = input.model;
+  const Chains& chains = input.shared.chains();
   const GroupId group = model.providers[promise.causer].group;
   Diagnostic& finding = findings.add(
       promise.promise.span,
@@ -211,6 +241,10 @@ void report(const Input& input, const Chains& chains, Waiting& waits, const Neve
                                                                  name_of(model, waiting.condition.id))});
     if (!model.satisfies(promise.promise.id, waiting.condition.id)) continue;
     const PushExclusion& exclusion = input.shared.push_exclusion();
+    if (cycles.waits_for(promise.causer, waiting.condition.id)) {
+      obstacles.waits_itself = true;
+      add_own_conditions(model, exclusion, promise, finding);
+    }
     if (const std::optional<StateId> state = exclusion.find(waiting.provider, promise.causer);
         state && !obstacles.none_waits) {
       add_exclusion(model, exclusion, *state, waiting.provider, promise.causer, finding.notes);
@@ -234,16 +268,19 @@ void report(const Input& input, const Chains& chains, Waiting& waits, const Neve
     for (std::size_t i = before; i < obstacles.all.size() && !obstacles.none_waits; ++i)
       explain(model, obstacles.all[i], waiter, group, finding);
   }
-  finding.help =
-      causer_help.empty() || obstacles.meet ? propose(model, promise.causer, obstacles, earlier) : causer_help;
+  finding.help = causer_help.empty() || obstacles.meet ? propose(model, promise, obstacles, earlier) : causer_help;
+  if (obstacles.waits_itself)
+    finding.help = fmt::format("let {} begin while {} is false{}{}", name_of(model, promise.causer),
+                               name_of(model, promise.promise.id), finding.help.empty() ? "" : ", and ", finding.help);
 }
 
 } // namespace
 
 void unpushable_causing(const Input& input, Findings& findings) {
   Waiting waiting(input.model, input.facts);
+  const CausingCycles cycles(input.model, input.facts, input.shared.causers());
   for (const NeverKept& promise : input.shared.promises().never_kept) {
-    if (!promise.pushable) report(input, input.shared.chains(), waiting, promise, findings);
+    if (!promise.pushable) report(input, cycles, waiting, promise, findings);
   }
 }
 

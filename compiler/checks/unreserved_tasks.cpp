@@ -45,14 +45,17 @@ void unreserved_tasks(const Input& input, Findings& findings) {
     for (std::size_t i = 1; i < all.size(); ++i)
       finding.notes.push_back({all[i].task->span, fmt::format("the same for {}", name_of(model, all[i].task->target))});
     std::vector<std::string> needed;
-    bool possible = true;
+    bool possible = true, pushes = false;
     for (const ContendedTask& each : all) {
       needed.push_back(name_of(model, each.task->target));
       possible = possible && may_be_needed(input, id, each);
+      pushes = pushes || !input.shared.wants_of(each.task->target).empty();
     }
     const std::string them = all.size() == 1 ? "it" : "them", by = name_of(model, id);
     finding.help = possible ? fmt::format("need {}, if {} is of no use without {}", list_of(needed), by, them)
-                            : fmt::format("make those tasks `apart` or `optional` that {} can do without", by);
+                            : fmt::format("make those tasks `apart`{} that {} can do without",
+                                          // It would go after what it has to push.
+                                          pushes ? "" : " or `optional`", by);
   }
 }
 

@@ -193,6 +193,25 @@ std::vector<ContendedTask> find_contended_tasks(const Input& input, ProviderId i
   return out;
 }
 
+bool is_pushed_below(const Input& input, const Provider& above, GroupId task) {
+  const auto leads_to = [&](GroupId group) {
+    return std::any_of(above.packs.begin(), above.packs.end(), [&](const Pack& pack) {
+      return std::any_of(pack.tasks.begin(), pack.tasks.end(),
+                         [&](const Task& each) { return input.shared.claims(each.target).contains(group); });
+    });
+  };
+  const auto is_held = [&](ProviderId causer) {
+    const GroupId group = input.model.providers[causer].group;
+    return group == task || input.shared.indispensable().contains(task, group);
+  };
+  return std::any_of(input.shared.wants().begin(), input.shared.wants().end(), [&](const Wanting& wanting) {
+    return std::any_of(
+               wanting.wants.begin(), wanting.wants.end(),
+               [&](const Want& want) { return std::any_of(want.causers.begin(), want.causers.end(), is_held); }) &&
+           leads_to(wanting.task);
+  });
+}
+
 bool may_be_needed(const Input& input, ProviderId provider, const ContendedTask& contended) {
   const Meeting& meeting = contended.contender.meeting;
   // A unit takes its needs before anything below it is tried.
@@ -200,6 +219,7 @@ bool may_be_needed(const Input& input, ProviderId provider, const ContendedTask&
   // What is pushed would lack it while the other one has it.
   return !from_unit && !input.facts.may_wait.contains(contended.task->target) &&
          !input.facts.pushed.contains(provider) &&
+         !is_pushed_below(input, input.model.providers[provider], contended.task->target) &&
          !is_wanted_below(input, input.model.providers[provider], contended.task->target);
 }
 

@@ -32,6 +32,10 @@ struct ContendedTask {
 };
 std::vector<ContendedTask> find_contended_tasks(const Input& input, ProviderId provider);
 
+/// Whether something that the provider requests, or what is below that, may push the group, or what that has to have:
+/// if the provider needed it, it could not.
+bool is_pushed_below(const Input& input, const Provider& above, GroupId task);
+
 /// Whether the provider may need it, without a conflict with what others or its own tasks want, and without waiting.
 bool may_be_needed(const Input& input, ProviderId provider, const ContendedTask& contended);
 

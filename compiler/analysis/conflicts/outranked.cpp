@@ -5,6 +5,9 @@
 #include "compiler/analysis/requests/company.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/sources.hpp"
+#include "compiler/analysis/words/words.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
@@ -130,5 +133,20 @@ private:
 } // namespace
 
 std::vector<Outranked> find_outranked(const Input& input) { return OutrankedSearch(input).run(); }
+
+std::string propose_going_first(const Model& model, const Outranked& one) {
+  const std::string waits = name_of(model, one.waits->target);
+  if (one.need != nullptr)
+    return fmt::format("instead of needing {}, request it `apart`, with a lower priority than {}",
+                       name_of(model, one.need->id), waits);
+  const std::string first = name_of(model, one.first->target);
+  const bool optional =
+      std::any_of(one.waits->levels.begin(), one.waits->levels.end(), [&](const Task::NamedLevel& named) {
+        return model.edges[one.waits->edge].levels[named.level].optional;
+      });
+  // Otherwise it would be in one unit with the other one.
+  return optional ? fmt::format("make {} `apart` instead of `optional`, with a higher priority than {}", waits, first)
+                  : fmt::format("give {} a higher priority than {}", waits, first);
+}
 
 } // namespace director::analysis

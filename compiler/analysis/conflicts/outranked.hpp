@@ -6,6 +6,7 @@
 #include "compiler/analysis/input.hpp"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace director::analysis {
@@ -24,5 +25,8 @@ struct Outranked {
 
 /// In order of waiter, condition and request. Without those whose condition may become true without that push.
 std::vector<Outranked> find_outranked(const Input& input);
+
+/// The help for it: what lets the waiting task go first.
+std::string propose_going_first(const Model& model, const Outranked& one);
 
 } // namespace director::analysis

@@ -72,7 +72,8 @@ bool is_only_source(const Model& model, ProviderId id) {
     return !giving.empty() && std::all_of(giving.begin(), giving.end(), is_own);
   };
   return std::any_of(model.providers.begin(), model.providers.end(), [&](const Provider& waiter) {
-    return waiter.group != provider.group && std::any_of(waiter.when.begin(), waiter.when.end(), waits_for_it);
+    return waiter.group != provider.group && (std::any_of(waiter.when.begin(), waiter.when.end(), waits_for_it) ||
+                                              std::any_of(waiter.stay.begin(), waiter.stay.end(), waits_for_it));
   });
 }
 
