@@ -316,6 +316,37 @@ groups:
 )");
 }
 
+TEST_CASE("push_in_vain: a source of the waiting task itself does not hide another one that is declared later") {
+  CHECK(found(R"(states:
+  Base: {values: [moving, still], initial: still}
+  Arm: {values: [away, ready], initial: away}
+  Ball: {values: [near, far], initial: near, external: true}
+roots: [Fetch]
+groups:
+  Fetch:
+    packs:
+      fetch:
+        Grasp: {priority: 30, apart: true}
+        MoveArm: {priority: 20, apart: true}
+        Nav: {priority: 10, apart: true}
+  Grasp:
+    providers:
+      - {name: grasping, when: [Arm == ready, Ball == near]}
+      - {name: driving, when: [Ball == far], sets: [Base == moving]}
+  MoveArm:
+    providers:
+      - {name: hanging}
+      - {name: reaching, when: [Base == still], causing: [Arm == ready]}
+  Nav:
+    providers:
+      - {name: going, sets: [Base == moving]}
+      - {name: halting, causing: [Base == still]}
+)") == R"(
+17: `Grasp.grasping` waits for `Arm == ready` in vain once `MoveArm.reaching`, which it pushes, has lost `Base == still`: the push stands, and nothing is pushed for that [push_in_vain]
+  let `Grasp.grasping` wait for `Base == still` too: then it pushes for that itself
+)");
+}
+
 TEST_CASE("alternating_providers: two providers do not go round where one before them begins with the value too") {
   CHECK(found(R"(states:
   Fork: {values: [low, high], initial: low}
