@@ -166,7 +166,7 @@ private:
     return at->second;
   }
 
-  /// Those whose value lasts, one for each condition of what is pushed for the wanted one.
+  /// Those whose value lasts, for each condition of what is pushed for the wanted one. Not each matters to each task.
   const std::vector<Spoiler>& spoilers_of(ProviderId pushed, ConditionId wanted) {
     const auto [at, is_new] = spoilers_.try_emplace({pushed, wanted});
     if (!is_new || shared_.promises().explained.contains(pushed)) return at->second;
@@ -184,7 +184,6 @@ private:
         if (values.empty() || !holds_at_first(use.id, *source.provider) || comes_back(use.id, *source.provider))
           continue;
         at->second.push_back({use, waiter, values, *source.provider, source.span});
-        break;
       }
     }
     return at->second;

@@ -170,6 +170,23 @@ TEST_CASE("if no body is found, what Clang does not understand is reported first
              Catch::Matchers::StartsWith("\ndirectorc: no body of `cart` was found in the file of `"));
 }
 
+TEST_CASE("of several things that Clang does not understand the first is told, and how many there are besides") {
+  const Workshop work = workshop("three_errors");
+  work.write("body.cpp",
+             wheels(included) + "int first = nowhere_a;\nint second = nowhere_b;\nint third = nowhere_c;\n");
+  work.write_commands({work.path("body.cpp")}, flags(work));
+  const Worked worked = work.directorc({"verify", work.path("cart.yaml"), "-p", work.path()});
+  CHECK_THAT(worked.err, Catch::Matchers::Contains("use of undeclared identifier 'nowhere_a', and 2 more\n"));
+}
+
+TEST_CASE("a build that compiles only what is generated has no file that could have a body") {
+  const Workshop work = workshop("only_generated");
+  work.write_commands({work.path("generated/cart.cpp")}, flags(work));
+  CHECK(work.directorc({"verify", work.path("cart.yaml"), "-p", work.path()}).err ==
+        "directorc: no file of `" + work.path() +
+            "` includes the generated `cart.hpp`, or has it in its include folders: has the program been built?\n");
+}
+
 TEST_CASE("flags in response files count, also where one names another") {
   const Workshop work = workshop("response");
   work.write("body.cpp", wheels(included));
@@ -209,7 +226,8 @@ TEST_CASE("test doubles can be left out by their file, their folder, or what the
                 ".cpp\"}";
   work.write("compile_commands.json", commands + "]");
   CHECK(messages(verified(work).out) == std::vector<std::string>{found});
-  CHECK(messages(verified(work, {"--exclude=" + work.path("CMakeFiles/doubles.dir")}).out).empty());
+  for (const std::string folder : {"CMakeFiles/doubles.dir", "CMakeFiles/doubles.dir/"}) // which need not exist
+    CHECK(messages(verified(work, {"--exclude=" + work.path(folder)}).out).empty());
 }
 
 TEST_CASE("a test double with the name of a class does not hide what the class does") {

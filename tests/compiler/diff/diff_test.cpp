@@ -358,14 +358,31 @@ TEST_CASE("a member of a unit goes forward with it") {
            "}, Grip: {priority: 10}, Look: {priority: 30, apart: true}}}}, Lift: {}, Grip: {needs: [Hand]}, "
            "Look: {needs: [Hand]}, Hand: {}}\n";
   };
-  CHECK(told(robot("50"), robot("20"))
-            .starts_with("takeover_gained: `Look` can now always take `Hand` from `Grip`: `Play` requests `Lift`, "
-                         "which may be granted together with `Grip`, with priority 20, before with priority 50\n"
-                         "takeover_lost: `Grip` can no longer take `Hand` from `Look`: `Play` requests `Lift`, which "
-                         "may be granted together with `Grip`, with priority 20, before with priority 50\n"));
+  const std::string never =
+      ", which goes before it and never has to wait, is always requested with it and takes `Hand`\n";
+  const std::string findings = "finding_new: warning is new: `Grip` never runs for `Play`: `Look`" + never +
+                               "finding_gone: warning is gone: `Look` never runs for `Play`: `Grip`" + never;
+  CHECK(told(robot("50"), robot("20")) ==
+        "takeover_gained: `Look` can now always take `Hand` from `Grip`: `Play` requests `Lift`, "
+        "which may be granted together with `Grip`, with priority 20, before with priority 50\n"
+        "takeover_lost: `Grip` can no longer take `Hand` from `Look`: `Play` requests `Lift`, which "
+        "may be granted together with `Grip`, with priority 20, before with priority 50\n" +
+            findings);
   CHECK(told(robot("50"), robot("40")) == "priority: `Play` requests `Lift` with priority 40, before with priority 50; "
                                           "what each can take from the others is as before, but their bodies run by "
                                           "priority where they are granted at once\n");
+  // The same request in another pack.
+  CHECK(told(robot("50"),
+             "roots: [Play]\ngroups: {Play: {packs: {go: {Grip: {priority: 10}, Look: {priority: 30, apart: "
+             "true}}, lift: {Lift: {priority: 50}}}}, Lift: {}, Grip: {needs: [Hand]}, "
+             "Look: {needs: [Hand]}, Hand: {}}\n") ==
+        "takeover_gained: `Look` can now always take `Hand` from `Grip`: what may be granted together with `Grip` has "
+        "changed\n"
+        "takeover_lost: `Grip` can no longer take `Hand` from `Look`: what may be granted together with `Grip` has "
+        "changed\n"
+        "request_added: `Play` has a new pack `lift` with `Lift`\n"
+        "request_removed: `Play`, pack `go`, no longer requests `Lift`\n" +
+            findings);
 }
 
 TEST_CASE("tasks that are never requested at once are compared while control passes") {

@@ -54,3 +54,16 @@ groups:
   CHECK(told(robot("", "Pose == still"), robot("triggers: [New]\n", "Pose > moving")) ==
         "triggers: the trigger `New` is new\n");
 }
+
+TEST_CASE("a condition of a provider that never runs on either side is not what can never hold any more") {
+  const auto robot = [](const std::string& s, const std::string& t) {
+    return "states: {S: {values: [a, b], initial: a" + s + "}, T: {values: [x, y], initial: y" + t +
+           "}}\nroots: [G]\ngroups: {G: {providers: [{name: first, when: [S == b, T == x]}, {name: rest}]}}\n";
+  };
+  const std::string external = ", external: true";
+  CHECK(told(robot(external, ""), robot("", external)) ==
+        "state_source: `S` may no longer be set from outside\n"
+        "state_source: `T` may now be set from outside\n"
+        "finding_new: error is new: `S == b` never holds: `S` is only ever a\n"
+        "finding_gone: error is gone: `T == x` never holds: `T` is only ever y\n");
+}

@@ -173,6 +173,16 @@ TEST_CASE("members of a pack that are blocked by another side are not blocked by
             .find("proven: it holds in all ") == 0);
 }
 
+TEST_CASE("whether one side is in the way is not decided where others always are too") {
+  CHECK(verdict_of("roots: {Play: {priority: 2}, A: {priority: 1}}\ngroups:\n"
+                   "  A: {needs: [Left, Right], tasks: [Left, Right]}\n  Play: {packs: {go: {B: {}, C: {}}}}\n"
+                   "  B: {needs: [Left], tasks: [Left]}\n  C: {needs: [Right], tasks: [Right]}\n"
+                   "  Left: {}\n  Right: {}\n",
+                   "{beats: {A: B}}") ==
+        "not decided: in some of its 1176 states a task of its side is blocked while the other side holds what it may "
+        "take, but others are in its way as well");
+}
+
 TEST_CASE("what was granted together with a requester is in the way of what that requests, whatever its rank") {
   const auto verdict = [](const std::string& play, const std::string& aim, const std::string& assertion) {
     return verdict_of("roots: {Play: {priority: 1}, Guard: {priority: 9}}\ngroups:\n  Play: " + play +
@@ -275,6 +285,28 @@ TEST_CASE("a walk that does not report that it moves is cut off hard") {
       verdict_of(posing_walker, "{soft: {from: Walk, to: Kick}}") ==
       "refuted: after request Walk; request Kick, granting `Kick` takes `Legs`, which `Walk` holds, and `Walk` stops; "
       "no provider of `Walk` with `causing` ran since `Kick` was requested");
+}
+
+TEST_CASE("a promise that it kept counts only while the provider that kept it is active") {
+  CHECK(handed_over("states:\n  Pose: {values: [moving, standing], initial: moving}\n"
+                    "  Gate: {values: [go, stop], initial: stop, external: true}\n",
+                    "roots: {Walk: {priority: 10}, Kick: {priority: 20}}\ngroups:\n"
+                    "  Walk:\n    providers:\n"
+                    "      - {name: halting, when: [Gate == stop], causing: [Pose == standing], needs: [Legs], tasks: "
+                    "[Legs]}\n"
+                    "      - {name: walking, needs: [Legs], tasks: [Legs]}\n"
+                    "  Kick: {when: [Pose == standing], needs: [Legs], tasks: [Legs]}\n",
+                    "Walk", "Kick") ==
+        "refuted: after request Walk; set {Gate: go}; request Kick, granting `Kick` takes `Legs`, which `Walk` holds, "
+        "and `Walk` stops; no provider of `Walk` with `causing` ran since `Kick` was requested");
+}
+
+TEST_CASE("a need that goes over to another provider of it, and is only held, is not taken with what it let go of") {
+  CHECK(handed_over("",
+                    "roots: {Walk: {priority: 10}, Kick: {priority: 20}}\ngroups:\n  Walk: {needs: [Body]}\n"
+                    "  Body: {providers: [{name: legs, needs: [Legs]}, {name: wheels, needs: [Wheels]}]}\n"
+                    "  Kick: {needs: [Legs], tasks: [Legs]}\n  Wheels: {}\n",
+                    "Walk", "Kick") == "proven: it holds in all 100 states");
 }
 
 TEST_CASE("what stops with its requester is cut off hard") {

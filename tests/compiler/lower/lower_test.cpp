@@ -263,3 +263,26 @@ groups:
   CHECK(waiting("Pose == standing") == Texts{"Kick", "Halt"});
   CHECK(waiting("Load < 5") == Texts{"Leg"});
 }
+
+TEST_CASE("a change of what is promised within a time is looked at, though nothing waits for just that") {
+  const Compiled c = compile(R"(
+behaviour: promising
+language: 1
+states: {Pose: {values: [moving, slow, still], initial: moving}}
+roots: {Kick: {priority: 20}, Walk: {priority: 10}, Look: {priority: 5}}
+groups:
+  Look: {}
+  Kick: {when: [Pose != moving]}
+  Walk:
+    providers:
+      - {name: walking, sets: [Pose == moving]}
+      - {name: halting, causing: [Pose == still within 2 s]}
+)");
+  const Lowered lowered = lower(c.model);
+  REQUIRE(lowered.components.size() == 2);
+  REQUIRE(lowered.promises.size() == 1);
+  const std::span<const Index> components =
+      lowered.view().list(lowered.conditions[lowered.promises[0].condition].components);
+  CHECK(std::vector<Index>(components.begin(), components.end()) ==
+        std::vector<Index>{lowered.groups[c.group("Walk").value].component});
+}

@@ -39,4 +39,30 @@ TEST_CASE("a legend of cells has the kinds that there are, in the order of all")
   CHECK(signs == "SWB");
 }
 
+TEST_CASE("a line of a doc is an item of a list behind a dash, or behind a number that is no year") {
+  using compiler::page::DocBlock;
+  const auto blocks = [](const std::string& text) {
+    std::string out;
+    for (const DocBlock& block : compiler::page::doc_blocks(Json::object({{"doc", Json::text(text)}}))) {
+      out += block.kind == DocBlock::Kind::paragraph ? "p" : block.kind == DocBlock::Kind::bullets ? "b" : "n";
+      for (const std::string& item : block.items) out += "[" + item + "]";
+    }
+    return out;
+  };
+  CHECK(blocks("One.\n- two\n- three\n\n1. four\n999. five\n") == "p[One.]b[two][three]n[four][five]");
+  CHECK(blocks("It was built in\n2024. It rolls.") == "p[It was built in\n2024. It rolls.]");
+  CHECK(blocks("-dry\n1.5 m\n. end") == "p[-dry\n1.5 m\n. end]");
+}
+
+TEST_CASE("of two that run beside each other only what is pushed is explained") {
+  const auto is_explained = [](const char* kind, Json pushes) {
+    return compiler::page::needs_explanation(Json::object({{"kind", Json::text(kind)}, {"pushes", std::move(pushes)}}));
+  };
+  CHECK(is_explained("soft", Json{}));
+  CHECK(is_explained("both", Json::list({})));
+  CHECK_FALSE(is_explained("both", Json{}));
+  CHECK_FALSE(is_explained("same chain", Json::list({})));
+  CHECK_FALSE(is_explained("unreachable", Json{}));
+}
+
 } // namespace director::tests

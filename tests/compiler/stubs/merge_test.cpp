@@ -183,6 +183,17 @@ TEST_CASE("nothing is inserted behind what is under an #if of its own") {
                                       "    return run.keep(); // does nothing yet\n  }\n};\n");
 }
 
+TEST_CASE("no body goes behind one that is under an #if of its own") {
+  const Texts texts{
+      {"/p/legs.hpp", "struct Legs : public b::Legs {\n" + decl_walk + "};\n"},
+      {"/p/legs.cpp", "#if 1\ndirector::Outcome Legs::provide(b::Walk::Default& run) { return {}; }\n#endif\n"}};
+  CHECK(after(merged(wanted_with({walk, jump}), texts), texts) ==
+        Texts{{"/p/legs.hpp", "struct Legs : public b::Legs {\n" + decl_walk +
+                                  "  /// (b.yaml:3)\n  director::Outcome provide(b::Jump::Default& run) override {\n"
+                                  "    return run.keep(); // does nothing yet\n  }\n};\n"},
+              {"/p/legs.cpp", texts.at("/p/legs.cpp")}});
+}
+
 TEST_CASE("a class that implements two modules gets one label for what both miss") {
   Wanted wanted = wanted_with({walk});
   wanted.modules.push_back({"eyes", "b::Eyes", "Eyes", "eyes", {jump}});

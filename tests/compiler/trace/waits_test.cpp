@@ -213,3 +213,31 @@ steps:
   CHECK(waits.in_force[0].line >= line_of(R"("input":"cancel")"));
   CHECK(checked.model.groups[GroupId{waits.in_force[0].group}].name.value == "Drive");
 }
+
+TEST_CASE("a push that is released while it has no effect says nothing about the next one") {
+  World world;
+  world.files.add("rover.yaml", rover_with_key);
+  world.files.add("s.yaml", R"(scenario: the push for Photo is released while High brakes for want of the key
+behaviour: rover.yaml
+script: {Drive: {continue: true}}
+steps:
+  - request: [Low, Photo]
+  - request: High
+  - set: {Key: off}
+  - cancel: Photo
+  - cancel: High
+  - set: {Key: on}
+  - request: Photo
+)");
+  REQUIRE(world.directorc({"simulate", "s.yaml", "--trace", "run.jsonl"}) == 0);
+  director::dsl::Sources sources;
+  const Checked checked = check("rover.yaml", world.files, sources);
+  REQUIRE(checked.lowerable);
+  const std::string& trace = world.outputs.files.at("run.jsonl");
+  REQUIRE(trace.rfind(R"("event":"push")") > trace.find(R"("input":"cancel")"));
+  TraceLines lines(trace);
+  lines.next();
+  const Waits waits = find_waits(lines, checked.model, lower(checked.model), sources);
+  CHECK(waits.without_effect.size() == 1);
+  CHECK(waits.in_force.empty());
+}

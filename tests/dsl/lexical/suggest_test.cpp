@@ -33,6 +33,7 @@ TEST_CASE("for a word that is not complete the only one that begins like it is s
   CHECK(suggest("assert", {"allow", "assertions"}) == "assertions");
   CHECK(suggest("pri", {"priority", "optional"}) == "priority");
   CHECK_FALSE(suggest("pr", {"priority", "optional"}));
+  CHECK(suggest("cam", {"cam", "camera_front"}) == "camera_front"); // the word itself is none that begins like it
   CHECK_FALSE(suggest("Left", names));
 }
 

@@ -107,6 +107,9 @@ TEST_CASE("A mistake inside a condition is shown where it is") {
                "state: `Phase == ready|set`)\n"},
            Case{"[Phase == a::b]", "5:22 `::` bad_condition: expected the end of the condition, found `::` (a value "
                                    "stands by itself: `Phase == ready`)\n"},
+           Case{"[Phase == Game.ready]",
+                "5:25 `.` bad_condition: expected the end of the condition, found `.` (a value "
+                "stands by itself: `Phase == ready`)\n"},
            Case{"[Walk.halting]",
                 "5:16 `.` bad_condition: expected one of ==, !=, <, <=, >, >= behind `Walk`, found `.` "
                 "(a condition compares a state with a value: `Phase == ready`)\n"},

@@ -301,6 +301,9 @@ TEST_CASE("What is wrong in a step is reported at its place") {
            Case{"[{advance: 1 s, request: A}]",
                 "2:24 `request` exclusive_keys: `advance` and `request` exclude each other (make two steps of them)\n"
                 "  2:10 `advance` `advance` stands here\n"},
+           Case{"[{advance: 1 s, inputs: [{cancel: A}]}]",
+                "2:24 `inputs` exclusive_keys: `advance` and `inputs` exclude each other (make two steps of them)\n"
+                "  2:10 `advance` `advance` stands here\n"},
            Case{"[{inputs: [{cancel: A}], request: A}]",
                 "2:33 `request` exclusive_keys: `inputs` and `request` exclude each other (make two steps of them, or "
                 "write `request` as an entry of `inputs`)\n"

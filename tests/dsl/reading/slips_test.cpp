@@ -134,6 +134,10 @@ TEST_CASE("an entry of a list lacks the blank behind its dash") {
   check_body("groups:\n  A:\n    needs:\n      -B\n      -C\n",
              "6:7 `-B…` wrong_node_kind: `needs`: expected a list, found `-B -C` (an entry of a list needs a blank "
              "behind its dash: `- B`)\n");
+  check_body(
+      "groups:\n  A:\n    needs:\n      -_B\n",
+      "6:7 `-_B` wrong_node_kind: `needs`: expected a list, found `-_B` (an entry of a list needs a blank behind "
+      "its dash: `- _B`)\n");
   check_body("groups:\n  A:\n    providers:\n      -name: walking\n",
              "6:7 `-name: walking` wrong_node_kind: `providers`: expected a list of providers, found a mapping (an "
              "entry of a list needs a blank behind its dash: `- name`)\n");

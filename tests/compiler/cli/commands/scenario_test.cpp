@@ -202,6 +202,17 @@ TEST_CASE("a scenario that expects nothing holds, and it is reported that nothin
   CHECK(world.err.find("`directorc test --update 'a $lamp.yaml'` writes") != std::string::npos);
 }
 
+TEST_CASE("of a scenario that expects nothing and fails only that is reported") {
+  World world;
+  world.files.add("busy.yaml",
+                  "behaviour: busy\nlanguage: 1\nroots: [Busy]\ngroups:\n  Busy: {tasks: [Part], every: 1 us}\n"
+                  "  Part: {}\n");
+  world.files.add("s.yaml", "behaviour: busy.yaml\nscript: {Part: {done: true}}\nsteps: [request: Busy]\n");
+  CHECK(world.directorc({"test", "s.yaml"}) == 1);
+  CHECK(world.out.starts_with("fails s.yaml\n"));
+  CHECK(world.err == "");
+}
+
 TEST_CASE("a scenario without steps tests nothing, and there is nothing to write into it") {
   World world = lamp("''");
   world.files.add("s.yaml", "behaviour: lamp.yaml\nsteps: []\n");
@@ -241,6 +252,12 @@ TEST_CASE("of many steps that are to be updated, the ranges are named, or the fi
   CHECK(world.out ==
         "wrote s.yaml\n    what happens in step 1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31, "
         "33, 35, 37, 39, and 5 more\n");
+  const std::string some = "behaviour: lamp.yaml\nsteps:\n  - {advance: 1 ms, expect: x}\n  - {advance: 1 ms, expect: "
+                           "x}\n  - {advance: 1 ms, expect: ''}\n  - {advance: 1 ms, expect: x}\n";
+  world.files.add("s.yaml", some);
+  world.outputs.files["s.yaml"] = some;
+  CHECK(world.directorc({"test", "--update", "s.yaml"}) == 0);
+  CHECK(world.out == "wrote s.yaml\n    what happens in step 1, 2, 4\n");
 }
 
 TEST_CASE("a scenario that cannot be written is reported, and so is one that a body ends") {

@@ -171,3 +171,17 @@ TEST_CASE("the order of groups is reported where a task may push either for one 
   const std::string low = "Crew: {priority: 9}, Work: {priority: 2}, Aide: {priority: 1}";
   CHECK(told(waiting(low, work + crew + aide), waiting(low, work + aide + crew)).empty());
 }
+
+TEST_CASE("the order of two providers of one group that cause one condition is told with their group alone") {
+  const auto crew = [](const std::string& causing) {
+    return "states: {Door: {values: [shut, open], initial: shut}, Light: {values: [dark, lit], initial: dark, "
+           "external: "
+           "true}}\nroots: {Work: {priority: 9}, Crew: {priority: 2}}\ngroups: {Work: {when: [Door == open]}, " +
+           group("Crew", causing) + "Hand: {}}\n";
+  };
+  const std::string left = "{name: left, when: [Light == dark], causing: [Door == open]}",
+                    right = "{name: right, when: [Light == lit], needs: [Hand], causing: [Door == open]}";
+  CHECK(told(crew(left + ", " + right), crew(right + ", " + left)) ==
+        "preference: the providers of `Crew` are tried in the order `idle`, `right` and `left`, before `idle`, `left` "
+        "and `right`\n");
+}

@@ -196,6 +196,28 @@ groups:
   CHECK(covered("request: Walk, inputs: [set: {Ball: lost}, request: Kick]"));
 }
 
+TEST_CASE("a level without a name is told by its priority, and by what else it is") {
+  const char* const player = R"(behaviour: player
+language: 1
+roots: [Play]
+groups:
+  Play:
+    packs:
+      first: {Look: {priority: 50}}
+      second: {Look: {priority: 50, apart: true}}
+      third: {Look: {priority: 50, optional: true}}
+  Look: {}
+)";
+  const std::string text = watch("steps: []\n", player).text;
+  const std::size_t begin = text.find("  levels"), end = text.find("  take-overs");
+  CHECK(text.substr(begin, end == std::string::npos ? end : end - begin) == R"(  levels        0 of 4
+    test.yaml:3:9: `Play` was never requested
+    test.yaml:7:15: `Look` was never requested by `Play` with priority 50
+    test.yaml:8:16: `Look` was never requested by `Play` with priority 50, apart
+    test.yaml:9:15: `Look` was never requested by `Play` with priority 50, optional
+)");
+}
+
 TEST_CASE("a task took something from one that became optional at that moment") {
   const char* const player = R"(behaviour: player
 language: 1

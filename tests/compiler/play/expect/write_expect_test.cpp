@@ -49,6 +49,7 @@ TEST_CASE("what happens is written between brackets as a text in quotes") {
       "steps: [{request: [Lamp, Bell]}, {advance: 1 s, }]\n",
       "steps: [{request: [Lamp, Bell], expect: \"run Lamp new_task\\nrun Bell new_task\"}, {advance: 1 s, expect: \"\" "
       "}]\n");
+  check("steps:\n  - {request: Lamp\n    }\n", "steps:\n  - {request: Lamp, expect: \"run Lamp new_task\"\n    }\n");
   check("steps: [request: Lamp]\n", "steps: [{request: Lamp, expect: \"run Lamp new_task\"}]\n");
 }
 
