@@ -131,7 +131,7 @@ groups:
 )") == R"(
 12: `Look` is held back while `Grasp` waits for a condition, and shares nothing with it [waiting_company]
   make `Look` `apart`: it keeps its rank and goes on by itself
-17: `Grasp.grasping` waits for `Arm == ready` in vain once `MoveArm.reaching`, which it pushes, has lost `Base == still`: the push stands, and nothing is pushed for that [push_in_vain]
+17: `Grasp.grasping` waits for `Arm == ready` in vain once `MoveArm.reaching`, which it pushes, has lost `Base == still`: the push is kept, and nothing is pushed for that condition [push_in_vain]
   let `Grasp.grasping` wait for `Base == still` too: then it pushes for that itself
 18: `Grasp.leaning` never runs: `Grasp.grasping` comes before it and can run whenever it can [shadowed_provider]
   give `Grasp.grasping` a `when` that leaves something, or put this one before it
@@ -165,7 +165,7 @@ groups:
 )") == R"(
 13: `Photo` may wait here for `Base == still`, and pushes no group for it: `Nav` does not rank after `Photo` [causer_goes_first]
   make `Photo` `apart` instead of `optional`, with a higher priority than `Nav`
-16: `Grasp` waits for `Arm == ready` in vain once `MoveArm.reaching`, which it pushes, has lost `Base == still`: the push stands, and nothing is pushed for that [push_in_vain]
+16: `Grasp` waits for `Arm == ready` in vain once `MoveArm.reaching`, which it pushes, has lost `Base == still`: the push is kept, and nothing is pushed for that condition [push_in_vain]
   let `Grasp` wait for `Base == still` too: then it pushes for that itself
 )");
 }
@@ -193,7 +193,7 @@ groups:
       - {name: halting, causing: [Base == still]}
 )") == R"(
 14: no provider of `Grasp` can run while `Base` is still [uncovered_state]
-  end with a provider that can always run, or request `Grasp` only in providers that run while it can, followed by one without that request
+  request `Grasp` only in providers that run while it can, followed by one without that request
 18: `MoveArm.reaching` never runs: whenever `MoveArm` is requested, another provider comes first or a condition does not hold [shadowed_provider]
   let the others leave `MoveArm.reaching` something
 )");
@@ -252,7 +252,7 @@ groups:
       - {name: going, sets: [Base == moving]}
       - {name: halting, causing: [Base == still]}
 )") == R"(
-14: `Grasp` waits for `Arm == ready` in vain once `MoveArm.reaching`, which it pushes, has lost `Base == still`: the push stands, and nothing is pushed for that [push_in_vain]
+14: `Grasp` waits for `Arm == ready` in vain once `MoveArm.reaching`, which it pushes, has lost `Base == still`: the push is kept, and nothing is pushed for that condition [push_in_vain]
   let `Grasp` wait for `Base == still` too: then it pushes for that itself
 )");
 }
@@ -280,7 +280,7 @@ groups:
       - {name: going, sets: [Base == moving]}
       - {name: halting, causing: [Base == still]}
 )") == R"(
-14: `Grasp` waits for `Arm == ready` in vain once `MoveArm.reaching`, which it pushes, has lost `Base == still`: the push stands, and nothing is pushed for that [push_in_vain]
+14: `Grasp` waits for `Arm == ready` in vain once `MoveArm.reaching`, which it pushes, has lost `Base == still`: the push is kept, and nothing is pushed for that condition [push_in_vain]
   let `Grasp` wait for `Base == still` too: then it pushes for that itself
 )");
 }
@@ -311,7 +311,7 @@ groups:
       - {name: hanging}
       - {name: reaching, when: [Base == still], causing: [Arm == ready]}
 )") == R"(
-21: `Grasp.grasping` waits for `Arm == ready` in vain once `MoveArm.reaching`, which it pushes, has lost `Base == still`: the push stands, and nothing is pushed for that [push_in_vain]
+21: `Grasp.grasping` waits for `Arm == ready` in vain once `MoveArm.reaching`, which it pushes, has lost `Base == still`: the push is kept, and nothing is pushed for that condition [push_in_vain]
   let `Grasp.grasping` wait for `Base == still` too: then it pushes for that itself
 )");
 }
@@ -342,7 +342,7 @@ groups:
       - {name: going, sets: [Base == moving]}
       - {name: halting, causing: [Base == still]}
 )") == R"(
-17: `Grasp.grasping` waits for `Arm == ready` in vain once `MoveArm.reaching`, which it pushes, has lost `Base == still`: the push stands, and nothing is pushed for that [push_in_vain]
+17: `Grasp.grasping` waits for `Arm == ready` in vain once `MoveArm.reaching`, which it pushes, has lost `Base == still`: the push is kept, and nothing is pushed for that condition [push_in_vain]
   let `Grasp.grasping` wait for `Base == still` too: then it pushes for that itself
 )");
 }
