@@ -259,7 +259,12 @@ private:
   }
 
   /// Whether it can begin at one of its requests: by a `stay` it only goes on.
-  bool may_begin(GroupId group, const std::vector<Region>& begins) const {
+  bool may_begin(GroupId group) const {
+    const std::vector<ProviderId>& all = model_.groups[group].providers;
+    if (std::all_of(all.begin(), all.end(), [&](ProviderId id) { return model_.providers[id].stay.empty(); }))
+      return true;
+    Ways without_stay = ways_for(group, false);
+    const std::vector<Region>& begins = without_stay.of(group);
     if (begins.empty()) return true; // that it never runs is reported elsewhere
     const std::vector<Request>& requests = shared_.requests().of(group);
     return std::any_of(requests.begin(), requests.end(), [&](const Request& request) {
@@ -272,9 +277,8 @@ private:
 
   void look_at(GroupId group) {
     if (is_in_conflict(group)) return;
-    std::vector<Region> open = ways_for(group, false).of(group);
-    const bool goes_on = may_begin(group, open);
-    if (goes_on) open = ways_for(group, true).of(group);
+    const bool goes_on = may_begin(group);
+    std::vector<Region> open = ways_for(group, goes_on).of(group);
     add_cycles(group, open);
     if (never_runs(group)) {
       const Request& first = shared_.requests().of(group).front();

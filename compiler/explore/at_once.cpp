@@ -34,7 +34,6 @@
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/explore/verdict.hpp"
 #include "compiler/graph/graph.hpp"
-#include "compiler/lower/plans.hpp"
 #include "compiler/model/closure.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Header: compiler/lower/steps.hpp. Test: tests/compiler/lower/lower_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/lower/plans.hpp"
 #include "compiler/lower/steps.hpp"
+#include "compiler/model/closure.hpp"
 
 #include <set>
 

@@ -9,7 +9,6 @@
 
 #include "compiler/model/closure.hpp"
 
-#include <algorithm>
 #include <set>
 
 namespace director::compiler {
@@ -82,14 +81,6 @@ private:
 };
 
 } // namespace
-
-std::vector<GroupId> needed_by(const Model& model, GroupId group) {
-  std::vector<GroupId> out{group};
-  add_needed(model, out);
-  out.erase(out.begin());
-  std::sort(out.begin(), out.end());
-  return out;
-}
 
 PlanProviders providers_in_plans(const Model& model, ProviderId provider, std::size_t most_steps) {
   return PlanSearch(model, provider, most_steps).result();

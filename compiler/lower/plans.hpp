@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: MIT
-// Finds what a group or provider may need, over the Model. Source: semantics.md, section 1 (need plans).
+// Finds the providers that may be in a plan of a provider. Source: semantics.md, section 1 (need plans).
 
 #include "compiler/model/model.hpp"
 
@@ -8,9 +8,6 @@
 #include <vector>
 
 namespace director::compiler {
-
-/// All groups that the group's providers need, transitively; ascending, never the group itself.
-std::vector<GroupId> needed_by(const Model& model, GroupId group);
 
 /// Enough for real behaviours: a provider with eight needs of three alternatives each has 6,561 plans, and the first
 /// few of them answer most queries.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/model/closure.hpp"
 
+#include <algorithm>
 #include <unordered_set>
 #include <utility>
 
@@ -29,6 +30,14 @@ void add_needed(const Model& model, std::vector<GroupId>& groups) {
       for (const Use<GroupId>& need : model.providers[id].needs) add(need.id);
     }
   });
+}
+
+std::vector<GroupId> needed_by(const Model& model, GroupId group) {
+  std::vector<GroupId> out{group};
+  add_needed(model, out);
+  out.erase(out.begin());
+  std::sort(out.begin(), out.end());
+  return out;
 }
 
 void add_led_to(const Model& model, std::vector<GroupId>& groups) {

@@ -2,7 +2,7 @@
 // tests/property/property_test.cpp. SPDX-License-Identifier: MIT
 #include "compiler/analysis/plans/work.hpp"
 
-#include "compiler/lower/plans.hpp"
+#include "compiler/model/closure.hpp"
 #include "runtime/core/base/parts.hpp"
 #include "runtime/core/base/tables.hpp"
 

@@ -31,15 +31,6 @@ groups:
 
 } // namespace
 
-TEST_CASE("what a group may need goes through every provider on the way") {
-  const Compiled c = compile(forked);
-  std::vector<GroupId> needed = needed_by(c.model, c.group("Top"));
-  Texts found;
-  for (const GroupId id : needed) found.push_back(c.model.groups[id].name.value);
-  CHECK(found == Texts{"A", "B", "C", "D", "E"});
-  CHECK(needed_by(c.model, c.group("C")).empty());
-}
-
 TEST_CASE("a provider that takes what another need takes is in no plan") {
   const Compiled c = compile(forked);
   const PlanProviders plans = providers_in_plans(c.model, c.provider("Top"));
@@ -54,7 +45,7 @@ TEST_CASE("a provider without needs has one empty plan") {
   CHECK(plans.providers.empty());
 }
 
-TEST_CASE("a group that is needed in a cycle is not its own need") {
+TEST_CASE("a group that is needed in a cycle is in no plan of its own") {
   const Compiled c = compile(R"(
 behaviour: circle
 language: 1
@@ -64,7 +55,6 @@ groups:
   B: {providers: [{name: back, needs: [A]}, {name: out}]}
 )");
   CHECK(names(c, providers_in_plans(c.model, c.provider("A")).providers) == Texts{"B.out"});
-  CHECK(needed_by(c.model, c.group("A")) == std::vector<GroupId>{c.group("B")});
 }
 
 TEST_CASE("beyond the bound everything that may be needed counts, and it is reported") {

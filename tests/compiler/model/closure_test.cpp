@@ -32,6 +32,15 @@ TEST_CASE("what groups may need follows them, each once, the nearest first") {
   CHECK(closure(add_needed, {}).empty());
 }
 
+TEST_CASE("what a group may need itself is in order of declaration, without the group, also in a cycle") {
+  const auto sorted = [](const Model& model, std::vector<GroupId>& groups) {
+    groups = needed_by(model, groups.front());
+  };
+  CHECK(closure(sorted, {"A"}) == "BDE");
+  CHECK(closure(sorted, {"E"}) == "BD");
+  CHECK(closure(sorted, {"F"}).empty());
+}
+
 TEST_CASE("requests lead on as needs do") { CHECK(closure(add_led_to, {"C"}) == "CDF"); }
 
 } // namespace
