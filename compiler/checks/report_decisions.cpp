@@ -133,7 +133,7 @@ private:
     finding.help = handlers ? "let `start` or `stop` set what leaves its conditions true, or give it a `stay`"
                    : waits_itself || groups.empty()
                        ? fmt::format("give {} a `stay` under which it can continue", name)
-                       : fmt::format("let something that goes on request {}", list_of(groups, "or"));
+                       : fmt::format("let something that goes on request {}", list_of(groups));
   }
 
   void report(ProviderId id) {

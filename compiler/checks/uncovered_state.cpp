@@ -81,7 +81,6 @@ private:
     bool all = true;               ///< false: there are more than could be listed
     std::vector<Box> boxes;        ///< of each gap
     const Request* where = nullptr;
-    bool goes_on = true; ///< a `stay` counts
   };
 
   struct Gap {
@@ -231,8 +230,8 @@ private:
            });
   }
 
-  Ways ways_for(GroupId task, bool with_stay) const {
-    return {model_, facts_, with_stay,
+  Ways ways_for(GroupId task) const {
+    return {model_, facts_, true,
             [this, task](ProviderId provider, const ConditionUse& use) { return counts(task, provider, use); }};
   }
 
@@ -258,27 +257,9 @@ private:
     return std::move(parts.boxes);
   }
 
-  /// Whether it can begin at one of its requests: by a `stay` it only goes on.
-  bool may_begin(GroupId group) const {
-    const std::vector<ProviderId>& all = model_.groups[group].providers;
-    if (std::all_of(all.begin(), all.end(), [&](ProviderId id) { return model_.providers[id].stay.empty(); }))
-      return true;
-    Ways without_stay = ways_for(group, false);
-    const std::vector<Region>& begins = without_stay.of(group);
-    if (begins.empty()) return true; // that it never runs is reported elsewhere
-    const std::vector<Request>& requests = shared_.requests().of(group);
-    return std::any_of(requests.begin(), requests.end(), [&](const Request& request) {
-      const std::vector<Region> regions = shared_.requests().regions(request);
-      return std::any_of(regions.begin(), regions.end(), [&](const Region& region) {
-        return std::any_of(begins.begin(), begins.end(), [&](const Region& way) { return compatible(region, way); });
-      });
-    });
-  }
-
   void look_at(GroupId group) {
     if (is_in_conflict(group)) return;
-    const bool goes_on = may_begin(group);
-    std::vector<Region> open = ways_for(group, goes_on).of(group);
+    std::vector<Region> open = ways_for(group).of(group);
     add_cycles(group, open);
     if (never_runs(group)) {
       const Request& first = shared_.requests().of(group).front();
@@ -313,9 +294,7 @@ private:
         if (all || gaps.empty()) look(box_of(facts_.values, region), request);
       }
     }
-    if (gaps.empty()) return;
-    found_.push_back(finding_for(group, gaps, all));
-    found_.back().goes_on = goes_on;
+    if (!gaps.empty()) found_.push_back(finding_for(group, gaps, all));
   }
 
   static Uncoveredness finding_for(GroupId group, const std::vector<Gap>& gaps, bool all) {
@@ -497,7 +476,7 @@ private:
 
   void add_notes(const Uncoveredness& one, bool another, dsl::Diagnostic& finding) const {
     add_request(one, another, finding);
-    Evidence evidence{one.group, one.boxes, ways_for(one.group, one.goes_on), {}, {}, {}};
+    Evidence evidence{one.group, one.boxes, ways_for(one.group), {}, {}, {}};
     for (const Box& box : one.boxes) {
       for (const auto& [state, possible] : box) evidence.states.insert(state);
     }

@@ -85,7 +85,7 @@ private:
     const State& row = model_.states[state_of(want)];
     if (!row.expires || row.external || (want.pushed && !may_last(want, row.expires->after))) return false;
     const std::optional<ValueSet> values = expired(want);
-    return values ? !undoing_values(model_, task, want, *values).empty() : is_undone_when_unset(model_, task, want);
+    return values ? !ending_values(model_, task, want, *values).empty() : is_undone_when_unset(model_, task, want);
   }
 
   /// Whether what is pushed may take longer to cause what it is pushed for, as it says.
@@ -181,7 +181,7 @@ private:
     const GroupId id = model_.providers[causer].group;
     const Group& group = model_.groups[id];
     const auto undoes = [&](const ValueSet& values) {
-      return !undoing_values(model_, granted.waits, want, values).empty();
+      return !ending_values(model_, granted.waits, want, values).empty();
     };
     const auto stops = [&](ProviderId each) { return !facts_.active.contains(each) || loses(granted, each, want); };
     if (std::all_of(group.providers.begin(), group.providers.end(), stops)) {

@@ -166,9 +166,19 @@ private:
       if (loser.need == nullptr) loser.spoilt = spoiling.of(causer, want.condition.id);
       Region then = loser.spoilt ? later : here; // once it runs, by its `stay` too
       if (loser.spoilt) then.meet(model_.conditions[loser.spoilt->condition.id].state, loser.spoilt->values);
-      look_at_loser(granted, then, want, causer, loser);
+      if (!loser.spoilt || !goes_on_otherwise(granted.waits, then, want))
+        look_at_loser(granted, then, want, causer, loser);
       for (const GroupId above : alternatives_[state_of(want)]) look_above(granted, here, want, causer, above);
     }
+  }
+
+  /// Whether another provider of the task can run with any value of the state, once the task has set what it sets.
+  bool goes_on_otherwise(GroupId task, const Region& then, const Want& want) const {
+    std::vector<ProviderId> others = model_.groups[task].providers;
+    others.erase(std::remove(others.begin(), others.end(), want.waiter), others.end());
+    const ValueSet undoing =
+        model_.states[state_of(want)].domain().without(model_.conditions[want.condition.id].accepts);
+    return without_other_ways(model_, others, state_of(want), then, undoing).empty();
   }
 
   /// Where a provider of this group leads to the causing one.
@@ -268,7 +278,7 @@ private:
       for (const ConditionUse& entry : *entries) {
         const Condition& set = model_.conditions[entry.id];
         if (set.state != state_of(want)) continue;
-        ValueSet values = undoing_values(model_, task, want, set.accepts);
+        ValueSet values = ending_values(model_, task, want, set.accepts);
         if (!values.empty()) return Fallback{id, entry, entries == &row.causing, std::move(values)};
       }
     }

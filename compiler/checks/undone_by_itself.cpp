@@ -36,6 +36,12 @@ public:
   /// `provider`: of the task; it waits for its own conditions, and for those of what it needs.
   void look_at(const Granted& granted, ProviderId provider, const Want& want) {
     if (!granted.is_other()) {
+      const Group& own = model_.groups[granted.task];
+      const bool is_need = model_.providers[want.waiter].group != granted.task; // else self_defeating_handler
+      if (own.start && is_need) {
+        const Setter start{fmt::format("the start of {}", name_of(model_, granted.task)), granted.task};
+        for (const ConditionUse& entry : own.start->sets) look_at_entry(granted, want, start, entry);
+      }
       for (const ConditionUse& entry : model_.providers[provider].sets)
         look_at_entry(granted, want, setter(provider), entry);
       if (!want.pushed && want.waiter == provider) // else it is done then
@@ -340,8 +346,9 @@ private:
     const Condition& set = model_.conditions[entry.id];
     if (set.state != model_.conditions[want.condition.id].state) return;
     // What it sets in its first run counts before what it requests there is granted.
-    const Timing timing = by.group == granted.task ? Timing::with_grant : Timing::later;
-    const ValueSet values = undoing_values(model_, granted.waits, want, set.accepts, timing);
+    const bool at_first = !granted.is_other() && by.group == granted.task;
+    const Timing timing = at_first ? Timing::with_grant : Timing::later;
+    const ValueSet values = ending_values(model_, granted.waits, want, set.accepts, timing);
     if (values.empty()) return;
     auto causer = std::find_if(want.causers.begin(), want.causers.end(),
                                [&](ProviderId id) { return model_.providers[id].group != by.group; });

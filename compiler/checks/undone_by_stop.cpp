@@ -122,9 +122,10 @@ private:
       std::vector<ProviderId> all = shared_.push_exclusion().needed(requester);
       all.insert(all.begin(), requester);
       const auto waits = std::find_if(all.begin(), all.end(), [&](ProviderId id) {
-        return !accepts_any(id == requester ? facts_.region_to_run(model_, id, facts_.pushed.contains(id))
-                                            : active_region(model_, model_.providers[id]),
-                            set);
+        if (id == requester) return !accepts_any(facts_.region_to_run(model_, id, facts_.pushed.contains(id)), set);
+        const bool runs = is_granted_with(model_, model_.providers[requester].group, {id, {}, {}});
+        const Provider& row = model_.providers[id];
+        return !accepts_any(runs ? active_region(model_, row) : region_of(model_, row.when), set);
       });
       if (waits == all.end()) return std::nullopt;
       const bool begins = std::all_of(all.begin(), all.end(), [&](ProviderId id) {
@@ -238,7 +239,7 @@ private:
         }))
       return;
     for (const StopValue& stop : stop_values(model_, stopped, state)) {
-      const ValueSet values = undoing_values(model_, granted.waits, want, stop.values);
+      const ValueSet values = ending_values(model_, granted.waits, want, stop.values);
       if (values.empty() || seen_.count({stop.span, want.condition.span}) != 0) continue;
       Taking how{spoilt->notes, {}};
       how.notes.insert(how.notes.begin(), runs_only_while(model_, causer.provider, spoilt->condition));
@@ -249,9 +250,7 @@ private:
   /// Whether it is reported now.
   bool look_at_stop(const Granted& granted, const Want& want, const Setting& causer, GroupId stopped,
                     const StopValue& stop, const std::vector<ChainStep>& chain) {
-    const auto undoing = [&](Timing timing) {
-      return undoing_values(model_, granted.waits, want, stop.values, timing);
-    };
+    const auto undoing = [&](Timing timing) { return ending_values(model_, granted.waits, want, stop.values, timing); };
     if (undoing(Timing::with_grant).empty() || seen_.count({stop.span, want.condition.span}) != 0 ||
         ends_.count({stopped, model_.conditions[want.condition.id].state}) != 0)
       return false;

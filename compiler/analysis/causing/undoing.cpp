@@ -8,10 +8,12 @@
 #include "compiler/analysis/states/sources.hpp"
 #include "compiler/analysis/words/notes.hpp"
 #include "compiler/analysis/words/words.hpp"
+#include "compiler/model/closure.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -31,6 +33,26 @@ bool cover(const Model& model, const Region& here, const std::vector<Region>& ot
 
 std::optional<ConditionId> wanted_by_push(const Want& want) {
   return want.pushed ? std::optional(want.pushed->wanted) : std::nullopt;
+}
+
+/// Whether the task, or what it needs and requests, needs the group and requests it in each of its packs.
+bool is_requested_with(const Model& model, GroupId task, GroupId group, std::set<GroupId>& seen) {
+  const auto leads_to = [&](const auto& uses) {
+    return std::any_of(uses.begin(), uses.end(), [&](const Use<GroupId>& use) { return use.id == group; });
+  };
+  const auto has = [&](const Pack& pack) {
+    return std::any_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& each) { return each.target == group; });
+  };
+  return std::any_of(model.groups[group].requesters.begin(), model.groups[group].requesters.end(), [&](EdgeId id) {
+    const std::optional<GroupId>& from = model.edges[id].requester;
+    if (!from || !model.edges[id].needed || model.edges[id].levels.empty()) return false;
+    if (*from != task && (!seen.insert(*from).second || !is_requested_with(model, task, *from, seen))) return false;
+    const std::vector<ProviderId>& all = model.groups[*from].providers;
+    return std::all_of(all.begin(), all.end(), [&](ProviderId each) {
+      const Provider& row = model.providers[each];
+      return !leads_to(row.needs) || (!row.packs.empty() && std::all_of(row.packs.begin(), row.packs.end(), has));
+    });
+  });
 }
 
 /// `wanted`: another provider of the group has to cause this.
@@ -74,6 +96,34 @@ ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId con
 ValueSet undoing_values(const Model& model, GroupId task, const Want& want, const ValueSet& values, Timing timing) {
   return undoing_values(model, want.waiter, want.condition.id, values, is_granted_with(model, task, want, timing),
                         wanted_by_push(want));
+}
+
+ValueSet ending_values(const Model& model, GroupId task, const Want& want, const ValueSet& values, Timing timing) {
+  const ValueSet out = undoing_values(model, task, want, values, timing);
+  const GroupId group = model.providers[want.waiter].group;
+  if (out.empty() || group == task || want.pushed) return out;
+  std::vector<ProviderId> others;
+  for (const ProviderId id : model.groups[task].providers) {
+    std::vector<GroupId> needed;
+    for (const Use<GroupId>& need : model.providers[id].needs) needed.push_back(need.id);
+    add_needed(model, needed);
+    if (std::find(needed.begin(), needed.end(), group) == needed.end()) others.push_back(id);
+  }
+  return without_other_ways(model, others, model.conditions[want.condition.id].state,
+                            region_of(model, model.providers[want.waiter].when), out);
+}
+
+ValueSet without_other_ways(const Model& model, const std::vector<ProviderId>& others, StateId state, Region here,
+                            ValueSet values) {
+  here.states.erase(state);
+  for (const ProviderId id : others) {
+    Region region = region_of(model, model.providers[id].when);
+    const auto at = region.states.find(state);
+    const ValueSet accepted = at == region.states.end() ? model.states[state].domain() : at->second;
+    region.states.erase(state);
+    if (contains(region, here)) values = values.without(accepted);
+  }
+  return values;
 }
 
 bool is_undone_when_unset(const Model& model, GroupId task, const Want& want) {
@@ -135,9 +185,8 @@ std::optional<dsl::Note> stop_that_causes(const Model& model, GroupId group, Con
 bool is_granted_with(const Model& model, GroupId task, const Want& want, Timing timing) {
   const GroupId group = model.providers[want.waiter].group;
   if (group == task || timing == Timing::with_grant) return group == task;
-  const std::vector<EdgeId>& edges = model.groups[group].requesters;
-  return std::any_of(edges.begin(), edges.end(),
-                     [&](EdgeId id) { return model.edges[id].needed && !model.edges[id].levels.empty(); });
+  std::set<GroupId> seen{group};
+  return is_requested_with(model, task, group, seen);
 }
 
 std::string giving_stay(const Model& model, GroupId task, const Want& want) {
@@ -155,8 +204,16 @@ std::string stay_help(const Model& model, GroupId task, const Want& want, const 
       fmt::format("under which {} may be {}", name_of(model, state), values_in_words(model.states[state], values));
   if (timing == Timing::later || is_granted_with(model, task, want, timing))
     return fmt::format("{} {}", giving_stay(model, task, want), under);
-  return fmt::format("let {} wait for {} itself instead of {}, with a `stay` {}", name_of(model, task),
-                     name_of(model, want.condition.id), name_of(model, want.waiter), under);
+  const std::string condition = name_of(model, want.condition.id), waiter = name_of(model, want.waiter);
+  const std::vector<ProviderId>& all = model.groups[task].providers;
+  if (std::any_of(all.begin(), all.end(), [&](ProviderId id) {
+        const std::vector<ConditionUse>& when = model.providers[id].when;
+        return std::any_of(when.begin(), when.end(),
+                           [&](const ConditionUse& use) { return use.id == want.condition.id; });
+      }))
+    return fmt::format("leave {} out at {}: {} waits for it itself", condition, waiter, name_of(model, task));
+  return fmt::format("let {} wait for {} itself instead of {}, with a `stay` {}", name_of(model, task), condition,
+                     waiter, under);
 }
 
 std::string stay_help(const Model& model, const Want& want, const ValueSet& values) {

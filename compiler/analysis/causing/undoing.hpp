@@ -24,6 +24,14 @@ enum class Timing { with_grant, later };
 ValueSet undoing_values(const Model& model, GroupId task, const Want& want, const ValueSet& values,
                         Timing timing = Timing::later);
 
+/// Of these, those with which no other provider of the task can run either, without what this one needs.
+ValueSet ending_values(const Model& model, GroupId task, const Want& want, const ValueSet& values,
+                       Timing timing = Timing::later);
+
+/// Of `values` of the state those with which none of these providers can run, where the conditions of `here` hold.
+ValueSet without_other_ways(const Model& model, const std::vector<ProviderId>& others, StateId state, Region here,
+                            ValueSet values);
+
 /// The same for a state that becomes unset: whether the waiter cannot continue then.
 bool is_undone_when_unset(const Model& model, GroupId task, const Want& want);
 
@@ -42,8 +50,8 @@ void add_waiter(const Model& model, const Want& want, std::vector<dsl::Note>& no
 /// How the stop of the group makes the condition true.
 std::optional<dsl::Note> stop_that_causes(const Model& model, GroupId group, ConditionId condition);
 
-/// Whether what a task for this group waits for is granted with it, and runs: the task itself, or a group that it, or a
-/// need of it, needs and, later, requests too. Else it is held only as a need.
+/// Whether what a task for this group waits for is granted with it, and runs: the task itself; later also a group that
+/// it, or what it needs and requests, needs and requests in each pack. Else it is held only as a need.
 bool is_granted_with(const Model& model, GroupId task, const Want& want, Timing timing = Timing::later);
 
 /// "give `Kick` a `stay`", "let `Screw` request `Clamp` too, and give `Clamp` a `stay`"

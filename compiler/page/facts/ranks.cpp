@@ -39,17 +39,20 @@ public:
 
   Json write() {
     Json contended = Json::list({});
-    std::size_t rivals = 0;
+    std::size_t rivals = 0, decided = 0;
     std::vector<std::string> crowded;
     for (const GroupId id : model_.groups.ids()) {
       const std::size_t requesters = model_.groups[id].requesters.size();
       if (requesters <= 1) continue;
       const std::size_t more = requesters * (requesters - 1) / 2;
-      if (rivals + more > most_rivals) {
+      std::size_t decisions = 0;
+      for (const analysis::Contention& each : contentions_.at(id)) decisions += each.decisions.size();
+      if (rivals + more > most_rivals || decided + decisions > most_listed) {
         crowded.push_back(name(id));
         continue;
       }
       rivals += more;
+      decided += decisions;
       contended.add(contended_json(id));
     }
     const std::size_t count = model_.groups.size(), of_contended = known_.size();
@@ -72,8 +75,8 @@ public:
     }
     if (!crowded.empty())
       left_out += fmt::format("{}The requesters of {} are not compared with each other, as there would be more than {} "
-                              "pairs.",
-                              left_out.empty() ? "" : " ", analysis::few_of(crowded), most_rivals);
+                              "pairs, or more than {} decisions between them.",
+                              left_out.empty() ? "" : " ", analysis::few_of(crowded), most_rivals, most_listed);
     if (!contentions_.complete())
       left_out += fmt::format(
           "{}After {} pairs of tasks, {} places where their chains part, or {} steps through cycles "
@@ -203,13 +206,20 @@ private:
   /// Two chains to one group. If they are more than allowed, only some.
   std::vector<Ruling> rulings(GroupId group) {
     std::vector<Ruling> out;
+    const auto unite = [&] {
+      std::sort(out.begin(), out.end());
+      out.erase(std::unique(out.begin(), out.end()), out.end());
+    };
+    std::size_t full = 2 * most_decisions_;
     for (const analysis::Contention& each : contentions_.at(group)) {
-      if (out.size() > most_decisions_) break;
       const std::vector<Ruling> some = rulings(each);
       out.insert(out.end(), some.begin(), some.end());
+      if (out.size() <= full) continue;
+      unite();
+      if (out.size() > most_decisions_) break;
+      full = 2 * most_decisions_ + out.size();
     }
-    std::sort(out.begin(), out.end());
-    out.erase(std::unique(out.begin(), out.end()), out.end());
+    unite();
     return out;
   }
 
