@@ -35,8 +35,8 @@ public:
         behaviour_(std::move(behaviour)),
         leaves_choice_(leaves_choice(model)) {}
 
-  /// `only`: these rows; empty: all.
-  TransitionMatrix find(const std::vector<GroupId>& only) {
+  /// `only`: these rows; empty: all. `most`: work.
+  TransitionMatrix find(const std::vector<GroupId>& only, std::size_t most) {
     std::vector<GroupId> wanted;
     const IdSet<GroupId> led_to = find_led_to(model_);
     for (const GroupId id : model_.groups.ids()) {
@@ -56,9 +56,10 @@ public:
     for (const GroupId id : wanted) out_.rows.push_back(row(id, find_ways(model_, id)));
     for (std::size_t i = 0; i < out_.rows.size(); ++i) {
       std::vector<Transition> cells;
-      for (std::size_t j = 0; j < out_.rows.size(); ++j) cells.push_back(cell(i, j));
+      for (std::size_t j = 0; j < out_.rows.size() && work() <= most; ++j) cells.push_back(cell(i, j));
       out_.rows[i].cells = std::move(cells);
     }
+    if (work() > most) leave_out();
     return std::move(out_);
   }
 
@@ -76,6 +77,14 @@ public:
 
 private:
   using Kind = Transition::Kind;
+
+  void leave_out() {
+    out_.left_out = fmt::format("The transition matrix is left out: playing all {} of its cells would take too long. "
+                                "`directorc docs --transitions GROUP,GROUP` plays it for some groups.",
+                                out_.rows.size() * out_.rows.size());
+    out_.rows.clear();
+    out_.pieces.clear();
+  }
 
   /// Empty if no chain leads there.
   std::optional<std::size_t> row_of(GroupId id) {
@@ -341,8 +350,8 @@ private:
 } // namespace transitions
 
 TransitionMatrix find_transitions(const Model& model, const Lowered& lowered, const std::string& behaviour,
-                                  const std::vector<GroupId>& only) {
-  return transitions::TransitionFinder(model, lowered, dsl::yaml_word(behaviour)).find(only);
+                                  const std::vector<GroupId>& only, std::size_t most_work) {
+  return transitions::TransitionFinder(model, lowered, dsl::yaml_word(behaviour)).find(only, most_work);
 }
 
 struct TransitionPlays::Finder : transitions::TransitionFinder {

@@ -68,9 +68,12 @@ struct TransitionMatrix {
 /// Limit for rows: the time and size of the matrix are quadratic.
 constexpr std::size_t most_rows = 100;
 
+/// Limit for the work of all plays of the matrix, in units of TransitionPlays: some twenty seconds.
+constexpr std::size_t most_matrix_work = 60'000'000;
+
 /// `behaviour`: the path in its scenarios. `only`: these rows and columns; empty: all.
 TransitionMatrix find_transitions(const Model& model, const Lowered& lowered, const std::string& behaviour,
-                                  const std::vector<GroupId>& only = {});
+                                  const std::vector<GroupId>& only = {}, std::size_t most_work = most_matrix_work);
 
 /// Computes single cells, for behaviours that are too large for all of them.
 class TransitionPlays {

@@ -140,6 +140,7 @@ Trial play_trial(const std::string& text, const Model& model, const Lowered& low
                     &listener};
   options.end = [&](const Engine& engine) {
     const View view = view_of(engine);
+    out.work = engine.work();
     out.rest = rest_of(view, model);
     explain_refusal(view, model, lowered, way, out);
   };

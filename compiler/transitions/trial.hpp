@@ -49,6 +49,7 @@ struct Trial {
   std::vector<Event> events; ///< from the step `from` on
   std::string why;           ///< why the first group of the chain does not run; empty: all do
   bool is_requested = true;  ///< then: something requests the last group of the chain
+  std::uint64_t work = 0;    ///< of the engine
 };
 
 /// Those of the events, in order.

@@ -231,7 +231,7 @@ TEST_CASE("the hook refuses errors that are new, not those that a behaviour had 
                           "    now    half.yaml:5:48\n"
                           "\n"
                           "1 change\n\n"
-                          "pre-commit: this commit is refused for what is told above\n") != std::string::npos);
+                          "pre-commit: this commit is refused for what is printed above\n") != std::string::npos);
   CHECK(worse.status == 1);
   CHECK(repository.run("git log --format=%s").output == "legs\nonly notes\nhalf\nfirst\n");
 }
@@ -423,7 +423,7 @@ TEST_CASE("the hook judges what is committed, not the files on the disk") {
                               "    before HEAD:robot/walker.yaml:5:10\n"
                               "\n"
                               "1 change, 1 of them breaking\n\n"
-                              "pre-commit: this commit is refused for what is told above\n"
+                              "pre-commit: this commit is refused for what is printed above\n"
                               "  git config director.breaking says what is breaking: needs_added\n"
                               "  git commit --no-verify commits all the same\n";
   // A change that is not staged is no part of the commit.

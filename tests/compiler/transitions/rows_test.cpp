@@ -26,6 +26,19 @@ TEST_CASE("the name of the behaviour is quoted in scenarios where YAML reads it 
   }
 }
 
+TEST_CASE("a matrix whose plays take too long is left out, with what to do") {
+  const Compiled compiled = compile(std::string("behaviour: test\nlanguage: 1\n") + legs);
+  const compiler::Lowered lowered = compiler::lower(compiled.model);
+  const TransitionMatrix all = compiler::find_transitions(compiled.model, lowered, "test.yaml");
+  CHECK(all.left_out.empty());
+  const TransitionMatrix none = compiler::find_transitions(compiled.model, lowered, "test.yaml", {}, 1);
+  CHECK(none.left_out == fmt::format("The transition matrix is left out: playing all {} of its cells would take too "
+                                     "long. `directorc docs --transitions GROUP,GROUP` plays it for some groups.",
+                                     all.rows.size() * all.rows.size()));
+  CHECK(none.rows.empty());
+  CHECK(none.pieces.empty());
+}
+
 TEST_CASE("names that YAML reads in another way are quoted in scenarios") {
   const std::string names = R"(states: {"On": {values: ["yes", "no"], initial: "no", external: true}}
 roots: {"No": {priority: 2}, "Yes": {priority: 1}}
