@@ -161,13 +161,13 @@ private:
 
   std::string propose_company(const Request& request, ProviderId causer, GroupId waiting) const {
     const std::string group = name_of(model_, model_.providers[causer].group);
-    const bool flat = request.pack->name.empty();
+    const bool flat = request.pack->name.empty(), optional = model_.may_be_left_out(*request.task);
     // What is mandatory goes before what is optional, with any priority.
-    const std::string rank = is_optional(*request.task)                ? ", `optional` and with a lower priority"
+    const std::string rank = optional                                  ? ", `optional` and with a lower priority"
                              : !flat || must_be_apart(request, causer) ? ", `apart` and with a lower priority"
                                                                        : "";
     if (flat) return fmt::format("say with `packs` that {} is requested too{}", group, rank);
-    const bool may_be_above = !is_optional(*request.task) && !would_be_stopped(model_.providers[causer].group, waiting);
+    const bool may_be_above = !optional && !would_be_stopped(model_.providers[causer].group, waiting);
     return fmt::format("request {} too, here{}{}", group, may_be_above ? " or above" : "", rank);
   }
 
@@ -267,12 +267,6 @@ private:
     }
     return before.empty() ? apart + ", so that it waits for itself alone"
                           : fmt::format("{}, with a higher priority than {}", apart, list_of(before));
-  }
-
-  bool is_optional(const Task& task) const {
-    return std::any_of(task.levels.begin(), task.levels.end(), [&](const Task::NamedLevel& named) {
-      return model_.edges[task.edge].levels[named.level].optional;
-    });
   }
 
   /// In a pack it would be granted only together with what waits, as the pack has no separate entry yet.

@@ -256,10 +256,11 @@ private:
       return false;
     Search search{causer.provider, {}, {}, {}};
     std::optional<Taking> how = why_stopped(granted, stopped, search);
+    if (!how) return false;
     // What the task needs it takes as it is granted; what it requests, as it runs.
-    const Timing timing = how && how->requests.empty() ? Timing::with_grant : Timing::later;
+    const Timing timing = how->requests.empty() ? Timing::with_grant : Timing::later;
     const ValueSet values = undoing(timing);
-    if (!how || values.empty()) return false;
+    if (values.empty()) return false;
     std::vector<dsl::Note> notes;
     add_chain(model_, chain, notes);
     const auto is_reported = [&](const dsl::Note& note) {

@@ -28,11 +28,11 @@ struct CellContext {
   std::vector<GroupId> takers{};   ///< soft, hard: what takes over in place of the second, and is requested with it
   bool is_below = false;           ///< the takers run for the second instead
   std::optional<GroupId> leader{}; ///< else: on the chain to the second, of which neither it nor what it requests takes
-  std::vector<ProviderId> instead{}; ///< soft, hard: what runs in place of a provider whose needs were taken
-  bool runs_at_once = false;       ///< with takers: the second does not wait
-  std::vector<GroupId> round{};    ///< endless: what runs again and again
-  bool when_done = false;          ///< endless: only when the first one is done
-  std::optional<SetState> ender{}; ///< condition lost: what a body set; empty: the values from outside
+  std::vector<ProviderId> instead{};  ///< soft, hard: what runs in place of a provider whose needs were taken
+  bool runs_at_once = false;          ///< with takers: the second does not wait
+  std::vector<GroupId> round{};       ///< endless: what runs again and again
+  bool when_done = false;             ///< endless: only when the first one is done
+  std::optional<SetState> ender{};    ///< condition lost: what a body set; empty: the values from outside
   std::vector<SetState> set_states{}; ///< from the second one's request on
 };
 

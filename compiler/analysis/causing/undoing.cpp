@@ -35,10 +35,16 @@ std::optional<ConditionId> wanted_by_push(const Want& want) {
   return want.pushed ? std::optional(want.pushed->wanted) : std::nullopt;
 }
 
+/// What a region accepts of a state.
+ValueSet accepted_by(const Model& model, const Region& region, StateId state) {
+  const auto at = region.states.find(state);
+  return at == region.states.end() ? model.states[state].domain() : at->second;
+}
+
 /// Whether the task, or what it needs and requests, needs the group and requests it in each of its packs.
 bool is_requested_with(const Model& model, GroupId task, GroupId group, std::set<GroupId>& seen) {
-  const auto leads_to = [&](const auto& uses) {
-    return std::any_of(uses.begin(), uses.end(), [&](const Use<GroupId>& use) { return use.id == group; });
+  const auto is_needed = [&](const Provider& row) {
+    return std::any_of(row.needs.begin(), row.needs.end(), [&](const Use<GroupId>& need) { return need.id == group; });
   };
   const auto has = [&](const Pack& pack) {
     return std::any_of(pack.tasks.begin(), pack.tasks.end(), [&](const Task& each) { return each.target == group; });
@@ -50,7 +56,7 @@ bool is_requested_with(const Model& model, GroupId task, GroupId group, std::set
     const std::vector<ProviderId>& all = model.groups[*from].providers;
     return std::all_of(all.begin(), all.end(), [&](ProviderId each) {
       const Provider& row = model.providers[each];
-      return !leads_to(row.needs) || (!row.packs.empty() && std::all_of(row.packs.begin(), row.packs.end(), has));
+      return !is_needed(row) || (!row.packs.empty() && std::all_of(row.packs.begin(), row.packs.end(), has));
     });
   });
 }
@@ -59,20 +65,16 @@ bool is_requested_with(const Model& model, GroupId task, GroupId group, std::set
 ValueSet undoing_values(const Model& model, ProviderId provider, ConditionId condition, const ValueSet& values,
                         bool with_stay, std::optional<ConditionId> wanted) {
   const StateId state = model.conditions[condition].state;
-  const auto accepted_by = [&](const Region& region) {
-    const auto at = region.states.find(state);
-    return at == region.states.end() ? model.states[state].domain() : at->second;
-  };
   const Provider& row = model.providers[provider];
   ValueSet out = values.without(model.conditions[condition].accepts);
-  if (with_stay && !row.stay.empty()) out = out.without(accepted_by(region_of(model, row.stay)));
+  if (with_stay && !row.stay.empty()) out = out.without(accepted_by(model, region_of(model, row.stay), state));
   Region here = region_of(model, row.when);
   here.states.erase(state);
   std::vector<std::pair<ValueSet, Region>> others; // what each accepts of the state, and its other conditions
   for (const ProviderId id : model.groups[row.group].providers) {
     Region region = region_of(model, model.providers[id].when);
     if (id == provider || (wanted && !model.causes(id, *wanted)) || !compatible(here, region)) continue;
-    ValueSet accepted = accepted_by(region);
+    ValueSet accepted = accepted_by(model, region, state);
     region.states.erase(state);
     others.emplace_back(std::move(accepted), std::move(region));
   }
@@ -118,8 +120,7 @@ ValueSet without_other_ways(const Model& model, const std::vector<ProviderId>& o
   here.states.erase(state);
   for (const ProviderId id : others) {
     Region region = region_of(model, model.providers[id].when);
-    const auto at = region.states.find(state);
-    const ValueSet accepted = at == region.states.end() ? model.states[state].domain() : at->second;
+    const ValueSet accepted = accepted_by(model, region, state);
     region.states.erase(state);
     if (contains(region, here)) values = values.without(accepted);
   }

@@ -24,16 +24,16 @@ enum class Timing { with_grant, later };
 ValueSet undoing_values(const Model& model, GroupId task, const Want& want, const ValueSet& values,
                         Timing timing = Timing::later);
 
-/// Of these, those with which no other provider of the task can run either, without what this one needs.
+/// The same for a state that becomes unset: whether the waiter cannot continue then.
+bool is_undone_when_unset(const Model& model, GroupId task, const Want& want);
+
+/// Of undoing values, those with which no other provider of the task can run either, without what this one needs.
 ValueSet ending_values(const Model& model, GroupId task, const Want& want, const ValueSet& values,
                        Timing timing = Timing::later);
 
 /// Of `values` of the state those with which none of these providers can run, where the conditions of `here` hold.
 ValueSet without_other_ways(const Model& model, const std::vector<ProviderId>& others, StateId state, Region here,
                             ValueSet values);
-
-/// The same for a state that becomes unset: whether the waiter cannot continue then.
-bool is_undone_when_unset(const Model& model, GroupId task, const Want& want);
 
 /// Values that the stop of a group may give a state: by its handler, or because the state belongs to the group.
 struct StopValue {

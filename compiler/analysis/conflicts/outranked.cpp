@@ -140,13 +140,10 @@ std::string propose_going_first(const Model& model, const Outranked& one) {
     return fmt::format("instead of needing {}, request it `apart`, with a lower priority than {}",
                        name_of(model, one.need->id), waits);
   const std::string first = name_of(model, one.first->target);
-  const bool optional =
-      std::any_of(one.waits->levels.begin(), one.waits->levels.end(), [&](const Task::NamedLevel& named) {
-        return model.edges[one.waits->edge].levels[named.level].optional;
-      });
   // Otherwise it would be in one unit with the other one.
-  return optional ? fmt::format("make {} `apart` instead of `optional`, with a higher priority than {}", waits, first)
-                  : fmt::format("give {} a higher priority than {}", waits, first);
+  return model.may_be_left_out(*one.waits)
+             ? fmt::format("make {} `apart` instead of `optional`, with a higher priority than {}", waits, first)
+             : fmt::format("give {} a higher priority than {}", waits, first);
 }
 
 } // namespace director::analysis

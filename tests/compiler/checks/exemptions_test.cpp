@@ -24,6 +24,27 @@ std::string found(const std::string& text) {
   return out + "\n";
 }
 
+/// A robot that moves its arm to grasp, and may drive meanwhile. `rest`: the groups below `Fetch`.
+std::string fetching(const std::string& rest, const std::string& more_states = "") {
+  return R"(states:
+  Base: {values: [moving, still], initial: still}
+  Arm: {values: [away, ready], initial: away}
+)" + more_states +
+         R"(roots: [Fetch]
+groups:
+  Fetch:
+    packs:
+      fetch:
+        Grasp: {priority: 30, apart: true}
+        MoveArm: {priority: 20, apart: true}
+        Nav: {priority: 10, apart: true}
+)" + rest;
+}
+
+std::string fetching_by_ball(const std::string& rest) {
+  return fetching(rest, "  Ball: {values: [near, far], initial: near, external: true}\n");
+}
+
 } // namespace
 
 TEST_CASE(
@@ -171,18 +192,7 @@ groups:
 }
 
 TEST_CASE("push_in_vain: a task that runs only without the condition does not want it kept") {
-  CHECK(found(R"(states:
-  Base: {values: [moving, still], initial: still}
-  Arm: {values: [away, ready], initial: away}
-roots: [Fetch]
-groups:
-  Fetch:
-    packs:
-      fetch:
-        Grasp: {priority: 30, apart: true}
-        MoveArm: {priority: 20, apart: true}
-        Nav: {priority: 10, apart: true}
-  Grasp: {when: [Arm == ready, Base == moving]}
+  CHECK(found(fetching(R"(  Grasp: {when: [Arm == ready, Base == moving]}
   MoveArm:
     providers:
       - {name: hanging}
@@ -191,7 +201,7 @@ groups:
     providers:
       - {name: going, sets: [Base == moving]}
       - {name: halting, causing: [Base == still]}
-)") == R"(
+)")) == R"(
 14: no provider of `Grasp` can run while `Base` is still [uncovered_state]
   request `Grasp` only in providers that run while it can, followed by one without that request
 18: `MoveArm.reaching` never runs: whenever `MoveArm` is requested, another provider comes first or a condition does not hold [shadowed_provider]
@@ -258,18 +268,7 @@ groups:
 }
 
 TEST_CASE("push_in_vain: a condition that a task and its need wait for is told once") {
-  CHECK(found(R"(states:
-  Base: {values: [moving, still], initial: still}
-  Arm: {values: [away, ready], initial: away}
-roots: [Fetch]
-groups:
-  Fetch:
-    packs:
-      fetch:
-        Grasp: {priority: 30, apart: true}
-        MoveArm: {priority: 20, apart: true}
-        Nav: {priority: 10, apart: true}
-  Grasp: {when: [Arm == ready], needs: [Hand]}
+  CHECK(found(fetching(R"(  Grasp: {when: [Arm == ready], needs: [Hand]}
   Hand: {when: [Arm == ready]}
   MoveArm:
     providers:
@@ -279,26 +278,14 @@ groups:
     providers:
       - {name: going, sets: [Base == moving]}
       - {name: halting, causing: [Base == still]}
-)") == R"(
+)")) == R"(
 14: `Grasp` waits for `Arm == ready` in vain once `MoveArm.reaching`, which it pushes, has lost `Base == still`: the push is kept, and nothing is pushed for that condition [push_in_vain]
   let `Grasp` wait for `Base == still` too: then it pushes for that itself
 )");
 }
 
 TEST_CASE("push_in_vain: another provider of the waiting task that takes the condition runs before, not then") {
-  CHECK(found(R"(states:
-  Base: {values: [moving, still], initial: still}
-  Arm: {values: [away, ready], initial: away}
-  Ball: {values: [near, far], initial: near, external: true}
-roots: [Fetch]
-groups:
-  Fetch:
-    packs:
-      fetch:
-        Grasp: {priority: 30, apart: true}
-        MoveArm: {priority: 20, apart: true}
-        Nav: {priority: 10, apart: true}
-  Nav:
+  CHECK(found(fetching_by_ball(R"(  Nav:
     providers:
       - {name: going, sets: [Base == moving]}
       - {name: halting, causing: [Base == still]}
@@ -310,26 +297,14 @@ groups:
     providers:
       - {name: hanging}
       - {name: reaching, when: [Base == still], causing: [Arm == ready]}
-)") == R"(
+)")) == R"(
 21: `Grasp.grasping` waits for `Arm == ready` in vain once `MoveArm.reaching`, which it pushes, has lost `Base == still`: the push is kept, and nothing is pushed for that condition [push_in_vain]
   let `Grasp.grasping` wait for `Base == still` too: then it pushes for that itself
 )");
 }
 
 TEST_CASE("push_in_vain: a source of the waiting task itself does not hide another one that is declared later") {
-  CHECK(found(R"(states:
-  Base: {values: [moving, still], initial: still}
-  Arm: {values: [away, ready], initial: away}
-  Ball: {values: [near, far], initial: near, external: true}
-roots: [Fetch]
-groups:
-  Fetch:
-    packs:
-      fetch:
-        Grasp: {priority: 30, apart: true}
-        MoveArm: {priority: 20, apart: true}
-        Nav: {priority: 10, apart: true}
-  Grasp:
+  CHECK(found(fetching_by_ball(R"(  Grasp:
     providers:
       - {name: grasping, when: [Arm == ready, Ball == near]}
       - {name: driving, when: [Ball == far], sets: [Base == moving]}
@@ -341,7 +316,7 @@ groups:
     providers:
       - {name: going, sets: [Base == moving]}
       - {name: halting, causing: [Base == still]}
-)") == R"(
+)")) == R"(
 17: `Grasp.grasping` waits for `Arm == ready` in vain once `MoveArm.reaching`, which it pushes, has lost `Base == still`: the push is kept, and nothing is pushed for that condition [push_in_vain]
   let `Grasp.grasping` wait for `Base == still` too: then it pushes for that itself
 )");
