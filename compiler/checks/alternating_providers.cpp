@@ -46,7 +46,7 @@ private:
     const Condition& set = model_.conditions[entry.id];
     const Region active = active_region(model_, row);
     const auto at = active.states.find(set.state);
-    return at != active.states.end() && at->second.intersected(set.accepts).empty() &&
+    return at != active.states.end() && !at->second.overlaps(set.accepts) &&
            std::none_of(row.causing.begin(), row.causing.end(),
                         [&](const ConditionUse& promise) { return model_.conditions[promise.id].state == set.state; });
   }
@@ -108,7 +108,7 @@ private:
           facts_.region_to_run(model_, *request.requester, facts_.pushed.contains(*request.requester));
       const auto at = region.states.find(state);
       return at == region.states.end() || std::none_of(values.begin(), values.end(), [&](const ValueSet& each) {
-               return at->second.intersected(each).empty();
+               return !at->second.overlaps(each);
              });
     });
   }
@@ -145,7 +145,7 @@ private:
     const std::vector<ProviderId>& all = model_.groups[group].providers;
     return !(state.of && state.of->id == group) && std::none_of(all.begin(), all.end(), [&](ProviderId id) {
       const ConditionUse* use = id == first || id == next ? nullptr : find_use(id, model_.conditions[entry.id].state);
-      return use != nullptr && !model_.conditions[use->id].accepts.intersected(entry_values(entry)).empty();
+      return use != nullptr && model_.conditions[use->id].accepts.overlaps(entry_values(entry));
     });
   }
 

@@ -33,7 +33,7 @@ Contradiction find_contradiction(const Model& model, const Impossible& fault) {
   }
   // One that conflicts with the last alone is enough.
   for (const ConditionUse& use : clash.others) {
-    if (accepted(use).intersected(accepted(clash.last)).empty()) {
+    if (!accepted(use).overlaps(accepted(clash.last))) {
       clash.others = {use};
       break;
     }

@@ -19,7 +19,7 @@ std::optional<Region> find_overlap(const Input& input, ProviderId a, ProviderId 
   Region out = region_of(model, model.providers[a].when);
   out.meet(region_of(model, model.providers[b].when));
   for (const auto& [state, values] : out.states) {
-    if (values.intersected(input.facts.values[state]).empty()) return std::nullopt;
+    if (!values.overlaps(input.facts.values[state])) return std::nullopt;
   }
   return out;
 }

@@ -106,7 +106,7 @@ bool holds_before(const Model& model, ProviderId id, const ConditionUse& step, c
   const std::vector<ProviderId>& all = model.group_of(id).providers;
   return std::all_of(all.begin(), all.end(), [&](ProviderId other) {
     const compiler::Provider& row = model.providers[other];
-    if (other == id || values_set_by(model, row, wanted.state).intersected(wanted.accepts).empty() ||
+    if (other == id || !values_set_by(model, row, wanted.state).overlaps(wanted.accepts) ||
         stays_with(model, row, wanted))
       return true;
     return std::any_of(row.when.begin(), row.when.end(),
@@ -120,7 +120,7 @@ using Sources = IdTable<StateId, std::vector<Source>>;
 bool comes_below(const Input& input, const Sources& sources, const Claims& below, ConditionId id) {
   const Condition& wanted = input.model.conditions[id];
   const auto comes = [&](const Source& source) {
-    if (source.kind == Source::Kind::initial || source.values.intersected(wanted.accepts).empty()) return false;
+    if (source.kind == Source::Kind::initial || !source.values.overlaps(wanted.accepts)) return false;
     if (source.provider)
       return input.facts.chosen.contains(*source.provider) &&
              below.contains(input.model.providers[*source.provider].group);

@@ -51,7 +51,7 @@ std::optional<StateId> find_split_state(Units& units, GroupId a, GroupId b) {
   const Region first = units.region_at_best(a), second = units.region_at_best(b);
   for (const auto& [state, values] : first.states) {
     const auto at = second.states.find(state);
-    if (at != second.states.end() && values.intersected(at->second).empty()) return state;
+    if (at != second.states.end() && !values.overlaps(at->second)) return state;
   }
   return std::nullopt;
 }

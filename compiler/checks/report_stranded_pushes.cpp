@@ -129,7 +129,7 @@ private:
     const std::vector<std::pair<ProviderId, ConditionUse>>& all = conditions_of(wanting.provider);
     return std::any_of(all.begin(), all.end(), [&](const auto& each) {
       const Condition& other = model_.conditions[each.second.id];
-      return other.state == wanted.state && other.accepts.intersected(wanted.accepts).empty();
+      return other.state == wanted.state && !other.accepts.overlaps(wanted.accepts);
     });
   }
 
@@ -213,7 +213,7 @@ private:
   bool holds_at_first(ConditionId id, ProviderId spoiler) const {
     const Condition& wanted = model_.conditions[id];
     return std::any_of(sources_[wanted.state].begin(), sources_[wanted.state].end(), [&](const Source& source) {
-      return !source.values.intersected(wanted.accepts).empty() &&
+      return source.values.overlaps(wanted.accepts) &&
              (source.kind == Source::Kind::initial || is_handler_of(source, model_.providers[spoiler].group));
     });
   }
@@ -228,7 +228,7 @@ private:
     const GroupId group = model_.providers[spoiler].group;
     if (state.of && state.of->id != group && state.initial && wanted.accepts.contains(*state.initial)) return true;
     return std::any_of(sources_[wanted.state].begin(), sources_[wanted.state].end(), [&](const Source& source) {
-      if (source.kind == Source::Kind::initial || source.values.intersected(wanted.accepts).empty()) return false;
+      if (source.kind == Source::Kind::initial || !source.values.overlaps(wanted.accepts)) return false;
       if (!source.provider) return !is_handler_of(source, group);
       return source.kind == Source::Kind::sets ? facts_.active.contains(*source.provider)
                                                : facts_.chosen.contains(*source.provider);
@@ -261,7 +261,7 @@ private:
     const StateId state = model_.conditions[one.use.id].state;
     const Claims& claims = shared_.claims(wanting.task);
     return std::any_of(sources_[state].begin(), sources_[state].end(), [&](const Source& source) {
-      return source.provider && !source.values.intersected(one.values).empty() &&
+      return source.provider && source.values.overlaps(one.values) &&
              facts_.chosen.contains(*source.provider) &&
              (*source.provider == wanting.provider || (model_.providers[*source.provider].group != wanting.task &&
                                                        claims.contains(model_.providers[*source.provider].group)));

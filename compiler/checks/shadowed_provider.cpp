@@ -194,7 +194,7 @@ std::vector<ProviderId> find_waiting_setters(const Input& input, ProviderId id) 
   for (const ConditionUse& use : model.providers[id].when) {
     if (input.facts.may_hold(model, id, use)) continue;
     for (const Source& source : sources[model.conditions[use.id].state]) {
-      if (source.values.intersected(model.conditions[use.id].accepts).empty()) continue;
+      if (!source.values.overlaps(model.conditions[use.id].accepts)) continue;
       if (!source.provider || input.facts.capable.contains(*source.provider) ||
           !input.facts.requested.contains(model.providers[*source.provider].group))
         return {};

@@ -130,7 +130,7 @@ private:
     const Condition& condition = model_.conditions[use.id];
     const Region region = facts_.region_to_run(model_, requester, facts_.pushed.contains(requester));
     const auto at = region.states.find(condition.state);
-    return at == region.states.end() || !at->second.intersected(condition.accepts).empty();
+    return at == region.states.end() || at->second.overlaps(condition.accepts);
   }
 
   bool may_cause(GroupId group, ProviderId provider, ProviderId causer) const {
@@ -400,7 +400,7 @@ private:
         const ValueSet values = undoing_values(model_, id, use.id, values_set_by(model_, model_.providers[id], state));
         const bool ends = std::any_of(one.boxes.begin(), one.boxes.end(), [&](const Box& box) {
           const auto at = box.find(state);
-          return at != box.end() && !at->second.values.intersected(values).empty();
+          return at != box.end() && at->second.values.overlaps(values);
         });
         if (ends && counts(one.group, id, use) && !is_step(id, state, values))
           return fmt::format("{}: {} looks at its done, which is lost as soon as it cannot run",
@@ -417,7 +417,7 @@ private:
       const std::vector<ConditionUse>& when = model_.providers[other].when;
       return other != id && std::any_of(when.begin(), when.end(), [&](const ConditionUse& each) {
                const Condition& condition = model_.conditions[each.id];
-               return condition.state == state && !condition.accepts.intersected(values).empty();
+               return condition.state == state && condition.accepts.overlaps(values);
              });
     });
   }

@@ -153,14 +153,14 @@ private:
         model_.states[lost.state].external || model_.states[lost.state].expires ||
         std::any_of(sources_[lost.state].begin(), sources_[lost.state].end(), [&](const Source& source) {
           return source.provider && facts_.active.contains(*source.provider) &&
-                 !source.values.intersected(lost.accepts).empty();
+                 source.values.overlaps(lost.accepts);
         });
     return comes_back ? std::nullopt : out;
   }
 
   /// Whether it may give the state a value that is waited for while the task runs.
   bool may_renew(const Granted& granted, const Region& here, const Want& want, const Source& source) const {
-    if (source.values.intersected(model_.conditions[want.condition.id].accepts).empty()) return false;
+    if (!source.values.overlaps(model_.conditions[want.condition.id].accepts)) return false;
     if (source.group) return facts_.requested.contains(*source.group);
     if (!source.provider || !facts_.active.contains(*source.provider)) return false;
     const GroupId group = model_.providers[*source.provider].group;

@@ -190,7 +190,7 @@ private:
     if (!sources_) sources_ = find_sources(model_);
     std::optional<ProviderId> out;
     for (const Source& source : (*sources_)[condition.state]) {
-      if (source.kind == Source::Kind::initial || source.values.intersected(condition.accepts).empty()) continue;
+      if (source.kind == Source::Kind::initial || !source.values.overlaps(condition.accepts)) continue;
       if (source.kind != Source::Kind::causing || (out && out != source.provider)) return std::nullopt;
       out = source.provider;
     }

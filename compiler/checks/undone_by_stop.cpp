@@ -113,7 +113,7 @@ private:
   std::optional<Ended> find_ended(GroupId group, StateId state, const ValueSet& set, const ValueSet& stop) const {
     const auto accepts_any = [&](const Region& region, const ValueSet& values) {
       const auto at = region.states.find(state);
-      return at == region.states.end() || !at->second.intersected(values).empty();
+      return at == region.states.end() || at->second.overlaps(values);
     };
     std::optional<Ended> out;
     for (const Request& request : shared_.requests().of(group)) {
@@ -376,8 +376,8 @@ private:
     for (const compiler::Provider& provider : model_.providers) {
       for (const ConditionUse& each : provider.when) {
         const Condition& waits = model_.conditions[each.id];
-        if (waits.state == set.state && !waits.accepts.intersected(set.accepts).empty() &&
-            waits.accepts.intersected(stop.values).empty())
+        if (waits.state == set.state && waits.accepts.overlaps(set.accepts) &&
+            !waits.accepts.overlaps(stop.values))
           finding.rules_out.push_back(each.span);
       }
     }
@@ -404,7 +404,7 @@ private:
       if (id == ended || !facts_.active.contains(id)) continue;
       const Region region = facts_.region_to_run(model_, id, facts_.pushed.contains(id));
       const auto at = region.states.find(set.state);
-      if (at == region.states.end() || !at->second.intersected(set.accepts).empty()) return id;
+      if (at == region.states.end() || at->second.overlaps(set.accepts)) return id;
     }
     return std::nullopt;
   }

@@ -35,8 +35,8 @@ struct Undoer {
   bool at_start = false;            ///< the start of the task sets it
 };
 
-/// Pairs of tasks are considered up to this many.
-constexpr std::size_t most_pairs = 10'000;
+/// Pairs of tasks are considered up to this many, of at most so many undoers.
+constexpr std::size_t most_pairs = 10'000, most_undoers = 200'000;
 
 class UndoneInTurn {
 public:
@@ -81,6 +81,8 @@ private:
   }
 
   void add(const Undoer& one) {
+    if (undoers_count_ == most_undoers) return leave_open(one.entry->span, name_of(model_, one.want->waiter));
+    ++undoers_count_;
     undoers_[{state_of(one.want->condition), state_of(*one.entry)}][{one.want->condition.id, one.entry->id}].push_back(
         one);
   }
@@ -102,7 +104,10 @@ private:
     for (const std::vector<Undoer>* alike : others) {
       for (const Undoer& other : *alike) {
         if (!(one.task < other.task) || have_one_causer(one, other)) continue;
-        if (++pairs_ > most_pairs) return leave_open(one, other);
+        if (++pairs_ > most_pairs) {
+          return leave_open(one.entry->span, fmt::format("{} and {}", name_of(model_, one.want->waiter),
+                                                         name_of(model_, other.want->waiter)));
+        }
         if (undoing(other, one).empty() || undoing(one, other).empty() || !may_run_in_turn(one, other)) continue;
         const std::optional<ProviderId> first = causer(one, other), second = causer(other, one);
         if (!first || !second || model_.providers[*first].group == model_.providers[*second].group) continue;
@@ -155,12 +160,10 @@ private:
     });
   }
 
-  /// Recorded once for all pairs from there on.
-  void leave_open(const Undoer& one, const Undoer& other) {
+  /// Recorded once for all from there on.
+  void leave_open(const dsl::Span& span, const std::string& from) {
     if (std::exchange(is_open_, true)) return;
-    shared_.budget().leave_open(one.entry->span,
-                                fmt::format("whether two tasks end each other in turn, from {} and {} on",
-                                            name_of(model_, one.want->waiter), name_of(model_, other.want->waiter)));
+    shared_.budget().leave_open(span, fmt::format("whether two tasks end each other in turn, from {} on", from));
   }
 
   /// Together, so that the one ends the other one; or, if both wait for values of one state, one after the other.
@@ -230,6 +233,7 @@ private:
   std::map<std::pair<StateId, StateId>, Undoers>
       undoers_; ///< by the state that they wait for, and the one that they set
   std::set<std::pair<ProviderId, ProviderId>> seen_;
+  std::size_t undoers_count_ = 0;
   std::size_t pairs_ = 0; ///< looked at so far
   bool is_open_ = false;  ///< there are more than can be looked at
 };

@@ -163,7 +163,7 @@ private:
         const Condition &set = model.conditions[entry.id], &wanted = model.conditions[use.id];
         if (set.state != wanted.state) return false;
         return (group == member && !undoing_values(model, waiter, use.id, set.accepts).empty()) ||
-               (set.accepts.intersected(wanted.accepts).empty() && !could_satisfy(member, wanted));
+               (!set.accepts.overlaps(wanted.accepts) && !could_satisfy(member, wanted));
       });
     };
     const auto undoes = [&](ProviderId waiter, const ConditionUse& use) {
@@ -218,7 +218,7 @@ private:
   bool any_source(const Condition& condition, const Is& is) const {
     const std::vector<Source>& all = sources_[condition.state];
     return std::any_of(all.begin(), all.end(), [&](const Source& source) {
-      return is(source) && !source.values.intersected(condition.accepts).empty();
+      return is(source) && source.values.overlaps(condition.accepts);
     });
   }
 

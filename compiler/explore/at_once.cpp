@@ -77,7 +77,7 @@ bool exclude(const Model& model, ProviderId p, const std::vector<ConditionUse>& 
   for (const ConditionUse& a : of_p) {
     for (const ConditionUse& b : of_q) {
       const Condition &one = model.conditions[a.id], &other = model.conditions[b.id];
-      if (one.state == other.state && one.accepts.intersected(other.accepts).empty() && !waived(p, one.state) &&
+      if (one.state == other.state && !one.accepts.overlaps(other.accepts) && !waived(p, one.state) &&
           !waived(q, one.state))
         return true;
     }
@@ -166,7 +166,7 @@ const ConditionUse* on_state(const Model& model, const std::vector<ConditionUse>
 bool may_set(const Model& model, const std::vector<ConditionUse>& uses, const Condition& wanted) {
   return std::any_of(uses.begin(), uses.end(), [&](const ConditionUse& use) {
     const Condition& set = model.conditions[use.id];
-    return set.state == wanted.state && !set.accepts.intersected(wanted.accepts).empty();
+    return set.state == wanted.state && set.accepts.overlaps(wanted.accepts);
   });
 }
 
@@ -174,7 +174,7 @@ bool may_set(const Model& model, const std::vector<ConditionUse>& uses, const Co
 bool excludes(const Model& model, const std::vector<ConditionUse>& uses, const Condition& wanted) {
   return std::any_of(uses.begin(), uses.end(), [&](const ConditionUse& use) {
     const Condition& other = model.conditions[use.id];
-    return other.state == wanted.state && other.accepts.intersected(wanted.accepts).empty();
+    return other.state == wanted.state && !other.accepts.overlaps(wanted.accepts);
   });
 }
 

@@ -32,7 +32,8 @@ template <class IdType, class T>
 class IdTable {
 public:
   IdTable() = default;
-  explicit IdTable(std::size_t count, const T& value = T{}) : rows_(count, value) {}
+  explicit IdTable(std::size_t count) : rows_(count) {}
+  IdTable(std::size_t count, const T& value) : rows_(count, value) {}
 
   IdType add(T row) {
     rows_.push_back(std::move(row));

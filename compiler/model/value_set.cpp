@@ -34,7 +34,26 @@ bool ValueSet::contains(std::int64_t value) const {
   return at != intervals_.end() && at->low <= value;
 }
 
-bool ValueSet::subset_of(const ValueSet& other) const { return intersected(other) == *this; }
+bool ValueSet::subset_of(const ValueSet& other) const {
+  return std::all_of(intervals_.begin(), intervals_.end(), [&](const Interval& i) {
+    const auto at = first_from(other.intervals_, i.low);
+    return at != other.intervals_.end() && at->low <= i.low && i.high <= at->high;
+  });
+}
+
+bool ValueSet::overlaps(const ValueSet& other) const {
+  auto a = intervals_.begin();
+  auto b = other.intervals_.begin();
+  while (a != intervals_.end() && b != other.intervals_.end()) {
+    if (std::max(a->low, b->low) <= std::min(a->high, b->high)) return true;
+    if (a->high < b->high) {
+      ++a;
+    } else {
+      ++b;
+    }
+  }
+  return false;
+}
 
 std::int64_t ValueSet::count() const {
   // In unsigned arithmetic, because the distance of two signed numbers may be more than the largest signed one.

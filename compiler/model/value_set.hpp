@@ -22,6 +22,7 @@ public:
   bool empty() const { return intervals_.empty(); }
   bool contains(std::int64_t value) const;
   bool subset_of(const ValueSet& other) const; ///< the empty set is a subset of every set
+  bool overlaps(const ValueSet& other) const;  ///< whether they have a value in common
   std::int64_t count() const;                  ///< how many values; saturates at the largest number
   const std::vector<Interval>& intervals() const { return intervals_; }
 

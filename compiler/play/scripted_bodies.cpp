@@ -70,12 +70,20 @@ bool ScriptedBodies::holds(const Case& each, const Run& run, std::int64_t count)
          std::all_of(each.uses.begin(), each.uses.end(), [&](const UseGuard& guard) { return holds(guard, run); });
 }
 
+/// The cases from the first one that is not for an earlier call: a recorded script has one for each call.
+std::span<const Case> ScriptedBodies::cases_of_next_call(const Body& body, Calls& calls) {
+  ++calls.count;
+  while (calls.passed < body.size() && body[calls.passed].run && *body[calls.passed].run < calls.count) ++calls.passed;
+  return std::span(body).subspan(calls.passed);
+}
+
 Outcome ScriptedBodies::run(Run& run) {
-  const std::int64_t count = ++runs_[run.provider()];
-  const Body& body = scenario_.bodies[ProviderId{run.provider()}];
-  const auto found = std::find_if(body.begin(), body.end(), [&](const Case& each) { return holds(each, run, count); });
-  if (onlooker_ != nullptr) onlooker_->ran(ProviderId{run.provider()}, found == body.end() ? nullptr : &*found);
-  if (found == body.end()) return run.keep();
+  Calls& calls = runs_[run.provider()];
+  const std::span<const Case> cases = cases_of_next_call(scenario_.bodies[ProviderId{run.provider()}], calls);
+  const auto found =
+      std::find_if(cases.begin(), cases.end(), [&](const Case& each) { return holds(each, run, calls.count); });
+  if (onlooker_ != nullptr) onlooker_->ran(ProviderId{run.provider()}, found == cases.end() ? nullptr : &*found);
+  if (found == cases.end()) return run.keep();
   if (found->refused) {
     if (!refused_) refused_ = found->refused;
     return run.fault();
@@ -98,11 +106,10 @@ Outcome ScriptedBodies::run(Run& run) {
   return run.pack(static_cast<std::uint16_t>(found->named_pack.value_or(0)));
 }
 
-void ScriptedBodies::handle(Handling& handling, const IdTable<GroupId, Body>& bodies,
-                            std::vector<std::int64_t>& counts) {
-  const std::int64_t count = ++counts[handling.group()];
-  for (const Case& each : bodies[GroupId{handling.group()}]) {
-    if ((each.run && *each.run != count) || !has_data(each, handling.data())) continue;
+void ScriptedBodies::handle(Handling& handling, const IdTable<GroupId, Body>& bodies, std::vector<Calls>& calls) {
+  Calls& own = calls[handling.group()];
+  for (const Case& each : cases_of_next_call(bodies[GroupId{handling.group()}], own)) {
+    if ((each.run && *each.run != own.count) || !has_data(each, handling.data())) continue;
     for (const Setting& setting : each.set) {
       handling.set(static_cast<Index>(setting.state.value), static_cast<std::int32_t>(setting.value));
     }

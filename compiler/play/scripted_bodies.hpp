@@ -7,6 +7,11 @@
 #include "compiler/play/scenario/scenario.hpp"
 #include "runtime/core/engine/run.hpp"
 
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
 namespace director::compiler {
 
 /// What the language calls a reason, in the engine's words.
@@ -26,7 +31,13 @@ public:
 
 private:
   Outcome run(Run& run);
-  void handle(Handling& handling, const IdTable<GroupId, Body>& bodies, std::vector<std::int64_t>& counts);
+  /// How often a body or handler was called, and how many cases at its front were for an earlier call.
+  struct Calls {
+    std::int64_t count = 0;
+    std::size_t passed = 0;
+  };
+  static std::span<const Case> cases_of_next_call(const Body& body, Calls& calls);
+  void handle(Handling& handling, const IdTable<GroupId, Body>& bodies, std::vector<Calls>& calls);
   bool holds(const Case& each, const Run& run, std::int64_t count) const;
   bool holds(const UseGuard& guard, const Run& run) const;
   bool has_data(const Case& each, DataPlace place) const;
@@ -35,7 +46,7 @@ private:
   const Tables& tables_;
   const Onlooker* onlooker_;
   DataSlots data_;
-  std::vector<std::int64_t> runs_, starts_, stops_; ///< of each provider and group, how many there were
+  std::vector<Calls> runs_, starts_, stops_; ///< of each provider and group
   std::optional<dsl::Diagnostic> refused_;
 };
 

@@ -313,7 +313,7 @@ private:
     const auto sets = [&](const std::vector<ConditionUse>& uses) {
       return std::any_of(uses.begin(), uses.end(), [&](const ConditionUse& use) {
         const compiler::Condition& each = model_.conditions[use.id];
-        return each.state == condition.state && !each.accepts.intersected(condition.accepts).empty();
+        return each.state == condition.state && each.accepts.overlaps(condition.accepts);
       });
     };
     std::vector<ProviderId> out;

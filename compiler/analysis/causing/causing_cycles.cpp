@@ -67,7 +67,7 @@ CausingCycles::CausingCycles(const Model& model, const Facts& facts, const Cause
     const std::vector<Source>& all = sources[condition.state];
     const auto gives = [&](const Source& source) {
       return source.kind != Source::Kind::causing && source.kind != Source::Kind::external &&
-             !source.values.intersected(condition.accepts).empty();
+             source.values.overlaps(condition.accepts);
     };
     if (std::any_of(all.begin(), all.end(), gives)) given_.add(id);
   }

@@ -65,7 +65,7 @@ private:
       const auto at = b.states.find(state);
       if (at == b.states.end()) continue;
       shared.insert(state);
-      if (values.intersected(at->second).intersected(facts_.values[state]).empty()) states_.insert(state);
+      if (!values.intersected(at->second).overlaps(facts_.values[state])) states_.insert(state);
     }
   }
 

@@ -149,7 +149,7 @@ private:
     std::vector<std::string> who;
     std::vector<ProviderId> next;
     for (const Source& source : sources_[condition.state]) {
-      if (source.values.intersected(condition.accepts).empty()) continue;
+      if (!source.values.overlaps(condition.accepts)) continue;
       if (source.provider) {
         who.push_back(name_of(model_, *source.provider));
         next.push_back(*source.provider);

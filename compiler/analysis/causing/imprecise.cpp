@@ -35,7 +35,7 @@ std::vector<Imprecise> find_imprecise(const Model& model, const Causers& causers
       for (const auto& [causer, promise] : promises[wanted.state]) {
         const GroupId other = model.providers[causer].group;
         if (other == group) continue;
-        if (model.conditions[promise.id].accepts.intersected(wanted.accepts).empty()) continue;
+        if (!model.conditions[promise.id].accepts.overlaps(wanted.accepts)) continue;
         const bool may_push = std::any_of(tasks[waiter].begin(), tasks[waiter].end(),
                                           [&](GroupId task) { return task != other && chains.may_beat(task, other); });
         if (may_push) out.push_back({waiter, condition, causer, promise});

@@ -107,7 +107,7 @@ private:
     const Condition& condition = model_.conditions[use.id];
     std::vector<ProviderId> out;
     for (const Source& source : sources_[condition.state]) {
-      if (source.values.intersected(condition.accepts).empty()) continue;
+      if (!source.values.overlaps(condition.accepts)) continue;
       if (source.provider) out.push_back(*source.provider);
       if (source.group) {
         const std::vector<ProviderId>& all = model_.groups[*source.group].providers;
@@ -222,7 +222,7 @@ private:
         if (!state.initial || !condition.accepts.contains(*state.initial) || !facts_.capable.contains(waiter)) continue;
         if (!waits.may_be_first(waiter)) continue;
         if (later[condition.state].subset_of(condition.accepts) && !(state.expires && !state.expires->to)) continue;
-        if (!later[condition.state].intersected(condition.accepts).empty()) continue;
+        if (later[condition.state].overlaps(condition.accepts)) continue;
         for (const Graph::Causing& arrow : graph_.causing) {
           if (arrow.waiter != waiter || arrow.condition.id != use.id || !is_passed_over(arrow.causer, waiter)) continue;
           NeverKept& row = lost[arrow.causer];

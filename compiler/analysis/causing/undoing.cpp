@@ -178,7 +178,7 @@ void add_waiter(const Model& model, const Want& want, std::vector<dsl::Note>& no
 std::optional<dsl::Note> stop_that_causes(const Model& model, GroupId group, ConditionId condition) {
   const Condition& wanted = model.conditions[condition];
   for (StopValue& stop : stop_values(model, group, wanted.state)) {
-    if (!stop.values.intersected(wanted.accepts).empty()) return dsl::Note{stop.span, std::move(stop.what)};
+    if (stop.values.overlaps(wanted.accepts)) return dsl::Note{stop.span, std::move(stop.what)};
   }
   return std::nullopt;
 }

@@ -206,8 +206,9 @@ std::vector<ChainStep> Claims::path(GroupId group) const {
 }
 
 const Claims& ClaimsCache::of(GroupId task) const {
-  const auto at = claims_.find(task);
-  return at != claims_.end() ? at->second : claims_.try_emplace(task, branches_, task).first->second;
+  std::unique_ptr<const Claims>& claims = claims_[task];
+  if (!claims) claims = std::make_unique<const Claims>(branches_, task);
+  return *claims;
 }
 
 } // namespace director::analysis

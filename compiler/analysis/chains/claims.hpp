@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -68,6 +69,7 @@ public:
   Branches(const Model& model, Counted counted);
   Branches(const Model& model, const Filter& counts) : Branches(model, {counts, counts, {}}) {}
   Requested requested() const { return counted_.requested; }
+  const Model& model() const { return model_; }
   const std::vector<Branch>& from(GroupId group) const;
   /// The states with which some counted provider of the group can be active.
   const Region& grantable(GroupId group) const;
@@ -135,12 +137,12 @@ private:
 /// The claims of each task, found on first use.
 class ClaimsCache {
 public:
-  explicit ClaimsCache(const Branches& branches) : branches_(branches) {}
+  explicit ClaimsCache(const Branches& branches) : branches_(branches), claims_(branches.model().groups.size()) {}
   const Claims& of(GroupId task) const;
 
 private:
   const Branches& branches_;
-  mutable std::map<GroupId, Claims> claims_;
+  mutable IdTable<GroupId, std::unique_ptr<const Claims>> claims_;
 };
 
 } // namespace director::analysis

@@ -19,7 +19,7 @@ std::optional<Note> excludes(const Model& model, ProviderId provider, ProviderId
   for (const ConditionUse& use : when) {
     const StateId state = model.conditions[use.id].state;
     const auto at = caused.states.find(state);
-    if (at == caused.states.end() || !at->second.intersected(region.states.at(state)).empty()) continue;
+    if (at == caused.states.end() || at->second.overlaps(region.states.at(state))) continue;
     return runs_only_while(model, provider, use);
   }
   return std::nullopt;
@@ -30,7 +30,7 @@ std::optional<Note> runs_without(const Model& model, ProviderId causer, const Co
   const std::vector<ConditionUse>& when = model.providers[causer].when;
   const Region region = region_of(model, when);
   const auto at = region.states.find(wanted.state);
-  if (at == region.states.end() || !at->second.intersected(wanted.accepts).empty()) return std::nullopt;
+  if (at == region.states.end() || at->second.overlaps(wanted.accepts)) return std::nullopt;
   for (const ConditionUse& use : when) {
     if (model.conditions[use.id].state == wanted.state) return runs_only_while(model, causer, use);
   }
@@ -41,7 +41,7 @@ std::optional<Note> sets_against(const Model& model, ProviderId causer, const Co
   const Condition& wanted = model.conditions[other.id];
   const Provider& provider = model.providers[causer];
   const ValueSet set = values_set_by(model, provider, wanted.state);
-  if (set.empty() || !set.intersected(wanted.accepts).empty()) return std::nullopt;
+  if (set.empty() || set.overlaps(wanted.accepts)) return std::nullopt;
   for (const bool promised : {true, false}) {
     for (const ConditionUse& use : promised ? provider.causing : provider.sets) {
       if (model.conditions[use.id].state != wanted.state) continue;

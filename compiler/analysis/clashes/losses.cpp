@@ -55,7 +55,7 @@ Losses::Because Losses::lost_group(ProviderId a, ProviderId b) const {
 Losses::Because Losses::lost_provider(ProviderId a, ProviderId b, const Want& wanted) const {
   for (const auto& [state, accepted] : region_of(model_, row(b).when).states) {
     const ValueSet set = values_set_by(model_, row(a), state);
-    if (set.empty() || !set.intersected(accepted).empty() || comes_from_others(state, accepted, a, wanted)) continue;
+    if (set.empty() || set.overlaps(accepted) || comes_from_others(state, accepted, a, wanted)) continue;
     std::vector<Note> out;
     for (const std::vector<ConditionUse>* uses : {&row(a).causing, &row(a).sets}) {
       for (const ConditionUse& use : *uses) {
@@ -87,7 +87,7 @@ bool Losses::comes_otherwise(const Want& want) const {
   const Condition& wanted = model_.conditions[want.condition.id];
   const std::vector<Source>& sources = sources_[wanted.state];
   return std::any_of(sources.begin(), sources.end(), [&](const Source& source) {
-    if (source.kind == Source::Kind::initial || source.values.intersected(wanted.accepts).empty()) return false;
+    if (source.kind == Source::Kind::initial || !source.values.overlaps(wanted.accepts)) return false;
     if (!source.provider) return true;
     const bool is_causer = std::find(want.causers.begin(), want.causers.end(), *source.provider) != want.causers.end();
     return !is_causer && facts_.active.contains(*source.provider) && !waits_too(*source.provider, want);
@@ -112,7 +112,7 @@ std::optional<Note> Losses::always_keeps(GroupId group, GroupId task, GroupId ke
 bool Losses::comes_from_others(StateId state, const ValueSet& values, ProviderId but, const Want& wanted) const {
   return std::any_of(sources_[state].begin(), sources_[state].end(), [&](const Source& source) {
     return source.kind != Source::Kind::initial && source.provider != but &&
-           !source.values.intersected(values).empty() && !(source.provider && waits_too(*source.provider, wanted));
+           source.values.overlaps(values) && !(source.provider && waits_too(*source.provider, wanted));
   });
 }
 

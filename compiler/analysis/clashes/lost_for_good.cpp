@@ -122,7 +122,7 @@ private:
     noted_ = {{use.span, {}}, {promise_of(model_, causer, use.id).span, {}}};
     for (const ConditionId id : stopping.lost()) {
       for (const Source& source : sources_[model_.conditions[id].state]) {
-        if (source.provider && !source.values.intersected(model_.conditions[id].accepts).empty() &&
+        if (source.provider && source.values.overlaps(model_.conditions[id].accepts) &&
             facts_.active.contains(*source.provider))
           add_source(*source.provider, source, stopping, out.because);
       }

@@ -27,7 +27,7 @@ bool Stopping::lose(ConditionId id) {
   const Condition& condition = model_.conditions[id];
   const std::vector<Source>& all = sources_[condition.state];
   return std::all_of(all.begin(), all.end(), [&](const Source& source) {
-    return source.values.intersected(condition.accepts).empty() || cannot_act(source);
+    return !source.values.overlaps(condition.accepts) || cannot_act(source);
   });
 }
 

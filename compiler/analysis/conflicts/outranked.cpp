@@ -65,7 +65,7 @@ private:
     const State& state = model_.states[condition.state];
     if (state.of && condition.accepts.contains(*state.initial) && !among(groups, state.of->id)) return true;
     return std::any_of(sources_[condition.state].begin(), sources_[condition.state].end(), [&](const Source& source) {
-      if (source.kind == Source::Kind::initial || source.values.intersected(condition.accepts).empty()) return false;
+      if (source.kind == Source::Kind::initial || !source.values.overlaps(condition.accepts)) return false;
       if (source.provider) return !among(want.causers, *source.provider) && facts_.active.contains(*source.provider);
       return !source.group || !among(groups, *source.group);
     });
@@ -92,7 +92,7 @@ private:
       if (state.initial && condition.accepts.contains(*state.initial)) return false;
       bool comes = false;
       for (const Source& source : sources_[condition.state]) {
-        if (source.values.intersected(condition.accepts).empty()) continue;
+        if (!source.values.overlaps(condition.accepts)) continue;
         if (!acts(model_, source, facts_.active)) continue;
         const std::optional<GroupId> by =
             source.provider ? std::optional(model_.providers[*source.provider].group) : source.group;

@@ -153,7 +153,7 @@ private:
   std::vector<Row> kinds_of(Row state, const ValueSet& values) const {
     std::vector<Row> out;
     for (Row kind = 0; kind < kinds_[state].size(); ++kind) {
-      if (!kinds_[state][kind].intersected(values).empty()) out.push_back(kind);
+      if (kinds_[state][kind].overlaps(values)) out.push_back(kind);
     }
     return out;
   }

@@ -94,7 +94,7 @@ std::optional<BlockedPusher> Contests::find_unpushed(GroupId group, const Side& 
   std::optional<BlockedPusher> out;
   for (const auto& [state, values] : waiting.claim->region.states) {
     const auto theirs = other.states.find(state);
-    if (theirs == other.states.end() || !values.intersected(theirs->second).empty()) continue;
+    if (theirs == other.states.end() || values.overlaps(theirs->second)) continue;
     const auto want = std::find_if(wants.begin(), wants.end(), [&, &state = state, &values = values](const Want* each) {
       const Condition& condition = model_.conditions[each->condition.id];
       return condition.state == state && values.subset_of(condition.accepts);

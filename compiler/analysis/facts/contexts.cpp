@@ -188,7 +188,7 @@ Region Contexts::around(ProviderId id) const { return facts_.region_to_run(model
 
 bool Contexts::may_be(const Region& region) const {
   return std::all_of(region.states.begin(), region.states.end(),
-                     [&](const auto& entry) { return !entry.second.intersected(facts_.values[entry.first]).empty(); });
+                     [&](const auto& entry) { return entry.second.overlaps(facts_.values[entry.first]); });
 }
 
 bool Contexts::can_begin(ProviderId id, Region within) {

@@ -151,7 +151,7 @@ private:
     for (const auto& [state, accepted] : region_of(model_, conditions).states) {
       Impossible fault{id, stay, state, Impossible::Why::contradictory, {}};
       if (!accepted.empty()) {
-        if (!accepted.intersected(facts_.declared[state]).empty()) continue;
+        if (accepted.overlaps(facts_.declared[state])) continue;
         fault.why = sources_[state].empty() ? Impossible::Why::without_source : Impossible::Why::unreachable;
       }
       for (const ConditionUse& use : conditions) {
@@ -266,7 +266,7 @@ private:
   bool conditions_may_hold(ProviderId id) const {
     const Region region = region_of(model_, model_.providers[id].when);
     return std::all_of(region.states.begin(), region.states.end(), [&](const auto& entry) {
-      return !entry.second.intersected(facts_.values[entry.first]).empty() || facts_.is_impossible(id, entry.first);
+      return entry.second.overlaps(facts_.values[entry.first]) || facts_.is_impossible(id, entry.first);
     });
   }
 
@@ -413,7 +413,7 @@ bool Facts::is_impossible(ProviderId provider, StateId state) const {
 
 bool Facts::may_hold(const Model& model, ProviderId provider, const ConditionUse& use) const {
   const Condition& condition = model.conditions[use.id];
-  return is_impossible(provider, condition.state) || !values[condition.state].intersected(condition.accepts).empty();
+  return is_impossible(provider, condition.state) || values[condition.state].overlaps(condition.accepts);
 }
 
 bool Facts::holds_always(const Model& model, ConditionId id, const Region& region) const {

@@ -19,7 +19,7 @@ std::optional<StateId> find_different(const Region& a, const Region& b, const Id
   for (const auto& [state, values] : a.states) {
     if (among != nullptr && !among->contains(state)) continue;
     const auto at = b.states.find(state);
-    if (at != b.states.end() && values.intersected(at->second).empty()) return state;
+    if (at != b.states.end() && !values.overlaps(at->second)) return state;
   }
   return std::nullopt;
 }

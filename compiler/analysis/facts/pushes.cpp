@@ -51,7 +51,7 @@ Pushes::Pushes(const Model& model, const Facts& facts, const Chains& chains, con
 
 bool Pushes::may_hold(ConditionId id) const {
   const Condition& condition = model_.conditions[id];
-  return !facts_.values[condition.state].intersected(condition.accepts).empty();
+  return facts_.values[condition.state].overlaps(condition.accepts);
 }
 
 bool Pushes::may_lack_with(ConditionId id, ConditionId wanted) const {

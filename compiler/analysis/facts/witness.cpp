@@ -133,7 +133,7 @@ private:
   std::optional<Fact> source_of(StateId state, const ValueSet& values) const {
     for (std::uint32_t i = 0; i < sources_[state].size(); ++i) {
       const Fact fact{Fact::Kind::source, state.value, i};
-      if (knows(fact) && !sources_[state][i].values.intersected(values).empty()) return fact;
+      if (knows(fact) && sources_[state][i].values.overlaps(values)) return fact;
     }
     return std::nullopt;
   }

@@ -26,7 +26,7 @@ std::size_t count_outside(const Box& box, const Region& region) {
     const auto at = box.find(state);
     const Possible here = at == box.end() ? Possible{} : at->second;
     if (!here.values.subset_of(accepted) || here.unset) ++out;
-    if (here.values.intersected(accepted).empty()) return out;
+    if (!here.values.overlaps(accepted)) return out;
   }
   return out;
 }

@@ -27,7 +27,7 @@ std::optional<Spoilt> Spoiling::of(ProviderId causer, ConditionId wanted) const 
     if (entries == entries_->end()) continue;
     for (const Entry& entry : entries->second) {
       const ValueSet& set = model_.conditions[entry.set.id].accepts;
-      if (!set.intersected(at->second).empty()) continue;
+      if (set.overlaps(at->second)) continue;
       std::optional<dsl::Note> back = stop_that_causes(model_, entry.group, use.id);
       if (!back) back = stop_that_causes(model_, granted_.task, use.id);
       if (!back) break; // it is lost for good

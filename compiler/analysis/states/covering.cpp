@@ -47,7 +47,7 @@ Possible possible_at(const Model& model, const IdTable<StateId, ValueSet>& value
 bool is_apart(const IdTable<StateId, ValueSet>& values, const Box& box, const Region& region) {
   return std::any_of(region.states.begin(), region.states.end(), [&](const auto& entry) {
     const auto at = box.find(entry.first);
-    return (at == box.end() ? values[entry.first] : at->second.values).intersected(entry.second).empty();
+    return !(at == box.end() ? values[entry.first] : at->second.values).overlaps(entry.second);
   });
 }
 

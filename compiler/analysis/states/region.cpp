@@ -49,7 +49,7 @@ bool contains(const Region& outer, const Region& inner) {
 bool compatible(const Region& a, const Region& b) {
   return std::all_of(a.states.begin(), a.states.end(), [&](const auto& entry) {
     const auto at = b.states.find(entry.first);
-    return at == b.states.end() || !entry.second.intersected(at->second).empty();
+    return at == b.states.end() || entry.second.overlaps(at->second);
   });
 }
 

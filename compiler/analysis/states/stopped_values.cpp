@@ -22,7 +22,7 @@ const ConditionUse* find_own_step(const Model& model, ProviderId id) {
     const Condition& condition = model.conditions[use.id];
     const State& state = model.states[condition.state];
     if (state.of && state.of->id == provider.group &&
-        values_while_stopped(model, state).values.intersected(condition.accepts).empty())
+        !values_while_stopped(model, state).values.overlaps(condition.accepts))
       return &use;
   }
   return nullptr;

@@ -170,7 +170,7 @@ private:
     const Condition& condition = model_.conditions[id];
     const std::vector<Source>& sources = sources_[condition.state];
     return std::none_of(sources.begin(), sources.end(), [&](const Source& source) {
-      return !source.values.intersected(condition.accepts).empty() && acts(model_, source, occurrences_.runs);
+      return source.values.overlaps(condition.accepts) && acts(model_, source, occurrences_.runs);
     });
   }
 

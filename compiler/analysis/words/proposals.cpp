@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace director::analysis {
 
@@ -58,22 +59,26 @@ bool may_serve_need(const Model& model, const Facts& facts, ProviderId id) {
 bool is_only_source(const Model& model, ProviderId id) {
   const Provider& provider = model.providers[id];
   if (provider.sets.empty() && provider.causing.empty()) return false;
-  const auto sources = find_sources(model);
-  const auto is_own = [&](const Source& source) { return source.provider == id; };
-  const auto waits_for_it = [&](const ConditionUse& use) {
-    const Condition& condition = model.conditions[use.id];
-    std::vector<Source> giving;
-    bool is_lost = false;
-    for (const Source& each : sources[condition.state]) {
-      if (!each.values.intersected(condition.accepts).empty()) giving.push_back(each);
-      is_lost = is_lost || !each.values.without(condition.accepts).empty();
+  std::set<ConditionId> awaited;
+  for (const Provider& waiter : model.providers) {
+    if (waiter.group == provider.group) continue;
+    for (const auto* uses : {&waiter.when, &waiter.stay}) {
+      for (const ConditionUse& use : *uses) awaited.insert(use.id);
     }
-    if (is_lost) std::erase_if(giving, [](const Source& each) { return each.kind == Source::Kind::initial; });
-    return !giving.empty() && std::all_of(giving.begin(), giving.end(), is_own);
-  };
-  return std::any_of(model.providers.begin(), model.providers.end(), [&](const Provider& waiter) {
-    return waiter.group != provider.group && (std::any_of(waiter.when.begin(), waiter.when.end(), waits_for_it) ||
-                                              std::any_of(waiter.stay.begin(), waiter.stay.end(), waits_for_it));
+  }
+  const auto sources = find_sources(model);
+  return std::any_of(awaited.begin(), awaited.end(), [&](ConditionId each) {
+    const ValueSet& accepts = model.conditions[each].accepts;
+    bool is_given = false, is_given_by_others = false, is_initial = false, is_lost = false;
+    for (const Source& source : sources[model.conditions[each].state]) {
+      is_lost = is_lost || !source.values.subset_of(accepts);
+      if (!source.values.overlaps(accepts)) continue;
+      const bool initial = source.kind == Source::Kind::initial;
+      is_initial = is_initial || initial;
+      is_given = is_given || source.provider == id;
+      is_given_by_others = is_given_by_others || (!initial && source.provider != id);
+    }
+    return is_given && !is_given_by_others && (is_lost || !is_initial);
   });
 }
 

@@ -40,7 +40,7 @@ std::vector<dsl::Note> missing_for(const Model& model, const analysis::Facts& fa
   if (const auto* value = std::get_if<analysis::StateValue>(&goal)) {
     const auto sources = analysis::find_sources(model);
     for (const analysis::Source& source : sources[value->state]) {
-      if (source.values.intersected(ValueSet::single(value->value)).empty()) continue;
+      if (!source.values.overlaps(ValueSet::single(value->value))) continue;
       if (source.provider) providers.push_back(*source.provider);
       if (!source.group) continue;
       const std::vector<ProviderId>& live = model.groups[*source.group].providers;

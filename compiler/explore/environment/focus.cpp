@@ -81,7 +81,7 @@ private:
   Coming from_outside(const Condition& condition) const {
     const State& state = model_.states[condition.state];
     if (state.initial && condition.accepts.contains(*state.initial)) return {0, {}, false};
-    if (state.external && !condition.accepts.intersected(state.domain()).empty()) return {1, {}, true};
+    if (state.external && condition.accepts.overlaps(state.domain())) return {1, {}, true};
     if (state.expires && state.expires->to && condition.accepts.contains(*state.expires->to)) return {2, {}, true};
     return {};
   }
@@ -112,7 +112,7 @@ private:
     }
     for (const ConditionId id : model_.conditions.ids()) {
       for (const Setter& setter : setters_[model_.conditions[id].state]) {
-        if (model_.conditions[setter.what].accepts.intersected(model_.conditions[id].accepts).empty()) continue;
+        if (!model_.conditions[setter.what].accepts.overlaps(model_.conditions[id].accepts)) continue;
         out = better(conditions_[id], sum(providers_[setter.by], 1), setter.by) || out;
       }
     }

@@ -363,6 +363,22 @@ TEST_CASE("of more pairs of tasks that may end each other in turn than are looke
                                          "not decided"});
 }
 
+TEST_CASE("of a provider that promises five hundred states, and tasks that wait for them, the rest is left open") {
+  std::string states = "states:\n", roots = "roots: {Base: {priority: -1}", groups = "groups:\n", promises;
+  for (std::size_t i = 0; i < 500; ++i) {
+    states += fmt::format("  S{}: {{values: [a, b], initial: a}}\n", i);
+    roots += fmt::format(", T{}: {{priority: {}}}", i, i);
+    groups += fmt::format("  T{0}: {{when: [S{0} == b]}}\n", i);
+    promises += fmt::format("{}S{} == b", i == 0 ? "" : ", ", i);
+  }
+  groups += "  Base: {providers: [{name: go}, {name: all, causing: [" + promises + "]}]}\n";
+  const tests::CheckedText checked = tests::check_text(states + roots + "}\n" + groups);
+  std::vector<std::string> open;
+  for (const dsl::Diagnostic& finding : checked.checked.findings)
+    if (finding.id == "not_decided") open.push_back(finding.message);
+  CHECK(open == std::vector<std::string>{"whether two tasks end each other in turn, from `T400` on was not decided"});
+}
+
 TEST_CASE("a task that eight hundred others request, and that requests each of them, is one cycle") {
   std::string text = "roots: [Hub]\ngroups:\n  Hub: {tasks: [" + names(0, 800) + "]}\n";
   for (std::size_t i = 0; i < 800; ++i) text += fmt::format("  T{}: {{tasks: [Hub]}}\n", i);

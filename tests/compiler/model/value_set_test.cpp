@@ -47,6 +47,11 @@ TEST_CASE("a set without some values is what remains around them") {
 TEST_CASE("what two sets have in common") {
   CHECK(of({1, 3, 5}).intersected(ValueSet::interval(2, 5)) == of({3, 5}));
   CHECK(of({1}).intersected(of({2})).empty());
+  CHECK(of({1, 3, 5}).overlaps(of({0, 2, 5, 9})));
+  CHECK(of({0, 2, 5, 9}).overlaps(of({1, 3, 5})));
+  CHECK_FALSE(of({1, 3, 5}).overlaps(of({0, 2, 4, 6})));
+  CHECK_FALSE(of({1}).overlaps(ValueSet()));
+  CHECK_FALSE(ValueSet().overlaps(of({1})));
 }
 
 TEST_CASE("a domain is cut where a set begins or ends") {
@@ -63,6 +68,8 @@ TEST_CASE("a domain is cut where a set begins or ends") {
 TEST_CASE("subsets, members and counts") {
   CHECK(of({3, 5}).subset_of(ValueSet::interval(3, 5)));
   CHECK_FALSE(ValueSet::interval(3, 5).subset_of(of({3, 5})));
+  CHECK_FALSE(of({3, 9}).subset_of(ValueSet::interval(3, 5)));
+  CHECK_FALSE(of({3}).subset_of(ValueSet()));
   CHECK(ValueSet().subset_of(ValueSet()));
   CHECK(of({3, 5}).contains(5));
   CHECK_FALSE(of({3, 5}).contains(4));

@@ -68,6 +68,24 @@ steps:
              "run Walk.walking trigger", "> trigger Bell", "run Walk.walking trigger", "done Walk", "stop Walk"});
 }
 
+TEST_CASE("cases for one call each are used in turn, and the one behind them for all other calls") {
+  CHECK(play(walker, R"(
+script:
+  Walk.walking:
+    - {run: 1, tasks: [Legs]}
+    - {run: 2, tasks: []}
+    - {run: 4, done: true}
+    - {tasks: [Legs]}
+steps:
+  - request: Walk
+  - trigger: Bell
+  - trigger: Bell
+  - trigger: Bell
+)") == Lines{"> request Walk", "start Walk", "run Walk.walking new_task", "run Legs new_task", "> trigger Bell",
+             "run Walk.walking trigger", "> trigger Bell", "run Walk.walking trigger", "run Legs new_task",
+             "> trigger Bell", "run Walk.walking trigger", "done Walk", "stop Walk"});
+}
+
 TEST_CASE("a body sees how its tasks are doing") {
   const char* const script = R"(
 script:

@@ -116,7 +116,7 @@ TEST_CASE("what is reported as covered, and what is open, is so at every place")
     for (const Region& region : regions) {
       const bool apart = std::any_of(region.states.begin(), region.states.end(), [&](const auto& entry) {
         const auto at = opening.find(entry.first);
-        return (at == opening.end() ? space.values[entry.first] : at->second.values).intersected(entry.second).empty();
+        return !(at == opening.end() ? space.values[entry.first] : at->second.values).overlaps(entry.second);
       });
       REQUIRE(apart);
     }
