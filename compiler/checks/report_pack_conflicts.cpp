@@ -4,7 +4,7 @@
 
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/conflicts/pack_conflicts.hpp"
-#include "compiler/analysis/conflicts/pair_help.hpp"
+#include "compiler/analysis/pairs/pair_help.hpp"
 #include "compiler/analysis/conflicts/starving.hpp"
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/needs/needs.hpp"

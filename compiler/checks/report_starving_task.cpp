@@ -3,7 +3,7 @@
 #include "compiler/checks/report_starving_task.hpp"
 
 #include "compiler/analysis/conflicts/outranked.hpp"
-#include "compiler/analysis/conflicts/ways.hpp"
+#include "compiler/analysis/pairs/ways.hpp"
 #include "compiler/analysis/facts/facts.hpp"
 #include "compiler/analysis/requests/company.hpp"
 #include "compiler/analysis/shared/shared.hpp"

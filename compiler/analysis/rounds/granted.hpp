@@ -5,6 +5,7 @@
 #include "compiler/analysis/causing/takings.hpp"
 #include "compiler/analysis/chains/runs_below.hpp"
 #include "compiler/analysis/input.hpp"
+#include "compiler/analysis/requests/requests.hpp"
 
 #include <memory>
 #include <optional>

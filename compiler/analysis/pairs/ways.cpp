@@ -1,6 +1,6 @@
-// Header: compiler/analysis/conflicts/ways.hpp. Test: tests/compiler/checks/helps_test.cpp.
+// Header: compiler/analysis/pairs/ways.hpp. Test: tests/compiler/checks/helps_test.cpp.
 // SPDX-License-Identifier: MIT
-#include "compiler/analysis/conflicts/ways.hpp"
+#include "compiler/analysis/pairs/ways.hpp"
 
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/choice.hpp"
