@@ -107,19 +107,14 @@ private:
     return beyond_when(state, without(all, values), others).empty();
   }
 
-  /// Without `stay` it never continues beyond its `when`.
+  /// Without a `stay` that adds something it continues as long as its `when` holds.
   void stay() {
-    if (before_.stay.empty() == after_.stay.empty()) return conditions("stay", before_.stay, after_.stay, true);
     const auto adds_nothing = [](const Model& model, const Provider& provider) {
-      return is_within(all_of(model, provider.stay), all_of(model, provider.when));
+      return provider.stay.empty() || is_within(all_of(model, provider.stay), all_of(model, provider.when));
     };
-    if (before_.stay.empty() && !adds_nothing(pair_.new_model, after_)) {
-      add(ChangeKind::condition_loosened, fmt::format("`{}` may now stay active where its `when` does not hold", name_),
-          {}, after_.stay.front().span);
-    } else if (after_.stay.empty() && !adds_nothing(pair_.old_model, before_)) {
-      add(ChangeKind::condition_tightened,
-          fmt::format("`{}` no longer stays active where its `when` does not hold", name_), before_.stay.front().span);
-    }
+    const bool old_alone = adds_nothing(pair_.old_model, before_), new_alone = adds_nothing(pair_.new_model, after_);
+    if (old_alone && new_alone) return;
+    conditions("stay", old_alone ? before_.when : before_.stay, new_alone ? after_.when : after_.stay, true);
   }
 
   struct Promise {

@@ -78,6 +78,19 @@ private:
     if (!was.empty() && !is.empty() && was.front() != is.front())
       add(fmt::format("{} requests `{}` at `{}` where it names no level, before at `{}`", requester_.words, name,
                       is.front(), was.front()));
+    const std::int32_t then = first_level(pair_.old_model, before).priority,
+                       now = first_level(pair_.new_model, after).priority;
+    if (gets_or_loses_names(before, after) && now != then)
+      add(fmt::format("{} requests `{}` with priority {} where it names no level, before with {}", requester_.words,
+                      name, now, then));
+  }
+
+  /// The one that counts where none is named.
+  static const Level& first_level(const Model& model, const Task& task) {
+    return model.edges[task.edge].levels[task.levels.front().level];
+  }
+  static bool gets_or_loses_names(const Task& before, const Task& after) {
+    return before.levels.front().name.empty() != after.levels.front().name.empty();
   }
 
   /// A request of the program is a unit by itself, so `apart` changes nothing there.
@@ -87,21 +100,26 @@ private:
     return it.optional ? "optional" : it.apart && edge.requester ? "apart" : "mandatory";
   }
   void units(const std::string& name, const Task& before, const Task& after) {
-    for (std::size_t i = 0; i < after.levels.size(); ++i) {
-      const Task::NamedLevel& level = after.levels[i];
+    if (gets_or_loses_names(before, after))
+      unit(name, before, before.levels.front(), after, after.levels.front(), " where it names no level");
+    for (const Task::NamedLevel& level : after.levels) {
       const auto old = std::find_if(before.levels.begin(), before.levels.end(),
                                     [&](const Task::NamedLevel& each) { return each.name == level.name; });
-      if (old == before.levels.end()) continue;
-      const std::string was = manner(pair_.old_model, before, *old), is = manner(pair_.new_model, after, level);
-      if (was == is) continue;
-      const std::string at = level.name.empty() ? "" : fmt::format(" at `{}`", level.name);
-      changes_
-          .add(ChangeKind::unit, requester_.subject,
-               fmt::format("{} requests `{}`{} as {}, before as {}", requester_.words, name, at, is, was), before.span,
-               after.span)
-          .breaks_code = requester_.is_pack && is != "optional" && pair_.old_model.may_be_left_out(before) &&
-                         !pair_.new_model.may_be_left_out(after);
+      if (old != before.levels.end())
+        unit(name, before, *old, after, level, level.name.empty() ? "" : fmt::format(" at `{}`", level.name));
     }
+  }
+
+  void unit(const std::string& name, const Task& before, const Task::NamedLevel& old, const Task& after,
+            const Task::NamedLevel& level, const std::string& at) {
+    const std::string was = manner(pair_.old_model, before, old), is = manner(pair_.new_model, after, level);
+    if (was == is) return;
+    changes_
+        .add(ChangeKind::unit, requester_.subject,
+             fmt::format("{} requests `{}` as {}{}, before as {}", requester_.words, name, is, at, was), before.span,
+             after.span)
+        .breaks_code = requester_.is_pack && is != "optional" && pair_.old_model.may_be_left_out(before) &&
+                       !pair_.new_model.may_be_left_out(after);
   }
 
   const Pair& pair_;

@@ -31,8 +31,8 @@ public:
           .breaks_code = true;
     values();
     if (text_of(before_, before_.initial) != text_of(after_, after_.initial))
-      add(ChangeKind::state_initial, fmt::format("{} begins {}, before {}", name_, text_of(after_, after_.initial),
-                                                 text_of(before_, before_.initial)));
+      add(ChangeKind::state_initial,
+          fmt::format("{} begins {}, before {}", name_, initial_text(after_), initial_text(before_)));
     if (before_.external != after_.external)
       add(ChangeKind::state_source,
           fmt::format("{} may {} be set from outside", name_, after_.external ? "now" : "no longer"))
@@ -49,7 +49,11 @@ private:
     return state.type ? ticked(*state.type) : std::string("that is generated");
   }
   static std::string text_of(const State& state, std::optional<std::int64_t> value) {
-    return value ? "as " + ticked(state.value_text(*value)) : std::string("unset");
+    return value ? ticked(state.value_text(*value)) : std::string("unset");
+  }
+
+  static std::string initial_text(const State& state) {
+    return (state.initial ? "as " : "") + text_of(state, state.initial);
   }
 
   void values() {
@@ -89,9 +93,10 @@ private:
 
   void expires() {
     if (before_.expires.has_value() != after_.expires.has_value()) {
-      const State::Expires& one = after_.expires ? *after_.expires : *before_.expires;
-      add(ChangeKind::state_source, fmt::format("{} {} expires after {}", name_, after_.expires ? "now" : "no longer",
-                                                dsl::time_text(one.after)));
+      add(ChangeKind::state_source,
+          after_.expires ? fmt::format("{} now expires after {}, and is {} then", name_,
+                                       dsl::time_text(after_.expires->after), text_of(after_, after_.expires->to))
+                         : fmt::format("{} no longer expires after {}", name_, dsl::time_text(before_.expires->after)));
       return;
     }
     if (!before_.expires) return;

@@ -10,11 +10,14 @@
 // handlers set. If inputs wait then, this happens at the time of the step already, which the next event shows.
 #include "compiler/trace/replay.hpp"
 
+#include "compiler/base/seconds.hpp"
 #include "compiler/trace/event_words.hpp"
 #include "compiler/trace/recorded_events.hpp"
 #include "runtime/core/engine/engine.hpp"
 #include "runtime/hosted/engine_memory.hpp"
 #include "runtime/hosted/trace/json_lines.hpp"
+
+#include <fmt/format.h>
 
 #include <deque>
 #include <tuple>
@@ -307,11 +310,12 @@ private:
     Replayed::Difference found;
     found.event = recorded.line - 1; // behind the header
     found.line = recorded.line;
-    found.time = event != nullptr ? event->time : was.time;
+    found.time = was.time;
     found.recorded_line = recorded.text;
     if (event != nullptr) {
       found.replayed_line = line_;
       std::tie(found.recorded, found.replayed) = words_of_both(was, events_.recorded_names(), *event, names_);
+      if (event->time != was.time) found.replayed += fmt::format(", at {} s", in_seconds(event->time));
     } else {
       found.recorded = words_of(was, events_.recorded_names());
       found.replayed = recorded.problem.empty() ? "nothing" : recorded.problem;

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace director::analysis {
 
@@ -33,18 +34,30 @@ struct Support {
 
 class WitnessSearch {
 public:
-  WitnessSearch(const Model& model, const Facts& facts) : model_(model), facts_(facts), sources_(find_sources(model)) {}
+  WitnessSearch(const Model& model, const Facts& facts)
+      : model_(model),
+        facts_(facts),
+        sources_(find_sources(model)),
+        waiting_(model.states.size()) {
+    for (const ProviderId id : model_.providers.ids()) {
+      for (const ConditionUse& use : model_.providers[id].when)
+        waiting_[model_.conditions[use.id].state].emplace_back(id, use.id);
+    }
+  }
 
   std::optional<std::vector<dsl::Note>> find(const Goal& goal) {
     for (const Task& root : model_.roots)
       know({Fact::Kind::requested, root.target.value}, {}, root.span,
            fmt::format("the program may request {}", quoted(root.target)));
-    do {
-      grown_ = false;
-      take_sources();
-      for (const ProviderId id : model_.providers.ids()) take_capable(id);
-      for (const ProviderId id : model_.providers.ids()) take_active(id);
-    } while (grown_);
+    for (const bool with_pusher : {true, false}) {
+      with_pusher_ = with_pusher;
+      do {
+        grown_ = false;
+        take_sources();
+        for (const ProviderId id : model_.providers.ids()) take_capable(id);
+        for (const ProviderId id : model_.providers.ids()) take_active(id);
+      } while (grown_);
+    }
     const std::optional<Fact> last = fact_of(goal);
     if (!last) return std::nullopt;
     explain(*last);
@@ -156,13 +169,37 @@ private:
     grown_ = true;
   }
 
+  /// The first provider of a known task that waits for what this one causes, and the condition.
+  std::optional<std::pair<ProviderId, ConditionId>> find_pusher(ProviderId id) const {
+    for (const ConditionUse& promise : model_.providers[id].causing) {
+      for (const auto& [waiter, condition] : waiting_[model_.conditions[promise.id].state]) {
+        const GroupId group = model_.providers[waiter].group;
+        if (group != model_.providers[id].group && model_.satisfies(promise.id, condition) &&
+            knows({Fact::Kind::requested, group.value}))
+          return std::pair(waiter, condition);
+      }
+    }
+    return std::nullopt;
+  }
+
   void take_active(ProviderId id) {
     const Provider& provider = model_.providers[id];
     const Fact requested{Fact::Kind::requested, provider.group.value}, capable{Fact::Kind::capable, id.value};
     const Fact active{Fact::Kind::active, id.value};
     if (!facts_.active.contains(id) || knows(active) || !knows(requested) || !knows(capable)) return;
-    know(active, {requested, capable}, provider.span,
-         fmt::format("{} may run{}", quoted(id), facts_.chosen.contains(id) ? "" : ", pushed"));
+    std::vector<Fact> by{requested, capable};
+    std::string pushed;
+    if (!facts_.chosen.contains(id)) {
+      const auto pusher = find_pusher(id);
+      if (!pusher && with_pusher_) return;
+      pushed = ", pushed";
+      if (pusher) {
+        const auto& [waiter, condition] = *pusher;
+        by.push_back({Fact::Kind::requested, model_.providers[waiter].group.value});
+        pushed += fmt::format(" while {} waits for `{}`", quoted(waiter), model_.conditions[condition].text);
+      }
+    }
+    know(active, std::move(by), provider.span, fmt::format("{} may run{}", quoted(id), pushed));
     for (const Pack& pack : provider.packs) {
       for (const Task& task : pack.tasks)
         know({Fact::Kind::requested, task.target.value}, {active}, task.span,
@@ -189,6 +226,8 @@ private:
   const Model& model_;
   const Facts& facts_;
   const IdTable<StateId, std::vector<Source>> sources_;
+  IdTable<StateId, std::vector<std::pair<ProviderId, ConditionId>>> waiting_; ///< by state: what waits for it
+  bool with_pusher_ = true; ///< what is pushed becomes known only with what it is pushed for
   std::map<Fact, Support> known_;
   std::set<Fact> done_;
   std::vector<dsl::Note> told_;

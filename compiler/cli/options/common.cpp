@@ -32,8 +32,9 @@ CLI::Option* add_format(CLI::App& app, Format& format, const std::vector<std::st
 }
 
 std::string format_by_ending(const std::string& file, const Endings& endings) {
+  const std::string lower = CLI::detail::to_lower(file);
   for (const auto& [ending, name] : endings) {
-    if (file.ends_with(ending)) return name;
+    if (lower.ends_with(ending)) return name;
   }
   return {};
 }

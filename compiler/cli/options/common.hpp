@@ -39,7 +39,7 @@ Make explore_options(CLI::App& app);
 /// `--format` with some of the formats.
 CLI::Option* add_format(CLI::App& app, Format& format, const std::vector<std::string>& names);
 
-/// The endings of file names that select a format, and its name.
+/// The endings of file names that select a format, in lower case, and its name.
 using Endings = std::vector<std::pair<std::string, std::string>>;
 /// Empty: the file has no such ending, or there is no file.
 std::string format_by_ending(const std::string& file, const Endings& endings);

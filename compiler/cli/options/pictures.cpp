@@ -34,6 +34,10 @@ std::optional<Message> take_format_of(DrawGraph& request) {
       request.output,
       {{".svg", "svg"}, {".json", "json"}, {".mmd", "mermaid"}, {".mermaid", "mermaid"}, {".dot", "dot"}});
   if (!name.empty()) request.format = format_called(name);
+  if (!format_by_ending(request.output, {{".html", "html"}, {".htm", "html"}}).empty())
+    return Message{fmt::format("directorc: `{}`: there is no format html; `directorc docs` writes a page\n",
+                               request.output),
+                   true};
   const std::string other = drawn_by_graphviz(request.output);
   if (other.empty()) return {};
   const std::string dot = request.output.substr(0, request.output.rfind('.')) + ".dot";

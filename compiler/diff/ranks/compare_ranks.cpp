@@ -83,13 +83,17 @@ private:
     }
     for (const auto& [wording, losers] : wordings) {
       const auto& [shift, groups, why] = wording;
-      const bool itself = groups == Names{target(winner)};
       changes_.add(kind_of(shift), edge_name(winner),
-                   sentence(shift, ticked(target(winner)), itself ? "the place" : ticked_list(groups),
-                            ticked_list(losers.losers)) +
-                       ": " + why,
+                   sentence(shift, ticked(target(winner)), taken(groups, target(winner), losers.losers)) + ": " + why,
                    losers.before, losers.after);
     }
+  }
+
+  /// "`Legs` from `Walk`"
+  static std::string taken(const Names& groups, const std::string& winner, const Names& losers) {
+    if (groups == Names{winner}) return "the place of " + ticked_list(losers);
+    return groups == losers ? ticked_list(groups) + (losers.size() == 1 ? " itself" : " themselves")
+                            : fmt::format("{} from {}", ticked_list(groups), ticked_list(losers));
   }
 
   /// What is never requested at once is compared, too, while control passes from the one to the other.
@@ -166,9 +170,13 @@ private:
   std::string reason(const Edge& winner, const Edge* old_winner, const Edge& loser, const Edge& old_loser) {
     const std::string by = requester_name(pair_.new_model, winner.requester);
     if (old_winner == nullptr) return fmt::format("{} requests it now, with {}", by, rank_text(winner));
-    for (const auto& [edge, old] : {std::pair(&winner, old_winner), {&loser, &old_loser}}) {
-      if (is_dead_now(*edge, *old)) return fmt::format("{} can never run any more", ticked(target(*edge)));
-    }
+    const bool winner_differs = winner.levels != old_winner->levels;
+    const std::string ranks = winner_differs ? fmt::format("{} requests it with {}, before with {}", by,
+                                                           rank_text(winner), rank_text(*old_winner))
+                                             : fmt::format("{} requests `{}` with {}, before with {}", by,
+                                                           target(loser), rank_text(loser), rank_text(old_loser));
+    if (const std::string why = lives_otherwise(winner, *old_winner, loser, old_loser); !why.empty())
+      return winner_differs || loser.levels != old_loser.levels ? why + "; " + ranks : why;
     if (is_order_alike(winner, *old_winner, loser, old_loser)) {
       for (const std::string& moved : {moved_levels(winner, *old_winner), moved_levels(loser, old_loser)}) {
         if (!moved.empty()) return moved;
@@ -178,17 +186,20 @@ private:
                              ? "when they lead there, or how, has changed"
                              : "what they lead to has changed");
     }
-    if (winner.levels != old_winner->levels)
-      return fmt::format("{} requests it with {}, before with {}", by, rank_text(winner), rank_text(*old_winner));
-    return fmt::format("{} requests `{}` with {}, before with {}", by, target(loser), rank_text(loser),
-                       rank_text(old_loser));
+    return ranks;
   }
 
-  /// Whether some provider of the target could run before, and none can now.
-  bool is_dead_now(const Edge& edge, const Edge& old) const {
-    return pair_.old_model.deployment && pair_.new_model.deployment &&
-           pair_.old_model.has_any(old.target, pair_.possible_before.facts().active) &&
-           !pair_.new_model.has_any(edge.target, pair_.possible_after.facts().active);
+  /// If one of them could run before and never can now, or the other way round; else empty.
+  std::string lives_otherwise(const Edge& winner, const Edge& old_winner, const Edge& loser,
+                              const Edge& old_loser) const {
+    if (!pair_.old_model.deployment || !pair_.new_model.deployment) return {};
+    for (const auto& [edge, old] : {std::pair(&winner, &old_winner), {&loser, &old_loser}}) {
+      const bool could = pair_.old_model.has_any(old->target, pair_.possible_before.facts().active),
+                 can = pair_.new_model.has_any(edge->target, pair_.possible_after.facts().active);
+      if (could != can)
+        return fmt::format("{} {}", ticked(target(*edge)), can ? "could never run before" : "can never run any more");
+    }
+    return {};
   }
 
   /// Where the target is requested, if two of these places are in another order than before: "the program at `calm`
@@ -307,7 +318,7 @@ private:
   TakesByName old_, new_;
   std::vector<std::pair<const Edge*, const Edge*>> pairs_; ///< of one requester: the new edge, and the old one or null
   std::map<GroupId, bool> alike_;
-  std::set<std::string> explained_;
+  std::set<std::string> explained_; ///< edges whose ranks a change names
 };
 
 } // namespace

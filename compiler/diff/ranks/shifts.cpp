@@ -45,7 +45,7 @@ ChangeKind kind_of(Shift shift) {
   return shift < Shift::lost ? ChangeKind::takeover_gained : ChangeKind::takeover_lost;
 }
 
-std::string sentence(Shift shift, const std::string& winner, const std::string& what, const std::string& losers) {
+std::string sentence(Shift shift, const std::string& winner, const std::string& what) {
   const auto [can, cases] = [&]() -> std::pair<const char*, const char*> {
     switch (shift) {
     case Shift::gained: return {"can now", ""};
@@ -59,7 +59,7 @@ std::string sentence(Shift shift, const std::string& winner, const std::string& 
     }
     return {"can", " in fewer cases now, while control passes"};
   }();
-  return fmt::format("{} {} take {} from {}{}", winner, can, what, losers, cases);
+  return fmt::format("{} {} take {}{}", winner, can, what, cases);
 }
 
 std::vector<Shift> shifts(const Encounters& before, const Encounters& now) {

@@ -15,8 +15,8 @@ namespace director::compiler::diff {
 enum class Shift { gained, always, more, more_in_passing, lost, not_always, fewer, fewer_in_passing };
 
 ChangeKind kind_of(Shift shift);
-/// "WINNER can now take WHAT from LOSERS"
-std::string sentence(Shift shift, const std::string& winner, const std::string& what, const std::string& losers);
+/// "WINNER can now take WHAT". `what`: groups, and from which tasks.
+std::string sentence(Shift shift, const std::string& winner, const std::string& what);
 
 /// Of one group. Encounters that only one side has count only for whether it is taken never, sometimes or always: at
 /// all, and at each place where both sides may request the two.

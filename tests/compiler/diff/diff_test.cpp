@@ -137,7 +137,6 @@ groups:
       "became_dead: warning is new: `Walk.halting` never runs: `Walk.walking` comes before it and can run whenever it "
       "can\n"
       "condition_loosened: `Clear` no longer requires `Hold == held` to run\n"
-      "condition_tightened: `Clear` no longer stays active where its `when` does not hold\n"
       "push_lost: `Clear` can no longer push `Walk.halting`\n");
 }
 
@@ -300,9 +299,17 @@ groups:
                          "more cases now" + why + "takeover_lost: " + walk + "fewer cases now" + why +
                          "takeover_lost: " + kick + "fewer cases now" + why));
   CHECK(told(robot("{calm: 1, hot: 9}"), robot("{calm: 6, hot: 9}"))
-            .starts_with("takeover_lost: `Walk` can no longer take `Legs` from `Kick`: `Kick` can never run any more\n"
-                         "takeover_lost: `Kick` can no longer take `Legs` from `Walk`: `Kick` can never run any more\n"
+            .starts_with("takeover_lost: `Walk` can no longer take `Legs` from `Kick`: `Kick` can never run any more; "
+                         "the program requests it with priority 6 and 9, before with priority 1 and 9\n"
+                         "takeover_lost: `Kick` can no longer take `Legs` from `Walk`: `Kick` can never run any more; "
+                         "the program requests `Walk` with priority 6 and 9, before with priority 1 and 9\n"
                          "became_dead: `Kick` can never run any more\n"));
+  CHECK(told(robot("{calm: 6, hot: 9}"), robot("{calm: 1, hot: 9}"))
+            .starts_with("takeover_gained: `Walk` can now take `Legs` from `Kick`: `Kick` could never run before; the "
+                         "program requests it with priority 1 and 9, before with priority 6 and 9\n"
+                         "takeover_gained: `Kick` can now take `Legs` from `Walk`: `Kick` could never run before; the "
+                         "program requests `Walk` with priority 1 and 9, before with priority 6 and 9\n"
+                         "became_reachable: `Kick` may run now\n"));
 }
 
 TEST_CASE("a way that became mandatory is compared with the one that was optional, at each level") {
@@ -342,13 +349,13 @@ TEST_CASE("tasks that request each other take from each other") {
     return std::string("roots: {Search: {priority: 20}, Track: {priority: ") + track +
            "}}\ngroups: {Search: {tasks: [Track]}, Track: {tasks: {Search: {optional: true}}}}\n";
   };
-  CHECK(told(robot("10"), robot("30")) == "takeover_gained: `Track` can now take `Search` from `Search`: the program "
+  CHECK(told(robot("10"), robot("30")) == "takeover_gained: `Track` can now take `Search` itself: the program "
                                           "requests it with priority 30, before with priority 10\n"
-                                          "takeover_gained: `Track` can take the place from `Search` in more cases "
+                                          "takeover_gained: `Track` can take the place of `Search` in more cases "
                                           "now: the program requests it with priority 30, before with priority 10\n"
-                                          "takeover_lost: `Search` can no longer always take the place from `Track`: "
+                                          "takeover_lost: `Search` can no longer always take the place of `Track`: "
                                           "the program requests `Track` with priority 30, before with priority 10\n"
-                                          "takeover_lost: `Search` can take `Track` from `Track` in fewer cases now: "
+                                          "takeover_lost: `Search` can take `Track` itself in fewer cases now: "
                                           "the program requests `Track` with priority 30, before with priority 10\n");
 }
 
@@ -535,6 +542,26 @@ TEST_CASE("what a pack requests, how, and at which levels") {
         "levels: `Play`, pack `go`, requests `Walk` at `urgent` where it names no level, before at `calm`\n");
 }
 
+TEST_CASE("a request that gets names for its levels, or loses them, is compared where it names none") {
+  const auto robot = [](const std::string& look) {
+    return "roots: [Play]\ngroups: {Play: {packs: {go: {Walk: {}, Look: {" + look + "}}}}, Walk: {}, Look: {}}\n";
+  };
+  const std::string plain = robot("priority: 5"),
+                    optional = robot("levels: {spare: {priority: 5, optional: true}, firm: {priority: 5}}"),
+                    urgent = robot("priority: {urgent: 50, calm: 5}");
+  CHECK(told(plain, optional) == "unit: `Play`, pack `go`, requests `Look` as optional where it names no level, before "
+                                 "as mandatory\n"
+                                 "levels: `Play`, pack `go`, may now request `Look` at `spare` and `firm`\n");
+  CHECK(told(plain, robot("levels: {firm: {priority: 5}, spare: {priority: 5, optional: true}}")) ==
+        "levels: `Play`, pack `go`, may now request `Look` at `firm` and `spare`\n");
+  CHECK(told(plain, urgent) == "levels: `Play`, pack `go`, may now request `Look` at `urgent` and `calm`\n"
+                               "levels: `Play`, pack `go`, requests `Look` with priority 50 where it names no level, "
+                               "before with 5\n");
+  CHECK(told(urgent, plain) == "levels: `Play`, pack `go`, can no longer request `Look` at `urgent` and `calm`\n"
+                               "levels: `Play`, pack `go`, requests `Look` with priority 5 where it names no level, "
+                               "before with 50\n");
+}
+
 TEST_CASE("what a provider may stay for beyond its `when` is compared, not what its `when` accepts anyway") {
   const auto robot = [](const std::string& keys) {
     return "states: {S: {values: [a, b, c], initial: a, external: true}, R: {values: [x, y], external: true}}\n"
@@ -560,7 +587,15 @@ TEST_CASE("what a provider may stay for beyond its `when` is compared, not what 
   CHECK(told(robot("when: [S == a|b]"), robot("when: [S == a|b], stay: [S == a, R == x]")).empty());
   CHECK(told(robot("when: [S == a|b], stay: [S == a]"), robot("when: [S == a|b]")).empty());
   CHECK(told(robot(at_a), robot(at_a + "stay: [S == a|b]")) ==
-        "condition_loosened: `G` may now stay active where its `when` does not hold\n");
+        "condition_loosened: `G` may now stay also while `S == b`\n");
+  CHECK(told(robot("when: [S == a|b]"), robot("when: [S == a], stay: [S == a|b]")) ==
+        "condition_tightened: `G` may no longer run while `S == b`\n");
+  CHECK(told(robot("when: [S == a], stay: [S == a|b]"), robot("when: [S == a|b]")) ==
+        "condition_loosened: `G` may now run also while `S == b`\n");
+  CHECK(told(robot("when: [S == a], stay: [S == a|b]"), robot("when: [S == a]")) ==
+        "condition_tightened: `G` may no longer stay while `S == b`\n");
+  CHECK(told(robot("when: [S == a, R == y]"), robot("when: [S == a, R == y], stay: [S == a]")) ==
+        "condition_loosened: `G` no longer requires `R == y` to stay\n");
 }
 
 TEST_CASE("states: values, their order, the first one, what sets them, when they expire") {
@@ -578,7 +613,7 @@ TEST_CASE("states: values, their order, the first one, what sets them, when they
       "state_values: the values of `Pose` ascend as `up`, `down` and `flat`, before as `down` and `up`\n"
       "state_values: of the values of `Pose` are `unordered` `flat`, before none\n"
       "state_initial: `Pose` begins as `down`, before as `up`\n"
-      "state_source: `Pose` is as `down` when it has expired, before as `up`\n");
+      "state_source: `Pose` is `down` when it has expired, before `up`\n");
 }
 
 TEST_CASE("what the generated C++ is called, includes and carries") {

@@ -16,7 +16,7 @@ TEST_CASE("a finding that says never for another reason than before is the same 
     return "states: {S: {values: [a, b, c], initial: a" + expires + "}}\nroots: [G]\ngroups: {G: {when: [S == b]}}\n";
   };
   CHECK(told(unreachable(""), unreachable(", expires: {after: 1 s, to: c}")) ==
-        "state_source: `S` now expires after 1 s\n"
+        "state_source: `S` now expires after 1 s, and is `c` then\n"
         "api: something in it uses time now, so each `step` is given the time\n");
   const auto shadowed = [](const std::string& first) {
     return "roots: [G]\ngroups: {G: {providers: [{name: " + first + "}, {name: spare}]}}\n";

@@ -41,7 +41,7 @@ TEST_CASE("the steps that lead to a task are listed from the roots on, each once
 13: `Play` may run
 13: `Play` may request `Kick`
 6: the program may request `Walk`
-12: `Walk.halting` may run, pushed
+12: `Walk.halting` may run, pushed while `Kick` waits for `Pose == standing`
 12: `Walk.halting` may cause `Pose == standing`
 11: `Walk.walking` may run
 9: the stop handler of `Walk` may set `Arm == out`

@@ -119,6 +119,7 @@ TEST_CASE("the file's name decides the format of a picture if none is named") {
     return world.outputs.files.at(file).substr(0, 4);
   };
   CHECK(written("walker.svg") == "<!--");
+  CHECK(written("WALKER.SVG") == "<!--");
   CHECK(written("walker.json") == "{\n  ");
   CHECK(written("walker_page.json", {"--page"}) == "{\n  ");
   CHECK(written("walker.mmd") == "%% G");
@@ -129,6 +130,8 @@ TEST_CASE("the file's name decides the format of a picture if none is named") {
   CHECK(world.err == "directorc: `walker.png`: there is no format png; Graphviz makes it: write a dot file, with -o "
                      "walker.dot, then `dot -Tpng -o walker.png walker.dot`\n");
   CHECK_FALSE(world.outputs.files.contains("walker.png"));
+  CHECK(world.directorc({"graph", "walker.yaml", "-o", "walker.html"}) == 2);
+  CHECK(world.err == "directorc: `walker.html`: there is no format html; `directorc docs` writes a page\n");
   CHECK(world.directorc({"graph", "walker.yaml", "-o", "a $walker.pdf"}) == 2);
   CHECK(world.err.find("with -o 'a $walker.dot', then `dot -Tpdf -o 'a $walker.pdf' 'a $walker.dot'`") !=
         std::string::npos);
