@@ -26,7 +26,7 @@ std::optional<std::string> integer_of_yaml(std::string_view text) {
   if (octal || hexadecimal) {
     std::uint64_t value = 0;
     const auto [end, failed] = std::from_chars(text.data() + 2, text.data() + text.size(), value, octal ? 8 : 16);
-    if (failed != std::errc() || end != text.data() + text.size() || text.size() == 2) return std::nullopt;
+    if (failed != std::errc() || end != text.data() + text.size()) return std::nullopt;
     return fmt::format("{}", value);
   }
   if (!all_among(digits, "0123456789")) return std::nullopt;

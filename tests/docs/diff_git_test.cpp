@@ -110,6 +110,8 @@ TEST_CASE("a file that is renamed is compared with its old content") {
   CHECK(repository.run("directorc diff --git HEAD legged/strider.yaml").output == moved());
   CHECK(repository.run("directorc diff --staged legged/strider.yaml").output.empty());
   CHECK(repository.run("git add . && directorc diff --staged legged/strider.yaml").output == moved());
+  CHECK(repository.run("mv legged away && directorc diff --staged legged/strider.yaml; mv away legged").output ==
+        moved());
   // The hook too.
   REQUIRE(
       repository.run("cp '" + (source_dir() / "docs/hooks/pre-commit").string() + "' .git/hooks/pre-commit").status ==

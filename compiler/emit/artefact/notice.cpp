@@ -89,7 +89,7 @@ bool is_document(std::string_view text) {
 bool is_trace(std::string_view text) {
   if (text.empty() || text.starts_with("{\"director_trace\":")) return true;
   if (text.starts_with('[')) { // a line of text: `[    0.000000] run Walk new_task`
-    const std::string_view time = text.substr(1, text.find_first_not_of(" .0123456789", 1) - 1);
+    const std::string_view time = text.substr(1, text.find_first_not_of(" -.0123456789", 1) - 1);
     return time.find('.') != time.npos && text.substr(1 + time.size()).starts_with("] ");
   }
   constexpr std::string_view track = "\xE2\x03"; // the first packet declares a track; its length takes a byte or two

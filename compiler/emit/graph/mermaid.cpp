@@ -70,9 +70,8 @@ private:
 
   static std::string note_of(const PictureBox& box) {
     if (!box.mark) return {};
-    const bool has_sign = std::any_of(box.rows.begin(), box.rows.end(), [&](const PictureRow& row) {
-      return row.is_active && !row.name.empty() && !box.is_direct();
-    });
+    const bool has_sign = std::any_of(box.rows.begin(), box.rows.end(),
+                                      [&](const PictureRow& row) { return row.is_active && !row.name.empty(); });
     if (box.kind != PictureBox::Kind::folded)
       return note_of(has_sign ? "" : std::string(runs_sign), {}, {*box.mark, {}, box.note});
     std::string out;

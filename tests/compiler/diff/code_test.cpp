@@ -51,6 +51,13 @@ TEST_CASE("what a handler may no longer set breaks the code that sets it") {
   CHECK(broken(walk("start: {sets: [Pose == slow|still]}"), walk("start: {sets: [Pose == slow]}")) ==
         "the start handler of `Walk` may set `Pose == slow`, before `Pose == slow|still`\n");
   CHECK(broken(walk("start: {sets: [Pose == slow]}"), walk("start: {sets: [Pose == slow|still]}")).empty());
+  const auto two = [](const std::string& sets) {
+    return "states: {Pose: {values: [slow, still], initial: still}, Eye: {values: [shut, open], initial: shut}}\n"
+           "roots: [Walk]\ngroups: {Walk: {stop: {sets: [" +
+           sets + "]}}}\n";
+  };
+  CHECK(broken(two("Pose == slow, Eye == open"), two("Eye == open")) ==
+        "the stop handler of `Walk` may set `Eye == open`, before `Eye == open` and `Pose == slow`\n");
 }
 
 TEST_CASE("the first use of time breaks the code that steps without it") {

@@ -74,6 +74,20 @@ TEST_CASE("the other way round it is soft now") {
         "softened: from `Walk` to `Kick`: soft now, before hard\n");
 }
 
+TEST_CASE("the groups of one change of transitions are in alphabetical order") {
+  const auto robot = [](const std::string& when) {
+    return "states: {Pose: {values: [moving, standing], initial: standing}}\n"
+           "roots: {Walk: {priority: 10}, Shoot: {priority: 20}, Kick: {priority: 20}}\ngroups:\n"
+           "  Walk: {providers: [{name: walking, when: [Pose == moving|standing], needs: [Legs], sets: [Pose == "
+           "moving],"
+           " tasks: [Legs]}, {name: halting, needs: [Legs], causing: [Pose == standing], tasks: [Legs]}]}\n"
+           "  Shoot: {" +
+           when + "needs: [Legs], tasks: [Legs]}\n  Kick: {" + when + "needs: [Legs], tasks: [Legs]}\n  Legs: {}\n";
+  };
+  CHECK(told(robot(waits), robot(""))
+            .starts_with("hardened: from `Walk` to `Kick` and `Shoot`: hard now, before soft\n"));
+}
+
 TEST_CASE("a finding of a check that may over-report does not prove that something never happens") {
   const auto beeping = [](const std::string& tasks) {
     return R"(states:
@@ -163,14 +177,18 @@ TEST_CASE("two tasks change ranks: the one gains what the other loses") {
 }
 
 TEST_CASE("of two warnings of one check that one is allowed now is reported") {
-  const auto robot = [](const std::string& allow) {
+  const auto robot = [](const std::string& of_a, const std::string& of_b) {
     return "states: {Mode: {values: [a, b], initial: a, external: true}}\nroots: [A, B]\ngroups:\n"
            "  A: {providers: [{name: p}, {name: q, when: [Mode == a]" +
-           allow + "}]}\n  B: {providers: [{name: p}, {name: q, when: [Mode == a]}]}\n";
+           of_a + "}]}\n  B: {providers: [{name: p}, {name: q, when: [Mode == a]" + of_b + "}]}\n";
   };
   const std::string allowed = ", allow: [shadowed_provider], because: known";
-  CHECK(told(robot(""), robot(allowed)).find("warning is allowed now: `A.q` never runs") != std::string::npos);
-  CHECK(told(robot(allowed), robot("")).find("warning is no longer allowed: `A.q` never runs") != std::string::npos);
+  CHECK(told(robot("", ""), robot(allowed, "")).find("warning is allowed now: `A.q` never runs") != std::string::npos);
+  CHECK(told(robot(allowed, ""), robot("", "")).find("warning is no longer allowed: `A.q` never runs") !=
+        std::string::npos);
+  CHECK(told(robot("", ""), robot("", allowed)).find("warning is allowed now: `B.q` never runs") != std::string::npos);
+  CHECK(told(robot("", allowed), robot("", "")).find("warning is no longer allowed: `B.q` never runs") !=
+        std::string::npos);
 }
 
 TEST_CASE("what never runs on either side is not reported, whatever keeps it from running") {
@@ -312,6 +330,16 @@ groups:
                          "became_reachable: `Kick` may run now\n"));
 }
 
+TEST_CASE("levels with other numbers in the order of before are not why a task can take one more group") {
+  const auto robot = [](const std::string& priorities, const std::string& arms) {
+    return "roots: {Walk: {priority: " + priorities + "}, Kick: {priority: 5}}\ngroups: {Walk: {needs: [Legs" + arms +
+           "]}, Kick: {needs: [Legs, Arms]}, Legs: {}, Arms: {}}\n";
+  };
+  CHECK(told(robot("{calm: 9, hot: 1}", ""), robot("{calm: 8, hot: 2}", ", Arms"))
+            .starts_with("takeover_gained: `Walk` can now take `Arms` from `Kick`: below the program the one goes "
+                         "before the other as it did; what they lead to has changed\n"));
+}
+
 TEST_CASE("a way that became mandatory is compared with the one that was optional, at each level") {
   const auto robot = [](const char* head) {
     return std::string(R"(states: {S: {values: [a, b], initial: a, external: true}}
@@ -407,6 +435,20 @@ TEST_CASE("tasks that are never requested at once are compared while control pas
                                           "priority where they are granted at once\n");
 }
 
+TEST_CASE("what a task can take in passing has the place of the task with another priority") {
+  const auto robot = [](const char* kick) {
+    return std::string("roots: [Play]\ngroups: {Play: {packs: {go: {Walk: {priority: 20}}, shoot: {Kick: {priority: ") +
+           kick + "}}}}, Walk: {needs: [Legs]}, Kick: {needs: [Legs]}, Legs: {}}\n";
+  };
+  const std::string head = "behaviour: robot\nlanguage: 1\n", before = head + robot("10"), after = head + robot("30");
+  const std::vector<compiler::BehaviourChange> all = tests::changes({robot("10"), {}}, {robot("30"), {}});
+  REQUIRE(all.size() == 2);
+  for (const compiler::BehaviourChange& change : all) {
+    CHECK(before.substr(change.before->begin, 4) == "Kick");
+    CHECK(after.substr(change.after->begin, 4) == "Kick");
+  }
+}
+
 TEST_CASE("what a request marked keep keeps is reported") {
   const auto robot = [](const char* far) {
     return std::string(
@@ -456,6 +498,16 @@ TEST_CASE("of equal rank the order decides, of different ranks it does not") {
   CHECK(told(std::string("roots: {Walk: {priority: 1}, Kick: {}}\n") + plain,
              std::string("roots: {Kick: {}, Walk: {priority: 1}}\n") + plain)
             .empty());
+}
+
+TEST_CASE("another order has the place of what is the first now") {
+  const std::string plain = "groups: {Walk: {needs: [Legs]}, Kick: {needs: [Legs]}, Legs: {}}\n",
+                    head = "behaviour: robot\nlanguage: 1\n";
+  const std::string before = "roots: [Walk, Kick]\n" + plain, after = "roots: [Kick, Walk]\n" + plain;
+  const std::vector<compiler::BehaviourChange> all = tests::changes({before, {}}, {after, {}});
+  REQUIRE(all.front().kind == compiler::ChangeKind::tie_order);
+  CHECK((head + before).substr(all.front().before->begin, 4) == "Kick");
+  CHECK((head + after).substr(all.front().after->begin, 4) == "Kick");
 }
 
 TEST_CASE("what a priority changes is compared only in a behaviour with roots, and in a module this is said") {
@@ -527,6 +579,24 @@ TEST_CASE("a group that is renamed is gone and new, with a hint") {
         "group_added: the group `Feet` is new\n");
 }
 
+TEST_CASE("a group that is gone has no hint if the new one differs, or if several new ones are equal") {
+  const auto robot = [](const std::string& tasks, const std::string& groups) {
+    return "roots: [Walk]\ngroups: {Walk: {tasks: [" + tasks + "]}, " + groups + "}\n";
+  };
+  CHECK(told(robot("Legs", "Legs: {realtime: true}"), robot("Feet", "Feet: {}")) ==
+        "request_added: `Walk` may now request `Feet`\n"
+        "request_removed: `Walk` no longer requests `Legs`\n"
+        "group_removed: the group `Legs` is gone\n"
+        "group_added: the group `Feet` is new\n");
+  CHECK(told(robot("Legs", "Legs: {}"), robot("Feet, Paws", "Feet: {}, Paws: {}")) ==
+        "request_added: `Walk` may now request `Feet`\n"
+        "request_added: `Walk` may now request `Paws`\n"
+        "request_removed: `Walk` no longer requests `Legs`\n"
+        "group_removed: the group `Legs` is gone\n"
+        "group_added: the group `Feet` is new\n"
+        "group_added: the group `Paws` is new\n");
+}
+
 TEST_CASE("what a pack requests, how, and at which levels") {
   const auto robot = [](const std::string& packs) {
     return "roots: [Play]\ngroups: {Play: {packs: {" + packs + "}}, Walk: {}, Look: {}}\n";
@@ -586,6 +656,9 @@ TEST_CASE("what a provider may stay for beyond its `when` is compared, not what 
         "condition_tightened: `G` may no longer run while `S == a`\n");
   CHECK(told(robot("when: [S == a|b]"), robot("when: [S == a|b], stay: [S == a, R == x]")).empty());
   CHECK(told(robot("when: [S == a|b], stay: [S == a]"), robot("when: [S == a|b]")).empty());
+  // `R` may be unset, which neither accepts.
+  CHECK(told(robot("when: [R == y], stay: [R == x, S == a]"), robot("when: [R == y], stay: [S == a]")) ==
+        "condition_loosened: `G` no longer requires `R == x` to stay\n");
   CHECK(told(robot(at_a), robot(at_a + "stay: [S == a|b]")) ==
         "condition_loosened: `G` may now stay also while `S == b`\n");
   CHECK(told(robot("when: [S == a|b]"), robot("when: [S == a], stay: [S == a|b]")) ==

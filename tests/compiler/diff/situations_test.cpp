@@ -68,6 +68,33 @@ TEST_CASE("a state that changes changes what waits for it, and the order of what
   CHECK(changed({}, after) == Names{"Kick", "Look", "Play", "Sit", "Walk"});
 }
 
+TEST_CASE("a state that expires later changes what waits for it") {
+  TwoRobots before, after;
+  const std::string ball =
+      "states: {Ball: {values: [far, near], initial: far, external: true, expires: {to: far, after: ";
+  before.look = after.look = "when: [Ball == near], needs: [Head]";
+  before.states = ball + "1 s}}}\n";
+  after.states = ball + "2 s}}}\n";
+  CHECK(changed(before, after) == Names{"Look"});
+}
+
+TEST_CASE("another order of the groups that cause a condition changes what waits for it") {
+  TwoRobots before, after;
+  before.states = after.states = "states: {Pose: {values: [moving, still], initial: moving}}\n";
+  before.walk = after.walk = "when: [Pose == still], needs: [Legs]";
+  before.look = "needs: [Head]}\n  One: {causing: [Pose == still]}\n  Two: {causing: [Pose == still]";
+  after.look = "needs: [Head]}\n  Two: {causing: [Pose == still]}\n  One: {causing: [Pose == still]";
+  CHECK(changed(before, after) == Names{"Kick", "Play", "Walk"});
+}
+
+TEST_CASE("what a requester needs changes the situation of what it leads to") {
+  TwoRobots before, after;
+  const std::string look = "needs: [Head, Eye], tasks: [Turn]}\n  Turn: {needs: [Legs]}\n  Eye: {every: ";
+  before.look = look + "1 s";
+  after.look = look + "2 s";
+  CHECK(changed(before, after) == Names{"Look", "Turn"});
+}
+
 TEST_CASE("comments and places change nothing") {
   TwoRobots after;
   after.look = "needs: [Head]}  # as before\n  # and on\n  Tail: {";

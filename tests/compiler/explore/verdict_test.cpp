@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "compiler/explore/refuted.hpp"
 #include "compiler/explore/verdict.hpp"
 #include "compiler/lower/lower.hpp"
 #include "compiler/play/expect/test_scenario.hpp"
@@ -181,6 +182,35 @@ TEST_CASE("whether one side is in the way is not decided where others always are
                    "{beats: {A: B}}") ==
         "not decided: in some of its 1176 states a task of its side is blocked while the other side holds what it may "
         "take, but others are in its way as well");
+}
+
+TEST_CASE("more states are suggested only for an assertion that they may decide") {
+  const auto undecided = [](const std::string& groups, std::size_t bound) {
+    const auto compiled = director::tests::compile("behaviour: b\nlanguage: 1\n" + groups);
+    return undecided_assertions(compiled.model, explore_all(Ground(compiled.model), bound).verdicts);
+  };
+  const std::string cure = "; `--bound N` of `directorc explore`, `check`, `generate` and `docs` tries more";
+  const auto in_the_way =
+      undecided("roots: {Play: {priority: 2}, A: {priority: 1}}\ngroups:\n"
+                "  A: {needs: [Left, Right], tasks: [Left, Right]}\n  Play: {packs: {go: {B: {}, C: {}}}}\n"
+                "  B: {needs: [Left], tasks: [Left]}\n  C: {needs: [Right], tasks: [Right]}\n"
+                "  Left: {}\n  Right: {}\nassertions: [{beats: {A: B}}]\n",
+                100'000);
+  REQUIRE(in_the_way.size() == 1);
+  CHECK(in_the_way[0].ends_with("but others are in its way as well"));
+  const auto too_many = undecided(two + "assertions: [{beats: {A: B}}]\n", 5);
+  REQUIRE(too_many.size() == 1);
+  CHECK(too_many[0].ends_with(cure));
+}
+
+TEST_CASE("a step of a refutation in which nothing happens expects nothing, and says so") {
+  const auto compiled = director::tests::compile(
+      "behaviour: b\nlanguage: 1\nstates: {S: {values: [x, y], initial: x, external: true}}\nroots: [A, B]\n"
+      "groups: {A: {when: [S == y]}, B: {}}\nassertions: [{never_together: [A, B]}]\n");
+  const Verdict verdict = explore_all(Ground(compiled.model)).verdicts.front();
+  REQUIRE(verdict.scenario);
+  INFO(*verdict.scenario);
+  CHECK(verdict.scenario->find("    expect: |\n      # nothing\n") != std::string::npos);
 }
 
 TEST_CASE("what was granted together with a requester is in the way of what that requests, whatever its rank") {

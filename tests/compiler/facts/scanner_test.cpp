@@ -80,6 +80,11 @@ TEST_CASE("where director-clang is looked for") {
   CHECK(find_scanner("", "") == "director-clang");
   const std::string deep = put("lib/some-machine/director/director-clang");
   CHECK(find_scanner(directorc, "") == deep);
+  for (const char* const other : {"lib/z/director/director-clang", "lib/c/director/director-clang",
+                                  "lib/b/director/director-clang", "lib/y/director/director-clang"})
+    put(other);
+  const std::string first = put("lib/a/director/director-clang"); // in whatever order the file system lists them
+  CHECK(find_scanner(directorc, "") == first);
   const std::string lib = put("lib/director/director-clang");
   CHECK(find_scanner(directorc, "") == lib);
   const std::string libexec = put("libexec/director/director-clang");

@@ -10,6 +10,7 @@ using Nodes = std::vector<Node>;
 
 TEST_CASE("cycles are the components that a path leads around in") {
   CHECK(cycles({{1}, {2}, {0}, {0}, {4}, {}}) == std::vector<Nodes>{{0, 1, 2}, {4}});
+  CHECK(cycles({{1, 2}, {0}, {3}, {2}}) == std::vector<Nodes>{{0, 1}, {2, 3}}); // in order of their nodes
   CHECK(cycles({{1}, {}}).empty());
   CHECK(cycles({}).empty());
 }

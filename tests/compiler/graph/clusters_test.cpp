@@ -54,6 +54,12 @@ TEST_CASE("two tasks that share nothing with each other are in one cluster by wa
                     "All") == std::map<std::string, std::string>{{"A", "A"}, {"B", "A"}, {"C", "A"}});
 }
 
+TEST_CASE("what a group needs itself is in no cluster with its tasks") {
+  CHECK(clusters_of("  All: {needs: [Hold], tasks: [A, B]}\n  Hold: {needs: [Left]}\n  A: {needs: [Left]}\n  B: {}\n"
+                    "  Left: {}\n",
+                    "All") == std::map<std::string, std::string>{{"A", "A"}, {"B", "B"}, {"Hold", "Hold"}});
+}
+
 TEST_CASE("what tasks request when they run puts them into no cluster") {
   CHECK(clusters_of("  All: {tasks: [A, B]}\n  A: {tasks: [Left]}\n  B: {tasks: [Left]}\n  Left: {}\n", "All") ==
         std::map<std::string, std::string>{{"A", "A"}, {"B", "B"}});

@@ -105,6 +105,21 @@ steps:
                                       "run Walk.walking subtask_done", "done Walk", "stop Walk"});
 }
 
+TEST_CASE("a task that has failed is not done for its requester") {
+  const char* const script = R"(
+script:
+  Walk.walking:
+    - {uses: {Legs: done}, tasks: []}
+    - {uses: {Legs: failed}, done: true}
+    - {tasks: [Legs]}
+  Legs: {failed: true}
+steps:
+  - request: Walk
+)";
+  CHECK(play(walker, script) == Lines{"> request Walk", "start Walk", "run Walk.walking new_task", "run Legs new_task",
+                                      "failed Legs", "run Walk.walking subtask_done", "done Walk", "stop Walk"});
+}
+
 TEST_CASE("tasks carry data of any kind, and a request beside a pack changes one of its tasks") {
   CHECK(play(walker, R"(given: {Pose: standing}
 script:

@@ -81,12 +81,24 @@ TEST_CASE("a line is out of date also if the user has written something behind i
              "needs: LeftLeg, RightLeg` now"});
 }
 
+TEST_CASE("an entry of the user without a colon is no line of a stub") {
+  CHECK(said("/// Walks. (b.yaml:12)\n/// - needs: LeftLeg, RightLeg\n/// - tasks: LeftLeg\n/// - carefully\n") ==
+        Said{});
+}
+
 TEST_CASE("what the user has left out, written before it or instead of it is ignored") {
   CHECK(said("/// Goes on foot, as said below. (b.yaml:12)\n/// - tasks: LeftLeg\n") == Said{});
   CHECK(said("/// - needs: nobody\n") == Said{});
   CHECK(said("// Steps (mind the gap: 3)\n// - needs: care\n") == Said{});
   CHECK(said("/// (b.yaml:12)\n/// - needs: Arm\n\n") == Said{});
   CHECK(said("", "") == Said{});
+}
+
+TEST_CASE("what has moved and what is out of date is reported in the order of the file") {
+  CHECK(said("/// Walks. (b.yaml:3)\n/// - needs: LeftLeg, RightLeg\n/// - tasks: LeftLeg\n",
+             "/// (b.yaml:20)\n/// - needs: Arm\n") ==
+        Said{"6: the place in the comment above has moved: b.yaml:3 is b.yaml:12 now",
+             "9: the comment above `stop(b::Walk::Stop&)` is not true any more: there is no `- needs: Arm`"});
 }
 
 TEST_CASE("lines of the behaviour that have only moved are reported once for a file") {

@@ -109,4 +109,7 @@ TEST_CASE("if two events have equal texts, the difference is added") {
   CHECK(reader.both(R"("t":1,"n":3,"event":"push","edge":"A>B","group":"A","provider":"x","condition":"S == on")",
                     R"("t":1,"n":3,"event":"push","edge":"A>B","group":"A","provider":"x","condition":"S == off")") ==
         Both("push A.x for A>B, for S == on", "push A.x for A>B, for S == off"));
+  CHECK(reader.both(R"("t":1,"n":3,"event":"grant","edge":"A>B","from":"limbo","provider":"default")",
+                    R"("t":1,"n":3,"event":"grant","edge":"A>B","provider":"default")") ==
+        Both("grant A>B, before for what comes after it", "grant A>B, before for no task"));
 }

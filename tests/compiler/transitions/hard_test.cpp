@@ -48,6 +48,19 @@ groups:
         "2 s. Then Stand, which is requested with Grab, takes over. Walk and Legs stop.");
 }
 
+TEST_CASE("hard: up to seven groups that stop are named, of more the first six") {
+  const auto robot = [](const std::string& tasks, const std::string& groups) {
+    return "roots: {GetUp: {priority: 20}, Walk: {priority: 10}}\ngroups: {GetUp: {needs: [Legs]}, Walk: {needs: "
+           "[Legs], "
+           "tasks: [" +
+           tasks + "]}, Legs: {}" + groups + "}\n";
+  };
+  CHECK(cell_words(robot("A, B, C, D, E, F", ", A: {}, B: {}, C: {}, D: {}, E: {}, F: {}"), "Walk", "GetUp") ==
+        "hard: GetUp takes at once what Walk holds. Walk, A, B, C, D, E and F stop.");
+  CHECK(cell_words(robot("A, B, C, D, E, F, G", ", A: {}, B: {}, C: {}, D: {}, E: {}, F: {}, G: {}"), "Walk",
+                   "GetUp") == "hard: GetUp takes at once what Walk holds. Walk, A, B, C, D, E and 2 more stop.");
+}
+
 TEST_CASE("hard: what leads to the first one stops too, and is named where only it held what is taken") {
   const char* const above = R"(roots: {Guard: {priority: 10}, Plan: {priority: 1}}
 groups:

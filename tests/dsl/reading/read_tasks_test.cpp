@@ -24,6 +24,12 @@ std::string in_words(const std::vector<TaskSpec>& tasks) {
 
 Read with_roots(const std::string& roots) { return read_body("roots: " + roots + "\n"); }
 
+TEST_CASE("of a task that is called optional and apart, optional counts") {
+  const Read read = with_roots("{Walk: {optional: true, apart: true}}");
+  REQUIRE(read.file().roots);
+  CHECK(in_words(*read.file().roots) == "Walk 0 optional");
+}
+
 } // namespace
 
 TEST_CASE("Tasks are a list, or a mapping where defaults do not serve") {

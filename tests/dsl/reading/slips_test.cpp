@@ -160,6 +160,9 @@ TEST_CASE("a key of a group stands beside the group") {
              "7:5 `D` unknown_key: group `needs` has no key `D` (`needs` is a key of a group: is the line indented as "
              "it should be?)\n"
              "8:10 `task` unknown_key: group `data` has no key `task` (did you mean `tasks`?)\n");
+  check_body("groups: {needs: {condition: [A == b]}}\n",
+             "3:18 `condition` unknown_key: group `needs` has no key `condition` (conditions stand in `when`: `when: "
+             "[Motion == still]`)\n");
 }
 
 TEST_CASE("a condition is written as a sentence") {

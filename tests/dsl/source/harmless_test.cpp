@@ -14,7 +14,7 @@ TEST_CASE("What commands a terminal is spelled out, and letters stay as they are
 }
 
 TEST_CASE("What turns the direction of a text is spelled out") {
-  CHECK(harmless("a\u202Eb\u2066c\u200Fd") == "a\\u202Eb\\u2066c\\u200Fd");
+  CHECK(harmless("a\u202Eb\u2066c\u200Fd\u200Ee") == "a\\u202Eb\\u2066c\\u200Fd\\u200Ee");
   CHECK(harmless("a\xE2\x80") == "a\xE2\x80"); // cut off
 }
 

@@ -18,9 +18,10 @@ TEST_CASE("What YAML would read as something else is quoted") {
     const char* written;
   };
   for (const Row& row : {Row{"", "\"\""}, Row{"null", "\"null\""}, Row{"On", "\"On\""}, Row{"a: b", "\"a: b\""},
-                         Row{"a:", "\"a:\""}, Row{"a #b", "\"a #b\""}, Row{" a", "\" a\""}, Row{"a ", "\"a \""},
-                         Row{"a, b", "\"a, b\""}, Row{"- a", "\"- a\""}, Row{"say \"a\\b\"", "\"say \\\"a\\\\b\\\"\""},
-                         Row{"a\n\tb\r", "\"a\\n\\tb\\r\""}, Row{"\x01", "\"\\x01\""}, Row{"grün", "\"grün\""}})
+                         Row{"a:", "\"a:\""}, Row{"...", "\"...\""}, Row{"...a", "\"...a\""}, Row{"a #b", "\"a #b\""},
+                         Row{" a", "\" a\""}, Row{"a ", "\"a \""}, Row{"a, b", "\"a, b\""}, Row{"- a", "\"- a\""},
+                         Row{"say \"a\\b\"", "\"say \\\"a\\\\b\\\"\""}, Row{"a\n\tb\r", "\"a\\n\\tb\\r\""},
+                         Row{"\x01", "\"\\x01\""}, Row{"grün", "\"grün\""}})
     CHECK(yaml_word(row.text) == row.written);
 }
 

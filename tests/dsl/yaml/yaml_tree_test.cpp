@@ -131,6 +131,7 @@ TEST_CASE("What the language does not have of YAML is refused, and the rest is r
                 "1:3 `[a]` wrong_node_kind: a key is a word, found a list (put a word before the `:`)\n"
                 "3:3 `{c: d}` wrong_node_kind: a key is a word, found a mapping (put a word before the `:`)\n"
                 "5:1 `:` wrong_node_kind: a key is a word, found nothing (put a word before the `:`)\n"},
+           Case{"\ta\n", "1:1 `\t` yaml_syntax: a tab in the indentation (indent with blanks)\n"},
            Case{"a: [\n\tb,\n\tc]\n", "2:1 `\t` yaml_syntax: a tab in the indentation (indent with blanks)\n"
                                       "3:1 `\t` yaml_syntax: a tab in the indentation (indent with blanks)\n"},
        }) {

@@ -50,6 +50,38 @@ TEST_CASE("diff: a kind that breaks ends with status 1, another one does not") {
   CHECK(w.directorc({"diff", "old.yaml", "new.yaml", "--breaking=all"}) == 1);
 }
 
+TEST_CASE("diff: a change that breaks is not the last one, and a group has another name") {
+  World w;
+  w.files.add("old.yaml", "behaviour: walker\nlanguage: 1\nroots: [Walk]\ngroups: {Walk: {tasks: [Legs]}, Legs: {}}\n");
+  w.files.add("new.yaml", "behaviour: walker\nlanguage: 1\nroots: [Walk]\ngroups: {Walk: {tasks: [Feet]}, Feet: {}}\n");
+  CHECK(w.directorc({"diff", "old.yaml", "new.yaml", "--breaking=request_added"}) == 1);
+  CHECK(w.out == "request_added: The program or a provider may request one more task, or in one more pack.\n"
+                 "  breaking: `Walk` may now request `Feet`\n"
+                 "    now    new.yaml:4:25\n"
+                 "    before old.yaml:4:10\n"
+                 "\n"
+                 "request_removed: The program or a provider requests one task less, or in one pack less.\n"
+                 "  `Walk` no longer requests `Legs` (C++ has to follow)\n"
+                 "    now    new.yaml:4:10\n"
+                 "    before old.yaml:4:25\n"
+                 "\n"
+                 "group_removed: A group is gone.\n"
+                 "  the group `Legs` is gone (C++ has to follow)\n"
+                 "    before old.yaml:4:33\n"
+                 "    hint: it may be called `Feet` now: all else is equal\n"
+                 "\n"
+                 "group_added: A group is new.\n"
+                 "  the group `Feet` is new (C++ has to follow)\n"
+                 "    now    new.yaml:4:33\n"
+                 "\n"
+                 "4 changes, 1 of them breaking\n");
+  CHECK(w.directorc({"diff", "old.yaml", "new.yaml", "--breaking=request_added", "--format=json"}) == 1);
+  const std::optional<compiler::Json> json = compiler::parse_json(w.out);
+  REQUIRE(json);
+  CHECK((*json)["breaking"].as_boolean());
+  CHECK_FALSE((*json)["changes"].items().back()["breaking"].as_boolean());
+}
+
 TEST_CASE("diff: the new one is refused") {
   World w = diff_world();
   CHECK(w.directorc({"diff", "old.yaml", "bad.yaml"}) == 1);
@@ -100,7 +132,8 @@ TEST_CASE("diff: JSON has kind, subject, places and what breaks") {
   const auto json = compiler::parse_json(w.out);
   REQUIRE(json);
   CHECK(compiler::to_line(*json) ==
-        "{\"breaking\":true,\"compared\":true,\"changes\":[{\"kind\":\"needs_added\",\"subject\":\"Walk\",\"message\":\"`Walk` now needs "
+        "{\"breaking\":true,\"compared\":true,\"changes\":[{\"kind\":\"needs_added\",\"subject\":\"Walk\",\"message\":"
+        "\"`Walk` now needs "
         "`Legs`\",\"breaking\":true,\"breaks_code\":false,\"before\":{\"file\":\"old.yaml\",\"line\":4,\"column\":10},"
         "\"after\":{\"file\":\"new.yaml\",\"line\":5,\"column\":18}}]}");
 }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Tests compiler/cli/commands/trace.cpp and replay.cpp, and the output of `simulate --trace`. All scenarios:
 // tests/conformance.
+#include "compiler/trace/trace_lines.hpp"
 #include "tests/compiler/cli/world.hpp"
 
 #include <catch2/catch.hpp>
 
 namespace {
 
+using director::compiler::TraceLine, director::compiler::TraceLines;
 using director::tests::World;
 
 const std::string rover_that_is_recorded = R"(behaviour: rover
@@ -304,6 +306,19 @@ TEST_CASE("a line that names an event, and that no recorder would have written, 
       refused);
 }
 
+TEST_CASE("a number that a state was refused is shown, and one that is no level of a request is not") {
+  World world = with_trace();
+  const auto trace = [&](const std::string& line) {
+    world.files.add("bad.jsonl", traced_line(trace_in(world), 1) + "\n{\"t\":0,\"n\":1,\"event\":" + line + "}\n");
+    const int status = world.directorc({"trace", "bad.jsonl"});
+    return std::to_string(status) + "\n" + world.err + world.out;
+  };
+  CHECK(trace(R"("refused","group":"Drive","provider":"rolling","state":"Motion","value":7)") ==
+        "0\n[    0.000000] refused Motion 7\n");
+  CHECK(trace(R"("ask","edge":"Explore>Drive","level":1)")
+            .starts_with("1\nbad.jsonl:2: error: this line cannot be read: the request has no level 1\n"));
+}
+
 TEST_CASE("an answer has the place of the pack that a scenario names") {
   World world;
   world.files.add("robot.yaml", "behaviour: robot\nlanguage: 1\nroots: [Play]\ngroups:\n"
@@ -334,6 +349,33 @@ TEST_CASE("a trace with blanks, as other programs write JSON, is replayed too") 
   world.files.add("wide.jsonl", wide);
   CHECK(world.directorc({"replay", "wide.jsonl"}) == 0);
   CHECK(world.out == "wide.jsonl: 37 events, all the same\n");
+}
+
+TEST_CASE("a text of a trace may end with a backslash, and blanks behind it are none of it") {
+  TraceLines lines(R"({ "a": "b\\", "c": "d \" e" , "f": 1 })"
+                   "\n");
+  const std::optional<TraceLine> line = lines.next();
+  REQUIRE(line);
+  CHECK(line->text == R"({"a":"b\\","c":"d \" e","f":1})");
+}
+
+TEST_CASE("a body that requests some of its tasks is replayed, also by a version that lists them in another order") {
+  World world;
+  const auto robot = [](const std::string& tasks) {
+    return "behaviour: robot\nlanguage: 1\nroots: [Play]\ngroups:\n  Play: {every: 1 s, tasks: [" + tasks +
+           "]}\n  A: {}\n  B: {}\n  C: {}\n";
+  };
+  world.files.add("robot.yaml", robot("A, B, C"));
+  world.files.add("s.yaml", "scenario: turns\nbehaviour: robot.yaml\nscript: {Play: [{run: 1, tasks: [A]}, "
+                            "{run: 2, tasks: [A: {keep: true}, B]}, {tasks: [C]}]}\n"
+                            "steps: [{request: Play}, {advance: 2 s}]\n");
+  REQUIRE(world.directorc({"simulate", "s.yaml", "--trace", "run.jsonl"}) == 0);
+  world.files.add("run.jsonl", trace_in(world));
+  CHECK(world.directorc({"replay", "run.jsonl"}) == 0);
+  world.files.add("other.yaml", robot("C, B, A"));
+  CHECK(world.directorc({"replay", "run.jsonl", "--behaviour=other.yaml"}) == 0);
+  INFO(world.out);
+  CHECK(world.out.ends_with("all the same by `other.yaml`, another version than the one recorded\n"));
 }
 
 TEST_CASE("a value that a handler sets again and that does not change restarts its expiry in a replay too") {
@@ -472,6 +514,18 @@ TEST_CASE("a header that does not belong to its fingerprint, or to the events, i
   wide.replace(wide.find(",\"groups\""), 1, " ,\t");
   world.files.add("wide.jsonl", wide);
   CHECK(world.directorc({"replay", "wide.jsonl"}) == 0);
+}
+
+TEST_CASE("a header that says otherwise what a level means is of another version") {
+  World world = with_trace();
+  std::string other = trace_in(world);
+  const std::size_t uses = other.find("\"level_uses\"");
+  REQUIRE(uses < other.find('\n'));
+  other.replace(other.find("\"priority\":20", uses), 13, "\"priority\":21");
+  world.files.add("other.jsonl", other);
+  CHECK(world.directorc({"replay", "other.jsonl"}) == 0);
+  CHECK(world.err.empty());
+  CHECK(world.out.ends_with("all the same by `rover.yaml`, another version than the one recorded\n"));
 }
 
 TEST_CASE("a behaviour that has another name now is no other version") {

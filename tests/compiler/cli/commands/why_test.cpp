@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/compiler/cli/world.hpp"
+#include "tests/compiler/support/rover_with_key.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -207,6 +208,36 @@ groups:
                      "  Walk.halting is pushed for root>Kick (walk.yaml:14)\n");
 }
 
+TEST_CASE("why a group runs in a provider that is not preferred: of many others the first eight") {
+  World world;
+  std::string providers, expected = "Walk runs (root>Walk) in last\n"
+                                    "  it runs for the program, priority 0 (walk.yaml:4)\n";
+  for (int i = 1; i <= 9; ++i) {
+    const std::string number = std::to_string(i);
+    providers += "      - {name: p" + number + ", when: [Floor == " + number + "]}\n";
+    if (i > 8) continue;
+    expected += "  Walk.p" + number + " is preferred, but Floor == " + number +
+                " is false: Floor is 0 (walk.yaml:" + std::to_string(i + 7) + ")\n";
+  }
+  world.files.add("walk.yaml", "behaviour: walk\nlanguage: 1\nstates: {Floor: {range: [0, 9], initial: 0, external: "
+                               "true}}\nroots: [Walk]\ngroups:\n  Walk:\n    providers:\n" +
+                                   providers + "      - {name: last}\n");
+  world.files.add("s.yaml", "behaviour: walk.yaml\nsteps: [{request: Walk}]\n");
+  CHECK(world.directorc({"why", "s.yaml", "Walk"}) == 0);
+  CHECK(world.out == expected);
+}
+
+TEST_CASE("why a group runs in the provider of a push that has no effect on it") {
+  World world;
+  world.files.add("rover.yaml", director::tests::rover_with_key);
+  world.files.add("s.yaml", "behaviour: rover.yaml\nscript: {Drive: {continue: true}}\n"
+                            "steps: [{request: [Low, Photo]}, {request: High}, {set: {Key: off}}]\n");
+  CHECK(world.directorc({"why", "s.yaml", "Drive"}) == 0);
+  CHECK(world.out == "Drive runs (High>Drive) in braking\n"
+                     "  it runs for High, priority 0, that for the program, priority 30 (rover.yaml:9)\n"
+                     "  Drive.rolling is preferred, but Key == on is false: Key is off (rover.yaml:12)\n");
+}
+
 TEST_CASE("why a group that waits for a condition of one provider does not run in another one") {
   World world;
   world.files.add("play.yaml", R"(behaviour: play
@@ -270,11 +301,11 @@ groups:
   std::string below = lift;
   below.replace(below.find(condition), condition.size(), "needs: [Fuse], causing");
   world.files.add("lift.yaml", below + "  Fuse: {when: [Power == on]}\n");
-  CHECK(why("set: {Power: off}") ==
-        head("Motor.closing") +
-            "  Motor.closing is pushed for root>Lift, and cannot run now: Fuse, which it needs, cannot run: Power == on is "
-            "false: Power is off (lift.yaml:9)\n" +
-            other);
+  CHECK(why("set: {Power: off}") == head("Motor.closing") +
+                                        "  Motor.closing is pushed for root>Lift, and cannot run now: Fuse, which it "
+                                        "needs, cannot run: Power == on is "
+                                        "false: Power is off (lift.yaml:9)\n" +
+                                        other);
   world.files.add("lift.yaml", lift);
   CHECK(why("disable: Motor.closing") ==
         head("Helper.pulling") + "  Motor.closing is pushed for root>Lift, and is disabled (lift.yaml:9)\n" + other);
@@ -400,6 +431,24 @@ groups:
                      "  Boss requests Walk, Kick and Look as one unit, which is granted as a whole or waits "
                      "(boss.yaml:7)\n"
                      "  Walk and Kick each need Legs (boss.yaml:8)\n");
+}
+
+TEST_CASE("why a group waits: what is enabled of another task of its unit needs the same") {
+  World world;
+  world.files.add("boss.yaml", R"(behaviour: boss
+language: 1
+roots: [Boss]
+groups:
+  Boss: {packs: {go: [Lift, Wave]}}
+  Lift: {providers: [{name: with_arms, needs: [Arms]}, {name: with_back}]}
+  Wave: {needs: [Arms]}
+  Arms: {}
+)");
+  world.files.add("s.yaml", "behaviour: boss.yaml\nsteps: [{disable: Lift.with_back}, {request: Boss}]\n");
+  CHECK(world.directorc({"why", "s.yaml", "Lift"}) == 0);
+  CHECK(world.out == "Lift waits (Boss>Lift): it and the other tasks of its unit cannot all be granted\n"
+                     "  Boss requests Lift and Wave as one unit, which is granted as a whole or waits (boss.yaml:5)\n"
+                     "  Lift and Wave each need Arms (boss.yaml:5)\n");
 }
 
 TEST_CASE("why a group waits: it needs another task of its unit") {

@@ -172,6 +172,7 @@ TEST_CASE("a depfile is known by its shape") {
   CHECK(is_depfile("a b: \\\n  c\n"));
   CHECK(is_depfile("a: \\\n  c \\\n  my\\ d\n"));
   CHECK_FALSE(is_depfile("a:\n"));
+  CHECK_FALSE(is_depfile("a: \\\n  b\n  c\n"));
   CHECK_FALSE(is_depfile("all: \\\n  c\n\nclean:\n\trm c\n"));
   CHECK_FALSE(is_depfile("all: c\n\tcc c\n"));
   CHECK_FALSE(is_depfile("behaviour: bot\nlanguage: 1\n"));

@@ -96,6 +96,15 @@ TEST_CASE("of tasks of equal rank that push different providers of one group, th
         "`Pass`: of those that were requested at once, the first one that pushes a provider of `Crew` decides which\n");
 }
 
+TEST_CASE("an optional task that pushes another provider of one group has no order with a mandatory one") {
+  const std::string groups =
+      "Enter: {when: [Door == open]}, Pass: {when: [Arm == in]}, " + group("Crew", open + ", " + fold);
+  const std::string enter = "Enter: {priority: 9}, ", pass = "Pass: {priority: 9, optional: true}, ";
+  CHECK(
+      told(waiting(enter + pass + "Crew: {priority: 2}", groups), waiting(pass + enter + "Crew: {priority: 2}", groups))
+          .empty());
+}
+
 TEST_CASE("many tasks in another order are one change, which names some of what they want") {
   std::string listed, reversed, groups;
   for (const char name : std::string("ABCDEFGH")) {
@@ -150,6 +159,32 @@ TEST_CASE("of the conditions of a provider that is pushed itself, the first one 
         "preference: the conditions of `Load.fill` are in the order `Arm == in` and `Door == open`, before `Door == "
         "open` "
         "and `Arm == in`: the first of them that it lacks decides how `Aide` or `Crew` is pushed\n");
+}
+
+TEST_CASE("the order of conditions of what nothing requests says nothing, though others push for the same") {
+  const auto robot = [](const std::string& when) {
+    return waiting("Pass: {priority: 9}, Crew: {priority: 2}", "Work: {when: [" + when +
+                                                                   "]}, Pass: {when: [Door == open, Arm == in]}, " +
+                                                                   group("Crew", open + ", " + fold));
+  };
+  CHECK(told(robot("Door == open, Arm == in"), robot("Arm == in, Door == open")).find("preference") ==
+        std::string::npos);
+}
+
+TEST_CASE("the order of conditions is reported of what is needed by a provider that is pushed") {
+  const auto robot = [](const std::string& when) {
+    return "states: {Door: {values: [shut, open], initial: shut}, Arm: {values: [out, in], initial: out}, Box: "
+           "{values: "
+           "[empty, full], initial: empty}}\nroots: {Work: {priority: 9}, Load: {priority: 5}, Crew: {priority: 2}}\n"
+           "groups: {Work: {when: [Box == full]}, " +
+           group("Load", "{name: fill, needs: [Bench], causing: [Box == full]}") + "Bench: {when: [" + when + "]}, " +
+           group("Crew", open + ", " + fold) + "}\n";
+  };
+  CHECK(told(robot("Door == open, Arm == in"), robot("Arm == in, Door == open"))
+            .find("preference: the conditions of "
+                  "`Bench` are in the order `Arm == in` and `Door == open`, before `Door == open` and `Arm == in`: the "
+                  "first of "
+                  "them that it lacks decides how `Crew` is pushed\n") != std::string::npos);
 }
 
 TEST_CASE("the order of needs is reported if one group is pushed for the conditions of both") {

@@ -44,6 +44,9 @@ TEST_CASE("a list is broken between items where it does not fit") {
   const std::string x(60, 'x');
   CHECK(code.text() == "f(a, b);\nusing All = List<\n    " + x + ",\n    " + x + ",\n    " + x +
                            ">;\ng();\nstruct All :\n    " + x + ",\n    " + x + " {};\n");
+  Code full; // what is behind the last item has to fit too
+  full.list("using All = List<", {x, std::string(53, 'x')}, ">;");
+  CHECK(full.text() == "using All = List<\n    " + x + ",\n    " + std::string(53, 'x') + ">;\n");
 }
 
 TEST_CASE("a comment is broken between words and holds nothing that a compiler would stumble over") {

@@ -57,3 +57,10 @@ TEST_CASE("pictures, pages and scenarios are told from the parts of a program") 
         std::string("digraph x {}\n"), std::string()})
     CHECK_FALSE(is_document(text));
 }
+
+TEST_CASE("traces are known in each of their forms, and other lists and objects are none") {
+  for (const char* text : {"", "{\"director_trace\":1,\"behaviour\":\"x\"}\n", "[    0.000000] run Walk new_task\n",
+                           "[   -1.500000] stop Walk\n", "[-12345.000000] stop Walk\n"})
+    CHECK(is_trace(text));
+  for (const char* text : {"{}", "[]", "[12] run Walk\n", "[1.5, 2]\n", "run Walk\n"}) CHECK_FALSE(is_trace(text));
+}

@@ -218,6 +218,41 @@ groups:
 )");
 }
 
+TEST_CASE("conditions of what is only needed count, and one of a state that may be unset can be false") {
+  const char* const robot = R"(behaviour: robot
+language: 1
+states: {Door: {values: [shut, open], initial: shut, external: true}, Lamp: {values: [dark, lit], external: true}}
+roots: [Pass]
+groups:
+  Pass: {needs: [Hall]}
+  Hall: {when: [Door == open, Lamp == dark|lit]}
+)";
+  const std::string text = watch("steps: []\n", robot).text;
+  INFO(text);
+  for (const char* missing :
+       {"`Door == open` in `when` of `Hall` was never true\n", "`Door == open` in `when` of `Hall` was never false\n",
+        "`Lamp == dark|lit` in `when` of `Hall` was never true\n",
+        "`Lamp == dark|lit` in `when` of `Hall` was never false\n"})
+    CHECK(text.find(missing) != std::string::npos);
+}
+
+TEST_CASE("a level with several names is told by the first one") {
+  const char* const player = R"(behaviour: player
+language: 1
+roots: [Play]
+groups:
+  Play:
+    packs:
+      first: {Look: {priority: {calm: 10, hot: 50}}}
+      second: {Look: {priority: {slow: 10, fast: 50}}}
+  Look: {}
+)";
+  const std::string text = watch("steps: []\n", player).text;
+  CHECK(text.find("`Look` was never requested by `Play` at the level `calm`\n") != std::string::npos);
+  CHECK(text.find("`Look` was never requested by `Play` at the level `hot`\n") != std::string::npos);
+  CHECK(text.find("`fast`") == std::string::npos);
+}
+
 TEST_CASE("a task took something from one that became optional at that moment") {
   const char* const player = R"(behaviour: player
 language: 1

@@ -21,6 +21,11 @@ TEST_CASE("lines where none were expected, and none where some were") {
   CHECK(unified_diff({"a"}, {}) == Lines{"--- expected", "+++ happened", "@@ -1 +0,0 @@", "-a"});
 }
 
+TEST_CASE("of equal lines one is gone, or one more comes") {
+  CHECK(unified_diff({"a", "a"}, {"a"}) == Lines{"--- expected", "+++ happened", "@@ -1,2 +1 @@", " a", "-a"});
+  CHECK(unified_diff({"a"}, {"a", "a"}) == Lines{"--- expected", "+++ happened", "@@ -1 +1,2 @@", " a", "+a"});
+}
+
 TEST_CASE("a line moves") {
   CHECK(unified_diff({"stop", "run A", "run B"}, {"run A", "run B", "stop"}) ==
         Lines{"--- expected", "+++ happened", "@@ -1,3 +1,3 @@", "-stop", " run A", " run B", "+stop"});

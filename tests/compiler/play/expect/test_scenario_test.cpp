@@ -92,6 +92,17 @@ steps:
   CHECK(tested.text.ends_with("\n    ... and 14969 more lines\n"));
 }
 
+TEST_CASE("of a scenario that does not come to rest though its script answers what is done, only the round is told") {
+  const Tested tested = test(R"(
+script: {B: {done: true}, A: [{reason: subtask_done, tasks: [B]}, {tasks: [B]}]}
+steps:
+  - request: A
+)");
+  CHECK(!tested.holds);
+  CHECK(tested.text.starts_with("test.scenario.yaml:5:5: step 1: request A\n"
+                                "    it did not come to rest within 10000 micro-steps: A, B run again and again\n"));
+}
+
 TEST_CASE("a scenario that advances time beyond the limit fails") {
   const LoadedScenario loaded = load_scenario(R"(behaviour: metronome
 language: 1

@@ -156,6 +156,12 @@ TEST_CASE("what comes first in a block is not indented deeper than what follows"
         "steps:\n  - request: Lamp\n    expect: |\n      # light\n        # at once\n      run Lamp new_task\n");
 }
 
+TEST_CASE("a comment behind the first event of a block stays as deep as it is") {
+  check("steps:\n  - request: Lamp\n    expect: |\n      run Bell new_task\n        # light\n      run Lamp new_task\n"
+        "        # on\n",
+        "steps:\n  - request: Lamp\n    expect: |\n      # light\n      run Lamp new_task\n        # on\n");
+}
+
 TEST_CASE("line breaks stay what they are") {
   check("steps:\r\n  - request: Lamp\r\n    expect: | # on\r\n      # light\r\n      run Bell new_task\r\n",
         "steps:\r\n  - request: Lamp\r\n    expect: | # on\r\n      # light\r\n      run Lamp new_task\r\n");

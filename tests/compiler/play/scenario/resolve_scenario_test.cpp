@@ -186,6 +186,19 @@ test.scenario.yaml:3:19: error: a step cannot fire `Drive.brake.broken`: only th
 )");
 }
 
+TEST_CASE("a promise without a time has no trigger") {
+  const char* const brakes = R"(behaviour: brakes
+language: 1
+states: {Motion: {values: [still, rolling], initial: rolling}}
+roots: [Drive]
+groups:
+  Drive: {providers: [{name: brake, causing: [Motion == still]}]}
+)";
+  CHECK(load_scenario(brakes, "script: {Drive: {trigger: Drive.brake.broken}}\nsteps: []\n")
+            .findings.starts_with("test.scenario.yaml:2:27: error: there is no trigger called `Drive.brake.broken` "
+                                  "[undefined_name]\n"));
+}
+
 TEST_CASE("what some provider of a group can do is no finding at an entry for the group") {
   CHECK(findings("script: {Walk: {set: {Pose: standing}}}\n") == "");
 }

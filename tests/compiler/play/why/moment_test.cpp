@@ -64,6 +64,7 @@ TEST_CASE("a moment at a time is within the step that passes it") {
   CHECK(has("<B>rover, in step 3 (advance 2 s), at 0.5 s</B>"));
   CHECK(has(">Motion == rolling<"));
   CHECK(has(">Weather is unset<"));
+  CHECK(has("pushed to"));
   REQUIRE(world.directorc({"graph", "s.yaml", "--at=1500 ms"}) == 0);
   CHECK(has("<B>rover, in step 3 (advance 2 s), at 1.5 s</B>"));
   CHECK_FALSE(has("pushed to"));
@@ -164,6 +165,13 @@ TEST_CASE("frames of an earlier run that had more of them are named") {
   REQUIRE(world.directorc({"graph", "s.yaml", "--frames", "-o", "out/", "--format=mermaid"}) == 0);
   CHECK(world.err == "directorc: note: `out/` also has 2 frames of an earlier run: `step_12.mmd`, `step_4.mmd`; remove "
                      "them if you do not need them\n");
+  for (const char* path : {"out/step_20.mmd", "out/step_21.mmd", "out/step_22.mmd", "out/step_23.mmd"}) {
+    world.outputs.files[path] = frame;
+    world.files.add(path, frame);
+  }
+  REQUIRE(world.directorc({"graph", "s.yaml", "--frames", "-o", "out/", "--format=mermaid"}) == 0);
+  CHECK(world.err == "directorc: note: `out/` also has 6 frames of an earlier run: `step_12.mmd`, `step_20.mmd`, "
+                     "`step_21.mmd`, `step_22.mmd`, `step_23.mmd` and 1 more; remove them if you do not need them\n");
 }
 
 TEST_CASE("a push that priorities forbid is not drawn; of a module, which has none, each is") {

@@ -38,6 +38,34 @@ TEST_CASE("the header of a trace has the names of all rows, and who requests whi
                    R"({"edge":"Signal>Bulb","provider":"default","level":0,"priority":0}]})");
 }
 
+TEST_CASE("the header of a trace of no file names none") {
+  const Lamp lamp;
+  std::string out;
+  append_header(lamp.names, "", out);
+  CHECK(out.starts_with(R"({"director_trace":1,"behaviour":"lamp","fingerprint":")"));
+}
+
+TEST_CASE("a level is written by its name, if no level before it has the same one") {
+  const Lamp lamp;
+  Tables tables = *lamp.names.tables;
+  std::vector<Edge> edges(tables.edges.begin(), tables.edges.end());
+  edges[3].levels = {3, 6};
+  tables.edges = edges;
+  Names names = lamp.names;
+  names.tables = &tables;
+  names.level = [](const void*, Index level) { return level < 4 ? "" : "hot"; };
+  Event ask = lamp.event(Event::Kind::ask, 0);
+  ask.group = 2;
+  ask.edge = 3;
+  const std::string begin = R"({"t":0,"n":1,"event":"ask","edge":"Signal>Bulb")";
+  ask.level = 3;
+  CHECK(line(ask, names) == begin + "}");
+  ask.level = 4;
+  CHECK(line(ask, names) == begin + R"(,"level":"hot"})");
+  ask.level = 5;
+  CHECK(line(ask, names) == begin + R"(,"level":2})");
+}
+
 TEST_CASE("each event is a line, with names instead of numbers") {
   const Lamp lamp;
   Event request = lamp.event(Event::Kind::input, 1'500'000, 7);

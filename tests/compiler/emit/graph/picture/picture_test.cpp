@@ -480,6 +480,7 @@ TEST_CASE("a link has what is no letter or digit of the path in hexadecimal digi
 TEST_CASE("an address is whole in XML, whatever letters it has") {
   CHECK(PictureLinks{"https://example.org/x?q=\"a b\"&f={file}&l={line}"}.to({{}, "a.yaml", 5}) ==
         "https://example.org/x?q=%22a%20b%22&f=a.yaml&l=5");
+  CHECK(PictureLinks{"https://example.org/<x>"}.to({{}, "a.yaml", 5}) == "https://example.org/%3Cx%3E");
   CHECK(finish_svg({}, "<a xlink:href=\"x?f=1&l=2&amp;lt=3&#38;c\" xlink:title=\"a\"></a><a xlink:href=\"&\"></a>") ==
         "<a xlink:href=\"x?f=1&amp;l=2&amp;lt=3&#38;c\" xlink:title=\"a\"></a><a xlink:href=\"&amp;\"></a>");
 }
@@ -723,6 +724,8 @@ TEST_CASE("a picture as text has its purpose and the number of things of each ki
             "behaviour: bot\nlanguage: 1\nlayers: [a]\nroots: [A]\ngroups: {A: {layer: a, tasks: [B]}, B: {}}\n",
             options)) ==
         "2 groups in 1 layer and in none; arrows: 1 for requests, 0 for needs, 0 for pushes. The program requests A.");
+  CHECK(summary(picture_of("behaviour: bot\nlanguage: 1\nroots: [A]\ngroups: {A: {tasks: [B]}, B: {}}\n", options)) ==
+        "2 groups in no layer; arrows: 0 for requests, 0 for needs, 0 for pushes. The program requests A.");
 }
 
 } // namespace
