@@ -458,7 +458,7 @@ for (const colorScheme of ['light', 'dark']) {
       const paper = getComputedStyle(picture).backgroundColor;
       const band = getComputedStyle(picture.querySelector('.band')).fill;
       const least = (elements, key) => Math.min(...[...elements].flatMap((each) => [paper, band].map((below) => contrast(getComputedStyle(each)[key], below))));
-      return { paper, text: least(picture.querySelectorAll('text'), 'fill'), line: least(picture.querySelectorAll('.edge path, .node path[fill="none"]'), 'stroke') };
+      return { paper, text: least(picture.querySelectorAll('text:not(.halo)'), 'fill'), line: least(picture.querySelectorAll('.edge path, .node path[fill="none"]'), 'stroke') };
     });
     const seen = await look();
     assert.equal(seen.paper, colorScheme === 'dark' ? 'rgb(22, 25, 29)' : 'rgb(255, 255, 255)');

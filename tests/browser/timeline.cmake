@@ -126,9 +126,29 @@ steps:
 execute_process(COMMAND ${DIRECTORC} simulate ${into}/packs.scenario.yaml --trace ${into}/packs.jsonl OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${DIRECTORC} simulate behaviours/warehouse/scenarios/a_low_battery.scenario.yaml --trace ${into}/warehouse.jsonl
                 WORKING_DIRECTORY ${ROOT} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+file(WRITE ${into}/broken.yaml "behaviour: broken
+language: 1
+states: {Arm: {values: [up, down], initial: up}}
+roots: {ControlHydraulicValveBlockOfLeftArm: {priority: 1}, ControlHydraulicValveBlockOfRightArm: {priority: 5}}
+groups:
+  ControlHydraulicValveBlockOfLeftArm:
+    providers:
+      - {name: lifting, sets: [Arm == up]}
+      - {name: folding, causing: [Arm == down within 1 s]}
+  ControlHydraulicValveBlockOfRightArm: {when: [Arm == down]}
+")
+file(WRITE ${into}/broken.scenario.yaml "scenario: the arm does not fold
+behaviour: broken.yaml
+steps:
+  - request: ControlHydraulicValveBlockOfLeftArm
+  - request: ControlHydraulicValveBlockOfRightArm
+  - advance: 2 s
+  - cancel: ControlHydraulicValveBlockOfRightArm
+")
+execute_process(COMMAND ${DIRECTORC} simulate ${into}/broken.scenario.yaml --trace ${into}/broken.jsonl OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${NODE} gap.mjs minute.jsonl gap.jsonl late.jsonl WORKING_DIRECTORY ${into} COMMAND_ERROR_IS_FATAL ANY)
 foreach(page minute:behaviours/soccer/soccer.yaml gap:behaviours/soccer/soccer.yaml late:behaviours/soccer/soccer.yaml rover:tests/docs/rover/rover.yaml
-             blocked:${into}/blocked.yaml eyes:${into}/eyes.yaml tall:${into}/tall.yaml letters:${into}/letters.yaml packs:${into}/packs.yaml fold:${into}/fold.yaml wide:${into}/wide.yaml warehouse:behaviours/warehouse/warehouse.yaml)
+             blocked:${into}/blocked.yaml eyes:${into}/eyes.yaml tall:${into}/tall.yaml letters:${into}/letters.yaml packs:${into}/packs.yaml fold:${into}/fold.yaml wide:${into}/wide.yaml broken:${into}/broken.yaml warehouse:behaviours/warehouse/warehouse.yaml)
   string(REPLACE ":" ";" page ${page})
   list(POP_FRONT page name)
   execute_process(COMMAND ${DIRECTORC} trace ${into}/${name}.jsonl --to=html --behaviour ${page} -o ${into}/out/${name}.html "--link=https://git.example.org/{file}#L{line}"

@@ -477,6 +477,29 @@ await situation('a slice of who is blocked says by whom', 'blocked', {}, async (
   assert.deepEqual(drawn, [0, 98, 155, 255]);
 });
 
+await situation('a broken promise is marked above the tracks, on its track and in the overview', 'broken', {}, async (page) => {
+  // Whether the row of points at that height has the colour of faults around each of two parts of the width.
+  const red = (where, y) => page.locator(where).evaluate((canvas, y) => {
+    const scale = canvas.height / canvas.getBoundingClientRect().height;
+    const { data } = canvas.getContext('2d').getImageData(0, y * scale, canvas.width, 1);
+    const around = (x) => data.subarray(4 * Math.floor(canvas.width * (x - 0.02)), 4 * Math.floor(canvas.width * (x + 0.02))).join();
+    return [0.4, 0.49].map((x) => around(x).includes('163,23,26,255'));
+  }, y);
+  assert.match(await page.locator('.looks').textContent(), /✖ fault or loss/);
+  for (const [where, y] of [['.ruler', 24], ['canvas.slices', 34 + 10], ['.overview canvas', 12]]) assert.deepEqual(await red(where, y), [false, true], where); // at 1 s
+});
+
+await situation('names that begin alike are cut before their ends', 'broken', { viewport: { width: 360, height: 640 } }, async (page) => {
+  const ends = await page.locator('.labels a').evaluateAll((all) => all.slice(0, 2).map((name) => {
+    const end = name.querySelector('.end');
+    return { text: name.textContent, end: end.textContent, whole: end.scrollWidth <= end.clientWidth && end.getBoundingClientRect().right <= name.getBoundingClientRect().right, cut: name.firstChild.scrollWidth > name.firstChild.clientWidth };
+  }));
+  assert.deepEqual(ends, [
+    { text: 'ControlHydraulicValveBlockOfLeftArm', end: 'kOfLeftArm', whole: true, cut: true },
+    { text: 'ControlHydraulicValveBlockOfRightArm', end: 'OfRightArm', whole: true, cut: true },
+  ]);
+});
+
 await situation('behind a gap nothing is known until it is told, and why not', 'gap', {}, async (page) => {
   await page.locator('.filter summary').click();
   for (const box of await page.locator('.filter fieldset:first-of-type input').all()) await box.uncheck();

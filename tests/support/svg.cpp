@@ -128,12 +128,35 @@ SvgThing read_thing(const std::string& text, bool is_arrow) {
   return out;
 }
 
+/// The halo of a label repeats its letters.
+std::string without_halos(std::string text) {
+  constexpr std::string_view halo = "<text class=\"halo\"";
+  for (std::size_t at = text.find(halo); at != text.npos; at = text.find(halo, at))
+    text.erase(at, text.find('\n', at) + 1 - at);
+  return text;
+}
+
+/// With letters as wide as in the widest font.
+SvgBox box_of_letters(const std::string& label) {
+  constexpr double letter_width = 6, above = 8, below = 2;
+  SvgBox out{1e9, 1e9, -1e9, -1e9};
+  for (const std::string& line : all_between(without_halos(label), "<text ", "</text>")) {
+    const double x = std::stod(attribute(line, "x")), y = std::stod(attribute(line, "y"));
+    const auto letters = static_cast<double>(plain(line.substr(line.find('>') + 1)).size());
+    out.left = std::min(out.left, x);
+    out.right = std::max(out.right, x + letter_width * letters);
+    out.top = std::min(out.top, y - above);
+    out.bottom = std::max(out.bottom, y + below);
+  }
+  return out;
+}
+
 /// A label stands behind all arrows, with the title of its own.
 void add_label(const std::string& text, std::vector<SvgThing>& things) {
   const std::string title = plain(between(text, "<title>", "<"));
   for (SvgThing& thing : things) {
     if (!thing.is_arrow || thing.title != title) continue;
-    thing.labels.push_back(around({between(text, "points=\"", "\"")}));
+    thing.labels.push_back(box_of_letters(text));
     for (const std::string& words : all_between(text, "xlink:title=\"", "\"")) thing.tooltips.push_back(plain(words));
     for (const std::string& link : all_between(text, "xlink:href=\"", "\"")) thing.links.push_back(plain(link));
     return;
@@ -184,7 +207,7 @@ Svg read_svg(const std::string& text) {
     kind = next;
   }
   for (const std::string& written : all_between(text, label, "</a>")) add_label(written, out.things);
-  out.text_colours = unique(attributes(text, "text", "fill"));
+  out.text_colours = unique(attributes(without_halos(text), "text", "fill"));
   out.grounds = unique(all_between(text, "<rect class=\"band\" fill=\"", "\""));
   out.grounds.emplace_back("#ffffff");
   return out;

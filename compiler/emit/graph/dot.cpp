@@ -78,7 +78,7 @@ private:
     if (arrow.mark == Moment::Mark::inactive && !arrow.missing) how += fmt::format(", fontcolor=\"{}\"", palette::grey);
     if (arrow.missing) how += fmt::format(", fontcolor=\"{}\"", palette::queued);
     if (arrow.missing || arrow.mark == Moment::Mark::running || arrow.mark == Moment::Mark::queued)
-      how += ", penwidth=2";
+      how += arrow.kind == Kind::both ? ", penwidth=1.3" : ", penwidth=2"; // two lines side by side must not touch
     const auto colour = [&](std::string_view usual) {
       return arrow.missing ? palette::queued : arrow.mark ? colour_of(*arrow.mark, palette::faint) : usual;
     };
@@ -91,6 +91,15 @@ private:
     case Kind::take: break;
     }
     return fmt::format("color=\"{0}\", fontcolor=\"{0}\", penwidth=2, arrowhead=normalnormal", palette::take);
+  }
+
+  /// `&gt;` is one.
+  static std::size_t letters_of(std::string_view text) {
+    std::size_t out = 0;
+    for (std::size_t at = 0; at < text.size(); ++at, ++out) {
+      if (text[at] == '&') at = std::min(text.find(';', at), text.size() - 1);
+    }
+    return out;
   }
 
   /// With its own background, so that no line crosses it; and wide enough for the letters of any font, since a viewer
@@ -107,7 +116,7 @@ private:
     std::size_t longest = 0;
     for (std::size_t begin = 0; begin <= lines.size();) {
       const std::size_t end = std::min(lines.find(next, begin), lines.size());
-      longest = std::max(longest, end - begin);
+      longest = std::max(longest, letters_of(std::string_view(lines).substr(begin, end - begin)));
       begin = end + next.size();
     }
     return fmt::format(

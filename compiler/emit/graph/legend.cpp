@@ -32,6 +32,11 @@ bool has_line(const Picture& picture, PictureLine::Kind kind) {
   return has_line(picture, [&](const PictureLine& line) { return line.kind == kind; });
 }
 
+constexpr std::string_view warning = "\u26A0";
+
+/// Whether a finding below the picture is no error.
+bool is_warning(const std::string& text) { return text.starts_with(warning); }
+
 struct Line {
   std::string_view colour, style, head;
   int width = 1;
@@ -163,8 +168,11 @@ private:
     add(is(Kind::both), Sample::both, "needs and requests");
     add(is(Kind::push), Sample::push, "waits until that is true, and may push the other to make it true");
     add(is(Kind::take), Sample::take, "may take from the other what it holds, by these ranks");
-    add_sign(draws([](const PictureArrow& arrow) { return arrow.from.box == arrow.to.box; }), "back to its box",
-             "one of its groups may take from another one of it");
+    const auto is_loop = [&](Kind kind) {
+      return draws([=](const PictureArrow& arrow) { return arrow.kind == kind && arrow.from.box == arrow.to.box; });
+    };
+    add_sign(is_loop(Kind::take), "back to its box", "one of its groups may take from another one of it");
+    add_sign(is_loop(Kind::push), "back to its box", "one of its groups may push another one of it");
     add_sign(draws([](const PictureArrow& arrow) { return is_request(arrow) && has_number(arrow.label); }), "20",
              "priority among the tasks of the same requester: the higher one goes first");
   }
@@ -189,8 +197,9 @@ private:
       return draws_box([=](const PictureBox& box) { return box.kind == kind; });
     };
     add_sign(is(PictureBox::Kind::alike), "dashed box", "groups that the same ones request in the same way");
-    add_sign(is(PictureBox::Kind::missing) || has_line(picture_, PictureLine::Kind::wrong), "red, \u2716",
-             "is wrong, or missing");
+    add_sign(is(PictureBox::Kind::missing) || has_line(picture_, PictureLine::Kind::wrong) ||
+                 any(picture_.wrong, [](const std::string& text) { return !is_warning(text); }),
+             "red, \u2716", "is wrong, or missing");
   }
 
   /// What the lines of the boxes say.
@@ -205,7 +214,8 @@ private:
       const bool drawn = has_line(picture_, is_one);
       add_sign(drawn, std::move(sign), std::move(words));
     };
-    add_line(PictureLine::Kind::doubtful, "\u26A0", "a warning, or a lint");
+    add_sign(has_line(picture_, PictureLine::Kind::doubtful) || any(picture_.wrong, is_warning), std::string(warning),
+             "a warning, or a lint");
     add_line(PictureLine::Kind::when, "when, stay", "when must hold for it to run, stay is enough to go on");
     add_line(PictureLine::Kind::causing, "causing", "makes that true when it is pushed");
     add_line(PictureLine::Kind::sets, "sets", "may set that, and promises nothing");
@@ -235,8 +245,8 @@ std::vector<std::string> legend_table(const Picture& picture) {
   line(fmt::format("<B>{}{}</B>", html_attribute(picture.title), moment));
   for (const std::string& value : picture.values) line(html_attribute(value));
   for (const std::string& wrong : picture.wrong)
-    line(
-        fmt::format("<FONT COLOR=\"{}\">{}</FONT>", palette::queued, palette::wrapped(wrong) + "<BR ALIGN=\"LEFT\"/>"));
+    line(fmt::format("<FONT COLOR=\"{}\">{}</FONT>", is_warning(wrong) ? palette::when : palette::queued,
+                     palette::wrapped(wrong) + "<BR ALIGN=\"LEFT\"/>"));
   for (const LegendEntry& entry : legend_of(picture)) out.push_back(table_row(entry));
   out.emplace_back("</TABLE>");
   return out;

@@ -127,6 +127,29 @@ void name_arrows(std::string& svg) {
   }
 }
 
+/// In place of the paper of a label, which also hides lines beside its letters: the letters once more, in white and
+/// wider, behind themselves.
+std::string with_halo(const std::string& label) {
+  constexpr std::string_view paper = "<polygon", text = "<text ", close = "</text>\n", end = "/>\n";
+  const std::size_t at = label.find(paper);
+  if (at == nowhere) return label;
+  const std::size_t behind = label.find(end, at);
+  if (behind == nowhere) return label;
+  std::string halo;
+  for (std::size_t from = label.find(text, behind); from != nowhere; from = label.find(text, from + 1)) {
+    const std::size_t to = label.find(close, from);
+    if (to == nowhere) return label;
+    std::string copy = label.substr(from, to + close.size() - from);
+    if (const std::size_t fill = copy.find(" fill=\""); fill < copy.find('>'))
+      copy.erase(fill, copy.find('"', fill + 7) + 1 - fill);
+    halo += copy.insert(text.size(), fmt::format("class=\"halo\" aria-hidden=\"true\" fill=\"{0}\" stroke=\"{0}\" "
+                                                 "stroke-width=\"4\" stroke-linejoin=\"round\" ",
+                                                 palette::paper));
+  }
+  std::string out = label;
+  return out.replace(at, behind + end.size() - at, halo);
+}
+
 /// Graphviz writes a label with its own arrow, so that arrows which it writes later would strike it out.
 void bring_labels_to_front(std::string& svg) {
   constexpr std::string_view arrow = "class=\"edge\">\n", link = "<g id=\"a_edge", label = "&#45;label\"",
@@ -143,7 +166,7 @@ void bring_labels_to_front(std::string& svg) {
     const std::size_t title = svg.find(open_title, at), words = svg.find(close_title, title);
     if (begin == nowhere || begin < at || end == nowhere || words == nowhere) continue;
     labels += fmt::format("<g class=\"label\">\n{}{}</g>\n", svg.substr(title, words + close_title.size() - title),
-                          svg.substr(begin, end + close.size() - begin));
+                          with_halo(svg.substr(begin, end + close.size() - begin)));
     out.append(svg, from, begin - from);
     from = end + close.size();
   }
@@ -269,6 +292,7 @@ std::string finish_svg(const Picture& picture, const std::string& drawn) {
   add_bands(picture, out);
   bring_labels_to_front(out);
   replace_all(out, target_in_svg, "");
+  replace_all(out, "stroke-dasharray=\"1,5\"", "stroke-dasharray=\"2,3\""); // dots that far apart nearly vanish
   name_arrows(out);
   add_words(picture, out);
   return out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A strip of the whole recording: it shows where pushes, hand-overs and gaps are, and which part of the time the tracks show.
+// A strip of the whole recording: it shows where pushes, hand-overs, faults and gaps are, and which part of the time the tracks show.
 
 import type { Cursor } from './cursor';
 import { make } from './elements';
@@ -33,9 +33,9 @@ export class Overview {
     const to = this.canvas.getContext('2d');
     if (!to || width === 0) return;
     to.scale(devicePixelRatio, devicePixelRatio);
-    const { flows, gaps } = this.recording;
+    const { flows, gaps, faults } = this.recording;
     for (let i = 0; i < flows.length; ++i) this.mark(to, flows.at[i], width, this.recording.shapeAt(flows.at[i]).line.event === 'push' ? look.pushed : look.take);
-    for (let i = 0; i < gaps.length; ++i) this.mark(to, gaps.at[i], width, look.queued);
+    for (const column of [gaps, faults]) for (let i = 0; i < column.length; ++i) this.mark(to, column.at[i], width, look.queued);
     const [from, until] = [this.xOf(this.view.from, width), this.xOf(this.view.to, width)];
     this.window.style.transform = `translateX(${from}px)`;
     this.window.style.width = `${Math.max(4, until - from)}px`;
@@ -46,12 +46,12 @@ export class Overview {
     this.line.style.transform = `translateX(${this.xOf(this.cursor.time, this.width)}px)`;
   }
 
-  /** Pushes are in the upper half, hand-overs in the lower half, gaps in both. */
+  /** Pushes are in the upper half, hand-overs in the lower half, faults and gaps in both. */
   private mark(to: CanvasRenderingContext2D, event: number, width: number, colour: string): void {
     const shape = this.recording.shapeAt(event);
-    const isPush = shape.line.event === 'push';
+    const isPush = shape.line.event === 'push', isFault = shape.sort === 'fault';
     to.fillStyle = colour;
-    to.fillRect(Math.floor(this.xOf(this.recording.timeOf(event), width)), isPush || shape.isGap ? 3 : height / 2, 1, shape.isGap ? height - 6 : height / 2 - 3);
+    to.fillRect(Math.floor(this.xOf(this.recording.timeOf(event), width)), isPush || isFault ? 3 : height / 2, 1, isFault ? height - 6 : height / 2 - 3);
   }
 
   private xOf(time: number, width: number): number {

@@ -61,6 +61,7 @@ export class Recording {
   readonly flows: Column<Uint32Array> = counts(); // events that are pushes or hand-overs
   readonly switches: Column<Uint32Array> = counts(); // events that enable or disable a provider
   readonly gaps: Column<Uint32Array> = counts(); // events `dropped`: other events are missing before them
+  readonly faults: Column<Uint32Array> = counts(); // other events that tell of a fault: a broken promise, an exception, inputs that are lost
   readonly standings: Standing[] = [];
   readonly values: Value[] = [undefined, null];
   first = 0;
@@ -184,6 +185,7 @@ export class Recording {
     if (shape.isGap) for (const track of [...this.states, ...this.levels]) this.put(track, event, 0);
     if (shape.isFlow) this.flows.push(event);
     if (shape.isGap) this.gaps.push(event);
+    else if (shape.sort === 'fault') this.faults.push(event);
     if (shape.line.input === 'enable' || shape.line.input === 'disable') this.switches.push(event);
   }
 
@@ -256,7 +258,7 @@ export class Recording {
       track.event.drop(gone);
       track.value.drop(gone);
     }
-    for (const column of [this.flows, this.switches, this.gaps]) column.drop(column.upTo(this.first - 1));
+    for (const column of [this.flows, this.switches, this.gaps, this.faults]) column.drop(column.upTo(this.first - 1));
   }
 
   private tell(): void {

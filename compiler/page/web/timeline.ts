@@ -102,7 +102,7 @@ export class Timeline {
       make('label', {}, this.inPicture, ' Moment in the picture'), make('label', {}, this.onlyNow, ' Only what runs or waits then'),
     );
     if (this.source.grows) bar.append(make('label', {}, this.follow, ' Follow the end'));
-    const legend = make('p', { class: 'looks' }, ...['running', 'pushed', 'queued', 'held', 'inactive'].map((mark) => make('span', {}, make('i', { class: mark }), ` ${mark}`)), make('span', { class: 'push-sign' }, '▲ push'), make('span', { class: 'hand-over-sign' }, '◆ hand-over'), 'Lines of the picture: thick blue: has it; dashed red, with a bar: waits for it; pale: not requested.');
+    const legend = make('p', { class: 'looks' }, ...['running', 'pushed', 'queued', 'held', 'inactive'].map((mark) => make('span', {}, make('i', { class: mark }), ` ${mark}`)), make('span', { class: 'push-sign' }, '▲ push'), make('span', { class: 'hand-over-sign' }, '◆ hand-over'), make('span', { class: 'fault-sign' }, '✖ fault or loss'), 'Lines of the picture: thick blue: has it; dashed red, with a bar: waits for it; pale: not requested.');
     const hint = make('p', { class: 'hint' }, 'Click or drag to a moment. With the keyboard: ← and → to the events beside it, Page keys further, Home, End, space plays, + and − zoom, as does Ctrl with the wheel.');
     const lanes = make('div', { class: 'lanes' }, this.labels, this.area);
     section.append(bar, this.where, this.overview.element, lanes, this.printed, legend, make('div', { class: 'beside' }, this.moment.element, this.list.element), hint);
@@ -278,7 +278,11 @@ export class Timeline {
   private draw(): void {
     const { names } = this.source.recording;
     this.tracks.rows = [...this.filter.groups(this.onlyNow.checked ? this.cursor.settled : undefined).map((group) => ({ group })), ...names.header.states.map((_, state) => ({ state }))];
-    const label = (kind: string, name: string): HTMLElement => make('a', { class: kind, href: `#${kind}-${name}`, title: name }, name);
+    // Without room a name is shortened before its end: names that begin alike differ there.
+    const label = (kind: string, name: string): HTMLElement => {
+      const end = name.length - Math.min(10, Math.floor(name.length / 2));
+      return make('a', { class: kind, href: `#${kind}-${name}`, title: name }, make('span', {}, name.slice(0, end)), make('span', { class: 'end' }, name.slice(end)));
+    };
     this.labels.replaceChildren(
       ...this.tracks.rows.map((row) => (row.group !== undefined ? label('group', names.header.groups[row.group].name) : label('state', names.header.states[row.state ?? 0].name))),
     );

@@ -52,6 +52,7 @@ export class Tracks {
     });
     this.drawGaps(to, width, look);
     this.drawFlows(to, width, look, events);
+    this.drawFaults(to, width, look, events);
   }
 
   hit(x: number, y: number, width: number): Hit | undefined {
@@ -171,6 +172,22 @@ export class Tracks {
     }
   }
 
+  /** Crosses above the tracks, and on the track of the group if it is a fault of one. */
+  private drawFaults(to: CanvasRenderingContext2D, width: number, look: Look, events: number[]): void {
+    const { faults } = this.recording;
+    const drawn = new Set<string>();
+    for (let i = faults.upTo(events[0]); i < faults.upTo(events[width]); ++i) {
+      const event = faults.at[i];
+      const { group } = this.recording.shapeAt(event);
+      const x = Math.round(this.view.xOf(this.recording.timeOf(event), width));
+      const row = this.rows.findIndex((each) => each.group !== undefined && each.group === group);
+      for (const y of row < 0 ? [24] : [24, rulerHeight + row * rowHeight + rowHeight / 2]) {
+        if (!drawn.has(`${x} ${y}`)) drawCross(to, look, x, y);
+        drawn.add(`${x} ${y}`);
+      }
+    }
+  }
+
   /** Pushes are triangles, hand-overs diamonds, with an arrow from the group that waits or loses to the other one; if there are many, short lines. */
   private drawFlows(to: CanvasRenderingContext2D, width: number, look: Look, events: number[]): void {
     const { flows } = this.recording;
@@ -220,6 +237,20 @@ export class Tracks {
 function drawTick(to: CanvasRenderingContext2D, colour: string, isPush: boolean, x: number): void {
   to.fillStyle = colour;
   to.fillRect(x, isPush ? 17 : 25, 1, 7);
+}
+
+/** On a border of the colour of paper, to be seen on any track. */
+function drawCross(to: CanvasRenderingContext2D, look: Look, x: number, y: number): void {
+  for (const [colour, width] of [[look.paper, 5], [look.queued, 2.5]] as const) {
+    to.strokeStyle = colour;
+    to.lineWidth = width;
+    to.beginPath();
+    to.moveTo(x - 4, y - 4);
+    to.lineTo(x + 4, y + 4);
+    to.moveTo(x + 4, y - 4);
+    to.lineTo(x - 4, y + 4);
+    to.stroke();
+  }
 }
 
 function drawSign(to: CanvasRenderingContext2D, colour: string, isPush: boolean, x: number, y: number): void {

@@ -56,13 +56,17 @@ void arrange_in_layers(const Model& model, const Graph& graph, bool bands, Pictu
     const PictureBox& each = picture.boxes[box];
     return each.kind == PictureBox::Kind::missing ? rank.size() : rank[each.groups.front().value];
   };
+  const bool only_pushes = picture.kinds == std::vector{PictureArrow::Kind::push};
   const std::size_t boxes = picture.boxes.size();
   const Places places(model, graph);
   std::vector<bool> led_to(boxes, false), leads(boxes, false);
   for (PictureArrow& arrow : picture.arrows) {
     const std::size_t from = places.of(picture.boxes[arrow.from.box]), to = places.of(picture.boxes[arrow.to.box]);
-    arrow.ranks = arrow.kind != PictureArrow::Kind::push && from <= to &&
-                  (from != to || rank_of(arrow.from.box) < rank_of(arrow.to.box));
+    // Graphviz draws labelled arrows between neighbours of one rank wrongly, and breaks cycles by itself. Beside other
+    // arrows, a push within a layer would only make that higher.
+    arrow.ranks =
+        only_pushes || from < to ||
+        (from == to && arrow.kind != PictureArrow::Kind::push && rank_of(arrow.from.box) < rank_of(arrow.to.box));
     if (from != to || !arrow.ranks) continue;
     led_to[arrow.to.box] = true;
     leads[arrow.from.box] = true;

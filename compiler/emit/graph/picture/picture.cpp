@@ -114,7 +114,8 @@ private:
     const std::string where = options_.focus.empty() ? "" : ", of those in the focus";
     if (options_.view == View::pushes)
       return (options_.moment ? "no group is pushed" : "no group may push another one") + where;
-    if (options_.view == View::takes) return "no group may take anything from one that is not requested below it" + where;
+    if (options_.view == View::takes)
+      return "no group may take anything from one that is not requested below it" + where;
     return "there are no groups";
   }
 
@@ -251,7 +252,8 @@ private:
       const bool folded = options_.fold != Fold::nothing;
       const bool takes = from_groups.kind == ArrowKind::take;
       const bool pushes = from_groups.kind == ArrowKind::push || takes;
-      if (folded && !takes && arrow.from.box == arrow.to.box) continue; // only --view=takes draws these
+      const bool is_view = takes || (pushes && options_.view == View::pushes); // which shows nothing else
+      if (folded && !is_view && arrow.from.box == arrow.to.box) continue;
       const int kind = !folded || pushes ? static_cast<int>(from_groups.kind) : -1;
       const auto [found, fresh] = places.try_emplace({arrow.from, arrow.to, kind, folded ? std::string{} : arrow.label},
                                                      picture_.arrows.size());

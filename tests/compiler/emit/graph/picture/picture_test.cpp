@@ -230,7 +230,7 @@ TEST_CASE("a view shows its own arrows only, and a focus what has to do with som
                           "Kick -> Left, Right need\n"
                           "Look -> Head need\n");
   options.view = PictureOptions::View::pushes;
-  CHECK(drawn(options) == "Kick -> Walk.halting push (Pose == standing) up\n");
+  CHECK(drawn(options) == "Kick -> Walk.halting push (Pose == standing)\n");
   options.view = PictureOptions::View::takes;
   options.take_overs = {{from.edge("root>Player"), from.edge("root>Cheer"), {{{10, false}, {0, true}}}}};
   CHECK(drawn(options) == "Player -> Cheer take (the program: 10 over 0 optional)\n");
@@ -270,6 +270,37 @@ TEST_CASE("who may take something within a folded box is an arrow from it to its
   CHECK(std::any_of(legend.begin(), legend.end(), [](const LegendEntry& entry) {
     return entry.sign == "back to its box" && entry.words == "one of its groups may take from another one of it";
   }));
+}
+
+TEST_CASE("a push within a folded box is an arrow from it to itself where only pushes are drawn") {
+  PictureOptions options;
+  options.fold = PictureOptions::Fold::modules;
+  options.view = PictureOptions::View::pushes;
+  const Picture picture = picture_of(walker, options);
+  CHECK(arrows_of(picture) == "module test -> module test push (Pose == standing)\n");
+  std::string out;
+  for (const LegendEntry& entry : legend_of(picture)) out += entry.sign + ": " + entry.words + "\n";
+  CHECK(out == ": waits until that is true, and may push the other to make it true\n"
+               "back to its box: one of its groups may push another one of it\n");
+}
+
+TEST_CASE("a warning below the picture is explained and coloured as one, and an error as an error") {
+  Picture picture = picture_of("behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups: {Lamp: {}}\n");
+  const auto rest = [&] {
+    std::string out;
+    for (const LegendEntry& entry : legend_of(picture)) out += entry.sign + ": " + entry.words + "\n";
+    return out + legend_table(picture)[2];
+  };
+  picture.wrong = {"\u26A0 yaml_word_trap"};
+  CHECK(rest() ==
+        "thick frame: the program itself requests it\n\u26A0: a warning, or a lint\n"
+        "<TR><TD COLSPAN=\"3\" ALIGN=\"LEFT\"><FONT COLOR=\"#8A5100\">\u26A0 yaml_word_trap<BR ALIGN=\"LEFT\"/>"
+        "</FONT></TD></TR>");
+  picture.wrong = {"\u2716 undefined_name"};
+  CHECK(rest() ==
+        "thick frame: the program itself requests it\nred, \u2716: is wrong, or missing\n"
+        "<TR><TD COLSPAN=\"3\" ALIGN=\"LEFT\"><FONT COLOR=\"#A3171A\">\u2716 undefined_name<BR ALIGN=\"LEFT\"/>"
+        "</FONT></TD></TR>");
 }
 
 TEST_CASE("a collapsed picture has each condition of a push, also one that begins like another") {
