@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/analysis/rounds/stopping_groups.hpp"
 
+#include "compiler/analysis/needs/units.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/words/notes.hpp"
 
@@ -101,6 +102,30 @@ private:
   std::vector<const Task*> refused_;
 };
 
+/// Whether its unit lacks another member.
+bool is_refused(const Model& model, const Granted& granted, const Request& request) {
+  if (request.pack->name.empty() || !model.is_always_member(*request.task)) return false;
+  const std::vector<const Task*> unit = unit_members(model, *request.pack);
+  return std::any_of(unit.begin(), unit.end(),
+                     [&](const Task* member) { return granted.takings.takes(member->target); });
+}
+
+bool stays_requested(const Input& input, const Granted& granted, GroupId group, std::set<GroupId>& seen) {
+  if (!seen.insert(group).second) return false;
+  const std::vector<Request>& requests = input.shared.requests().of(group);
+  return std::any_of(requests.begin(), requests.end(), [&](const Request& request) {
+    if (!request.requester) return true;
+    const GroupId above = input.model.providers[*request.requester].group;
+    if (leads_to_granted(input.shared, above, granted) || !granted.takings.may_beat(above)) return true;
+    const std::vector<ProviderId>& all = input.model.groups[above].providers;
+    const bool goes_on = std::any_of(all.begin(), all.end(), [&](ProviderId id) {
+      return input.facts.active.contains(id) && granted.takings.need_taken(id) == nullptr;
+    });
+    return goes_on && !granted.takings.takes(above) && !is_refused(input.model, granted, request) &&
+           stays_requested(input, granted, above, seen);
+  });
+}
+
 } // namespace
 
 std::optional<StopReason> why_stopped(const Input& input, const Granted& granted, GroupId group, ProviderId causer) {
@@ -108,6 +133,11 @@ std::optional<StopReason> why_stopped(const Input& input, const Granted& granted
   std::optional<Taking> how = search.why_stopped(group);
   if (!how) return std::nullopt;
   return StopReason{std::move(*how), search.refused().size() == 1 ? search.refused().front() : nullptr};
+}
+
+bool stays_requested(const Input& input, const Granted& granted, GroupId group) {
+  std::set<GroupId> seen;
+  return stays_requested(input, granted, group, seen);
 }
 
 } // namespace director::analysis
