@@ -1,17 +1,17 @@
 // Header: compiler/checks/check.hpp. Test: compiler/checks/shadowed_provider.md.
 // SPDX-License-Identifier: MIT
-#include "compiler/analysis/causing/exclusion.hpp"
 #include "compiler/analysis/causing/promises.hpp"
 #include "compiler/analysis/conflicts/conflicts.hpp"
 #include "compiler/analysis/facts/facts.hpp"
+#include "compiler/analysis/facts/shadows.hpp"
 #include "compiler/analysis/facts/waiting.hpp"
 #include "compiler/analysis/shared/shared.hpp"
 #include "compiler/analysis/states/choice.hpp"
 #include "compiler/analysis/states/region.hpp"
-#include "compiler/analysis/states/sources.hpp"
 #include "compiler/analysis/words/proposals.hpp"
 #include "compiler/analysis/words/words.hpp"
 #include "compiler/checks/check.hpp"
+#include "compiler/checks/report_never_running.hpp"
 
 #include <fmt/format.h>
 
@@ -24,36 +24,11 @@ namespace {
 
 /// Limit for the rivals with a note.
 constexpr std::size_t most_culprits = 8;
-/// Limit for the rivals of which each is tried to be left out, and for those that are enough alone.
-constexpr std::size_t most_left_out = 64;
 
 /// Whether a condition of it is reported as one that never holds: that is the reason, not the providers before it.
 bool never_holds(const Facts& facts, ProviderId id) {
   const auto faults = facts.impossible_of(id);
   return std::any_of(faults.begin(), faults.end(), [](const Impossible& fault) { return !fault.stay; });
-}
-
-/// A state whose missing value is reported may have it: a provider that is shadowed only without that value is not
-/// reported again.
-IdTable<StateId, ValueSet> corrected_values(const Model& model, const Facts& facts) {
-  IdTable<StateId, ValueSet> out = facts.values;
-  for (const Impossible& fault : facts.impossible) {
-    if (fault.why != Impossible::Why::contradictory) out[fault.state] = model.states[fault.state].domain();
-  }
-  return out;
-}
-
-/// Its own conditions, where its group is requested.
-Region region_here(const Input& input, ProviderId id) {
-  Region out = region_of(input.model, input.model.providers[id].when);
-  out.meet(input.facts.grants[input.model.providers[id].group]);
-  return out;
-}
-
-/// What the conditions of earlier providers leave of that.
-Covering find_choice_here(const Input& input, ProviderId id, const std::vector<Rival>& rivals,
-                          const IdTable<StateId, ValueSet>& values) {
-  return find_choice(input.model, region_here(input, id), rivals, values, input.shared.budget());
 }
 
 /// Notes the other members, if something is left where its group is requested, but not where it can be granted together
@@ -139,143 +114,17 @@ Unpushed note_unpushed(const Input& input, ProviderId id, dsl::Diagnostic& findi
   return out;
 }
 
-/// Adds those after the last one that was tried: that one always can run, so none after it matters, unless it is
-/// changed.
-void add_after_rivals(const Input& input, ProviderId id, std::vector<ProviderId>& out) {
-  const std::vector<ProviderId>& all = input.model.group_of(id).providers;
-  for (auto at = std::find(all.begin(), all.end(), out.back()) + 1; *at != id && out.size() < most_left_out; ++at) {
-    if (input.facts.capable.contains(*at) && can_always_replace(input.model, *at, id)) out.push_back(*at);
-  }
-}
-
-/// The providers before one that never runs because of them.
-struct Culprits {
-  std::vector<ProviderId> all;
-  bool each = false;              ///< each of them is enough alone; else all together
-  bool others_are_enough = false; ///< those that are not named here are enough together
-};
-
-/// All that are enough alone, or else as few as are enough together.
-Culprits find_culprits(const Input& input, ProviderId id, const std::vector<Rival>& rivals,
-                       const IdTable<StateId, ValueSet>& values) {
-  const auto are_enough = [&](const std::vector<Rival>& some) {
-    return find_choice_here(input, id, some, values) == Covering::covered;
-  };
-  const Region own = region_here(input, id);
-  Culprits out;
-  std::vector<Rival> some;
-  for (const Rival& rival : rivals) {
-    if (out.all.size() < most_left_out && are_enough({rival}))
-      out.all.push_back(rival.provider);
-    else if (std::any_of(rival.ways.begin(), rival.ways.end(), [&](const Region& way) { return compatible(own, way); }))
-      some.push_back(rival);
-  }
-  if (!out.all.empty()) {
-    out.each = true;
-    out.others_are_enough = are_enough(some);
-    add_after_rivals(input, id, out.all);
-    return out;
-  }
-  // The preferred ones stay.
-  for (std::size_t i = some.size(); i-- > 0 && some.size() <= most_left_out;) {
-    std::vector<Rival> fewer = some;
-    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
-    if (are_enough(fewer)) some = std::move(fewer);
-  }
-  for (const Rival& rival : some) out.all.push_back(rival.provider);
-  return out;
-}
-
-/// Others that could bring about what it waits for, if all of them are requested and wait themselves; else none.
-std::vector<ProviderId> find_waiting_setters(const Input& input, ProviderId id) {
-  const Model& model = input.model;
-  const auto sources = find_sources(model);
-  std::vector<ProviderId> out;
-  for (const ConditionUse& use : model.providers[id].when) {
-    if (input.facts.may_hold(model, id, use)) continue;
-    for (const Source& source : sources[model.conditions[use.id].state]) {
-      if (!source.values.overlaps(model.conditions[use.id].accepts)) continue;
-      if (!source.provider || input.facts.capable.contains(*source.provider) ||
-          !input.facts.requested.contains(model.providers[*source.provider].group))
-        return {};
-      if (std::find(out.begin(), out.end(), *source.provider) == out.end()) out.push_back(*source.provider);
-    }
-  }
-  return out;
-}
-
-void propose_beginning(const Input& input, ProviderId id, const std::vector<ProviderId>& setters,
-                       dsl::Diagnostic& finding) {
-  const std::string name = name_of(input.model, id), other = name_of(input.model, setters.front());
-  if (setters == std::vector{id}) {
-    finding.help = fmt::format("let {} begin without what it sets itself", name);
-  } else if (setters.size() == 1 && find_waiting_setters(input, setters.front()) == std::vector{id}) {
-    finding.notes.push_back({input.model.providers[setters.front()].span, fmt::format("nor can {}", other)});
-    finding.help = fmt::format("let {} or {} begin without what the other one sets", name, other);
-  } else {
-    finding.help = fmt::format("let {}, or one of those that it waits for, begin without what another one sets", name);
-  }
-}
-
-/// For another reason than the earlier providers: what it waits for or needs never comes.
-void report_never(const Input& input, ProviderId id, Findings& findings) {
-  const std::string name = name_of(input.model, id);
-  dsl::Diagnostic& finding = findings.add(input.model.providers[id].span, fmt::format("{} can never run", name));
-  finding.rules_out = {input.model.providers[id].span};
-  Idleness idleness = explain_idle(input, id);
-  finding.notes = std::move(idleness.notes);
-  const bool excluded = !explain_exclusion(input.model, input.facts, id).empty();
-  const std::vector<ProviderId> setters = excluded ? std::vector<ProviderId>{} : find_waiting_setters(input, id);
-  if (idleness.deadlock)
-    finding.help = apart_help(input.model, *idleness.deadlock);
-  else if (!setters.empty())
-    propose_beginning(input, id, setters, finding);
-  else
-    propose_or_leave_out(input.model, input.facts, id,
-                         excluded ? "say these conditions so that all of them can hold at once"
-                                  : "request what brings that about",
-                         finding);
-}
-
-/// It cannot run where its group is requested, and others of the group can.
-void report_excluded(const Input& input, ProviderId id, Findings& findings) {
-  const std::string name = name_of(input.model, id), group = name_of(input.model, input.model.providers[id].group);
-  dsl::Diagnostic& finding = findings.add(
-      input.model.providers[id].span, fmt::format("{} never runs: {} is requested only where it cannot", name, group));
-  finding.rules_out = {input.model.providers[id].span};
-  finding.notes = explain_exclusion(input.model, input.facts, id);
-  propose_or_leave_out(input.model, input.facts, id, fmt::format("request {} elsewhere too", group), finding);
-}
-
-/// What it needs is always held while others of its group can run.
-void report_idle(const Input& input, ProviderId id, const Refused& refused, Findings& findings) {
-  const Taker& taker = refused.refusals.front().taker;
-  dsl::Diagnostic& finding = findings.add(input.model.providers[id].span,
-                                          fmt::format("{} never runs: whenever it is requested {} is held by others",
-                                                      name_of(input.model, id), name_of(input.model, taker.group)));
-  finding.rules_out = {input.model.providers[id].span};
-  add_taker(input, refused, taker, finding.notes);
-  propose_or_leave_out(input.model, input.facts, id, "request it where that is free", finding);
-}
-
-/// Whether one that runs now would never run if this one were preferred to it.
-bool would_be_shadowed(const Input& input, ProviderId earlier, ProviderId id) {
-  if (!input.facts.chosen.contains(earlier)) return false;
-  std::vector<Rival> rivals = input.shared.rivals().of(earlier);
-  rivals.push_back({id, {region_of(input.model, input.model.providers[id].when)}});
-  return find_choice_here(input, earlier, rivals, input.facts.values) == Covering::covered;
-}
-
 /// Another order helps if then no other provider never runs: neither one of these, nor one whose promise is never
 /// pushed. `promises`: it is meant to be pushed, and would then run without that.
-void propose(const Input& input, ProviderId id, const Culprits& culprits, bool promises, dsl::Diagnostic& finding) {
+void propose(const Input& input, const Shadows& shadows, ProviderId id, const Culprits& culprits, bool promises,
+             dsl::Diagnostic& finding) {
   const Model& model = input.model;
   const std::vector<ProviderId>& providers = model.group_of(id).providers;
   const bool helps = !promises && std::none_of(culprits.all.begin(), culprits.all.end(), [&](ProviderId each) {
     const bool is_promise = !model.providers[each].causing.empty() && !input.facts.pushed.contains(each);
     return is_promise || can_always_replace(model, id, each);
   }) && std::none_of(providers.begin(), std::find(providers.begin(), providers.end(), id), [&](ProviderId each) {
-    return would_be_shadowed(input, each, id);
+    return shadows.would_be_shadowed(each, id);
   });
   const bool is_one = culprits.all.size() == 1;
   const std::string help =
@@ -298,7 +147,7 @@ void shadowed_provider(const Input& input, Findings& findings) {
   const Model& model = input.model;
   const Facts& facts = input.facts;
   const Rivals& rivals = input.shared.rivals();
-  const IdTable<StateId, ValueSet> corrected = corrected_values(model, facts);
+  const Shadows shadows(model, facts, rivals, input.shared.budget());
   IdSet<ProviderId> explained = input.shared.promises().explained;
   for (const Imprecise& fault : input.shared.imprecise()) explained.add(fault.causer);
   // A condition that is reported as never holding may still be pushed for.
@@ -318,12 +167,11 @@ void shadowed_provider(const Input& input, Findings& findings) {
       if (input.model.has_any(provider.group, input.facts.active)) report_excluded(input, id, findings);
       continue;
     }
-    if (!facts.impossible.empty() && find_choice_here(input, id, rivals.of(id), corrected) != Covering::covered)
-      continue;
+    if (!facts.impossible.empty() && !shadows.is_shadowed(id)) continue;
     std::vector<std::string> names;
-    const Culprits culprits = find_culprits(input, id, rivals.of(id), corrected);
+    const Culprits culprits = shadows.find_culprits(id);
     for (const ProviderId rival : culprits.all) names.push_back(name_of(model, rival));
-    const bool are_all = !culprits.each || names.size() < most_left_out;
+    const bool are_all = !culprits.each || names.size() < Shadows::most_left_out;
     dsl::Diagnostic& finding = findings.add(
         provider.span,
         names.size() == 1
@@ -344,7 +192,7 @@ void shadowed_provider(const Input& input, Findings& findings) {
                                        name_of(model, *unpushed.outranked), name_of(model, provider.group)),
                            finding);
     else
-      propose(input, id, culprits, unpushed.excluded, finding);
+      propose(input, shadows, id, culprits, unpushed.excluded, finding);
   }
 }
 

@@ -3,15 +3,14 @@
 #include "compiler/base/html.hpp"
 #include "compiler/base/list_of.hpp"
 #include "compiler/emit/artefact/notice.hpp"
-#include "compiler/page/message.hpp"
+#include "compiler/page/markdown_text.hpp"
+#include "compiler/page/markdown_transitions.hpp"
 #include "compiler/page/relations.hpp"
 #include "compiler/page/words.hpp"
-#include "dsl/lexical/characters.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <map>
 #include <set>
 
@@ -20,64 +19,6 @@ namespace director::compiler {
 namespace {
 
 using namespace page;
-
-/// `:smile:`
-bool begins_emoji(std::string_view text) {
-  const std::size_t end = std::min(text.find(':', 1), text.size());
-  return end > 1 && end < text.size() &&
-         std::all_of(text.begin() + 1, text.begin() + static_cast<std::ptrdiff_t>(end), [](char letter) {
-           return dsl::is_alphanumeric(letter) || letter == '_' || letter == '+' || letter == '-';
-         });
-}
-
-/// Viewers replace emojis and formulas in the source, or in the text of a paragraph: in an element of its own, neither
-/// begins one.
-std::string in_an_element(std::string_view character) { return fmt::format("<span>{}</span>", character); }
-
-/// Text between tags and in cells of tables.
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (std::size_t at = 0; at < text.size(); ++at) {
-    const char letter = text[at];
-    const char next = at + 1 < text.size() ? text[at + 1] : ' ';
-    switch (letter) {
-    case '&': out += next == '#' || dsl::is_letter(next) ? "&amp;" : "&"; break;
-    case '<': out += "&lt;"; break;
-    case '>': out += "&gt;"; break;
-    case '|': out += "\\|"; break;
-    case '*':
-    case '_':
-    case '[':
-    case ']':
-    case '`':
-    case '\\':
-    case '~':
-    case '#': out += std::string("\\") + letter; break;
-    case '$': out += in_an_element("&#36;"); break;
-    case ':': out += begins_emoji(text.substr(at)) ? in_an_element(":") : ":"; break;
-    case '\n': out += ' '; break;
-    default: out += letter;
-    }
-  }
-  return out;
-}
-
-/// Text at the beginning of a line, where a dash or a number would begin a list.
-std::string escaped_line(std::string_view text) {
-  std::string out = escaped(text);
-  const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
-  const char mark = digits < text.size() ? text[digits] : ' ';
-  if (digits == 0 ? mark == '-' || mark == '+' || mark == '=' : mark == '.' || mark == ')') out.insert(digits, "\\");
-  return out;
-}
-
-/// Not for cells of a table.
-std::string code(std::string_view text) { return fmt::format("`{}`", text); }
-
-std::string message(std::string_view text) {
-  return in_pieces(
-      text, [](std::string_view piece) { return escaped(piece); }, [](std::string_view piece) { return code(piece); });
-}
 
 constexpr const char* groups_heading = "Groups";
 
@@ -97,7 +38,7 @@ public:
     add_groups();
     add_states();
     add_takes();
-    add_transitions();
+    out_ += transitions_in_markdown(data_["transitions"]);
     add_assertions();
     add_findings();
     while (out_.ends_with("\n\n")) out_.pop_back();
@@ -273,55 +214,6 @@ private:
                           fmt::join(decisions, "; "));
     }
     out_ += "\n";
-  }
-
-  void add_transitions() {
-    const Json& transitions = data_["transitions"];
-    const Json& rows = transitions["rows"];
-    if (!transitions["left_out"].is_null())
-      out_ += fmt::format("## Transitions\n\n{}\n\n", message(transitions["left_out"].as_text()));
-    if (rows.items().empty()) return;
-    out_ += fmt::format(
-        "## Transitions\n\nThe first group, a row, runs; then the second one, a column, is requested. {}\n\n",
-        one_course);
-    if (transitions["limited"].as_boolean()) out_ += fmt::format("{}\n\n", limited_intro);
-    for (const CellKind& kind : cell_kinds_in(rows))
-      out_ += fmt::format("- **{}** {}: {}\n", kind.sign, kind.kind, kind.meaning);
-    if (has_refuted(rows)) out_ += fmt::format("- **\u2716** refuted: {}\n", refuted_meaning);
-    out_ += "\n| from \\ to |";
-    for (const Json& row : rows.items()) out_ += fmt::format(" {} |", escaped(row["group"].as_text()));
-    out_ += "\n| --- |";
-    for (std::size_t i = 0; i < rows.items().size(); ++i) out_ += " --- |";
-    out_ += "\n";
-    for (const Json& row : rows.items()) {
-      out_ += fmt::format("| **{}** |", escaped(row["group"].as_text()));
-      for (const Json& cell : row["cells"].items()) out_ += fmt::format(" {} |", cell_sign(cell));
-      out_ += "\n";
-    }
-    out_ += "\n";
-    if (!transitions["not_requested"].items().empty()) {
-      std::vector<std::string> names;
-      for (const std::string& name : transitions["not_requested"].as_texts()) names.push_back(escaped(name));
-      out_ += fmt::format("Not requested: {}.\n\n", fmt::join(names, ", "));
-    }
-    for (const Json& row : rows.items()) add_row(rows, row);
-  }
-
-  void add_row(const Json& rows, const Json& row) {
-    out_ += fmt::format("### From {}\n\n{}\n\n", escaped(row["group"].as_text()), escaped(row["words"].as_text()));
-    const std::size_t before = out_.size();
-    std::map<std::string_view, std::vector<std::string>> others;
-    for (std::size_t i = 0; i < rows.items().size(); ++i) {
-      const Json& cell = row["cells"].items()[i];
-      if (!needs_explanation(cell)) {
-        others[cell_kind(cell).kind].push_back(escaped(rows.items()[i]["group"].as_text()));
-        continue;
-      }
-      out_ += fmt::format("- to {}, {}: {}\n", escaped(rows.items()[i]["group"].as_text()), cell_kind(cell).kind,
-                          escaped(cell["words"].as_text()));
-    }
-    if (out_.size() != before) out_ += "\n";
-    for (const auto& [kind, names] : others) out_ += fmt::format("To {}: {}.\n\n", fmt::join(names, ", "), kind);
   }
 
   void add_assertions() {

@@ -7,8 +7,10 @@
 #include "compiler/transitions/matrix.hpp"
 
 #include "compiler/base/list_of.hpp"
+#include "compiler/transitions/beginnings.hpp"
 #include "compiler/transitions/changes.hpp"
 #include "compiler/transitions/judge.hpp"
+#include "compiler/transitions/scenario_pieces.hpp"
 #include "dsl/yaml/yaml_text.hpp"
 
 #include <fmt/format.h>
@@ -16,14 +18,10 @@
 #include <algorithm>
 #include <map>
 #include <tuple>
-#include <unordered_map>
 
 namespace director::compiler {
 
 namespace transitions {
-
-/// Limit for plays with which a row is searched, with the declared initial values, and with others.
-constexpr std::size_t most_tries = 64;
 
 class TransitionFinder {
 public:
@@ -32,7 +30,8 @@ public:
       : model_(model),
         player_(model, lowered, behaviour),
         judge_(model, lowered, player_),
-        behaviour_(std::move(behaviour)),
+        beginner_(model, player_),
+        pieces_(model, std::move(behaviour)),
         leaves_choice_(leaves_choice(model)) {}
 
   /// `only`: these rows; empty: all. `most`: work.
@@ -102,7 +101,7 @@ private:
     out.group = id;
     beginnings_.emplace_back();
     std::string why;
-    if (std::optional<Beginning> found = find_beginning(ways, why)) {
+    if (std::optional<Beginning> found = beginner_.find(ways, why)) {
       const auto& [way, outside] = std::tie(found->way, found->outside);
       out.given = words_of(outside.given, model_);
       out.reached = true;
@@ -117,30 +116,6 @@ private:
     return out;
   }
 
-  /// Declared values come before assumed ones. `why`: set by the first that fails.
-  std::optional<Beginning> find_beginning(const std::vector<Way>& ways, std::string& why) const {
-    for (const Assume assume : {Assume::nothing, Assume::inside}) {
-      const std::vector<std::pair<Way, Outside>> all = tries(ways, assume);
-      for (const bool only_certain : {false, true}) {
-        if (only_certain && !leaves_choice_) break;
-        for (const auto& [way, outside] : all) {
-          if (std::optional<Beginning> found = begin(way, outside, only_certain, why)) return found;
-        }
-      }
-    }
-    return {};
-  }
-
-  /// Empty if the last group does not run then. `why`: set by the first that fails.
-  std::optional<Beginning> begin(const Way& way, const Outside& outside, bool only_certain, std::string& why) const {
-    const Play played =
-        player_.play(script_of(model_, way, {{}, {}, {}, only_certain}), player_.beginning(way, outside), 1, way);
-    const Trial& trial = played.trial;
-    if (why.empty()) why = trial.endless ? "When it is requested, the engine does not come to rest" : trial.why;
-    if (!trial.good || !runs(trial.rest, way)) return {};
-    return Beginning{way, outside, trial.runs, trial.rest, only_certain, {}};
-  }
-
   /// The row's beginning, with `only_certain` if it can begin so.
   const Beginning& certain_beginning(std::size_t row) {
     const Beginning& usual = beginnings_[row];
@@ -148,22 +123,9 @@ private:
     const auto [at, fresh] = certain_beginnings_.try_emplace(row, usual);
     std::string why;
     if (!fresh) return at->second;
-    if (std::optional<Beginning> found = begin(usual.way, usual.outside, true, why)) at->second = std::move(*found);
+    if (std::optional<Beginning> found = beginner_.begin(usual.way, usual.outside, true, why))
+      at->second = std::move(*found);
     return at->second;
-  }
-
-  /// Each way with its likeliest values, then each with its second ones, and so on.
-  std::vector<std::pair<Way, Outside>> tries(const std::vector<Way>& ways, Assume assume) const {
-    std::vector<std::pair<Way, Outside>> out;
-    std::vector<std::vector<Outside>> all;
-    for (const Way& way : ways) all.push_back(outsides_for(model_, possible_, way, assume));
-    for (std::size_t i = 0; i < most_outsides; ++i) {
-      for (std::size_t way = 0; way < ways.size() && out.size() < most_tries; ++way) {
-        if (i >= all[way].size() || (assume == Assume::inside && all[way][i].given.empty())) continue;
-        out.emplace_back(ways[way], std::move(all[way][i]));
-      }
-    }
-    return out;
   }
 
   Transition cell(std::size_t i, std::size_t j) {
@@ -307,44 +269,21 @@ private:
     return runs_now(row, column, player_.play(script, before.steps, 2, column.way), change, out, context);
   }
 
-  std::size_t piece(const std::string& text) {
-    const auto [at, fresh] = numbers_.try_emplace(text, out_.pieces.size());
-    if (fresh) out_.pieces.push_back(text);
-    return at->second;
-  }
-
-  /// Its scenario is without the bodies that did not run.
   void keep_play(const Play& play, CellContext& context, Transition& out) {
     context.set_states = set_states_of(play.trial.events);
-    out.scenario = {piece("scenario: from "), piece(model_.groups[context.row.group].name.value), piece(" to "),
-                    piece(model_.groups[context.column.group].name.value),
-                    piece(fmt::format("\nbehaviour: {}\n", behaviour_))};
-    bool any = false;
-    for (const auto& [id, cases] : play.script) {
-      const auto ran = play.trial.runs.find(id);
-      if (ran == play.trial.runs.end()) continue;
-      if (!any) out.scenario.push_back(piece("script:\n"));
-      any = true;
-      out.scenario.push_back(piece(entry_text(model_, id, cases)));
-    }
-    for (std::size_t at = 0; at < play.steps.size();) {
-      const std::size_t end = play.steps.find('\n', at) + 1;
-      out.scenario.push_back(piece(play.steps.substr(at, end - at)));
-      at = end;
-    }
+    out.scenario = pieces_.scenario_of(play, context.row.group, context.column.group, out_.pieces);
   }
 
   const Model& model_;
-  const PossibleValues possible_ = find_possible_values(model_);
   const Player player_;
   const Judge judge_;
-  std::string behaviour_;
+  const Beginnings beginner_;
+  ScenarioPieces pieces_;
   bool leaves_choice_ = false;
   TransitionMatrix out_;
   std::vector<Beginning> beginnings_;                    ///< by row
   std::map<std::size_t, Beginning> certain_beginnings_;  ///< by index of the row, on first use: with `only_certain`
   std::map<GroupId, std::optional<std::size_t>> row_of_; ///< indices of rows, which are made on first use
-  std::unordered_map<std::string, std::size_t> numbers_;
 };
 
 } // namespace transitions

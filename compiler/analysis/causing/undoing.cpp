@@ -167,6 +167,22 @@ std::vector<StopValue> stop_values(const Model& model, GroupId group, StateId st
   return out;
 }
 
+IdTable<StateId, std::vector<GroupId>> find_stopping(const Model& model) {
+  IdTable<StateId, std::vector<GroupId>> out(model.states.size());
+  const auto add = [&](StateId state, GroupId group) {
+    std::vector<GroupId>& groups = out[state];
+    if (std::find(groups.begin(), groups.end(), group) == groups.end()) groups.push_back(group);
+  };
+  for (const GroupId group : model.groups.ids()) {
+    if (!model.groups[group].stop) continue;
+    for (const ConditionUse& entry : model.groups[group].stop->sets) add(model.conditions[entry.id].state, group);
+  }
+  for (const StateId state : model.states.ids()) {
+    if (model.states[state].of) add(state, model.states[state].of->id);
+  }
+  return out;
+}
+
 void add_waiter(const Model& model, const Want& want, std::vector<dsl::Note>& notes) {
   notes.push_back(runs_only_while(model, want.waiter, want.condition));
   if (want.pushed)

@@ -43,6 +43,8 @@ struct StopValue {
   std::string without; ///< how to do without it
 };
 std::vector<StopValue> stop_values(const Model& model, GroupId group, StateId state);
+/// Of each state the groups whose stop may give it a value.
+IdTable<StateId, std::vector<GroupId>> find_stopping(const Model& model);
 
 /// Adds what the waiter runs for: its condition, and if it is pushed, for whom.
 void add_waiter(const Model& model, const Want& want, std::vector<dsl::Note>& notes);

@@ -88,7 +88,7 @@ private:
     Stage stage;
   };
 
-  // Section 4.1
+  // Section 4.1: order.cpp
   static bool is_limbo(Row edge) { return edge >= Moment::limbo && edge != nothing; }
   Row requester(Row edge) const { return edge >= Moment::limbo ? nothing : part_.edges[edge].requester; }
   const Level& level(Row edge) const;
@@ -100,7 +100,7 @@ private:
   int compare(const Chain& a, const Chain& b) const;
   bool before(const Chain& a, const Chain& b) const { return compare(a, b) < 0; }
 
-  // Section 4.2
+  // Section 4.2: order.cpp
   bool available(Row group, const Chain& to);
   bool alive(Row edge) const;
 
@@ -123,10 +123,6 @@ private:
   void begin_way();
   bool is_known();
   bool take_candidates();
-  Row first_candidate();
-  Unit unit_of(Row first);
-  bool alone(Row edge) const;
-  bool shares_unit(Row edge, Row other) const; ///< or is the same
   bool stale(Row group) const;
   bool may_request(Row requester) const;
   bool granted_before(Row edge) const;
@@ -141,6 +137,12 @@ private:
   bool denied_in_vain();
   bool hand_over();
   Moment finish();
+
+  // The order of candidates: order.cpp
+  Row first_candidate();
+  Unit unit_of(Row first);
+  bool alone(Row edge) const;
+  bool shares_unit(Row edge, Row other) const; ///< or is the same
 
   // Refuse: refusal.cpp
   using Lengths = ByCondition<int>; ///< 0: no path is known

@@ -140,4 +140,12 @@ bool Company::always_requests(GroupId group) {
   return always_[group] = out;
 }
 
+bool need_not_be_requested(const Model& model, const Facts& facts, const Requests& requests, const Request& request,
+                           const std::vector<GroupId>& groups) {
+  const bool has_root = std::any_of(model.roots.begin(), model.roots.end(), [&](const Task& root) {
+    return std::find(groups.begin(), groups.end(), root.target) != groups.end();
+  });
+  return request.requester && !has_root && !Company(model, facts, requests, groups).find_bare_chain(request).empty();
+}
+
 } // namespace director::analysis

@@ -69,4 +69,8 @@ private:
   std::set<const Task*> held_back_;
 };
 
+/// Whether none of the groups need be requested where the task is: that is reported there (causer_not_running).
+bool need_not_be_requested(const Model& model, const Facts& facts, const Requests& requests, const Request& request,
+                           const std::vector<GroupId>& groups);
+
 } // namespace director::analysis

@@ -133,6 +133,11 @@ bool is_requested_beside(const Shared& shared, const Granted& granted, GroupId g
   return out;
 }
 
+bool leads_to_granted(const Shared& shared, GroupId above, const Granted& granted) {
+  const Claims& claims = shared.claims(above);
+  return claims.contains(granted.task) || claims.contains(granted.waits);
+}
+
 std::optional<Taking> why_needs_fail(const Model& model, const Facts& facts, const Takings& takings, GroupId group,
                                      ProviderId causer) {
   const bool causes = model.providers[causer].group == group;

@@ -47,6 +47,9 @@ std::vector<Granted> with_each_pack(const Model& model, const Facts& facts, cons
 /// too if it is not known which pack the task requests.
 bool is_requested_beside(const Shared& shared, const Granted& granted, GroupId group);
 
+/// Whether the group leads to the task, or to the one that was pushed for.
+bool leads_to_granted(const Shared& shared, GroupId above, const Granted& granted);
+
 /// How the task takes a need of each provider of the group, described for the causing provider if it is one of them,
 /// else for the first. Empty: some provider keeps its needs.
 std::optional<Taking> why_needs_fail(const Model& model, const Facts& facts, const Takings& takings, GroupId group,
