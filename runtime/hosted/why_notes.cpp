@@ -2,9 +2,9 @@
 // tests/runtime/live/moment_lines_test.cpp. SPDX-License-Identifier: MIT
 #include "runtime/hosted/why_notes.hpp"
 
-#include "runtime/hosted/hindrances.hpp"
-#include "runtime/hosted/unit_contests.hpp"
-#include "runtime/hosted/why_words.hpp"
+#include "runtime/hosted/why/hindrances.hpp"
+#include "runtime/hosted/why/unit_contests.hpp"
+#include "runtime/hosted/why/why_words.hpp"
 
 #include <algorithm>
 #include <array>

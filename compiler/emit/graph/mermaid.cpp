@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+#include <vector>
 
 namespace director::compiler {
 
@@ -38,6 +40,7 @@ public:
   Mermaid(const Picture& picture, const PictureLinks& links) : picture_(picture), links_(links) {}
 
   std::string draw() {
+    code_.line("%%{init: {\"flowchart\": {\"wrappingWidth\": 700}}}%%"); // for the lines of the legend
     code_.open("flowchart TB");
     code_.line(fmt::format("accTitle: {}", escaped(picture_.title)));
     std::string words = summary(picture_);
@@ -54,7 +57,7 @@ public:
     draw_marks();
     draw_line_marks();
     draw_class("focus", "stroke-width:5px", [](const PictureBox& box) { return box.in_focus; });
-    draw_legend();
+    draw_legend(); // behind all arrows, which are numbered
     if (!links_.pattern.empty()) draw_links();
     code_.close("");
     return code_.text();
@@ -63,9 +66,16 @@ public:
 private:
   static std::string lines(const std::vector<PictureLine>& all) {
     std::string out;
-    for (const PictureLine& line : all)
-      out += fmt::format("<br/>{}{}{}", line.key, line.text.empty() ? "" : " ", escaped(line.text));
+    for (const PictureLine& line : all) out += "<br/>" + words_of(line);
     return out;
+  }
+
+  static std::string words_of(const PictureLine& line) {
+    return fmt::format("{}{}{}", line.key, line.text.empty() ? "" : " ", escaped(line.text));
+  }
+
+  static bool is_flaw(const PictureLine& line) {
+    return line.kind == PictureLine::Kind::wrong || line.kind == PictureLine::Kind::doubtful;
   }
 
   static std::string note_of(const PictureBox& box) {
@@ -139,18 +149,14 @@ private:
 
   void draw_box(std::size_t at) {
     const PictureBox& box = picture_.boxes[at];
-    std::string head = escaped(box.name);
+    std::string head;
     if (box.kind == PictureBox::Kind::missing) head += "<br/>\u2716 no such group";
     head += note_of(box);
     if (box.requested) head += "<br/>program" + (box.requested->empty() ? "" : ": " + escaped(*box.requested));
-    head += lines(box.lines);
-    if (box.rows.empty() || box.is_direct()) {
-      const bool packs = box.is_direct() && !box.rows.front().packs.empty();
-      if (box.is_direct()) head += lines(box.rows.front().lines);
-      if (!packs) code_.line(fmt::format("g{}[\"{}\"]", at, head));
-      if (!packs) return;
-    }
-    code_.open(fmt::format("subgraph g{}[\"{}\"]", at, head));
+    std::vector<PictureLine> all = box.lines;
+    if (box.is_direct()) all.insert(all.end(), box.rows.front().lines.begin(), box.rows.front().lines.end());
+    if (is_node(box)) return code_.line(fmt::format("g{}[\"{}{}{}\"]", at, escaped(box.name), head, lines(all)));
+    draw_title(at, box.name, head, all);
     for (std::size_t row = 0; row < box.rows.size(); ++row) {
       const PictureRow& shown = box.rows[row];
       if (!shown.name.empty())
@@ -164,6 +170,28 @@ private:
       }
     }
     code_.close("end");
+  }
+
+  static bool is_node(const PictureBox& box) {
+    return box.rows.empty() || (box.is_direct() && box.rows.front().packs.empty());
+  }
+
+  /// A subgraph has room for one line above its boxes. What was found, which may be long, is in it as a text.
+  void draw_title(std::size_t at, const std::string& name, const std::string& head,
+                  const std::vector<PictureLine>& all) {
+    constexpr std::string_view next = "<br/>";
+    std::string title = head, flaws;
+    for (const PictureLine& line : all) {
+      if (is_flaw(line)) flaws += (flaws.empty() ? "" : std::string(next)) + words_of(line);
+      if (!is_flaw(line)) title += std::string(next) + words_of(line);
+    }
+    if (!title.empty()) title = " (" + title.substr(next.size()) + ")";
+    for (std::size_t br = title.find(next); br != std::string::npos; br = title.find(next))
+      title.replace(br, next.size(), "; ");
+    code_.open(fmt::format("subgraph g{}[\"{}{}\"]", at, escaped(name), title));
+    if (flaws.empty()) return;
+    code_.line(fmt::format("g{}f[\"{}\"]", at, flaws));
+    code_.line(fmt::format("style g{}f fill:none,stroke:none", at));
   }
 
   std::string end(const PictureEnd& end) const {
@@ -245,20 +273,23 @@ private:
       const std::string sign = !is_text ? std::string(sign_of(entry.sample)) : sign_in_boxes(entry.sign);
       text += fmt::format("{}{}: {}", text.empty() ? "" : "<br/>", escaped(sign), escaped(words_in_boxes(entry)));
     }
-    if (!text.empty()) code_.line(fmt::format("legend[\"{}\"]", text));
-    if (!text.empty()) code_.line("style legend fill:none,stroke:none,text-align:left");
+    if (text.empty()) return;
+    code_.line(fmt::format("legend[\"{}\"]", text));
+    code_.line("style legend fill:none,stroke:none,text-align:left");
+    if (picture_.boxes.empty()) return;
+    const std::size_t last = picture_.layers.empty() ? picture_.boxes.size() - 1 : picture_.layers.back().boxes.back();
+    code_.line(fmt::format("g{} ~~~ legend", last)); // below it
   }
 
   void draw_links() {
     for (std::size_t i = 0; i < picture_.boxes.size(); ++i) {
       const PictureBox& box = picture_.boxes[i];
-      const bool is_node = box.rows.empty() || (box.is_direct() && box.rows.front().packs.empty());
       const auto link = [&](const std::string& id, const PictureText& about) {
         if (const std::string url = links_.to(about); !url.empty())
           code_.line(fmt::format("click {} href \"{}\"", id, escaped(url)));
       };
-      if (is_node) link(fmt::format("g{}", i), box.about);
-      if (is_node) continue;
+      if (is_node(box)) link(fmt::format("g{}", i), box.about);
+      if (is_node(box)) continue;
       for (std::size_t row = 0; row < box.rows.size(); ++row) {
         if (!box.rows[row].name.empty()) link(fmt::format("g{}p{}", i, row), box.rows[row].about);
       }

@@ -503,6 +503,24 @@ TEST_CASE("Mermaid has the preferred provider first by its number, and marks wha
   CHECK(has("class g0 focus"));
 }
 
+TEST_CASE("in Mermaid the title of a group with several providers is one line, findings are below it, and the legend "
+          "is last") {
+  PictureOptions options;
+  options.flaws.lines.push_back({GroupId{0}, {}, false, "\u26A0 uncovered_state", ""});
+  const std::string text = mermaid(picture_of("behaviour: lamp\nlanguage: 1\nroots: {Lamp: {priority: 3}}\n"
+                                              "states: {S: {values: [a, b], initial: a}}\n"
+                                              "groups:\n  Lamp:\n    stop: {sets: [S == a]}\n    providers:\n"
+                                              "      - {name: lit, tasks: [Bulb]}\n      - {name: dark}\n  Bulb: {}\n",
+                                              options),
+                                   {});
+  const auto has = [&](const std::string& piece) { return text.find(piece) != std::string::npos; };
+  CHECK(has("subgraph g0[\"Lamp (program: 3; stop sets S == a)\"]\n"
+            "    g0f[\"\u26A0 uncovered_state\"]\n"
+            "    style g0f fill:none,stroke:none\n"
+            "    g0p0[\"1 lit\"]\n"));
+  CHECK(text.find("g1 ~~~ legend\n") > text.rfind("-->"));
+}
+
 TEST_CASE("a link has what is no letter or digit of the path in hexadecimal digits") {
   CHECK(PictureLinks{"https://example.org/{file}#L{line}"}.to({{}, "my (1) \u00E4#b%/a-b_c.yaml", 5}) ==
         "https://example.org/my%20%281%29%20%C3%A4%23b%25/a-b_c.yaml#L5");

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // How the answers of `why` name the rows of tables, and the values of states.
 
-#include "runtime/core/inspect/view.hpp"
+#include "runtime/core/inspect/why.hpp"
 
 #include <string>
 #include <string_view>

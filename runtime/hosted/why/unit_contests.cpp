@@ -1,6 +1,6 @@
-// Header: runtime/hosted/unit_contests.hpp. Test: tests/compiler/cli/commands/why_test.cpp,
+// Header: runtime/hosted/why/unit_contests.hpp. Test: tests/compiler/cli/commands/why_test.cpp,
 // tests/runtime/live/moment_lines_test.cpp. SPDX-License-Identifier: MIT
-#include "runtime/hosted/unit_contests.hpp"
+#include "runtime/hosted/why/unit_contests.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,6 @@
-// Header: runtime/hosted/hindrances.hpp. Test: tests/compiler/cli/commands/why_test.cpp,
+// Header: runtime/hosted/why/hindrances.hpp. Test: tests/compiler/cli/commands/why_test.cpp,
 // tests/runtime/live/moment_lines_test.cpp. SPDX-License-Identifier: MIT
-#include "runtime/hosted/hindrances.hpp"
+#include "runtime/hosted/why/hindrances.hpp"
 
 #include <algorithm>
 

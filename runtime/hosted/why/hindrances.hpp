@@ -3,7 +3,7 @@
 // What keeps a provider from running at one moment, or from causing a condition that it promises.
 
 #include "runtime/core/inspect/why.hpp"
-#include "runtime/hosted/why_words.hpp"
+#include "runtime/hosted/why/why_words.hpp"
 
 #include <string>
 #include <vector>
