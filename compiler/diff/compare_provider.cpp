@@ -114,6 +114,26 @@ private:
     };
     const bool old_alone = adds_nothing(pair_.old_model, before_), new_alone = adds_nothing(pair_.new_model, after_);
     if (old_alone && new_alone) return;
+    // Where a `stay` is of states that the `when` does not name, single conditions of the two are not comparable.
+    const auto names_more = [](const Meaning& stay, const Meaning& when) {
+      return std::any_of(stay.begin(), stay.end(), [&](const auto& each) { return !when.contains(each.first); });
+    };
+    const Meaning was = all_of(pair_.old_model, before_.stay), is = all_of(pair_.new_model, after_.stay),
+                  old_when = all_of(pair_.old_model, before_.when), new_when = all_of(pair_.new_model, after_.when);
+    if (old_alone && names_more(is, old_when)) {
+      if (!is_within(is, old_when))
+        add(ChangeKind::condition_loosened,
+            fmt::format("`{}` may now stay active where its `when` does not hold", name_), {},
+            after_.stay.front().span);
+      return;
+    }
+    if (new_alone && names_more(was, new_when)) {
+      if (!is_within(was, new_when))
+        add(ChangeKind::condition_tightened,
+            fmt::format("`{}` no longer stays active where its `when` does not hold", name_),
+            before_.stay.front().span);
+      return;
+    }
     conditions("stay", old_alone ? before_.when : before_.stay, new_alone ? after_.when : after_.stay, true);
   }
 

@@ -458,11 +458,14 @@ for (const colorScheme of ['light', 'dark']) {
       const paper = getComputedStyle(picture).backgroundColor;
       const band = getComputedStyle(picture.querySelector('.band')).fill;
       const least = (elements, key) => Math.min(...[...elements].flatMap((each) => [paper, band].map((below) => contrast(getComputedStyle(each)[key], below))));
-      return { paper, text: least(picture.querySelectorAll('text:not(.halo)'), 'fill'), line: least(picture.querySelectorAll('.edge path, .node path[fill="none"]'), 'stroke') };
+      const halo = getComputedStyle(picture.querySelector('.halo')).fill;
+      const label = Math.min(...[...picture.querySelectorAll('.label text:not(.halo)')].map((each) => contrast(getComputedStyle(each).fill, halo)));
+      return { paper, label, text: least(picture.querySelectorAll('text:not(.halo)'), 'fill'), line: least(picture.querySelectorAll('.edge path, .node path[fill="none"]'), 'stroke') };
     });
     const seen = await look();
     assert.equal(seen.paper, colorScheme === 'dark' ? 'rgb(22, 25, 29)' : 'rgb(255, 255, 255)');
     assert.ok(seen.text >= 4.5, `${seen.text}`);
+    assert.ok(seen.label >= 4.5, `${seen.label}`);
     assert.ok(seen.line >= 3, `${seen.line}`);
     await page.emulateMedia({ media: 'print', colorScheme });
     assert.equal((await look()).paper, 'rgb(255, 255, 255)');

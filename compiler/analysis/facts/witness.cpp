@@ -5,6 +5,7 @@
 // is known already, so the supporters of a fact never lead back to it.
 #include "compiler/analysis/facts/witness.hpp"
 
+#include "compiler/analysis/facts/pushes.hpp"
 #include "compiler/analysis/states/region.hpp"
 #include "compiler/analysis/states/sources.hpp"
 
@@ -38,11 +39,8 @@ public:
       : model_(model),
         facts_(facts),
         sources_(find_sources(model)),
-        waiting_(model.states.size()) {
-    for (const ProviderId id : model_.providers.ids()) {
-      for (const ConditionUse& use : model_.providers[id].when)
-        waiting_[model_.conditions[use.id].state].emplace_back(id, use.id);
-    }
+        pushers_(model.providers.size()) {
+    for (const auto& [task, provider] : find_all_pushes(model, facts)) pushers_[provider].push_back(task);
   }
 
   std::optional<std::vector<dsl::Note>> find(const Goal& goal) {
@@ -169,17 +167,23 @@ private:
     grown_ = true;
   }
 
-  /// The first provider of a known task that waits for what this one causes, and the condition.
-  std::optional<std::pair<ProviderId, ConditionId>> find_pusher(ProviderId id) const {
-    for (const ConditionUse& promise : model_.providers[id].causing) {
-      for (const auto& [waiter, condition] : waiting_[model_.conditions[promise.id].state]) {
-        const GroupId group = model_.providers[waiter].group;
-        if (group != model_.providers[id].group && model_.satisfies(promise.id, condition) &&
-            knows({Fact::Kind::requested, group.value}))
-          return std::pair(waiter, condition);
-      }
+  /// The first known task that may push it, for itself or through others.
+  std::optional<GroupId> find_pusher(ProviderId id) const {
+    for (const GroupId task : pushers_[id]) {
+      if (knows({Fact::Kind::requested, task.value})) return task;
     }
     return std::nullopt;
+  }
+
+  /// What a provider of the task waits for, if this one causes it.
+  std::string pushed_for(GroupId task, ProviderId id) const {
+    for (const ProviderId waiter : model_.groups[task].providers) {
+      for (const ConditionUse& use : model_.providers[waiter].when) {
+        if (model_.causes(id, use.id))
+          return fmt::format(" while {} waits for `{}`", quoted(waiter), model_.conditions[use.id].text);
+      }
+    }
+    return fmt::format(" for {}", quoted(task));
   }
 
   void take_active(ProviderId id) {
@@ -193,11 +197,8 @@ private:
       const auto pusher = find_pusher(id);
       if (!pusher && with_pusher_) return;
       pushed = ", pushed";
-      if (pusher) {
-        const auto& [waiter, condition] = *pusher;
-        by.push_back({Fact::Kind::requested, model_.providers[waiter].group.value});
-        pushed += fmt::format(" while {} waits for `{}`", quoted(waiter), model_.conditions[condition].text);
-      }
+      if (pusher) by.push_back({Fact::Kind::requested, pusher->value});
+      if (pusher) pushed += pushed_for(*pusher, id);
     }
     know(active, std::move(by), provider.span, fmt::format("{} may run{}", quoted(id), pushed));
     for (const Pack& pack : provider.packs) {
@@ -226,8 +227,8 @@ private:
   const Model& model_;
   const Facts& facts_;
   const IdTable<StateId, std::vector<Source>> sources_;
-  IdTable<StateId, std::vector<std::pair<ProviderId, ConditionId>>> waiting_; ///< by state: what waits for it
-  bool with_pusher_ = true; ///< what is pushed becomes known only with what it is pushed for
+  IdTable<ProviderId, std::vector<GroupId>> pushers_; ///< the tasks that may push it
+  bool with_pusher_ = true;                           ///< what is pushed becomes known only with what it is pushed for
   std::map<Fact, Support> known_;
   std::set<Fact> done_;
   std::vector<dsl::Note> told_;

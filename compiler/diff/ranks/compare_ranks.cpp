@@ -170,13 +170,19 @@ private:
   std::string reason(const Edge& winner, const Edge* old_winner, const Edge& loser, const Edge& old_loser) {
     const std::string by = requester_name(pair_.new_model, winner.requester);
     if (old_winner == nullptr) return fmt::format("{} requests it now, with {}", by, rank_text(winner));
-    const bool winner_differs = winner.levels != old_winner->levels;
-    const std::string ranks = winner_differs ? fmt::format("{} requests it with {}, before with {}", by,
-                                                           rank_text(winner), rank_text(*old_winner))
-                                             : fmt::format("{} requests `{}` with {}, before with {}", by,
-                                                           target(loser), rank_text(loser), rank_text(old_loser));
-    if (const std::string why = lives_otherwise(winner, *old_winner, loser, old_loser); !why.empty())
-      return winner_differs || loser.levels != old_loser.levels ? why + "; " + ranks : why;
+    const std::string ranks =
+        winner.levels != old_winner->levels
+            ? fmt::format("{} requests it with {}, before with {}", by, rank_text(winner), rank_text(*old_winner))
+            : fmt::format("{} requests `{}` with {}, before with {}", by, target(loser), rank_text(loser),
+                          rank_text(old_loser));
+    if (std::string why = lives_otherwise(winner, *old_winner, loser, old_loser); !why.empty()) {
+      for (const auto& [edge, old] : {std::pair(&winner, old_winner), {&loser, &old_loser}}) {
+        if (edge->levels != old->levels)
+          why += fmt::format("; {} requests `{}` with {}, before with {}", by, target(*edge), rank_text(*edge),
+                             rank_text(*old));
+      }
+      return why;
+    }
     if (is_order_alike(winner, *old_winner, loser, old_loser)) {
       for (const std::string& moved : {moved_levels(winner, *old_winner), moved_levels(loser, old_loser)}) {
         if (!moved.empty()) return moved;
@@ -318,7 +324,7 @@ private:
   TakesByName old_, new_;
   std::vector<std::pair<const Edge*, const Edge*>> pairs_; ///< of one requester: the new edge, and the old one or null
   std::map<GroupId, bool> alike_;
-  std::set<std::string> explained_; ///< edges whose ranks a change names
+  std::set<std::string> explained_; ///< edges of the changes that were found
 };
 
 } // namespace

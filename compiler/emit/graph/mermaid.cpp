@@ -266,7 +266,8 @@ private:
   }
 
   void draw_legend() {
-    std::string text;
+    std::string text; // first the findings that are about no box
+    for (const std::string& wrong : picture_.wrong) text += (text.empty() ? "" : "<br/>") + escaped(wrong);
     for (const LegendEntry& entry : legend_of(picture_)) {
       const bool is_text = entry.sample == LegendEntry::Sample::text;
       if (entry.sign == "dashed box") continue; // the names of such a box show it

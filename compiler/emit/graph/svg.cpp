@@ -142,9 +142,9 @@ std::string with_halo(const std::string& label) {
     std::string copy = label.substr(from, to + close.size() - from);
     if (const std::size_t fill = copy.find(" fill=\""); fill < copy.find('>'))
       copy.erase(fill, copy.find('"', fill + 7) + 1 - fill);
-    halo += copy.insert(text.size(), fmt::format("class=\"halo\" aria-hidden=\"true\" fill=\"{0}\" stroke=\"{0}\" "
-                                                 "stroke-width=\"4\" stroke-linejoin=\"round\" ",
-                                                 palette::paper));
+    // In small letters, as Graphviz writes colours: the style of pages finds white by them.
+    halo += copy.insert(text.size(), "class=\"halo\" aria-hidden=\"true\" fill=\"#ffffff\" stroke=\"#ffffff\" "
+                                     "stroke-width=\"8\" stroke-linejoin=\"round\" ");
   }
   std::string out = label;
   return out.replace(at, behind + end.size() - at, halo);

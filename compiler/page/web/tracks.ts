@@ -172,26 +172,38 @@ export class Tracks {
     }
   }
 
-  /** Crosses above the tracks, and on the track of the group if it is a fault of one. */
+  /** Crosses above the tracks, and on the track of the group if it is a fault of one; if there are many, short lines. */
   private drawFaults(to: CanvasRenderingContext2D, width: number, look: Look, events: number[]): void {
     const { faults } = this.recording;
+    const [first, last] = [faults.upTo(this.before()), faults.upTo(events[width])];
+    const rowOf = new Map(this.rows.map((row, i) => [row.group, i]));
     const drawn = new Set<string>();
-    for (let i = faults.upTo(events[0]); i < faults.upTo(events[width]); ++i) {
+    for (let i = first; i < last; ++i) {
       const event = faults.at[i];
-      const { group } = this.recording.shapeAt(event);
       const x = Math.round(this.view.xOf(this.recording.timeOf(event), width));
-      const row = this.rows.findIndex((each) => each.group !== undefined && each.group === group);
-      for (const y of row < 0 ? [24] : [24, rulerHeight + row * rowHeight + rowHeight / 2]) {
-        if (!drawn.has(`${x} ${y}`)) drawCross(to, look, x, y);
+      const row = rowOf.get(this.recording.shapeAt(event).group);
+      for (const y of row === undefined ? [24] : [24, rulerHeight + row * rowHeight + rowHeight / 2]) {
+        if (drawn.has(`${x} ${y}`)) continue;
         drawn.add(`${x} ${y}`);
+        if (last - first <= mostArrows) {
+          drawCross(to, look, x, y);
+        } else {
+          to.fillStyle = look.queued;
+          to.fillRect(x, y - 4, 1, 8);
+        }
       }
     }
+  }
+
+  /** The last event before the viewport: those at its first moment are in it. */
+  private before(): number {
+    return this.view.from <= this.recording.begins ? this.recording.first - 1 : this.recording.eventAt(this.view.from - 1);
   }
 
   /** Pushes are triangles, hand-overs diamonds, with an arrow from the group that waits or loses to the other one; if there are many, short lines. */
   private drawFlows(to: CanvasRenderingContext2D, width: number, look: Look, events: number[]): void {
     const { flows } = this.recording;
-    const [first, last] = [flows.upTo(events[0]), flows.upTo(events[width])];
+    const [first, last] = [flows.upTo(this.before()), flows.upTo(events[width])];
     const drawn = new Set<string>();
     for (let i = first; i < last; ++i) {
       const event = flows.at[i];

@@ -318,13 +318,13 @@ groups:
                          "takeover_lost: " + kick + "fewer cases now" + why));
   CHECK(told(robot("{calm: 1, hot: 9}"), robot("{calm: 6, hot: 9}"))
             .starts_with("takeover_lost: `Walk` can no longer take `Legs` from `Kick`: `Kick` can never run any more; "
-                         "the program requests it with priority 6 and 9, before with priority 1 and 9\n"
+                         "the program requests `Walk` with priority 6 and 9, before with priority 1 and 9\n"
                          "takeover_lost: `Kick` can no longer take `Legs` from `Walk`: `Kick` can never run any more; "
                          "the program requests `Walk` with priority 6 and 9, before with priority 1 and 9\n"
                          "became_dead: `Kick` can never run any more\n"));
   CHECK(told(robot("{calm: 6, hot: 9}"), robot("{calm: 1, hot: 9}"))
             .starts_with("takeover_gained: `Walk` can now take `Legs` from `Kick`: `Kick` could never run before; the "
-                         "program requests it with priority 1 and 9, before with priority 6 and 9\n"
+                         "program requests `Walk` with priority 1 and 9, before with priority 6 and 9\n"
                          "takeover_gained: `Kick` can now take `Legs` from `Walk`: `Kick` could never run before; the "
                          "program requests `Walk` with priority 1 and 9, before with priority 6 and 9\n"
                          "became_reachable: `Kick` may run now\n"));
@@ -669,6 +669,10 @@ TEST_CASE("what a provider may stay for beyond its `when` is compared, not what 
         "condition_tightened: `G` may no longer stay while `S == b`\n");
   CHECK(told(robot("when: [S == a, R == y]"), robot("when: [S == a, R == y], stay: [S == a]")) ==
         "condition_loosened: `G` no longer requires `R == y` to stay\n");
+  CHECK(told(robot("when: [S == a]"), robot("when: [S == a], stay: [R == x]")) ==
+        "condition_loosened: `G` may now stay active where its `when` does not hold\n");
+  CHECK(told(robot("when: [S == a], stay: [R == x]"), robot("when: [S == a]")) ==
+        "condition_tightened: `G` no longer stays active where its `when` does not hold\n");
 }
 
 TEST_CASE("states: values, their order, the first one, what sets them, when they expire") {

@@ -248,7 +248,7 @@ TEST_CASE("no arrow is drawn over a label") {
     CHECK(labels >= 15);
     // Only what is behind its letters is hidden.
     CHECK(picture.out.find("<polygon fill=\"#ffffff\" stroke=\"transparent\"") == std::string::npos);
-    const std::size_t halo = picture.out.find("<text class=\"halo\" aria-hidden=\"true\" fill=\"#FFFFFF\" ");
+    const std::size_t halo = picture.out.find("<text class=\"halo\" aria-hidden=\"true\" fill=\"#ffffff\" ");
     REQUIRE(halo != std::string::npos);
     CHECK(halo > picture.out.rfind("class=\"edge\""));
     CHECK(halo > picture.out.rfind("class=\"node\""));
