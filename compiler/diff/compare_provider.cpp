@@ -109,17 +109,14 @@ private:
 
   /// Without a `stay` that adds something it continues as long as its `when` holds.
   void stay() {
-    const auto adds_nothing = [](const Model& model, const Provider& provider) {
-      return provider.stay.empty() || is_within(all_of(model, provider.stay), all_of(model, provider.when));
-    };
-    const bool old_alone = adds_nothing(pair_.old_model, before_), new_alone = adds_nothing(pair_.new_model, after_);
+    const Meaning was = all_of(pair_.old_model, before_.stay), is = all_of(pair_.new_model, after_.stay),
+                  old_when = all_of(pair_.old_model, before_.when), new_when = all_of(pair_.new_model, after_.when);
+    const bool old_alone = was.empty() || is_within(was, old_when), new_alone = is.empty() || is_within(is, new_when);
     if (old_alone && new_alone) return;
     // Where a `stay` is of states that the `when` does not name, single conditions of the two are not comparable.
     const auto names_more = [](const Meaning& stay, const Meaning& when) {
       return std::any_of(stay.begin(), stay.end(), [&](const auto& each) { return !when.contains(each.first); });
     };
-    const Meaning was = all_of(pair_.old_model, before_.stay), is = all_of(pair_.new_model, after_.stay),
-                  old_when = all_of(pair_.old_model, before_.when), new_when = all_of(pair_.new_model, after_.when);
     if (old_alone && names_more(is, old_when)) {
       if (!is_within(is, old_when))
         add(ChangeKind::condition_loosened,

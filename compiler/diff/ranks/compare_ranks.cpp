@@ -170,16 +170,12 @@ private:
   std::string reason(const Edge& winner, const Edge* old_winner, const Edge& loser, const Edge& old_loser) {
     const std::string by = requester_name(pair_.new_model, winner.requester);
     if (old_winner == nullptr) return fmt::format("{} requests it now, with {}", by, rank_text(winner));
-    const std::string ranks =
-        winner.levels != old_winner->levels
-            ? fmt::format("{} requests it with {}, before with {}", by, rank_text(winner), rank_text(*old_winner))
-            : fmt::format("{} requests `{}` with {}, before with {}", by, target(loser), rank_text(loser),
-                          rank_text(old_loser));
+    const auto ranks = [&](const Edge& edge, const Edge& old) {
+      return fmt::format("{} requests `{}` with {}, before with {}", by, target(edge), rank_text(edge), rank_text(old));
+    };
     if (std::string why = lives_otherwise(winner, *old_winner, loser, old_loser); !why.empty()) {
       for (const auto& [edge, old] : {std::pair(&winner, old_winner), {&loser, &old_loser}}) {
-        if (edge->levels != old->levels)
-          why += fmt::format("; {} requests `{}` with {}, before with {}", by, target(*edge), rank_text(*edge),
-                             rank_text(*old));
+        if (edge->levels != old->levels) why += "; " + ranks(*edge, *old);
       }
       return why;
     }
@@ -192,7 +188,9 @@ private:
                              ? "when they lead there, or how, has changed"
                              : "what they lead to has changed");
     }
-    return ranks;
+    if (winner.levels != old_winner->levels)
+      return fmt::format("{} requests it with {}, before with {}", by, rank_text(winner), rank_text(*old_winner));
+    return ranks(loser, old_loser);
   }
 
   /// If one of them could run before and never can now, or the other way round; else empty.

@@ -4,6 +4,7 @@
 // A layer is a subgraph, and so is a group with several providers. Their ids are numbers: names may be keywords of
 // Mermaid.
 #include "compiler/base/html.hpp"
+#include "compiler/base/replace_all.hpp"
 #include "compiler/emit/artefact/code.hpp"
 #include "compiler/emit/graph/formats.hpp"
 #include "compiler/emit/graph/legend.hpp"
@@ -186,8 +187,7 @@ private:
       if (!is_flaw(line)) title += std::string(next) + words_of(line);
     }
     if (!title.empty()) title = " (" + title.substr(next.size()) + ")";
-    for (std::size_t br = title.find(next); br != std::string::npos; br = title.find(next))
-      title.replace(br, next.size(), "; ");
+    replace_all(title, next, "; ");
     code_.open(fmt::format("subgraph g{}[\"{}{}\"]", at, escaped(name), title));
     if (flaws.empty()) return;
     code_.line(fmt::format("g{}f[\"{}\"]", at, flaws));

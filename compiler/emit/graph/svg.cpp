@@ -5,6 +5,7 @@
 // name of the next, labels in front of all lines, and a description. Nothing that it placed is moved.
 #include "compiler/base/counted.hpp"
 #include "compiler/base/html.hpp"
+#include "compiler/base/replace_all.hpp"
 #include "compiler/emit/graph/dot_text.hpp"
 #include "compiler/emit/graph/formats.hpp"
 #include "compiler/emit/graph/palette.hpp"
@@ -84,11 +85,6 @@ void add_bands(const Picture& picture, std::string& svg) {
     dark = !dark;
   }
   svg.insert(end + 1, drawn);
-}
-
-void replace_all(std::string& text, std::string_view old, std::string_view with) {
-  for (std::size_t at = text.find(old); at != nowhere; at = text.find(old, at + with.size()))
-    text.replace(at, old.size(), with);
 }
 
 /// Whether XML reads these letters as a character: `&amp;`, `&#38;`.

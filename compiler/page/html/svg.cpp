@@ -5,6 +5,8 @@
 // seventy groups that is a tenth of the pictures.
 #include "compiler/page/html/parts.hpp"
 
+#include "compiler/base/replace_all.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,17 +18,6 @@ namespace director::compiler::page {
 namespace {
 
 constexpr std::size_t nowhere = std::string::npos;
-
-void replace_all(std::string& text, std::string_view what, std::string_view by) {
-  std::string out;
-  std::size_t from = 0;
-  for (std::size_t at = text.find(what); at != nowhere; at = text.find(what, from)) {
-    out.append(text, from, at - from);
-    out += by;
-    from = at + what.size();
-  }
-  text = out.append(text, from);
-}
 
 void erase_all(std::string& text, std::string_view what) { replace_all(text, what, {}); }
 

@@ -9,8 +9,8 @@ namespace director {
 std::string Hindrances::hindrance(Index row, Index request) const {
   if (v_.enabled[row] == 0) return "is disabled";
   for (const Index each : t_.list(t_.providers[row].when)) {
+    if (!lacks(each)) continue;
     const Index state = t_.conditions[each].state;
-    if (t_.accepts(t_.conditions[each], v_.values[state].value)) continue;
     return words_.condition(each) + " is false: " + words_.state(state) + " is " + words_.value(state);
   }
   for (const Index need : t_.list(t_.providers[row].needs)) {
