@@ -111,7 +111,8 @@ private:
   void stay() {
     const Meaning was = all_of(pair_.old_model, before_.stay), is = all_of(pair_.new_model, after_.stay),
                   old_when = all_of(pair_.old_model, before_.when), new_when = all_of(pair_.new_model, after_.when);
-    const bool old_alone = was.empty() || is_within(was, old_when), new_alone = is.empty() || is_within(is, new_when);
+    const bool old_alone = before_.stay.empty() || is_within(was, old_when),
+               new_alone = after_.stay.empty() || is_within(is, new_when);
     if (old_alone && new_alone) return;
     // Where a `stay` is of states that the `when` does not name, single conditions of the two are not comparable.
     const auto names_more = [](const Meaning& stay, const Meaning& when) {

@@ -667,6 +667,13 @@ TEST_CASE("what a provider may stay for beyond its `when` is compared, not what 
         "condition_loosened: `G` may now run also while `S == b`\n");
   CHECK(told(robot("when: [S == a], stay: [S == a|b]"), robot("when: [S == a]")) ==
         "condition_tightened: `G` may no longer stay while `S == b`\n");
+  // A `stay` that every value of `S` fulfils has no condition left, which is not the same as no `stay`.
+  CHECK(told(robot(at_a + "stay: [S == a|b|c]"), robot(at_a + "stay: [S == a|b]")) ==
+        "condition_tightened: `G` now requires `S == a|b` to stay\n");
+  CHECK(told(robot(at_a + "stay: [S == a|b|c]"), robot(at_a)) ==
+        "condition_tightened: `G` now requires `S == a` to stay\n");
+  CHECK(told(robot(at_a), robot(at_a + "stay: [S == a|b|c]")) ==
+        "condition_loosened: `G` no longer requires `S == a` to stay\n");
   CHECK(told(robot("when: [S == a, R == y]"), robot("when: [S == a, R == y], stay: [S == a]")) ==
         "condition_loosened: `G` no longer requires `R == y` to stay\n");
   CHECK(told(robot("when: [S == a]"), robot("when: [S == a], stay: [R == x]")) ==
