@@ -24,26 +24,51 @@ std::string found(const std::string& text) {
   return out + "\n";
 }
 
+/// What may differ between the robots of `fetching`: further states, and what `Fetch` requests.
+struct Variation {
+  std::string more_states{};
+  std::string pack = R"(        Grasp: {priority: 30, apart: true}
+        MoveArm: {priority: 20, apart: true}
+        Nav: {priority: 10, apart: true}
+)";
+};
+
 /// A robot that moves its arm to grasp, and may drive meanwhile. `rest`: the groups below `Fetch`.
-std::string fetching(const std::string& rest, const std::string& more_states = "") {
+std::string fetching(const std::string& rest, const Variation& variation = {}) {
   return R"(states:
   Base: {values: [moving, still], initial: still}
   Arm: {values: [away, ready], initial: away}
-)" + more_states +
+)" + variation.more_states +
          R"(roots: [Fetch]
 groups:
   Fetch:
     packs:
       fetch:
-        Grasp: {priority: 30, apart: true}
-        MoveArm: {priority: 20, apart: true}
-        Nav: {priority: 10, apart: true}
-)" + rest;
+)" + variation.pack +
+         rest;
 }
 
 std::string fetching_by_ball(const std::string& rest) {
-  return fetching(rest, "  Ball: {values: [near, far], initial: near, external: true}\n");
+  return fetching(rest, {.more_states = "  Ball: {values: [near, far], initial: near, external: true}\n"});
 }
+
+const std::string move_arm = R"(  MoveArm:
+    providers:
+      - {name: hanging}
+      - {name: reaching, when: [Base == still], causing: [Arm == ready]}
+)";
+
+const std::string nav = R"(  Nav:
+    providers:
+      - {name: going, sets: [Base == moving]}
+      - {name: halting, causing: [Base == still]}
+)";
+
+const std::string brake = R"(  Brake:
+    providers:
+      - {name: released}
+      - {name: braking, causing: [Base == still]}
+)";
 
 } // namespace
 
@@ -96,60 +121,30 @@ groups:
 }
 
 TEST_CASE("push_in_vain: what only the waiting task requests takes nothing from what that pushes") {
-  CHECK(found(R"(states:
-  Base: {values: [moving, still], initial: still}
-  Arm: {values: [away, ready], initial: away}
-roots: [Fetch]
-groups:
-  Fetch:
-    packs:
-      fetch:
-        Grasp: {priority: 30, apart: true}
+  CHECK(found(fetching(R"(  Grasp: {when: [Arm == ready], packs: {go: {Go: {}}}}
+)" + move_arm + R"(  Go: {sets: [Base == moving]}
+)" + brake,
+                       {.pack = R"(        Grasp: {priority: 30, apart: true}
         MoveArm: {priority: 20, apart: true}
         Brake: {priority: 10, apart: true}
-  Grasp: {when: [Arm == ready], packs: {go: {Go: {}}}}
-  MoveArm:
-    providers:
-      - {name: hanging}
-      - {name: reaching, when: [Base == still], causing: [Arm == ready]}
-  Go: {sets: [Base == moving]}
-  Brake:
-    providers:
-      - {name: released}
-      - {name: braking, causing: [Base == still]}
-)") == R"(
+)"})) == R"(
 23: `Brake.braking` never runs: whenever `Brake` is requested, another provider comes first [shadowed_provider]
   let the others leave `Brake.braking` something
 )");
 }
 
 TEST_CASE("push_in_vain: another provider of the waiting task does not push for what the pushed one loses") {
-  CHECK(found(R"(states:
-  Base: {values: [moving, still], initial: still}
-  Arm: {values: [away, ready], initial: away}
-roots: [Fetch]
-groups:
-  Fetch:
-    packs:
-      fetch:
-        Grasp: {priority: 30}
-        Look: {priority: 25}
-        MoveArm: {priority: 20, apart: true}
-        Nav: {priority: 10, apart: true}
-  Grasp:
+  CHECK(found(fetching(R"(  Grasp:
     providers:
       - {name: grasping, when: [Arm == ready]}
       - {name: leaning, when: [Arm == ready, Base == still]}
   Look: {}
-  MoveArm:
-    providers:
-      - {name: hanging}
-      - {name: reaching, when: [Base == still], causing: [Arm == ready]}
-  Nav:
-    providers:
-      - {name: going, sets: [Base == moving]}
-      - {name: halting, causing: [Base == still]}
-)") == R"(
+)" + move_arm + nav,
+                       {.pack = R"(        Grasp: {priority: 30}
+        Look: {priority: 25}
+        MoveArm: {priority: 20, apart: true}
+        Nav: {priority: 10, apart: true}
+)"})) == R"(
 12: `Look` is held back while `Grasp` waits for a condition, and shares nothing with it [waiting_company]
   make `Look` `apart`: it keeps its rank and goes on by itself
 17: `Grasp.grasping` waits for `Arm == ready` in vain once `MoveArm.reaching`, which it pushes, has lost `Base == still`: the push is kept, and nothing is pushed for that condition [push_in_vain]
@@ -175,15 +170,8 @@ groups:
         Nav: {priority: 10, apart: true}
   Grasp: {when: [Arm == ready]}
   Photo: {when: [Base == still]}
-  MoveArm:
-    providers:
-      - {name: hanging}
-      - {name: reaching, when: [Base == still], causing: [Arm == ready]}
-  Nav:
-    providers:
-      - {name: going, sets: [Base == moving]}
-      - {name: halting, causing: [Base == still]}
-)") == R"(
+)" + move_arm +
+              nav) == R"(
 13: `Photo` may wait here for `Base == still`, and pushes no group for it: `Nav` does not rank after `Photo` [causer_goes_first]
   make `Photo` `apart` instead of `optional`, with a higher priority than `Nav`
 16: `Grasp` waits for `Arm == ready` in vain once `MoveArm.reaching`, which it pushes, has lost `Base == still`: the push is kept, and nothing is pushed for that condition [push_in_vain]
@@ -193,15 +181,7 @@ groups:
 
 TEST_CASE("push_in_vain: a task that runs only without the condition does not want it kept") {
   CHECK(found(fetching(R"(  Grasp: {when: [Arm == ready, Base == moving]}
-  MoveArm:
-    providers:
-      - {name: hanging}
-      - {name: reaching, when: [Base == still], causing: [Arm == ready]}
-  Nav:
-    providers:
-      - {name: going, sets: [Base == moving]}
-      - {name: halting, causing: [Base == still]}
-)")) == R"(
+)" + move_arm + nav)) == R"(
 14: no provider of `Grasp` can run while `Base` is still [uncovered_state]
   request `Grasp` only in providers that run while it can, followed by one without that request
 18: `MoveArm.reaching` never runs: whenever `MoveArm` is requested, another provider comes first or a condition does not hold [shadowed_provider]
@@ -210,29 +190,14 @@ TEST_CASE("push_in_vain: a task that runs only without the condition does not wa
 }
 
 TEST_CASE("push_in_vain: what is granted only together with the waiting task does not run while that waits") {
-  CHECK(found(R"(states:
-  Base: {values: [moving, still], initial: still}
-  Arm: {values: [away, ready], initial: away}
-roots: [Fetch]
-groups:
-  Fetch:
-    packs:
-      fetch:
-        Grasp: {priority: 30}
+  CHECK(found(fetching(R"(  Grasp: {when: [Arm == ready]}
+  Go: {sets: [Base == moving]}
+)" + move_arm + brake,
+                       {.pack = R"(        Grasp: {priority: 30}
         Go: {priority: 25}
         MoveArm: {priority: 20, apart: true}
         Brake: {priority: 10, apart: true}
-  Grasp: {when: [Arm == ready]}
-  Go: {sets: [Base == moving]}
-  MoveArm:
-    providers:
-      - {name: hanging}
-      - {name: reaching, when: [Base == still], causing: [Arm == ready]}
-  Brake:
-    providers:
-      - {name: released}
-      - {name: braking, causing: [Base == still]}
-)") == R"(
+)"})) == R"(
 12: `Go` is held back while `Grasp` waits for a condition, and shares nothing with it [waiting_company]
   make `Go` `apart`: it keeps its rank and goes on by itself
 24: `Brake.braking` never runs: whenever `Brake` is requested, another provider comes first [shadowed_provider]
@@ -253,15 +218,8 @@ groups:
         MoveArm: {priority: 20, apart: true}
         Nav: {priority: 10, apart: true}
   Grasp: {when: [Arm == ready]}
-  MoveArm:
-    providers:
-      - {name: hanging}
-      - {name: reaching, when: [Base == still], causing: [Arm == ready]}
-  Nav:
-    providers:
-      - {name: going, sets: [Base == moving]}
-      - {name: halting, causing: [Base == still]}
-)") == R"(
+)" + move_arm +
+              nav) == R"(
 14: `Grasp` waits for `Arm == ready` in vain once `MoveArm.reaching`, which it pushes, has lost `Base == still`: the push is kept, and nothing is pushed for that condition [push_in_vain]
   let `Grasp` wait for `Base == still` too: then it pushes for that itself
 )");
@@ -270,34 +228,18 @@ groups:
 TEST_CASE("push_in_vain: a condition that a task and its need wait for is told once") {
   CHECK(found(fetching(R"(  Grasp: {when: [Arm == ready], needs: [Hand]}
   Hand: {when: [Arm == ready]}
-  MoveArm:
-    providers:
-      - {name: hanging}
-      - {name: reaching, when: [Base == still], causing: [Arm == ready]}
-  Nav:
-    providers:
-      - {name: going, sets: [Base == moving]}
-      - {name: halting, causing: [Base == still]}
-)")) == R"(
+)" + move_arm + nav)) == R"(
 14: `Grasp` waits for `Arm == ready` in vain once `MoveArm.reaching`, which it pushes, has lost `Base == still`: the push is kept, and nothing is pushed for that condition [push_in_vain]
   let `Grasp` wait for `Base == still` too: then it pushes for that itself
 )");
 }
 
 TEST_CASE("push_in_vain: another provider of the waiting task that takes the condition runs before, not then") {
-  CHECK(found(fetching_by_ball(R"(  Nav:
-    providers:
-      - {name: going, sets: [Base == moving]}
-      - {name: halting, causing: [Base == still]}
-  Grasp:
+  CHECK(found(fetching_by_ball(nav + R"(  Grasp:
     providers:
       - {name: grasping, when: [Arm == ready, Ball == near]}
       - {name: driving, when: [Ball == far], sets: [Base == moving]}
-  MoveArm:
-    providers:
-      - {name: hanging}
-      - {name: reaching, when: [Base == still], causing: [Arm == ready]}
-)")) == R"(
+)" + move_arm)) == R"(
 21: `Grasp.grasping` waits for `Arm == ready` in vain once `MoveArm.reaching`, which it pushes, has lost `Base == still`: the push is kept, and nothing is pushed for that condition [push_in_vain]
   let `Grasp.grasping` wait for `Base == still` too: then it pushes for that itself
 )");
@@ -308,15 +250,7 @@ TEST_CASE("push_in_vain: a source of the waiting task itself does not hide anoth
     providers:
       - {name: grasping, when: [Arm == ready, Ball == near]}
       - {name: driving, when: [Ball == far], sets: [Base == moving]}
-  MoveArm:
-    providers:
-      - {name: hanging}
-      - {name: reaching, when: [Base == still], causing: [Arm == ready]}
-  Nav:
-    providers:
-      - {name: going, sets: [Base == moving]}
-      - {name: halting, causing: [Base == still]}
-)")) == R"(
+)" + move_arm + nav)) == R"(
 17: `Grasp.grasping` waits for `Arm == ready` in vain once `MoveArm.reaching`, which it pushes, has lost `Base == still`: the push is kept, and nothing is pushed for that condition [push_in_vain]
   let `Grasp.grasping` wait for `Base == still` too: then it pushes for that itself
 )");
