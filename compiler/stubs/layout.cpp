@@ -97,6 +97,7 @@ Artefact main_file(const Wanted& wanted, const std::vector<ModuleClass>& classes
   code.blank();
   code.line("#include <chrono>");
   code.line("#include <csignal>");
+  code.line("#include <cstdio>");
   code.line("#include <thread>");
   code.blank();
   code.open("int main() {");
@@ -128,7 +129,9 @@ Artefact main_file(const Wanted& wanted, const std::vector<ModuleClass>& classes
   code.line("const auto start = std::chrono::steady_clock::now();");
   code.line("const auto step = [&] { return behaviour.step(std::chrono::steady_clock::now() - start); };");
   code.open("while (stopping == 0) {");
-  code.line("step();");
+  code.open("if (step() == director::StepResult::fault) {");
+  code.line("std::fputs(\"a body requested a level that its group does not declare\\n\", stderr);");
+  code.close("}");
   code.line("std::this_thread::sleep_for(std::chrono::milliseconds(10));");
   code.close("}");
   code.blank();

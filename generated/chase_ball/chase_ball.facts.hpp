@@ -26,7 +26,7 @@ struct Data final {
 };
 template <>
 struct Facts<Wheels> {
-  static constexpr auto slots = &Data::slots_1;
+  [[gnu::visibility("hidden")]] static constexpr auto slots = &Data::slots_1;
 };
 
 struct States final : director::Table<director::Row<Ball, 0>> {
@@ -40,7 +40,7 @@ struct States final : director::Table<director::Row<Ball, 0>> {
 
 /// The behaviour as a whole.
 struct Whole final {
-  static constexpr director::Shape shape{
+  [[gnu::visibility("hidden")]] static constexpr director::Shape shape{
       .groups = 2, .providers = 3, .edges = 2, .conditions = 1, .states = 1, .promises = 0, .plan_slots = 0,
       .listen_slots = 1, .most_edges = 1, .components = 1, .lacking = 1, .pushable = 0, .altered = 0};
   static const director::Tables& tables();

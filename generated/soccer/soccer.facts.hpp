@@ -49,67 +49,67 @@ struct Data final {
 };
 template <>
 struct Facts<Walk> {
-  static constexpr auto slots = &Data::slots_3;
+  [[gnu::visibility("hidden")]] static constexpr auto slots = &Data::slots_3;
 };
 template <>
 struct Facts<Kick> {
-  static constexpr auto slots = &Data::slots_4;
+  [[gnu::visibility("hidden")]] static constexpr auto slots = &Data::slots_4;
 };
 template <>
 struct Facts<LookAt> {
-  static constexpr auto slots = &Data::slots_5;
+  [[gnu::visibility("hidden")]] static constexpr auto slots = &Data::slots_5;
 };
 template <>
 struct Facts<WalkTo> {
-  static constexpr auto slots = &Data::slots_6;
+  [[gnu::visibility("hidden")]] static constexpr auto slots = &Data::slots_6;
 };
 template <>
 struct Facts<KickTo> {
-  static constexpr auto slots = &Data::slots_7;
+  [[gnu::visibility("hidden")]] static constexpr auto slots = &Data::slots_7;
 };
 template <>
 struct Facts<LeftArm> {
-  static constexpr auto slots = &Data::slots_13;
+  [[gnu::visibility("hidden")]] static constexpr auto slots = &Data::slots_13;
 };
 template <>
 struct Facts<RightArm> {
-  static constexpr auto slots = &Data::slots_14;
+  [[gnu::visibility("hidden")]] static constexpr auto slots = &Data::slots_14;
 };
 template <>
 struct Facts<Head> {
-  static constexpr auto slots = &Data::slots_15;
+  [[gnu::visibility("hidden")]] static constexpr auto slots = &Data::slots_15;
 };
 template <>
 struct Facts<LeftLeg> {
-  static constexpr auto slots = &Data::slots_16;
+  [[gnu::visibility("hidden")]] static constexpr auto slots = &Data::slots_16;
 };
 template <>
 struct Facts<RightLeg> {
-  static constexpr auto slots = &Data::slots_17;
+  [[gnu::visibility("hidden")]] static constexpr auto slots = &Data::slots_17;
 };
 template <>
 struct Facts<LeftHipYaw> {
-  static constexpr auto slots = &Data::slots_18;
+  [[gnu::visibility("hidden")]] static constexpr auto slots = &Data::slots_18;
 };
 template <>
 struct Facts<LeftKnee> {
-  static constexpr auto slots = &Data::slots_19;
+  [[gnu::visibility("hidden")]] static constexpr auto slots = &Data::slots_19;
 };
 template <>
 struct Facts<LeftAnkle> {
-  static constexpr auto slots = &Data::slots_20;
+  [[gnu::visibility("hidden")]] static constexpr auto slots = &Data::slots_20;
 };
 template <>
 struct Facts<RightHipYaw> {
-  static constexpr auto slots = &Data::slots_21;
+  [[gnu::visibility("hidden")]] static constexpr auto slots = &Data::slots_21;
 };
 template <>
 struct Facts<RightKnee> {
-  static constexpr auto slots = &Data::slots_22;
+  [[gnu::visibility("hidden")]] static constexpr auto slots = &Data::slots_22;
 };
 template <>
 struct Facts<RightAnkle> {
-  static constexpr auto slots = &Data::slots_23;
+  [[gnu::visibility("hidden")]] static constexpr auto slots = &Data::slots_23;
 };
 
 // An enumerator that the behaviour does not list is an error in `setting`.
@@ -147,7 +147,7 @@ struct States final : director::Table<
 
 /// The behaviour as a whole.
 struct Whole final {
-  static constexpr director::Shape shape{
+  [[gnu::visibility("hidden")]] static constexpr director::Shape shape{
       .groups = 24, .providers = 34, .edges = 38, .conditions = 12, .states = 4, .promises = 1, .plan_slots = 0,
       .listen_slots = 3, .most_edges = 4, .components = 1, .lacking = 6, .pushable = 1, .altered = 0};
   static const director::Tables& tables();
@@ -199,7 +199,7 @@ struct Facts<GetUp::Tucking> : director::NothingDeclared {
   using Behaviour = Whole;
   using Module = Recovery;
   using Task = GetUp;
-  static constexpr std::array<director::Allowed, 1> sets{{{3, 1, 1}}};
+  [[gnu::visibility("hidden")]] static constexpr std::array<director::Allowed, 1> sets{{{3, 1, 1}}};
   using Uses = director::Table<
       director::Row<LeftLeg, 6>, director::Row<RightLeg, 7>, director::Row<LeftArm, 8>, director::Row<RightArm, 9>>;
   using Tasks = director::Pack<
@@ -211,7 +211,7 @@ struct Facts<GetUp::Pushing> : director::NothingDeclared {
   using Behaviour = Whole;
   using Module = Recovery;
   using Task = GetUp;
-  static constexpr std::array<director::Allowed, 1> sets{{{3, 2, 2}}};
+  [[gnu::visibility("hidden")]] static constexpr std::array<director::Allowed, 1> sets{{{3, 2, 2}}};
   using Uses = director::Table<
       director::Row<LeftLeg, 6>, director::Row<RightLeg, 7>, director::Row<LeftArm, 8>, director::Row<RightArm, 9>>;
   using Tasks = director::Pack<
@@ -223,7 +223,7 @@ struct Facts<GetUp::Rising> : director::NothingDeclared {
   using Behaviour = Whole;
   using Module = Recovery;
   using Task = GetUp;
-  static constexpr std::array<director::Allowed, 1> sets{{{1, 3, 3}}};
+  [[gnu::visibility("hidden")]] static constexpr std::array<director::Allowed, 1> sets{{{1, 3, 3}}};
   using Uses = director::Table<
       director::Row<LeftLeg, 6>, director::Row<RightLeg, 7>, director::Row<LeftArm, 8>, director::Row<RightArm, 9>>;
   using Tasks = director::Pack<
@@ -238,7 +238,7 @@ struct Facts<FallRecovery::Recovering> : director::NothingDeclared {
   static constexpr bool flat = false;
   using pack_0 = director::Pack<director::Member<GetUp, 10, 10>>;
   using Packs = director::Packs<pack_0>;
-  static constexpr std::array<const char*, 1> pack_names{"stand_up"};
+  [[gnu::visibility("hidden")]] static constexpr std::array<const char*, 1> pack_names{"stand_up"};
 };
 template <>
 struct Facts<FallRecovery::Protecting> : director::NothingDeclared {
@@ -248,7 +248,7 @@ struct Facts<FallRecovery::Protecting> : director::NothingDeclared {
   static constexpr bool flat = false;
   using pack_0 = director::Pack<director::Member<Brace, 11, 11>>;
   using Packs = director::Packs<pack_0>;
-  static constexpr std::array<const char*, 1> pack_names{"protect"};
+  [[gnu::visibility("hidden")]] static constexpr std::array<const char*, 1> pack_names{"protect"};
 };
 template <>
 struct Facts<FallRecovery::Watching> : director::NothingDeclared {
@@ -273,7 +273,7 @@ struct Facts<Walk::Walking> : director::NothingDeclared {
   using Behaviour = Whole;
   using Module = Locomotion;
   using Task = Walk;
-  static constexpr std::array<director::Allowed, 1> sets{{{1, 3, 3}}};
+  [[gnu::visibility("hidden")]] static constexpr std::array<director::Allowed, 1> sets{{{1, 3, 3}}};
   using Uses = director::Table<director::Row<LeftLeg, 12>, director::Row<RightLeg, 13>>;
   using Tasks = director::Pack<
       director::Member<LeftLeg, 12, 12>, director::Member<RightLeg, 13, 13>, director::Member<LeftArm, 14, 14>,
@@ -284,7 +284,7 @@ struct Facts<Walk::Halting> : director::NothingDeclared {
   using Behaviour = Whole;
   using Module = Locomotion;
   using Task = Walk;
-  static constexpr std::array<director::Allowed, 1> sets{{{1, 4, 4}}};
+  [[gnu::visibility("hidden")]] static constexpr std::array<director::Allowed, 1> sets{{{1, 4, 4}}};
   using Uses = director::Table<director::Row<LeftLeg, 12>, director::Row<RightLeg, 13>>;
   using Tasks = director::Pack<director::Member<LeftLeg, 12, 12>, director::Member<RightLeg, 13, 13>>;
 };
@@ -293,7 +293,7 @@ struct Facts<Kick::Default> : director::NothingDeclared {
   using Behaviour = Whole;
   using Module = Kicking;
   using Task = Kick;
-  static constexpr std::array<director::Allowed, 1> sets{{{1, 3, 3}}};
+  [[gnu::visibility("hidden")]] static constexpr std::array<director::Allowed, 1> sets{{{1, 3, 3}}};
   using Uses = director::Table<director::Row<LeftLeg, 16>, director::Row<RightLeg, 17>>;
   using Tasks = director::Pack<director::Member<LeftLeg, 16, 16>, director::Member<RightLeg, 17, 17>>;
 };
@@ -312,7 +312,7 @@ struct Facts<WalkTo::Default> : director::NothingDeclared {
   static constexpr bool flat = false;
   using pack_0 = director::Pack<director::Member<Walk, 19, 19>>;
   using Packs = director::Packs<pack_0>;
-  static constexpr std::array<const char*, 1> pack_names{"step"};
+  [[gnu::visibility("hidden")]] static constexpr std::array<const char*, 1> pack_names{"step"};
 };
 template <>
 struct Facts<KickTo::Default> : director::NothingDeclared {
@@ -326,7 +326,7 @@ struct Facts<KickTo::Default> : director::NothingDeclared {
   using pack_1 = director::Pack<director::Member<Walk, 20, 20>>;
   using pack_2 = director::Pack<director::Member<Kick, 21, 21>, director::Member<LookAt, 22, 22>>;
   using Packs = director::Packs<pack_0, pack_1, pack_2>;
-  static constexpr std::array<const char*, 3> pack_names{"stand_by", "line_up", "kick"};
+  [[gnu::visibility("hidden")]] static constexpr std::array<const char*, 3> pack_names{"stand_by", "line_up", "kick"};
 };
 template <>
 struct Facts<Striker::Playing> : director::NothingDeclared {
@@ -337,7 +337,7 @@ struct Facts<Striker::Playing> : director::NothingDeclared {
   using pack_0 = director::Pack<
       director::Member<KickToGoal, 23, 23>, director::Member<WalkToBall, 24, 24>, director::Member<Look, 25, 25>>;
   using Packs = director::Packs<pack_0>;
-  static constexpr std::array<const char*, 1> pack_names{"attack"};
+  [[gnu::visibility("hidden")]] static constexpr std::array<const char*, 1> pack_names{"attack"};
 };
 template <>
 struct Facts<Striker::Ready> : director::NothingDeclared {
@@ -349,7 +349,7 @@ struct Facts<Striker::Ready> : director::NothingDeclared {
   using pack_0 = director::Pack<director::Member<WalkToReady, 26, 27>, director::Member<Look, 25, 25>>;
   using pack_1 = director::Pack<director::Member<Look, 25, 26>>;
   using Packs = director::Packs<pack_0, pack_1>;
-  static constexpr std::array<const char*, 2> pack_names{"go", "stay_there"};
+  [[gnu::visibility("hidden")]] static constexpr std::array<const char*, 2> pack_names{"go", "stay_there"};
 };
 template <>
 struct Facts<Striker::Waiting> : director::NothingDeclared {
@@ -359,7 +359,7 @@ struct Facts<Striker::Waiting> : director::NothingDeclared {
   static constexpr bool flat = false;
   using pack_0 = director::Pack<director::Member<Look, 25, 26>>;
   using Packs = director::Packs<pack_0>;
-  static constexpr std::array<const char*, 1> pack_names{"watch"};
+  [[gnu::visibility("hidden")]] static constexpr std::array<const char*, 1> pack_names{"watch"};
 };
 template <>
 struct Facts<KickToGoal::Default> : director::NothingDeclared {
@@ -370,7 +370,7 @@ struct Facts<KickToGoal::Default> : director::NothingDeclared {
   static constexpr bool flat = false;
   using pack_0 = director::Pack<director::Member<KickTo, 27, 28>>;
   using Packs = director::Packs<pack_0>;
-  static constexpr std::array<const char*, 1> pack_names{"shoot"};
+  [[gnu::visibility("hidden")]] static constexpr std::array<const char*, 1> pack_names{"shoot"};
 };
 template <>
 struct Facts<WalkToBall::Creeping> : director::NothingDeclared {
@@ -381,7 +381,7 @@ struct Facts<WalkToBall::Creeping> : director::NothingDeclared {
   static constexpr bool flat = false;
   using pack_0 = director::Pack<director::Member<WalkTo, 28, 29>>;
   using Packs = director::Packs<pack_0>;
-  static constexpr std::array<const char*, 1> pack_names{"creep"};
+  [[gnu::visibility("hidden")]] static constexpr std::array<const char*, 1> pack_names{"creep"};
 };
 template <>
 struct Facts<WalkToBall::Striding> : director::NothingDeclared {
@@ -392,7 +392,7 @@ struct Facts<WalkToBall::Striding> : director::NothingDeclared {
   static constexpr bool flat = false;
   using pack_0 = director::Pack<director::Member<WalkTo, 28, 29>>;
   using Packs = director::Packs<pack_0>;
-  static constexpr std::array<const char*, 1> pack_names{"stride"};
+  [[gnu::visibility("hidden")]] static constexpr std::array<const char*, 1> pack_names{"stride"};
 };
 template <>
 struct Facts<WalkToBall::Searching> : director::NothingDeclared {
@@ -402,7 +402,7 @@ struct Facts<WalkToBall::Searching> : director::NothingDeclared {
   static constexpr bool flat = false;
   using pack_0 = director::Pack<director::Member<Walk, 29, 30>>;
   using Packs = director::Packs<pack_0>;
-  static constexpr std::array<const char*, 1> pack_names{"turn"};
+  [[gnu::visibility("hidden")]] static constexpr std::array<const char*, 1> pack_names{"turn"};
 };
 template <>
 struct Facts<WalkToReady::Default> : director::NothingDeclared {
@@ -413,7 +413,7 @@ struct Facts<WalkToReady::Default> : director::NothingDeclared {
   static constexpr bool flat = false;
   using pack_0 = director::Pack<director::Member<WalkTo, 30, 31>>;
   using Packs = director::Packs<pack_0>;
-  static constexpr std::array<const char*, 1> pack_names{"go"};
+  [[gnu::visibility("hidden")]] static constexpr std::array<const char*, 1> pack_names{"go"};
 };
 template <>
 struct Facts<Look::Tracking> : director::NothingDeclared {
@@ -424,7 +424,7 @@ struct Facts<Look::Tracking> : director::NothingDeclared {
   static constexpr bool flat = false;
   using pack_0 = director::Pack<director::Member<LookAt, 31, 32>>;
   using Packs = director::Packs<pack_0>;
-  static constexpr std::array<const char*, 1> pack_names{"track"};
+  [[gnu::visibility("hidden")]] static constexpr std::array<const char*, 1> pack_names{"track"};
 };
 template <>
 struct Facts<Look::Sweeping> : director::NothingDeclared {
@@ -434,7 +434,7 @@ struct Facts<Look::Sweeping> : director::NothingDeclared {
   static constexpr bool flat = false;
   using pack_0 = director::Pack<director::Member<LookAt, 31, 32>>;
   using Packs = director::Packs<pack_0>;
-  static constexpr std::array<const char*, 1> pack_names{"sweep"};
+  [[gnu::visibility("hidden")]] static constexpr std::array<const char*, 1> pack_names{"sweep"};
 };
 template <>
 struct Facts<LeftArm::Default> : director::NothingDeclared {
@@ -466,7 +466,8 @@ struct Facts<LeftLeg::Default> : director::NothingDeclared {
   using pack_1 = director::Pack<director::Member<LeftKnee, 33, 34>>;
   using pack_2 = director::Pack<director::Member<LeftAnkle, 34, 35>>;
   using Packs = director::Packs<pack_0, pack_1, pack_2>;
-  static constexpr std::array<const char*, 3> pack_names{"turn_hip", "bend_knee", "set_foot"};
+  [[gnu::visibility("hidden")]] static constexpr std::array<const char*, 3> pack_names{
+      "turn_hip", "bend_knee", "set_foot"};
 };
 template <>
 struct Facts<RightLeg::Default> : director::NothingDeclared {
@@ -480,7 +481,8 @@ struct Facts<RightLeg::Default> : director::NothingDeclared {
   using pack_1 = director::Pack<director::Member<RightKnee, 36, 37>>;
   using pack_2 = director::Pack<director::Member<RightAnkle, 37, 38>>;
   using Packs = director::Packs<pack_0, pack_1, pack_2>;
-  static constexpr std::array<const char*, 3> pack_names{"turn_hip", "bend_knee", "set_foot"};
+  [[gnu::visibility("hidden")]] static constexpr std::array<const char*, 3> pack_names{
+      "turn_hip", "bend_knee", "set_foot"};
 };
 template <>
 struct Facts<LeftHipYaw::Default> : director::NothingDeclared {

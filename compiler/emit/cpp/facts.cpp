@@ -48,8 +48,8 @@ void data_facts(Code& code, const CppEmission& e) {
   for (const GroupId id : with_data) {
     code.line("template <>");
     code.open(fmt::format("struct Facts<{}> {{", group_in(e.model, id)));
-    code.line(fmt::format("static constexpr auto slots = &Data::slots_{};", id.value));
-    if (is_root[id.value]) code.line(fmt::format("static constexpr auto waiting = &Data::waiting_{};", id.value));
+    code.line(fmt::format("{} auto slots = &Data::slots_{};", own_constant, id.value));
+    if (is_root[id.value]) code.line(fmt::format("{} auto waiting = &Data::waiting_{};", own_constant, id.value));
     code.close("};");
   }
   code.blank();
@@ -86,8 +86,7 @@ void state_facts(Code& code, const CppEmission& e) {
     code.line("#pragma GCC diagnostic error \"-Wswitch\"");
   }
   code.open_list("struct States final : director::Table<", rows, "> {");
-  code.open(fmt::format("[[gnu::visibility(\"hidden\")]] static constexpr std::array<director::Domain, {}> domains{{{{",
-                        rows.size()));
+  code.open(fmt::format("{} std::array<director::Domain, {}> domains{{{{", own_constant, rows.size()));
   for (const State& state : e.model.states) {
     code.line(fmt::format("{{.low = {}, .high = {}, .external = {}}}, // {}", state.low, state.high, state.external,
                           state.name.value));
@@ -107,7 +106,7 @@ void whole_facts(Code& code, const CppEmission& e) {
   const std::size_t widest_input = std::max(externals, e.model.roots.size());
   code.comment("The behaviour as a whole.");
   code.open("struct Whole final {");
-  code.list("static constexpr director::Shape shape{",
+  code.list(fmt::format("{} director::Shape shape{{", own_constant),
             {fmt::format(".groups = {}", groups), fmt::format(".providers = {}", provider_count),
              fmt::format(".edges = {}", edges), fmt::format(".conditions = {}", conditions),
              fmt::format(".states = {}", states), fmt::format(".promises = {}", promises),
@@ -130,9 +129,7 @@ void whole_facts(Code& code, const CppEmission& e) {
   }
   for (const ProviderId id : e.model.providers.ids())
     providers.push_back(fmt::format("director::Row<{}, {}>", provider_in(e.model, id), id.value));
-  code.list(fmt::format("[[gnu::visibility(\"hidden\")]] static constexpr std::array<std::uint16_t, {}> places{{",
-                        places.size()),
-            places, "};");
+  code.list(fmt::format("{} std::array<std::uint16_t, {}> places{{", own_constant, places.size()), places, "};");
   code.line("using Data = detail::Data;");
   code.line("using States = detail::States;");
   code.list("using Roots = director::Pack<", roots, ">;");
@@ -153,7 +150,7 @@ void sets_facts(Code& code, const CppEmission& e, const std::vector<const Condit
       rows.push_back(fmt::format("{{{}, {}, {}}}", condition.state.value, interval.low, interval.high));
   }
   if (rows.empty()) return;
-  code.list(fmt::format("static constexpr std::array<director::Allowed, {}> sets{{{{", rows.size()), rows, "}};");
+  code.list(fmt::format("{} std::array<director::Allowed, {}> sets{{{{", own_constant, rows.size()), rows, "}};");
 }
 
 std::vector<const ConditionUse*> settable(const Provider& provider) {
@@ -197,7 +194,7 @@ void packs_facts(Code& code, const CppEmission& e, const Provider& provider) {
     code.list(fmt::format("using {} = director::Pack<", types.back()), members, ">;");
   }
   code.list("using Packs = director::Packs<", types, ">;");
-  code.list(fmt::format("static constexpr std::array<const char*, {}> pack_names{{", names.size()), names, "};");
+  code.list(fmt::format("{} std::array<const char*, {}> pack_names{{", own_constant, names.size()), names, "};");
 }
 
 void provider_facts(Code& code, const CppEmission& e, ProviderId id) {

@@ -47,6 +47,10 @@ std::uint64_t fingerprint(const CppEmission& e);
 /// A type in `detail`, `soccer_behaviour_` and the fingerprint.
 std::string constructor_tag(const CppEmission& e);
 
+/// How a constant of a generated class begins. Hidden, as two shared libraries may each have a version of one
+/// behaviour: g++ gives such data one address in a process where its address is taken, as it is without optimisation.
+inline constexpr std::string_view own_constant = "[[gnu::visibility(\"hidden\")]] static constexpr";
+
 /// The first lines of each file: the notice, and the licence.
 Code first_lines(const CppEmission& e);
 

@@ -32,7 +32,7 @@ void declare_task(Code& code, const CppEmission& e, GroupId id) {
   data ? code.line(constructors, group.data_span) : code.line(constructors);
   const std::vector<std::string>& levels = e.levels[id];
   for (std::size_t i = 0; i < levels.size(); ++i)
-    code.line(fmt::format("static constexpr director::LevelOf<{}> {}{{{}}};", name, levels[i], i));
+    code.line(fmt::format("{} director::LevelOf<{}> {}{{{}}};", own_constant, name, levels[i], i));
   if (group.start) code.line("class Start;");
   if (group.stop) code.line("class Stop;");
   for (const ProviderId provider : group.providers)

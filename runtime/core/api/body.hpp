@@ -38,13 +38,13 @@ struct Allowed {
 
 /// Base of Facts with defaults for what a provider or handler does not declare.
 struct NothingDeclared {
-  static constexpr std::array<Allowed, 0> sets{};
+  [[gnu::visibility("hidden")]] static constexpr std::array<Allowed, 0> sets{};
   static constexpr bool flat = true;
   using Uses = Table<>;
   using Triggers = Table<>;
   using Tasks = Pack<>;
   using Packs = director::Packs<>;
-  static constexpr std::array<const char*, 0> pack_names{};
+  [[gnu::visibility("hidden")]] static constexpr std::array<const char*, 0> pack_names{};
 };
 
 /// The trigger that fires when a promise of this provider is broken:

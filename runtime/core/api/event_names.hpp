@@ -58,8 +58,10 @@ constexpr const char* name_of(Outcome::Kind row) {
   return detail::name_in<std::size_t(Outcome::Kind::fault)>(names, std::size_t(row));
 }
 
-/// All reasons, in the order in which a run lists them.
-inline constexpr Reason all_reasons[] = {Reason::new_task, Reason::pushed,  Reason::subtask_done, Reason::wait,
-                                         Reason::trigger,  Reason::started, Reason::stopped};
+/// All reasons, in the order in which a run lists them. Hidden: g++ gives such data one address in a process, and so
+/// never unloads a shared library with it.
+[[gnu::visibility("hidden")]] inline constexpr Reason all_reasons[] = {
+    Reason::new_task, Reason::pushed,  Reason::subtask_done, Reason::wait,
+    Reason::trigger,  Reason::started, Reason::stopped};
 
 } // namespace director

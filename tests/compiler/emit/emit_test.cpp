@@ -82,14 +82,14 @@ groups:
   Lamp: {tasks: {Bulb: {priority: {high: 7}}}}
   Bulb: {data: int}
 )");
-  CHECK(has(out.header, "static constexpr director::LevelOf<Bulb> low{0};\n"
-                        "  static constexpr director::LevelOf<Bulb> high{1};\n"));
+  CHECK(has(out.header, "[[gnu::visibility(\"hidden\")]] static constexpr director::LevelOf<Bulb> low{0};\n"
+                        "  [[gnu::visibility(\"hidden\")]] static constexpr director::LevelOf<Bulb> high{1};\n"));
   CHECK(has(out.facts, "using Roots = director::Pack<director::Member<Bulb, 0, 0, 0, 1>>;\n"));
   CHECK(has(out.facts, "using Tasks = director::Pack<director::Member<Bulb, 1, 2, director::nil, 2>>;\n"));
   CHECK(has(out.facts, "  director::Slots<Bulb, 2> slots_1;\n"
                        "  director::Waiting<Bulb> waiting_1;\n"));
-  CHECK(has(out.facts, "  static constexpr auto slots = &Data::slots_1;\n"
-                       "  static constexpr auto waiting = &Data::waiting_1;\n"));
+  CHECK(has(out.facts, "  [[gnu::visibility(\"hidden\")]] static constexpr auto slots = &Data::slots_1;\n"
+                       "  [[gnu::visibility(\"hidden\")]] static constexpr auto waiting = &Data::waiting_1;\n"));
 }
 
 TEST_CASE("a step without a time is there only where nothing uses time") {

@@ -38,6 +38,7 @@ TEST_CASE("one class may implement several modules, and a root task with data is
 
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <thread>
 
 int main() {
@@ -58,7 +59,9 @@ int main() {
   const auto start = std::chrono::steady_clock::now();
   const auto step = [&] { return behaviour.step(std::chrono::steady_clock::now() - start); };
   while (stopping == 0) {
-    step();
+    if (step() == director::StepResult::fault) {
+      std::fputs("a body requested a level that its group does not declare\n", stderr);
+    }
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
 
