@@ -3,9 +3,7 @@
 
 #include "runtime/core/arbitration/grant.hpp"
 
-#include "runtime/core/arbitration/plans.hpp"
 #include "runtime/core/arbitration/push.hpp"
-#include "runtime/core/arbitration/refuse.hpp"
 
 namespace director::arbitration {
 

@@ -7,8 +7,6 @@
 
 #include "runtime/core/arbitration/push.hpp"
 
-#include "runtime/core/arbitration/plans.hpp"
-#include "runtime/core/arbitration/refuse.hpp"
 #include "runtime/core/arbitration/trail.hpp"
 
 const char director::part::pushes = 0;

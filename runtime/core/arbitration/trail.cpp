@@ -7,7 +7,6 @@
 
 #include "runtime/core/arbitration/grant.hpp"
 #include "runtime/core/arbitration/pass.hpp"
-#include "runtime/core/arbitration/plans.hpp"
 #include "runtime/core/arbitration/push.hpp"
 
 const char director::part::trail = 0;
