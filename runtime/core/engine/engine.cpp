@@ -40,7 +40,6 @@ void Engine::reset() {
     RunQueueEntry& entry = s.run_queue[g];
     entry.runs_after = entry.runs_before = nil;
     entry.component = row.component;
-    if (!row.listens.empty()) entry.flags |= group_flag::listens;
     if (row.start || row.stop || !row.owned.empty() ||
         any(row.providers.rows(), [&](Index p) { return x_.t.providers[p].every != 0; }))
       entry.flags |= group_flag::lifecycle;

@@ -145,8 +145,6 @@ private:
   // timers.cpp
   DIRECTOR_PART bool take_timer();
   DIRECTOR_PART void begin_wait(Index group, Time wait);
-  DIRECTOR_PART void stop_waiting(Index group);
-  void end_wait(Index group);
 
   // states.cpp
   DIRECTOR_PART void begin_to_expire();

@@ -192,15 +192,9 @@ DIRECTOR_INLINE void Engine::run_for_repeated_request(Index edge) {
   if (last.granted()) queue_run(group, last.holder == edge);
 }
 
-/// Forgets the triggers that fired since the last run of the group, which mostly listens to none.
+/// Forgets the triggers that fired since the last run of the group.
 inline void Engine::forget_triggers(Index group) {
-  if (!x_.s.run_queue[group].flags.has(group_flag::listens)) return;
   for (const Index slot : x_.t.groups[group].listens.rows()) x_.s.fired[slot] = 0;
-}
-
-/// Ends the wait of the group; mostly there is none, and its timer is not accessed.
-inline void Engine::end_wait(Index group) {
-  if (x_.s.run_queue[group].flags.has(group_flag::waits)) stop_waiting(group);
 }
 
 } // namespace director
