@@ -234,7 +234,6 @@ private:
   DIRECTOR_PART void report_decisions(Index component) const;
   void notify(Event&& event) const; ///< adds the time
   bool observed() const { return observable && observer_.tell != nullptr; }
-  DataPlace data_of(Index group) const;
 
   arbitration::Context x_; ///< the tables, the memory, and the state of arbitration
   Timers timers_;

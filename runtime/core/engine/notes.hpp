@@ -184,12 +184,13 @@ DIRECTOR_INLINE bool Engine::repeats_request(Index edge, Index level) const {
   return entry.stale_matters == 0 && !x_.s.component[entry.component].has(work::stale_matters);
 }
 
-/// Queues the run that such a request causes; the caller settles the data.
+/// Queues the run that such a request causes.
 DIRECTOR_INLINE void Engine::run_for_repeated_request(Index edge) {
   const Index group = x_.s.request[edge].target;
   const GroupAssignment& last = x_.s.last[group];
   x_.s.counters->unsettled = false;
   if (last.granted()) queue_run(group, last.holder == edge);
+  if (bodies_.data != nullptr) settle_data(edge);
 }
 
 /// Forgets the triggers that fired since the last run of the group.
