@@ -102,7 +102,7 @@ void Engine::stop_group(Index group) {
   RunQueueEntry& entry = x_.s.run_queue[group];
   if (entry.flags.has(group_flag::lifecycle)) end_lifecycle(group);
   entry.pending = entry.done = 0;
-  timers_.disarm({Timers::Kind::wait, group});
+  end_wait(group);
   use_data_of(group, nil);
   forget_triggers(group);
   for (const Index e : x_.t.groups[group].edges.rows()) {

@@ -181,6 +181,7 @@ private:
   Index take_from_queue();
   void leave_queue(Index group);
   void forget_triggers(Index group);
+  void end_wait(Index group);
   void mark_request(Index edge);
   void request(Index edge, Index level);
   bool withdraw(Index edge);

@@ -198,4 +198,6 @@ inline void Engine::forget_triggers(Index group) {
   for (const Index slot : x_.t.groups[group].listens.rows()) x_.s.fired[slot] = 0;
 }
 
+DIRECTOR_ONE_COPY inline void Engine::end_wait(Index group) { timers_.disarm({Timers::Kind::wait, group}); }
+
 } // namespace director

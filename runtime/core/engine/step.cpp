@@ -15,7 +15,7 @@ DIRECTOR_INLINE void Engine::commit(Index group, Index provider, Time wait, Outc
   if (kind == Outcome::Kind::pack) {
     if (const Range edges = x_.t.groups[group].edges; !edges.empty()) commit_pack(edges);
     entry.done = 0;
-    if (wait <= 0) timers_.disarm({Timers::Kind::wait, group});
+    if (wait <= 0) end_wait(group);
   } else {
     for (Index i = 0; i < x_.t.groups[group].edges.size(); ++i) x_.s.staged_request[i].level = nil;
     if ((kind == Outcome::Kind::done || kind == Outcome::Kind::failed) && entry.done == 0)
