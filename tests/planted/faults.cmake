@@ -72,8 +72,8 @@ fault("4.4" "members of a unit are granted together or not at all"
   [=[if (row.optional || row.apart || PLANTED) {]=])
 fault("4.4" "nothing new is acquired for a stale group"
   arbitration/grant.cpp
-  [=[if (below_stale && any_not_running(x, count)) return]=]
-  [=[if (below_stale && any_not_running(x, count) && !PLANTED) return]=])
+  [=[if (below_stale && wait_for_requester(x, count)) return]=]
+  [=[if (below_stale && !PLANTED && wait_for_requester(x, count)) return]=])
 fault("4.4" "a task that may lose a group at once waits"
   arbitration/staleness.cpp
   [=[bool takes_from_stale(Context& x, Index count) {]=]

@@ -78,7 +78,6 @@ bool same_but_for_links(const Engine& engine, std::vector<std::byte> before) {
   leave_out(s.work, n.components);      // rows not in use
   leave_out(s.order, n.groups);         // likewise
   leave_out(s.place, n.groups);         // of groups that are not held
-  leave_out(s.run_queue, n.groups);     // group_flag::waits
   return before == after;
 }
 

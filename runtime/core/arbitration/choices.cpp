@@ -3,9 +3,7 @@
 
 #include "runtime/core/arbitration/choices.hpp"
 
-#include "runtime/core/arbitration/plans.hpp"
 #include "runtime/core/arbitration/push.hpp"
-#include "runtime/core/arbitration/refuse.hpp"
 #include "runtime/core/arbitration/staleness.hpp"
 
 namespace director::arbitration {

@@ -43,6 +43,22 @@ DIRECTOR_ONE_COPY inline std::span<const PlanEntry> plan_of(const Context& x, In
   return {x.s.entry + entries_begin(x, at), x.s.entry + x.s.member[at].entries_end};
 }
 
+// Conditions: refuse.cpp.
+bool stays(const Context& x, Index provider);
+DIRECTOR_PART Index find_false(const Context& x, Index provider, Index edge);
+
+/// The first condition that prevents the provider from running for an edge, or nil.
+inline Index first_false(const Context& x, Index provider, Index edge) {
+  return x.t.providers[provider].when.empty() ? nil : find_false(x, provider, edge);
+}
+
+// Plans: searched as entries, claimed, and read again as entries. plans.cpp.
+DIRECTOR_PART bool search_plan(Context& x, Index provider, Index begin, Index& end, bool fresh, bool by_declaration);
+DIRECTOR_PART bool find_plan(Context& x, Index at, bool first, bool as_it_is, bool with_conditions, bool record);
+DIRECTOR_PART bool needs_claimed(const Context& x, Index group);
+DIRECTOR_PART void claim_plan(Context& x, Index owner, Index provider, Index begin, Index end);
+DIRECTOR_PART Index entries_of(Context& x, Index group, const Assignment& of);
+
 bool combine(Context& x, Index count, bool with_conditions);
 bool next_choice(Context& x, Index at, bool fresh, bool with_conditions, bool record);
 DIRECTOR_PART bool search_combination(Context& x, Index count, bool with_conditions); // combination.cpp

@@ -26,15 +26,10 @@ bool each_has_choice(Context& x, Index from, Index count, bool with_conditions, 
   for (Index at = from; at < count; ++at) {
     // Its entries begin at 0: entries_begin(x) of a member is where the one before it ends.
     if (at > 0) x.s.member[at - 1].entries_end = 0;
-    bool any = false;
-    for (bool fresh = true; next_choice(x, at, fresh, with_conditions, record); fresh = false) {
-      any = true;
-      if (record) continue;
-      drop_entries(x, 0, x.s.member[at].entries_end);
-      x.s.trial[target(x, x.s.member[at].edge)] = nil;
-      break;
-    }
-    if (!any) return false;
+    if (!next_choice(x, at, true, with_conditions, record)) return false;
+    while (record && next_choice(x, at, false, with_conditions, true)) {}
+    drop_entries(x, 0, x.s.member[at].entries_end);
+    x.s.trial[target(x, x.s.member[at].edge)] = nil;
   }
   return true;
 }
@@ -49,8 +44,7 @@ bool search_combination(Context& x, Index count, bool with_conditions) {
       any(members(x, count), [&](const TriedMember& member) { return x.t.groups[target(x, member.edge)].deniable; });
   if (deniable && !each_has_choice(x, 0, count, with_conditions, true)) return false;
   Index at = 0;
-  bool fresh = true, known = deniable; // that each member has a choice by itself
-  bool sorted = false;                 // by cluster
+  bool fresh = true, sorted = false; // by cluster
   for (;;) {
     if (next_choice(x, at, fresh, with_conditions, false)) {
       if (at + 1 == count) return true;
@@ -68,7 +62,8 @@ bool search_combination(Context& x, Index count, bool with_conditions) {
       fresh = false;
     } else { // tested before its predecessors' choices are combined with it: the cost is a sum, not a product
       leave_combination(x, at);
-      if (!known && !each_has_choice(x, at, count, with_conditions, false)) return false; // its predecessors have one
+      // Its predecessors have a choice; and all have, if they were gone through before.
+      if (!deniable && !each_has_choice(x, at, count, with_conditions, false)) return false;
       sort_by_cluster(x, count);
       sorted = true;
       at = 0;

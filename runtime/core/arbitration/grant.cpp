@@ -3,9 +3,7 @@
 
 #include "runtime/core/arbitration/grant.hpp"
 
-#include "runtime/core/arbitration/plans.hpp"
 #include "runtime/core/arbitration/push.hpp"
-#include "runtime/core/arbitration/refuse.hpp"
 
 namespace director::arbitration {
 
@@ -17,7 +15,7 @@ void decide_alone(Context& x, Index edge, bool below_stale) {
 
 /// Grants the current members all together, or refuses them.
 void try_members(Context& x, Index count, bool below_stale) {
-  if (below_stale && any_not_running(x, count)) return wait_for_requester(x, count);
+  if (below_stale && wait_for_requester(x, count)) return;
   if (count == 1 && taken(x, x.s.member[0].edge)) return leave_queued(x, 1, Why::blocked);
   if (!combine(x, count, true)) return x.t.conditions.empty() ? leave_queued(x, count, Why::blocked) : refuse(x, count);
   if (!premature(x, count)) return grant(x, count);

@@ -9,6 +9,7 @@ namespace director::arbitration {
 void decide_alone(Context& x, Index edge, bool below_stale);
 void try_members(Context& x, Index count, bool below_stale);
 void grant(Context& x, Index count);
+DIRECTOR_PART void refuse(Context& x, Index count); // refuse.cpp
 void leave_queued(Context& x, Index count, Why why, Index condition = nil);
 
 /// Claims a group that is free, or that this edge has claimed already.

@@ -3,7 +3,6 @@
 
 #include "runtime/core/arbitration/grant.hpp"
 #include "runtime/core/arbitration/pass.hpp"
-#include "runtime/core/arbitration/plans.hpp"
 
 const char director::part::limbo = 0;
 

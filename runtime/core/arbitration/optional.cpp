@@ -35,7 +35,7 @@ void sweep_optional(Context& x, Index root) {
     while (root != nil && x.s.request[root].level == nil) root = x.s.next_root[root];
     const Index first = x.postponed == 0 ? nil : waiting(x, static_cast<Index>(x.postponed - 1));
     if (root == nil && first == nil) return;
-    if (root != nil && (first == nil || goes_first(x, root, first))) {
+    if (root != nil && (first == nil || compare(x, {root, Chains::current}, {first, Chains::current}, true) < 0)) {
       const Index from = x.postponed;
       walk_from_root(x, root);
       put_first(x, from);

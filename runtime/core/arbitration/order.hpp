@@ -166,8 +166,4 @@ DIRECTOR_ONE_COPY inline int compare(const Context& x, Place a, Place b, bool in
 
 inline bool before(const Context& x, Place a, Place b) { return compare(x, a, b, false) < 0; }
 
-inline bool goes_first(const Context& x, Index a, Index b) {
-  return compare(x, {a, Chains::current}, {b, Chains::current}, true) < 0;
-}
-
 } // namespace director::arbitration

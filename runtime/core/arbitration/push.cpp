@@ -7,8 +7,6 @@
 
 #include "runtime/core/arbitration/push.hpp"
 
-#include "runtime/core/arbitration/plans.hpp"
-#include "runtime/core/arbitration/refuse.hpp"
 #include "runtime/core/arbitration/trail.hpp"
 
 const char director::part::pushes = 0;
@@ -18,11 +16,6 @@ namespace director::arbitration {
 namespace {
 
 constexpr std::uint64_t endless = ~std::uint64_t{0};
-
-/// Whether a current member had made a push in the last assignment.
-bool pushes(const Context& x, Index count) {
-  return any(members(x, count), [&](const TriedMember& m) { return x.s.edge_marks[m.edge].has(mark::pushes); });
-}
 
 bool in_unit(const Context& x, Index edge, Index count) {
   return any(members(x, count), [&](const TriedMember& member) { return member.edge == edge; });
@@ -122,7 +115,7 @@ bool can_be_pushed(const Context& x, Index provider, Index member) {
   return any(x.t.list(x.t.groups[group].requesters), [&](Index edge) {
     const Place last{edge, Chains::previous};
     return requested(x, edge) && !is_limbo(x, chain(x, last).top) && !in_chain(x, member, last) &&
-           compare(x, {member, Chains::current}, last, false) < 0;
+           before(x, {member, Chains::current}, last);
   });
 }
 
@@ -186,7 +179,7 @@ Index preferred_by_push(const Context& x, Index group, Index place, Index edge) 
 
 /// Keeps the pushes of a unit that is granted.
 void keep_own_pushes(Context& x, Index count) {
-  if (!pushes(x, count)) return;
+  if (!any(members(x, count), [&](const TriedMember& m) { return x.s.edge_marks[m.edge].has(mark::pushes); })) return;
   keep_serving_pushes(x, count);
   // A push that serves one member of a unit serves all; below a stale group each member has only its own.
   x.depends_on_stale = x.depends_on_stale || count > 1;
@@ -202,7 +195,6 @@ void list_push(Context& x, Index group) {
 }
 
 void keep_last_pushes(Context& x, Index count) {
-  if (!pushes(x, count)) return;
   for (const Index g : pushed_groups(x)) {
     const Push& push = x.s.last[g].push;
     if (push.edge != nil && x.s.now[g].push.edge == nil && in_unit(x, push.edge, count)) x.s.now[g].push = push;

@@ -21,13 +21,10 @@ Index stale_source(const Context& x, Index group) {
   }
 }
 
-/// Whether one of the current members was not granted before.
-bool any_not_running(const Context& x, Index count) {
-  return any(members(x, count), [&](const TriedMember& member) { return !was_granted(x, member.edge); });
-}
-
-/// Leaves members of a stale requester queued as before, unless they hold their target as a need from now on.
-void wait_for_requester(Context& x, Index count) {
+/// If one of the current members was not granted before, they wait for their requester, which is stale: they are left
+/// queued as before, unless they hold their target as a need from now on. False: all were granted.
+bool wait_for_requester(Context& x, Index count) {
+  if (!any(members(x, count), [&](const TriedMember& member) { return !was_granted(x, member.edge); })) return false;
   x.depends_on_requester = true;
   for (Index at = 0; at < count; ++at) {
     const Index edge = x.s.member[at].edge, group = target(x, edge);
@@ -36,6 +33,7 @@ void wait_for_requester(Context& x, Index count) {
       x.s.queued[edge] = {Why::outdated, nil};
   }
   keep_pushes(x, count);
+  return true;
 }
 
 /// Grants again the members that were granted, and defers the others until the stale groups before them have run.

@@ -9,8 +9,7 @@ namespace director::arbitration {
 inline constexpr Index up_to_date = static_cast<Index>(nil - 1); ///< instead of a group: not stale
 
 DIRECTOR_PART Index stale_source(const Context& x, Index group);
-DIRECTOR_PART bool any_not_running(const Context& x, Index count);
-DIRECTOR_PART void wait_for_requester(Context& x, Index count);
+DIRECTOR_PART bool wait_for_requester(Context& x, Index count);
 DIRECTOR_PART void defer(Context& x, Index count);
 DIRECTOR_PART bool takes_from_stale(Context& x, Index count);
 bool reached_from_stale(Context& x, Index found, Index edge);

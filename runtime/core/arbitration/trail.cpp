@@ -7,7 +7,6 @@
 
 #include "runtime/core/arbitration/grant.hpp"
 #include "runtime/core/arbitration/pass.hpp"
-#include "runtime/core/arbitration/plans.hpp"
 #include "runtime/core/arbitration/push.hpp"
 
 const char director::part::trail = 0;
@@ -22,10 +21,6 @@ bool is_decided_again(const Context& x, Index edge) { return x.s.edge_trail[edge
 /// Whether the pass has to open the requester, whatever differs: the edge is decided again, or is optional and so
 /// ordered elsewhere.
 bool opens_always(const Context& x, Index edge) { return is_decided_again(x, edge) || optional(x, edge); }
-
-bool is_always_opened(const Context& x, Index group) {
-  return any(x.t.groups[group].edges.rows(), [&](Index e) { return opens_always(x, e); });
-}
 
 /// Whether something may differ on which the last decision about the edge depends.
 DIRECTOR_INLINE bool is_affected(const Context& x, Index edge) {
@@ -104,7 +99,8 @@ void begin_trail(Context& x) {
   for (Index i = 0; i < x.unopened_count; ++i) {
     const Index g = rows[i];
     const bool stays_stale = is_marked_stale(x, g) && becomes_stale(x, g);
-    if (stays_stale && !is_always_opened(x, g) && !(x.had_limbo && was_in_limbo(x, g))) {
+    const auto opens_it = [&](Index e) { return opens_always(x, e); };
+    if (stays_stale && !any(x.t.groups[g].edges.rows(), opens_it) && !(x.had_limbo && was_in_limbo(x, g))) {
       rows[kept++] = g;
     } else {
       open(x, g);

@@ -4,7 +4,6 @@
 // something on which their decision depends differs from the last pass (reach.cpp). docs/semantics.md, section 4.4.
 
 #include "runtime/core/arbitration/choices.hpp"
-#include "runtime/core/arbitration/reach.hpp"
 #include "runtime/core/arbitration/staleness.hpp"
 
 #include <utility>
@@ -19,6 +18,28 @@ DIRECTOR_PART void claim_again(Context& x, Index edge);
 DIRECTOR_PART void pass_by(Context& x, Index group);
 DIRECTOR_PART void close_extents(Context& x, Index group);
 DIRECTOR_PART bool copy_unchanged_rest(Context& x, Index root);
+
+// What a change reaches: reach.cpp.
+DIRECTOR_PART void check_lines(Context& x, Index group);
+DIRECTOR_PART void note_dependence(Context& x, Index edge, std::uint8_t bits);
+DIRECTOR_PART void begin_followed(Context& x, Index count);
+DIRECTOR_PART void compare_with_last(Context& x, Index count);
+DIRECTOR_PART void reach_edge(Context& x, Index edge);
+void reach_by_request(Context& x, Index edge, bool with_siblings);
+void reach_by_last_result(Context& x, Index group);
+DIRECTOR_PART void reach_users(Context& x, Index group);
+DIRECTOR_PART void reach_all_below(Context& x, Index group);
+
+/// Makes this pass decide again the units whose decision may depend on the group.
+inline void reach(Context& x, Index group) {
+  if (!x.whole) reach_users(x, group);
+}
+
+/// Reaches all below the group if its claim differs. A need is claimed with the group that has it, a request in turn.
+inline void compare_claim(Context& x, Index group) {
+  const GroupAssignment &now = x.s.now[group], &last = x.s.last[group];
+  if (!x.whole && (now.holder != last.holder || now.needed() != last.needed())) reach_all_below(x, group);
+}
 
 /// Makes this pass examine the group, and all above it.
 inline void open(Context& x, Index group) {

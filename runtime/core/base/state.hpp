@@ -74,11 +74,9 @@ inline constexpr std::uint8_t failed = 2; ///< with `done`
 
 /// Bits of RunQueueEntry::flags.
 namespace group_flag {
-inline constexpr std::uint8_t queue = 1;      ///< it is in the run queue
-inline constexpr std::uint8_t touched = 2;    ///< it is listed in State::touched
-inline constexpr std::uint8_t waits = 4;      ///< it may have a wait that is pending
-inline constexpr std::uint8_t listens = 8;    ///< a provider listens to a trigger
-inline constexpr std::uint8_t lifecycle = 16; ///< it owns states, or has a handler or a period
+inline constexpr std::uint8_t queue = 1;     ///< it is in the run queue
+inline constexpr std::uint8_t touched = 2;   ///< it is listed in State::touched
+inline constexpr std::uint8_t lifecycle = 4; ///< it owns states, or has a handler or a period
 } // namespace group_flag
 
 /// A byte of bits. It is no `char`, which may alias anything: after a write, all pointers would be read again.

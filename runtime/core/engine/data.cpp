@@ -11,7 +11,6 @@ bool Engine::take_request_with_data(const Input& record) {
   if (record.more || !repeats_request(record.thing, record.level())) return take_requests(record);
   bodies_.data(bodies_.self, Bodies::Data::accept, record.thing, record.handle);
   run_for_repeated_request(record.thing);
-  settle_data(record.thing);
   return false;
 }
 

@@ -40,7 +40,6 @@ void Engine::reset() {
     RunQueueEntry& entry = s.run_queue[g];
     entry.runs_after = entry.runs_before = nil;
     entry.component = row.component;
-    if (!row.listens.empty()) entry.flags |= group_flag::listens;
     if (row.start || row.stop || !row.owned.empty() ||
         any(row.providers.rows(), [&](Index p) { return x_.t.providers[p].every != 0; }))
       entry.flags |= group_flag::lifecycle;
@@ -69,20 +68,18 @@ bool Engine::answered(Index edge, std::uint8_t answer) const {
   return x_.s.run_queue[x_.t.edges[edge].target].done.has(answer) && arbitration::was_granted(x_, edge);
 }
 
-/// The place of the group's data. A start handler may run for a request of this micro-step, whose data are still
-/// staged.
-DataPlace Engine::data_of(Index group) const {
-  const Index edge = x_.s.data_from[group];
-  if (edge == nil) return {DataPlace::Slot::group, group};
-  if (starting_ == group && x_.s.anew[edge] != 0) return {DataPlace::Slot::staging, edge};
-  return {DataPlace::Slot::edge, edge};
-}
-
 Time Run::now() const { return engine_.now(); }
 RunState Run::state(Index edge) const { return engine_.state(edge); }
 bool Run::done(Index edge) const { return engine_.answered(edge, result::done); }
 bool Run::failed(Index edge) const { return engine_.answered(edge, result::failed); }
-DataPlace Call::data() const { return engine_.data_of(group_); }
+
+/// A start handler may run for a request of this micro-step, whose data are still staged.
+DataPlace Call::data() const {
+  const Index edge = engine_.x_.s.data_from[group_];
+  if (edge == nil) return {DataPlace::Slot::group, group_};
+  if (engine_.starting_ == group_ && engine_.x_.s.anew[edge] != 0) return {DataPlace::Slot::staging, edge};
+  return {DataPlace::Slot::edge, edge};
+}
 
 /// Only the last answer of a run counts.
 void Run::forget_pack() {

@@ -145,8 +145,6 @@ private:
   // timers.cpp
   DIRECTOR_PART bool take_timer();
   DIRECTOR_PART void begin_wait(Index group, Time wait);
-  DIRECTOR_PART void stop_waiting(Index group);
-  void end_wait(Index group);
 
   // states.cpp
   DIRECTOR_PART void begin_to_expire();
@@ -183,6 +181,7 @@ private:
   Index take_from_queue();
   void leave_queue(Index group);
   void forget_triggers(Index group);
+  void end_wait(Index group);
   void mark_request(Index edge);
   void request(Index edge, Index level);
   bool withdraw(Index edge);
@@ -236,7 +235,6 @@ private:
   DIRECTOR_PART void report_decisions(Index component) const;
   void notify(Event&& event) const; ///< adds the time
   bool observed() const { return observable && observer_.tell != nullptr; }
-  DataPlace data_of(Index group) const;
 
   arbitration::Context x_; ///< the tables, the memory, and the state of arbitration
   Timers timers_;

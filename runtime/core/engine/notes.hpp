@@ -184,23 +184,20 @@ DIRECTOR_INLINE bool Engine::repeats_request(Index edge, Index level) const {
   return entry.stale_matters == 0 && !x_.s.component[entry.component].has(work::stale_matters);
 }
 
-/// Queues the run that such a request causes; the caller settles the data.
+/// Queues the run that such a request causes.
 DIRECTOR_INLINE void Engine::run_for_repeated_request(Index edge) {
   const Index group = x_.s.request[edge].target;
   const GroupAssignment& last = x_.s.last[group];
   x_.s.counters->unsettled = false;
   if (last.granted()) queue_run(group, last.holder == edge);
+  if (bodies_.data != nullptr) settle_data(edge);
 }
 
-/// Forgets the triggers that fired since the last run of the group, which mostly listens to none.
+/// Forgets the triggers that fired since the last run of the group.
 inline void Engine::forget_triggers(Index group) {
-  if (!x_.s.run_queue[group].flags.has(group_flag::listens)) return;
   for (const Index slot : x_.t.groups[group].listens.rows()) x_.s.fired[slot] = 0;
 }
 
-/// Ends the wait of the group; mostly there is none, and its timer is not accessed.
-inline void Engine::end_wait(Index group) {
-  if (x_.s.run_queue[group].flags.has(group_flag::waits)) stop_waiting(group);
-}
+DIRECTOR_ONE_COPY inline void Engine::end_wait(Index group) { timers_.disarm({Timers::Kind::wait, group}); }
 
 } // namespace director

@@ -20,12 +20,11 @@ void Engine::commit_pack(Range edges) {
     }
     if (observed()) report_request(staged->keep ? Event::Kind::keep : Event::Kind::ask, e, level);
     if (staged->keep) continue;
-    if (edges.size() != 1 || !repeats_request(e, level)) {
+    if (edges.size() == 1 && repeats_request(e, level)) {
+      run_for_repeated_request(e);
+    } else {
       request(e, level);
-      continue;
     }
-    run_for_repeated_request(e);
-    if (bodies_.data != nullptr) settle_data(e);
   }
 }
 

@@ -36,13 +36,7 @@ void Run::wait(Time duration) { wait_ = duration; }
 void Engine::begin_wait(Index group, Time wait) {
   const Time due = wait == never ? never : later(x_.s.counters->now, wait); // the time may be negative
   if (observed()) report_wait(group, due);
-  x_.s.run_queue[group].flags |= group_flag::waits;
   timers_.arm({Timers::Kind::wait, group}, due);
-}
-
-void Engine::stop_waiting(Index group) {
-  x_.s.run_queue[group].flags.remove(group_flag::waits);
-  timers_.disarm({Timers::Kind::wait, group});
 }
 
 /// Takes the next due timer, as an input of its own, which may cancel others that are due. True if it has an effect.

@@ -134,9 +134,7 @@ private:
     if (place != nullptr) *place = number;
   }
   void put(Time due, Timers::Timer timer) {
-    if (due == never) return;
-    engine_.timers_.arm(timer, saved::moved(due, head_.until, now_));
-    if (timer.kind == Timers::Kind::wait) s_.run_queue[timer.row].flags |= group_flag::waits;
+    if (due != never) engine_.timers_.arm(timer, saved::moved(due, head_.until, now_));
   }
 
   /// Fills the run queue from the places in State::reach.
