@@ -81,10 +81,10 @@ Oscillation oscillation(const Ground& ground, const Searched::Cycle& cycle, cons
 std::vector<Oscillation> find_oscillations(const Ground& ground, const Searched& searched,
                                            const std::string& behaviour) {
   std::vector<Oscillation> out;
-  std::set<std::pair<std::vector<std::string>, bool>> known; // of several ways into one cycle the shortest is enough
+  std::set<std::vector<std::string>> known; // of several ways into one cycle the shortest is enough
   for (const Searched::Cycle& cycle : searched.cycles) {
     Oscillation each = oscillation(ground, cycle, behaviour);
-    if (known.emplace(names_in(each.round, ground.model), each.keeps_promises).second) out.push_back(std::move(each));
+    if (known.insert(names_in(each.round, ground.model)).second) out.push_back(std::move(each));
   }
   return out;
 }

@@ -1,4 +1,4 @@
-// Header: compiler/lower/level_names.hpp. Test: tests/compiler/emit/emit_test.cpp.
+// Header: compiler/lower/level_names.hpp. Test: tests/compiler/lower/level_names_test.cpp.
 // SPDX-License-Identifier: MIT
 #include "compiler/lower/level_names.hpp"
 

@@ -27,11 +27,6 @@ public:
   void add_takers(const std::vector<GroupId>& lost) {
     for (const GroupId each : lost) {
       if (const std::optional<EdgeId> by = rest_.groups[each.value].by) add_chain(model_.edges[*by].requester);
-      for (const EdgeId edge : model_.groups[each].requesters) {
-        const std::optional<GroupId> needer = model_.edges[edge].requester;
-        const std::optional<ProviderId> active = needer ? rest_.groups[needer->value].active : std::nullopt;
-        if (active && model_.providers[*active].needs_group(each)) add_chain(needer);
-      }
     }
   }
 

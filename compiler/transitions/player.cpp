@@ -134,8 +134,8 @@ bool Player::ends_with(const Beginning& row, const Beginning& column, const Way&
 bool Player::is_blocked(const Beginning& row, const Rest& rest, const std::vector<GroupId>& all) const {
   const auto blocked = [&](EdgeId edge) { return rest.blocked[edge.value]; };
   if (!runs(rest, row.way))
-    return blocked(row.way.root->edge) || std::any_of(row.way.links.begin(), row.way.links.end(),
-                                                      [&](const Link& link) { return blocked(link.next->edge); });
+    return std::any_of(row.way.links.begin(), row.way.links.end(), // nothing else is requested at root
+                       [&](const Link& link) { return blocked(link.next->edge); });
   return std::any_of(all.begin(), all.end(), [&](GroupId id) {
     const std::optional<EdgeId> by = row.rest.groups[id.value].by;
     return by && blocked(*by);

@@ -67,3 +67,14 @@ TEST_CASE("a condition of a provider that never runs on either side is not what 
         "finding_new: error is new: `S == b` never holds: `S` is only ever a\n"
         "finding_gone: error is gone: `T == x` never holds: `T` is only ever y\n");
 }
+
+TEST_CASE("a group that nothing requests on either side is not what can never run any more") {
+  const auto robot = [](const std::string& when) {
+    return "states: {Door: {values: [shut, open], initial: shut}}\nroots: [Work]\ngroups: {Work: {" + when +
+           "}, Crew: {causing: [Door == open]}}\n";
+  };
+  CHECK(told(robot(""), robot("when: [Door == open]")) ==
+        "became_dead: `Work` can never run any more\n"
+        "condition_tightened: `Work` now requires `Door == open` to run\n"
+        "finding_new: error is new: `Crew` can never run, so nothing ever causes `Door == open`\n");
+}

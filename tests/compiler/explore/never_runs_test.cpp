@@ -69,6 +69,21 @@ TEST_CASE("of many requests that never succeed some are noted, and how many more
   CHECK(notes[7].message == "and 52 more of such notes, from here on");
 }
 
+TEST_CASE("of a task that never runs the entries are noted at which it was requested, and no others") {
+  const tests::CheckedText checked = tests::check_text(
+      "states: {Door: {values: [shut, open], initial: shut}, Lamp: {values: [dark, lit], initial: dark}}\n"
+      "roots: [Enter]\ngroups:\n  Enter:\n    providers:\n"
+      "      - {name: peeping, when: [Door == shut, Lamp == lit], tasks: [Greet]}\n"
+      "      - {name: opening, when: [Door == shut], sets: [Door == open]}\n"
+      "      - {name: lighting, sets: [Lamp == lit], tasks: [Look]}\n"
+      "  Greet: {tasks: [Look]}\n  Look: {when: [Door == shut, Lamp == lit]}\n");
+  REQUIRE(checked.checked.lowerable);
+  const NeverRuns never = compiler::find_never_runs(checked.checked.model, 100'000, {});
+  CHECK(messages(never) == std::vector<std::string>{"`Look` never runs, whatever happens",
+                                                    "`Enter.peeping` never runs, whatever happens"});
+  CHECK(never.findings.at(0).notes.size() == 1);
+}
+
 TEST_CASE("a task that runs for others is reported at the entry where it never does") {
   // No check reports a root task, which the program may as well not request; here the findings are left out.
   const tests::CheckedText checked =

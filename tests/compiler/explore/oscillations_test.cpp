@@ -31,3 +31,22 @@ TEST_CASE("a body that keeps a promise in a cycle is distinguished from one that
         Words{"Never at rest: after request A it repeats 2 micro-steps: A"});
   CHECK(oscillations("stop: {sets: [S == x]}, sets: [S == y]").empty()); // it need not set it
 }
+
+TEST_CASE("of many that go round some are noted, and how many more there are") {
+  std::string ways, tasks;
+  for (int each = 0; each < 6; ++each) {
+    const std::string n = std::to_string(each), next = std::to_string((each + 1) % 6);
+    ways += "      - {name: p" + n + ", when: [S == " + n + "], tasks: [T" + n + "]}\n";
+    tasks += "  T" + n + ": {start: {sets: [S == " + next + "]}}\n";
+  }
+  const auto compiled = director::tests::compile("behaviour: b\nlanguage: 1\nstates: {S: {range: [0, 5], initial: 0}}\n"
+                                                 "roots: [A]\ngroups:\n  A:\n    providers:\n" +
+                                                 ways + tasks);
+  const Ground ground(compiled.model);
+  const auto findings = never_at_rest(ground, explore_all(ground).oscillations);
+  REQUIRE(!findings.empty());
+  const std::vector<director::dsl::Note>& notes = findings.front().notes;
+  REQUIRE(notes.size() == 8);
+  CHECK(notes[6].message == "`T1` runs, starts or stops in it");
+  CHECK(notes[7].message == "and 4 more of such notes, from here on");
+}

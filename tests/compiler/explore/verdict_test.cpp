@@ -339,6 +339,15 @@ TEST_CASE("a need that goes over to another provider of it, and is only held, is
                     "Walk", "Kick") == "proven: it holds in all 100 states");
 }
 
+TEST_CASE("what stops because another one takes what a need far below it needs is cut off") {
+  CHECK(handed_over("",
+                    "roots: {Walk: {priority: 10}, Kick: {priority: 20}}\ngroups:\n  Walk: {needs: [Body]}\n"
+                    "  Body: {needs: [Limb]}\n  Limb: {needs: [Legs]}\n  Kick: {needs: [Legs]}\n",
+                    "Walk", "Kick") ==
+        "refuted: after request Walk; request Kick, granting `Kick` takes `Legs`, which `Limb` holds, and `Walk` "
+        "stops; no provider of `Walk` has `causing`");
+}
+
 TEST_CASE("what stops with its requester is cut off hard") {
   const std::string below = "roots: {Kick: {priority: 20}, Play: {priority: 10}}\ngroups:\n"
                             "  Kick: {needs: [Legs], tasks: [Legs]}\n  Walk: {stop: true}\n  Legs: {}\n  Arm: {}\n";
@@ -382,6 +391,27 @@ TEST_CASE("a scenario names the pack of which a body leaves out an entry, and it
   CHECK(verdict.kind == Verdict::Kind::refuted);
 }
 
+TEST_CASE("a scenario names the first of the smallest packs that have what is requested, and levels of that alone") {
+  const auto play = [](const std::string& groups) {
+    const auto compiled = director::tests::compile("behaviour: b\nlanguage: 1\n" + groups);
+    const Verdict verdict = explore_all(Ground(compiled.model)).verdicts.front();
+    REQUIRE(verdict.scenario);
+    const std::size_t begin = verdict.scenario->find("  Play."), end = verdict.scenario->find("\n  ", begin + 3);
+    return verdict.scenario->substr(begin, verdict.scenario->find('\n', end + 1) - begin);
+  };
+  CHECK(play("roots: [Play]\ngroups:\n"
+             "  Play: {packs: {shout: {Voice: {}}, call: {Voice: {}}, wave: {Voice: {}, Arm: {optional: true}}}}\n"
+             "  Voice: {}\n  Arm: {}\nassertions: [{can_run: Voice}]\n") ==
+        "  Play.default:\n    - {run: 1, pack: shout}");
+  CHECK(
+      play(
+          "states: {Day: {values: [work, rest], external: true}}\nroots: [Play]\ngroups:\n  Play:\n"
+          "    providers:\n      - {name: strolling, when: [Day == rest], tasks: [Walk]}\n"
+          "      - {name: touring, tasks: {Look: {levels: {firm: {}, spare: {optional: true}}}, Walk: {apart: true}}}\n"
+          "  Look: {}\n  Walk: {}\nassertions: [{can_run: Walk}]\n") ==
+      "  Play.touring:\n    - {run: 1, tasks: [Look, Walk]}");
+}
+
 TEST_CASE("nothing is proven, nor refuted, by a search that does not try all that a body may request") {
   std::string groups = "states: {SA: {values: [low, high], initial: low, of: A}}\nroots: [U]\ngroups:\n"
                        "  U: {tasks: {A: {apart: true, priority: 1}, B: {apart: true, priority: 3}, C: {apart: true, "
@@ -401,6 +431,13 @@ TEST_CASE("what its requester gives up is not cut off") {
                    "  U: {triggers: [Tick], packs: {work: {From: {apart: true}, G: {apart: true}}, go: {To: {}}}}\n",
                    "{soft: {from: From, to: To}}")
             .find("proven: ") == 0);
+}
+
+TEST_CASE("what would stop without the other one too is not cut off") {
+  CHECK(verdict_of("roots: [Plan]\ngroups:\n"
+                   "  Plan: {tasks: {Wheels: {}, Drive: {priority: 10, apart: true}, Look: {optional: true}}}\n"
+                   "  Look: {}\n  Drive: {needs: [Wheels]}\n  Wheels: {}\n",
+                   "{soft: {from: Look, to: Drive}}") == "proven: it holds in all 230 states");
 }
 
 TEST_CASE("what the program cancels, or what loses its condition, is not cut off by what runs then") {

@@ -122,6 +122,24 @@ TEST_CASE("what only another version has is told with its place") {
                                                                  "  21 events before it are the same\n"));
 }
 
+TEST_CASE("what another group's handler would have set than the one that was called is decided otherwise") {
+  World world;
+  std::string both = cook;
+  both.replace(both.find("  Wash: {}"), 10, "  Wash: {stop: {sets: [Pot == 1]}}");
+  world.files.add("cook.yaml", both);
+  world.files.add("s.yaml", "scenario: a meal\nbehaviour: cook.yaml\nscript: {Cook.stop: {set: {Pot: 3}}}\n"
+                            "steps: [{request: Meal}, {cancel: Meal}]\n");
+  REQUIRE(world.directorc({"simulate", "s.yaml", "--trace", "run.jsonl"}) == 0);
+  std::string trace = world.outputs.files.at("run.jsonl");
+  const std::size_t at = trace.find("\"assign\",\"group\":\"Cook\"");
+  REQUIRE(at != std::string::npos);
+  trace.replace(at, 23, "\"assign\",\"group\":\"Wash\"");
+  world.files.add("run.jsonl", trace);
+  CHECK(world.directorc({"replay", "run.jsonl"}) == 1);
+  CHECK(world.out.find(", is decided otherwise\n  recorded: assign Pot 3\n  replayed: stop Wash\n") !=
+        std::string::npos);
+}
+
 TEST_CASE("a pack whose new task a body cannot leave out is not replayed without it, and one that is optional is") {
   const std::string pack = "both: {Cook: {}, Wash: {}}", dry = "  Wash: {}\n";
   CHECK(replayed_with(pack +

@@ -143,6 +143,37 @@ steps:
   CHECK(waits.held.empty());
 }
 
+TEST_CASE(
+    "a group that is kept for another requester, as it lost its condition, does not stay for the one that it had") {
+  World world;
+  world.files.add("guide.yaml", R"(behaviour: guide
+language: 1
+states:
+  Map: {values: [missing, loaded], initial: missing}
+  Day: {values: [work, rest], initial: work, external: true}
+roots: [Lead, Walk]
+groups:
+  Lead: {providers: [{name: guiding, when: [Map == loaded], tasks: [Walk]}, {name: resting, when: [Day == rest]}]}
+  Walk: {when: [Day == work]}
+)");
+  world.files.add("s.yaml", R"(scenario: the day ends during a walk
+behaviour: guide.yaml
+steps:
+  - request: Lead
+  - request: Walk
+  - set: {Day: rest}
+)");
+  REQUIRE(world.directorc({"simulate", "s.yaml", "--trace", "run.jsonl"}) == 0);
+  director::dsl::Sources sources;
+  const Checked checked = check("guide.yaml", world.files, sources);
+  REQUIRE(checked.lowerable);
+  const std::string& trace = world.outputs.files.at("run.jsonl");
+  REQUIRE(trace.find(R"("event":"grant","group":"Walk","edge":"limbo","from":"root>Walk")") != std::string::npos);
+  TraceLines lines(trace);
+  lines.next();
+  CHECK(find_waits(lines, checked.model, lower(checked.model), sources).stays.empty());
+}
+
 TEST_CASE("an answer changes where a group that could cause the condition stops without an event") {
   World world;
   world.files.add("s.yaml", R"(behaviour: s

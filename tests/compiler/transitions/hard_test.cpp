@@ -171,6 +171,19 @@ groups:
       "TakeOff any more.");
 }
 
+TEST_CASE("hard: the second one itself takes what the first one holds, as it is pushed") {
+  CHECK(cell_words(R"(states: {Light: {values: [dark, lit], initial: dark}}
+roots: {Record: {priority: 10}, Focus: {}}
+groups:
+  Record: {packs: {film: {Film: {priority: 10}, Lamp: {apart: true}}}}
+  Film: {when: [Light == lit]}
+  Focus: {tasks: [Led]}
+  Lamp: {needs: [Led], causing: [Light == lit within 200 ms]}
+  Led: {}
+)",
+                   "Focus", "Lamp") == "hard: Lamp takes at once what Focus holds. Led stops.");
+}
+
 TEST_CASE("hard: what the first one holds for a need only is taken, and it goes on in another provider") {
   const auto needs = [](int priority) {
     return fmt::format(R"(roots: {{Carry: {{priority: 10}}, Wave: {{priority: {}}}}}

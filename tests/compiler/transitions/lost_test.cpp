@@ -208,4 +208,60 @@ steps:
 )");
 }
 
+TEST_CASE("condition lost: what comes behind the provider that leads to the second one is not kept from running") {
+  CHECK(cell_words(R"(states: {Day: {values: [work, rest], external: true}}
+roots: [Visit, Serve]
+groups:
+  Visit: {when: [Day == work], tasks: [Serve]}
+  Serve:
+    providers:
+      - {name: selling, when: [Day == work]}
+      - {name: cleaning, needs: [Broom], tasks: [Sweep]}
+      - {name: resting, when: [Day == rest]}
+  Sweep: {tasks: [Broom]}
+  Broom: {}
+)",
+                   "Visit", "Sweep") ==
+        "condition lost: What Sweep wants from outside ends Visit. Visit stops. Serve stops, and begins again, but not "
+        "for Visit. From outside: Day == rest.");
+}
+
+TEST_CASE("condition lost: the second one does not undo by its own promise what it wants from outside") {
+  CHECK(cell_words(R"(states: {Battery: {values: [low, full], initial: low, external: true}}
+roots: {Work: {priority: 20}, Charge: {priority: 10}}
+groups:
+  Work: {when: [Battery == full], tasks: [Arm]}
+  Charge: {when: [Battery == low], needs: [Arm], causing: [Battery == full]}
+  Arm: {}
+)",
+                   "Work", "Charge") ==
+        "condition lost: What Charge wants from outside ends Work. From outside: Battery == low.");
+}
+
+TEST_CASE("condition lost: the values end the provider that runs, and the first one begins again in another one") {
+  CHECK(
+      cell_words(R"(states:
+  Stance: {values: [sitting, standing]}
+  Intent: {values: [rise, go], external: true}
+roots: [Wear]
+groups:
+  Wear:
+    providers:
+      - {name: walking, when: [Intent == go], packs: {go: {Gait: {}}}}
+      - {name: resting, packs: {rest: {Relax: {priority: 10}, Gait: {apart: true}}}}
+  Relax:
+    providers:
+      - {name: bending, when: [Stance == sitting], tasks: [Knees]}
+      - {name: leaning}
+  Gait:
+    providers:
+      - {name: striding, when: [Intent == go]}
+      - {name: shuffling, needs: [Knees]}
+  Knees: {}
+)",
+                 "Gait", "Relax") ==
+      "condition lost: What Relax wants from outside ends Gait. Gait stops, and begins again. From outside: Intent == "
+      "rise.");
+}
+
 } // namespace director::tests

@@ -267,6 +267,88 @@ steps:
 )");
 }
 
+TEST_CASE("both: as few values from outside as possible let the second one run") {
+  CHECK(cell_words(R"(states:
+  Light: {values: [off, on], initial: off, external: true}
+  Door: {values: [shut, open], initial: shut, external: true}
+  Fan: {values: [off, on], initial: off, external: true}
+roots: [Walk, Greet]
+groups:
+  Walk: {needs: [Legs]}
+  Greet:
+    providers:
+      - {name: host, when: [Light == on, Door == open, Fan == on], needs: [Voice]}
+      - {name: usher, when: [Light == on, Door == open], needs: [Voice]}
+      - {name: clerk, when: [Fan == on], needs: [Voice]}
+  Legs: {}
+  Voice: {}
+)",
+                   "Walk", "Greet") == "both: Walk and Greet run beside each other. From outside: Fan == on.");
+}
+
+TEST_CASE(
+    "both: the requester goes on in the pack of the first one, if that requests both, and not in an earlier one") {
+  const std::string all = cell(R"(states: {Water: {values: [cold, hot], initial: cold}}
+roots: [Serve]
+groups:
+  Serve:
+    packs:
+      coffee: {Brew: {priority: 2}, Boiler: {priority: 1}}
+      tea: {Brew: {priority: 2, apart: true}, Boiler: {priority: 1}}
+  Brew: {when: [Water == hot], needs: [Mains]}
+  Boiler:
+    providers:
+      - {name: saving, needs: [Mains]}
+      - {name: heating, causing: [Water == hot]}
+  Mains: {}
+)",
+                               "Brew", "Boiler");
+  CHECK(all.starts_with("both: Brew and Boiler run beside each other."));
+  CHECK(all.find(R"(
+  Serve.default:
+    - {run: 1, pack: tea}
+    - {reason: subtask_done, continue: true}
+    - {pack: tea, with: [Brew: {keep: true}]}
+)") != std::string::npos);
+}
+
+TEST_CASE("never: what is pushed is told before what stops by that") {
+  CHECK(cell_words(R"(states:
+  Arm: {values: [out, in], initial: out}
+  Door: {values: [open, shut], initial: open}
+roots: {Drive: {priority: 100}, Load: {}}
+groups:
+  Drive: {when: [Arm == in, Door == shut], tasks: [Wheels]}
+  Load:
+    providers:
+      - {name: lifting, packs: {lift: {Watch: {}}}}
+      - {name: folding, causing: [Arm == in]}
+  Watch: {causing: [Door == shut]}
+  Wheels: {}
+)",
+                   "Load", "Drive") ==
+        "never: Load is pushed to folding for Arm == in. Watch is pushed to default for Door == shut. Watch stops. "
+        "Drive does not run, nor when Load is done. Drive waits (root>Drive): until Door == shut, which Watch could "
+        "cause.");
+}
+
+TEST_CASE("never: a push that is made again is told once") {
+  CHECK(cell_words(R"(states:
+  Gimbal: {values: [loose, locked], initial: loose}
+  Gps: {values: [poor, good], initial: poor, external: true}
+roots: {Pilot: {priority: 50}, Mission: {}}
+groups:
+  Pilot: {packs: {steer: {Fly: {}}}}
+  Mission: {packs: {shoot: {Fly: {priority: 5}, Point: {}}}}
+  Fly: {when: [Gps == good], needs: [Rotors]}
+  Point: {causing: [Gimbal == locked within 1 s]}
+  Rotors: {when: [Gimbal == locked]}
+)",
+                   "Mission", "Fly") ==
+        "never: Fly does not run, nor when Mission is done. Point is pushed to default for Gimbal == locked, within 1 "
+        "s. From outside: Gps == good. Fly waits (Pilot>Fly): until Gimbal == locked, which Point could cause.");
+}
+
 TEST_CASE("what ran for the first one runs for another requester, and so does what the first one requested") {
   const std::string patrol = R"(roots: {Patrol: {priority: 20}, Report: {priority: 10}}
 groups:

@@ -118,6 +118,27 @@ groups:
         "push Walk.halting for Arm == down within -\n");
 }
 
+TEST_CASE("soft: a further condition that two promises of the pushed provider fulfil is told once") {
+  CHECK(cell_words(R"(states:
+  Pose: {values: [moving, slow, still], initial: moving}
+  Arm: {values: [up, down], initial: up}
+roots: {Kick: {priority: 20}, Walk: {priority: 10}}
+groups:
+  Kick: {when: [Arm == down, Pose != moving], needs: [Legs]}
+  Walk:
+    providers:
+      - {name: walking, needs: [Legs], sets: [Pose == moving], tasks: [Legs]}
+      - name: halting
+        needs: [Legs]
+        causing: [Arm == down within 3 s, Pose == slow|still within 1 s, Pose == still within 2 s]
+        tasks: [Legs]
+  Legs: {}
+)",
+                   "Walk", "Kick") ==
+        "soft: Kick waits. Walk is pushed to halting for Arm == down, within 3 s, and for Pose != moving, within 1 s. "
+        "All of that is promised within 3 s. Then Kick takes over. Walk and Legs stop.");
+}
+
 TEST_CASE("soft: what is waited for on the way to what takes over counts, and what only runs afterwards does not") {
   const char* const chain = R"(states:
   Pose: {values: [moving, still], initial: still}

@@ -74,6 +74,20 @@ groups:
              "Walk") == std::vector<std::string>{"Play.running > Walk: Ball far"});
 }
 
+TEST_CASE("the value that keeps one preferred provider from running does not let an earlier one run") {
+  CHECK(ways(R"(states: {Master: {values: [near, ahead, away], initial: near, external: true}}
+roots: [Accompany]
+groups:
+  Accompany:
+    providers:
+      - {name: following, when: [Master == ahead]}
+      - {name: waiting, when: [Master == near]}
+      - {name: alone, tasks: [Walk]}
+  Walk: {}
+)",
+             "Walk") == std::vector<std::string>{"Accompany.alone > Walk: Master away"});
+}
+
 TEST_CASE("conditions on the way that exclude each other leave no values") {
   CHECK(ways(R"(states: {Ball: {values: [near, far], initial: near, external: true}}
 roots: [Play]
@@ -133,6 +147,16 @@ groups:
   Arm: {providers: [{name: broken, when: [Ball == near]}]}
 )",
              "Kick") == std::vector<std::string>{"Play.kicking > Kick: Ball far"});
+}
+
+TEST_CASE("a request that leads back to the target makes no way") {
+  CHECK(ways(R"(roots: [Play]
+groups:
+  Play: {tasks: [Seek]}
+  Seek: {tasks: [Turn]}
+  Turn: {tasks: {Seek: {optional: true}}}
+)",
+             "Seek") == std::vector<std::string>{"Play > Seek"});
 }
 
 TEST_CASE("no chain leads to what nothing requests") {

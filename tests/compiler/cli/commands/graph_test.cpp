@@ -49,6 +49,17 @@ groups:
   }
 }
 
+TEST_CASE("a group that is missing, and both needed and requested, has one arrow") {
+  World world;
+  world.files.add("dive.yaml", "behaviour: dive\nlanguage: 1\nroots: [Dive]\n"
+                               "groups: {Dive: {needs: [Thrusters], tasks: [Thrusters]}}\n");
+  CHECK(world.directorc({"graph", "--findings", "dive.yaml"}) == 1);
+  const std::string arrow = R"("Dive" -> "Thrusters")";
+  const std::size_t at = world.out.find(arrow);
+  REQUIRE(at != std::string::npos);
+  CHECK(world.out.find(arrow, at + 1) == std::string::npos);
+}
+
 TEST_CASE("the graph for Graphviz and for Mermaid, whole", "[golden]") {
   World world = walker();
   REQUIRE(world.directorc({"graph", "walker.yaml"}) == 0);

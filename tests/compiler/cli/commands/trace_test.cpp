@@ -378,6 +378,31 @@ TEST_CASE("a body that requests some of its tasks is replayed, also by a version
   CHECK(world.out.ends_with("all the same by `other.yaml`, another version than the one recorded\n"));
 }
 
+TEST_CASE("a request of a task of another group is not replayed, though it has a task of that name too") {
+  World world;
+  world.files.add("robot.yaml", "behaviour: robot\nlanguage: 1\nroots: [Other, Play]\ngroups:\n  Other: {tasks: [B]}\n"
+                                "  Play: {tasks: [A, B]}\n  A: {}\n  B: {}\n");
+  world.files.add("s.yaml", "scenario: play\nbehaviour: robot.yaml\nsteps: [{request: Play}]\n");
+  REQUIRE(world.directorc({"simulate", "s.yaml", "--trace", "run.jsonl"}) == 0);
+  std::string trace = trace_in(world);
+  trace.replace(trace.find("\"ask\",\"edge\":\"Play>B"), 18, "\"ask\",\"edge\":\"Other");
+  world.files.add("run.jsonl", trace);
+  CHECK(world.directorc({"replay", "run.jsonl"}) == 1);
+  CHECK(world.out.starts_with("run.jsonl:8: event 7, at 0.000000 s, is decided otherwise\n  recorded: ask Other>B\n"));
+}
+
+TEST_CASE("a first step at a later time than the beginning is replayed at that time") {
+  World world;
+  world.files.add("oven.yaml", "behaviour: oven\nlanguage: 1\nstates: {Heat: {range: [0, 100], initial: 0, external: "
+                               "true}}\nroots: [Bake]\ngroups: {Bake: {when: [Heat > 50]}}\n");
+  world.files.add("s.yaml", "scenario: warming up\nbehaviour: oven.yaml\ngiven: {Heat: 10}\n"
+                            "steps: [{advance: 10 ms}, {set: {Heat: 80}}]\n");
+  REQUIRE(world.directorc({"simulate", "s.yaml", "--trace", "run.jsonl"}) == 0);
+  world.files.add("run.jsonl", trace_in(world));
+  CHECK(world.directorc({"replay", "run.jsonl"}) == 0);
+  CHECK(world.out == "run.jsonl: 3 events, all the same\n");
+}
+
 TEST_CASE("a value that a handler sets again and that does not change restarts its expiry in a replay too") {
   World world;
   world.files.add("lamp.yaml", R"(behaviour: lamp

@@ -174,6 +174,22 @@ groups:
                      "  MoveArm.tucking is to cause it: pushed for root>Travel (near.yaml:11)\n");
 }
 
+TEST_CASE("why a group waits: no condition of a disabled provider of what it needs") {
+  World world;
+  world.files.add("fetch.yaml", R"(behaviour: fetch
+language: 1
+states: {Lamp: {values: [dark, lit], initial: dark}, Door: {values: [shut, open], initial: shut}}
+roots: [Fetch]
+groups:
+  Fetch: {when: [Lamp == lit], needs: [Arm]}
+  Arm: {providers: [{name: reaching, when: [Door == open]}, {name: bending}]}
+)");
+  world.files.add("s.yaml", "behaviour: fetch.yaml\nsteps: [{disable: Arm.reaching}, {request: Fetch}]\n");
+  CHECK(world.directorc({"why", "s.yaml", "Fetch"}) == 0);
+  CHECK(world.out == "Fetch waits (root>Fetch): until Lamp == lit, which no enabled provider promises\n"
+                     "  Lamp is dark (fetch.yaml:6)\n");
+}
+
 TEST_CASE("why a group runs in a provider that is not preferred") {
   World world;
   world.files.add("walk.yaml", R"(behaviour: walk

@@ -51,6 +51,28 @@ TEST_CASE("a focus leaves the inputs and answers that a plan takes") {
   CHECK(ground.expiries.empty());
 }
 
+TEST_CASE("a focus leaves the largest and the smallest pack that requests what a plan takes") {
+  const auto compiled = director::tests::compile(
+      "behaviour: b\nlanguage: 1\nroots: [Tidy]\ngroups:\n"
+      "  Tidy: {packs: {rest: {}, some: {Grip: {}, Look: {}}, all: {Grip: {}, Look: {}, Walk: {}}, one: {Grip: {}}}}\n"
+      "  Grip: {}\n  Look: {}\n  Walk: {}\n");
+  Ground ground(compiled.model);
+  focus_on(ground, {{group(compiled.model, "Grip")}, {}});
+  CHECK(packs(ground, 0) == "|Grip Look Walk |Grip |");
+}
+
+TEST_CASE("a focus leaves the inputs that keep a provider from running which comes before the one of the plan") {
+  const auto compiled = director::tests::compile(
+      "behaviour: b\nlanguage: 1\nstates:\n  Lamp: {values: [off, on], initial: on, external: true}\n"
+      "  Door: {values: [shut, open], initial: shut, external: true}\n"
+      "  Radio: {values: [silent, music], initial: silent, external: true}\nroots: [Greet, Listen]\ngroups:\n"
+      "  Greet: {providers: [{name: wave, when: [Lamp == on]}, {name: call, when: [Door == open]}]}\n"
+      "  Listen: {when: [Radio == music]}\n");
+  Ground ground(compiled.model);
+  focus_on(ground, {{}, {compiled.provider("Greet.call")}});
+  CHECK(puts(ground, ground.sets) == "Lamp=off |Lamp=on |Door=shut |Door=open |");
+}
+
 TEST_CASE("a goal that cannot be reached has no plan") {
   const auto compiled = director::tests::compile("behaviour: b\nlanguage: 1\n"
                                                  "states: {S: {values: [x, y], initial: x}}\n"

@@ -196,6 +196,18 @@ groups:
   CHECK(covered("request: Walk, inputs: [set: {Ball: lost}, request: Kick]"));
 }
 
+TEST_CASE("a task took something from an optional one of the same priority") {
+  const char* const player = R"(behaviour: player
+language: 1
+roots: {Play: {}, Look: {optional: true}}
+groups:
+  Play: {packs: {all: {Look: {}}}}
+  Look: {}
+)";
+  CHECK(watch("steps: [request: Look, request: Play]\n", player).text.find("take-overs    1 of 1") !=
+        std::string::npos);
+}
+
 TEST_CASE("a level without a name is told by its priority, and by what else it is") {
   const char* const player = R"(behaviour: player
 language: 1

@@ -284,6 +284,87 @@ TEST_CASE("a push within a folded box is an arrow from it to itself where only p
                "back to its box: one of its groups may push another one of it\n");
 }
 
+TEST_CASE("an arrow is one of apart tasks where all that it represents are, and then its levels do not say so") {
+  const auto play = [](const std::string& requests) {
+    return "behaviour: bot\nlanguage: 1\nroots: [Play]\ngroups:\n  Play: {module: high, " + requests +
+           "}\n  Look: {module: low}\n  Walk: {module: low}\n";
+  };
+  PictureOptions modules;
+  modules.fold = PictureOptions::Fold::modules;
+  CHECK(arrows_of(picture_of(play("tasks: {Look: {apart: true}, Walk: {}}"), modules)) ==
+        "module high -> module low task\n");
+  CHECK(arrows_of(picture_of(play("tasks: {Look: {apart: true}, Walk: {apart: true}}"), modules)) ==
+        "module high -> module low task apart\n");
+  std::string large = play("providers: [{name: one, tasks: {Look: {apart: true}}}, {name: two, tasks: [Look]}]");
+  for (int i = 0; i < 40; ++i) large += fmt::format("  A{}: {{every: 1 s}}\n", i);
+  CHECK(arrows_of(picture_of(large)) == "Play -> Look task\n");
+  CHECK(
+      arrows_of(picture_of(play("tasks: {Look: {levels: {calm: {apart: true}, hot: {apart: true, priority: 5}}}}"))) ==
+      "Play -> Look task apart (calm 0, hot 5)\n");
+}
+
+TEST_CASE("an arrow of a collapsed picture is drawn where one of what it represents is shown, and the others not yet") {
+  const tests::Compiled from = tests::compile(R"(behaviour: bot
+language: 1
+roots: {A: {priority: 2}, B: {priority: 2}, Drive: {priority: 1}}
+states: {Motion: {values: [off_road, off, on], initial: on}}
+groups:
+  A: {module: tall, when: [Motion == off_road]}
+  B: {module: tall, when: [Motion == off]}
+  Drive:
+    module: deep
+    providers:
+      - {name: rolling, sets: [Motion == on]}
+      - {name: offing, causing: [Motion == off]}
+      - {name: roading, causing: [Motion == off_road]}
+)");
+  Moment first;
+  first.groups.resize(3);
+  first.edges.resize(3, Moment::Mark::inactive);
+  Moment second = first;
+  first.pushes = {{from.group("A"), from.group("Drive"), from.provider("Drive.roading"), "Motion == off_road", ""}};
+  second.pushes = {{from.group("B"), from.group("Drive"), from.provider("Drive.offing"), "Motion == off", ""}};
+  PictureOptions options;
+  options.fold = PictureOptions::Fold::modules;
+  options.frames = {first, second};
+  for (const Moment& now : options.frames) {
+    options.moment = now;
+    const Picture picture = make_picture(from.model, make_graph(from.model), from.sources, options);
+    REQUIRE(picture.arrows.size() == 1);
+    CHECK_FALSE(picture.arrows.front().hidden);
+  }
+}
+
+TEST_CASE("of a condition that several wait for a collapsed picture has one line") {
+  PictureOptions options;
+  options.fold = PictureOptions::Fold::modules;
+  CHECK(arrows_of(picture_of(R"(behaviour: bot
+language: 1
+roots: {A: {priority: 2}, B: {priority: 2}, Drive: {priority: 1}}
+states: {Motion: {values: [off, on], initial: on}}
+groups:
+  A: {module: tall, when: [Motion == off]}
+  B: {module: tall, when: [Motion == off]}
+  Drive: {module: deep, providers: [{name: on, sets: [Motion == on]}, {name: off, causing: [Motion == off]}]}
+)",
+                             options)) == "module tall -> module deep push (Motion == off) up\n");
+}
+
+TEST_CASE("groups that are requested alike have boxes of their own where one has a finding, or if they wait") {
+  const std::string arms = "behaviour: arms\nlanguage: 1\nroots: [Wave]\ngroups:\n"
+                           "  Wave: {tasks: [Left, Right]}\n  Left: {}\n  Right: {}\n";
+  CHECK(boxes_of(picture_of(arms)) == "-: [Wave] [Left, Right]\n");
+  PictureOptions flawed;
+  flawed.flaws.lines = {{tests::compile(arms).group("Left"), {}, false, "\u26A0 loop:", "it goes round"}};
+  CHECK(boxes_of(picture_of(arms, flawed)) == "-: [Wave] [Left] [Right]\n");
+  PictureOptions waiting;
+  waiting.moment.emplace();
+  waiting.moment->groups = {
+      {Moment::Mark::running, {}, {}}, {Moment::Mark::queued, {}, {}}, {Moment::Mark::queued, {}, {}}};
+  waiting.moment->edges.resize(3, Moment::Mark::queued);
+  CHECK(boxes_of(picture_of(arms, waiting)) == "-: [Wave] [Left] [Right]\n");
+}
+
 TEST_CASE("a warning below the picture is explained and coloured as one, and an error as an error") {
   Picture picture = picture_of("behaviour: lamp\nlanguage: 1\nroots: [Lamp]\ngroups: {Lamp: {}}\n");
   const auto rest = [&] {
