@@ -82,7 +82,9 @@ await situation('who looks back stays there, while more happens, until the end i
   const there = await time(page);
   await page.waitForTimeout(700);
   assert.equal(await time(page), there);
+  await sees(page, '.live-state', /^Connected: what is shown is the past; “Follow the end” leads back to the present$/);
   await page.check('#follow');
+  await sees(page, '.live-state', /^Connected: this is what happens now$/);
   await until(page, (from) => Number.parseFloat(document.querySelector('.where').innerText) > from + 2, there);
 });
 
@@ -201,10 +203,12 @@ await situation('a page of another version of the behaviour says so, and the own
   assert.doesNotMatch(await text(page, '#live'), warning);
   await page.route(url, async (route) => {
     const answer = await route.fetch();
-    await route.fulfill({ response: answer, body: (await answer.text()).replace(/data-fingerprint="\w{16}"/, 'data-fingerprint="0123456789abcdef"') });
+    const body = (await answer.text()).replace(/data-fingerprint="\w{16}"/, 'data-fingerprint="0123456789abcdef"').replaceAll('Walk', 'Gait');
+    await route.fulfill({ response: answer, body });
   });
   await page.reload();
   await sees(page, '#live', warning);
+  await sees(page, '#moment', /Rest/); // although the program has no group of the name that one has in this page
 });
 
 await situation('events that are missing are counted, and then it is the present again', [live, 'flood'], {}, async ({ page }) => {

@@ -137,7 +137,8 @@ private:
   void add_marked_line(Moment::Mark mark, std::string sign, std::string words) {
     const bool has_frames = draws_box([](const PictureBox& box) { return !box.frames.empty(); });
     const auto is_one = [&](const PictureArrow& arrow) {
-      return arrow.kind != Kind::push && arrow.kind != Kind::take && (has_frames || arrow.mark == mark);
+      const bool is_so = arrow.mark == mark || (mark == Moment::Mark::running && arrow.mark == Moment::Mark::held);
+      return arrow.kind != Kind::push && arrow.kind != Kind::take && (has_frames || is_so);
     };
     add_sign(draws(is_one), std::move(sign), std::move(words));
   }

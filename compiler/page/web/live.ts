@@ -27,6 +27,7 @@ interface Reason {
 export class Live implements Source {
   readonly grows = true;
   private record: Recording | undefined;
+  private timeline: Timeline | undefined;
   private fingerprint = '';
   private readonly waiting: string[] = []; // data of messages that are not processed yet
   private time: number | undefined;
@@ -68,6 +69,7 @@ export class Live implements Source {
   private look(): void {
     if (performance.now() - this.heard > silence) this.bar.silent();
     else this.bar.heard(performance.now() - this.stepped <= silence);
+    this.bar.looksBack(this.timeline?.follows === false);
     if (this.held || (this.waiting.length === 0 && this.time === undefined)) return;
     const lines = this.waiting.splice(0).map((data) => this.withoutHeader(data)).join('\n');
     const { record, time } = this;
@@ -112,7 +114,7 @@ export class Live implements Source {
   private makeTimeline(): void {
     const section = make('section', { id: 'timeline', 'aria-labelledby': 'timeline-title' }, make('h2', { id: 'timeline-title' }, 'Now, and what led to it'));
     byId('picture')?.after(section);
-    new Timeline(this, this.pictures, this.data);
+    this.timeline = new Timeline(this, this.pictures, this.data);
     if (scrollY === 0 && location.hash === '') scrollTo({ top: byId('live')?.getBoundingClientRect().top }); // scrollIntoView would add the padding meant for this box
   }
 

@@ -33,6 +33,7 @@ export class LiveBar {
   private state: State = 'connecting';
   private behindUntil = 0;
   private isIdle = false; // the program takes no steps
+  private isPast = false; // the page shows an earlier moment
   private asked = 0;
 
   constructor(data: Data, private readonly reasonOf: (group: string) => Promise<Reason>) {
@@ -48,7 +49,14 @@ export class LiveBar {
 
   connected(): void {
     this.isIdle = false;
-    this.show('connected', ': this is what happens now');
+    this.show('connected', this.isPast ? ': what is shown is the past; “Follow the end” leads back to the present' : ': this is what happens now');
+  }
+
+  /** Says whether the page shows an earlier moment. */
+  looksBack(isPast: boolean): void {
+    if (this.isPast === isPast) return;
+    this.isPast = isPast;
+    if (this.state === 'connected' && !this.isIdle) this.connected();
   }
 
   /** Messages are coming: ends the state `silent`, and `behind` after its time. `steps`: the program has also taken steps lately. */

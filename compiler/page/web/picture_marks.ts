@@ -80,7 +80,11 @@ export class PictureMarks {
     this.names = recording.names;
     this.frames = [...(picture.legend?.querySelectorAll('dt') ?? [])].find((sign) => sign.textContent === roots);
     const parts = new Map<string, number[]>(); // groups of modules and layers, by title of the box; bands have such titles too, but no frame
-    for (const { name, module, layer } of data.groups) for (const part of [`module ${module}`, `layer ${layer}`]) parts.set(part, [...(parts.get(part) ?? []), this.names.group(name)]);
+    for (const { name, module, layer } of data.groups) {
+      const group = this.names.group(name);
+      if (group === nobody) continue; // the page is of another version of the behaviour
+      for (const part of [`module ${module}`, `layer ${layer}`]) parts.set(part, [...(parts.get(part) ?? []), group]);
+    }
     const groupsOf = (title: string): number[] => {
       const groups = title.split(', ').map((name) => this.names.group(name));
       return groups.every((group) => group !== nobody) ? groups : (parts.get(title) ?? []);
@@ -259,10 +263,11 @@ export class PictureMarks {
     };
     for (const from of arrow.from) {
       const asks = this.recording.standingAt(from, event);
-      if (arrow.provider !== undefined && this.names.header.groups[from].providers[asks.provider] !== arrow.provider) continue;
+      const isOnlyHeld = asks.provider === nobody; // for one of its providers, which does not run
+      if (arrow.provider !== undefined && !isOnlyHeld && this.names.header.groups[from].providers[asks.provider] !== arrow.provider) continue;
       for (const to of arrow.to) {
         const asked = this.recording.standingAt(to, event);
-        const isTheirs = (edge: number): boolean => this.names.requesters[edge] === from && this.isOfPack(arrow, edge, event);
+        const isTheirs = (edge: number): boolean => this.names.requesters[edge] === from && (isOnlyHeld || this.isOfPack(arrow, edge, event));
         if (isTheirs(asked.holder)) put(asked.mark === 'running' || asked.mark === 'pushed' ? 'running' : asked.waits.some((wait) => wait.edge === asked.holder) ? 'queued' : 'held');
         else if (asked.waits.some((wait) => isTheirs(wait.edge))) put('queued');
       }

@@ -225,6 +225,11 @@ export class Timeline {
 
   // Display.
 
+  /** Whether the moment is the end of a recording that grows. */
+  get follows(): boolean {
+    return this.follow.checked;
+  }
+
   private grown(): void {
     if (this.follow.checked && this.source.grows) {
       this.cursor.goToTime(this.source.recording.ends);

@@ -4,7 +4,6 @@
 // A plan is searched, not enumerated: it is a stack of entries (group, provider, need), extended depth first; the next
 // plan changes the last entry that has another provider. The plans of a unit are on one stack, one behind the other.
 
-
 #include "runtime/core/arbitration/grant.hpp"
 #include "runtime/core/arbitration/push.hpp"
 

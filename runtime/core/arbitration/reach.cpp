@@ -4,7 +4,6 @@
 // A change is an input, or a group whose claim, push or place in the order differs from the last pass. The units that
 // it reaches are found through the tables: each group lists the groups whose plans may contain it (Group::users).
 
-
 #include "runtime/core/arbitration/push.hpp"
 #include "runtime/core/arbitration/trail.hpp"
 

@@ -1,7 +1,6 @@
 // docs/semantics.md, sections 4.3 and 4.4, Refuse: the conditions of a provider, and units that wait for one.
 // SPDX-License-Identifier: MIT
 
-
 #include "runtime/core/arbitration/grant.hpp"
 #include "runtime/core/arbitration/push.hpp"
 

@@ -324,10 +324,14 @@ void mark_requests(const Model& model, const Moment& moment, std::vector<GroupAr
   }
   for (GroupArrow& arrow : arrows) {
     const auto edge = edges.find({arrow.from, arrow.to});
+    arrow.mark = Moment::Mark::inactive;
+    if (edge == edges.end()) continue;
+    const Moment::Mark mark = moment.edges[edge->second.value];
     const std::optional<ProviderId>& active = moment.groups[arrow.from.value].active;
-    const bool requests = active && (!arrow.row || row_of(model, *active) == *arrow.row) && edge != edges.end() &&
+    const bool is_held = !active && mark == Moment::Mark::held; // for one of its providers, which does not run
+    const bool requests = active && (!arrow.row || row_of(model, *active) == *arrow.row) &&
                           is_of_pack(model, moment, arrow, edge->second);
-    arrow.mark = requests ? moment.edges[edge->second.value] : Moment::Mark::inactive;
+    if (requests || is_held) arrow.mark = mark;
   }
 }
 

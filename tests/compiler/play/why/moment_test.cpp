@@ -70,6 +70,30 @@ TEST_CASE("a moment at a time is within the step that passes it") {
   CHECK_FALSE(has("pushed to"));
 }
 
+TEST_CASE("the need of a group that is itself only held has a blue line, from the provider for which it is held") {
+  World world;
+  world.files.add("leg.yaml", R"(behaviour: leg
+language: 1
+roots: [Walk]
+groups:
+  Walk: {needs: [Leg]}
+  Leg: {providers: [{name: bent, needs: [Hip], tasks: [Hip]}, {name: straight, needs: [Knee], tasks: [Knee]}]}
+  Hip: {needs: [Motor], tasks: [Motor]}
+  Knee: {}
+  Motor: {}
+)");
+  world.files.add("s.yaml", "behaviour: leg.yaml\nsteps: [{request: Walk}]\n");
+  REQUIRE(world.directorc({"graph", "s.yaml", "--step=1", "--format=mermaid"}) == 0);
+  const auto has = [&](const std::string& piece) { return world.out.find(piece) != std::string::npos; };
+  CHECK(has("  g0 --o g1\n"
+            "  g1p0 -->|\"needs\"| g2\n"
+            "  g1p1 -->|\"needs\"| g3\n"
+            "  g2 -->|\"needs\"| g4\n"));
+  CHECK(has("  linkStyle 2 stroke:#8A919B\n" // of the provider that is not used
+            "  linkStyle 0,1,3 stroke:#00629B\n"));
+  CHECK(has("blue line: is requested or needed, and has it"));
+}
+
 TEST_CASE("the arrow of a push does not say that its task waits: it may run, and the push go on") {
   World world;
   world.files.add("rover.yaml", R"(behaviour: rover
